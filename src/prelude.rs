@@ -6,8 +6,8 @@ pub use crate::dynamics::record::{Figure, Quantity};
 pub use crate::error::Error;
 pub use crate::frontend::build::{
     AnyObject, Assembly, CamFollower, Crank, Differential, DiscCam, Drive, Force, Geometry, Joint,
-    Law, Link, Linkage, LinkageForce, Load, Output, OwnObject, Pair, Position, Rocker, Shaft,
-    Slider, Station, Torque,
+    Law, Link, Linkage, LinkageForce, LinkageInput, Load, Output, OwnObject, Pair, Position,
+    Rocker, Shaft, Slider, Station, Torque,
 };
 pub use crate::studies::axis::Axis;
 pub use crate::studies::kinematics::{

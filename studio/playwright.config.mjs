@@ -9,5 +9,5 @@ export default defineConfig({
   expect: { timeout: 15_000 },
   workers: 1,
   reporter: "list",
-  use: { viewport: { width: 1280, height: 900 }, launchOptions: browser },
+  use: { actionTimeout: 20_000, viewport: { width: 1280, height: 900 }, launchOptions: browser },
 });

@@ -19,6 +19,9 @@ pub(crate) struct Case {
     pub(crate) truth: String,
     /// Whether something touches, strikes or rubs in it.
     pub(crate) contact_or_friction: bool,
+    /// What was learnt of the stored figures; empty: nothing.
+    #[serde(default)]
+    pub(crate) remark: String,
     /// Its figures.
     pub(crate) figures: Vec<Figure>,
     /// The scene.
@@ -36,6 +39,9 @@ pub(crate) struct Figure {
     pub(crate) figure: String,
     /// The figure as it is stored; none: there is none.
     pub(crate) stored: Option<f64>,
+    /// True: it was published as a reference, computed as finely as its authors could.
+    #[serde(default)]
+    pub(crate) reference: bool,
     /// A unit of the last digit that is stored.
     pub(crate) last_digit: f64,
     /// The true figure.

@@ -41,7 +41,12 @@ fn document(cases: &[Case]) -> String {
             let off = |value: f64| format!("{:.0e}", (value - figure.truth).abs());
             let truth = format!("{} ± {:.0e}", figure.truth, figure.truth_error);
             let stored = figure.stored.map_or("not stored".to_owned(), |stored| {
-                format!("{} (last digit {:.0e})", off(stored), figure.last_digit)
+                let kind = if figure.reference { "reference, " } else { "" };
+                format!(
+                    "{} ({kind}last digit {:.0e})",
+                    off(stored),
+                    figure.last_digit
+                )
             });
             let _ = writeln!(
                 text,
@@ -71,6 +76,13 @@ fn document(cases: &[Case]) -> String {
             case.name, case.source, case.truth
         );
     }
+    text.push_str("\nWhat was learnt of the stored figures:\n\n");
+    for case in cases.iter().filter(|case| !case.remark.is_empty()) {
+        let _ = writeln!(text, "- {}: {}", case.name, case.remark);
+    }
+    text.push_str(
+        "\n`benches/public/README.md` says which cases were looked at and left out, and why.\n",
+    );
     text
 }
 

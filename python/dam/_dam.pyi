@@ -90,6 +90,7 @@ class Scene:
     def identity(self) -> tuple[str, str]: ...
     def check(self) -> list[Fault]: ...
     def run(self, progress: _Progress | None = None) -> tuple[Answer, bool]: ...
+    def least_time(self, repeats: int) -> float: ...
     def compare(
         self, address: str, values: Sequence[Value], progress: _Progress | None = None
     ) -> Answer: ...
@@ -101,6 +102,7 @@ class Scene:
         check: bool,
         digits: int,
         threads: int | None,
+        panels: Sequence[str],
         progress: _Progress | None,
     ) -> tuple[
         Answer,
@@ -108,6 +110,7 @@ class Scene:
         tuple[str, str],
         str,
         list[tuple[str, str, bool | None]],
+        list[str],
     ]: ...
     def map_plan(
         self, x: str, y: str | None, figure: str | None, check: bool, digits: int
@@ -130,6 +133,8 @@ class Scene:
         steps: Sequence[float] | None,
         repeats: int,
         point_limit: float,
+        models: bool,
+        x: str | None,
         progress: _Progress | None,
     ) -> Answer: ...
     def kinematics(
@@ -163,6 +168,7 @@ class Scene:
         reserve_is_force: bool,
         tolerance: str | None,
         cutter: str | None,
+        lift_off: bool,
     ) -> tuple[Answer, str, str]: ...
     def law(self, object: str, samples: int) -> Answer: ...
     def reduce(self, progress: _Progress | None = None) -> tuple[Answer, Scene, bool]: ...

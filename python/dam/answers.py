@@ -404,6 +404,7 @@ class Map(Answer):
         figure: tuple[str, str],
         hash: str,
         verdicts: Sequence[tuple[str, str, bool | None]],
+        panels: Sequence[str],
     ) -> None:
         super().__init__(answer)
         self._axes = axes
@@ -411,6 +412,7 @@ class Map(Answer):
         self._figure = figure
         self._hash = hash
         self._verdicts = verdicts
+        self._panels = list(panels)
 
     @property
     def figure(self) -> str:
@@ -428,9 +430,16 @@ class Map(Answer):
         return self._hash
 
     @property
-    def shape(self) -> tuple[int, int]:
-        """Number of rows and of columns; one row where there is one parameter."""
-        return (max(self._shape[0], 1), self._shape[1])
+    def panels(self) -> list[str]:
+        """What each of several maps differs in; empty where there is a single one."""
+        return self._panels if len(self._panels) > 1 else []
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of rows and of columns, of panels before them where there are several; one row
+        where there is one parameter."""
+        plain = (max(self._shape[0], 1), self._shape[1])
+        return (len(self._panels), *plain) if self.panels else plain
 
     @property
     def x(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -444,12 +453,13 @@ class Map(Answer):
 
     @property
     def values(self) -> numpy.typing.NDArray[numpy.float64]:
-        """The figure, rows by columns; NaN where there is none."""
+        """The figure, rows by columns, panel by panel where there are several; NaN where there is
+        none."""
         return self.record["value"].reshape(self.shape)
 
     @property
     def verdicts(self) -> list[str]:
-        """Verdicts, row by row: `in_working_order`, `lift_off`, …"""
+        """Verdicts, row by row, panel by panel: `in_working_order`, `lift_off`, …"""
         return [verdict for verdict, _, _ in self._verdicts]
 
     @property
@@ -464,8 +474,11 @@ class Map(Answer):
 
         x, y = _path(self._axes[0]), self._axes[1]
         over = [x] if y is None else [_path(y), x]
-        shape = self._shape[1:] if y is None else self._shape
+        shape = tuple(self._shape[1:] if y is None else self._shape)
         coordinates = {x: numpy.array(self.x)}
+        if self.panels:
+            over, shape = ["panel", *over], (len(self._panels), *shape)
+            coordinates["panel"] = numpy.array(self._panels, dtype=object)
         if y is not None:
             coordinates[_path(y)] = numpy.array(self.y)
         text = numpy.dtype(object)
@@ -477,8 +490,9 @@ class Map(Answer):
         attributes = {"figure": self.figure, "hash": self.hash}
         return xarray.Dataset(variables, coordinates, attributes)
 
-    def plot(self, *names: str, axes: Axes | None = None) -> Axes:
-        """Draws the map by matplotlib: a curve, or colours over two parameters."""
+    def plot(self, *names: str, axes: Axes | None = None, panel: int = 0) -> Axes:
+        """Draws the map by matplotlib: a curve, or colours over two parameters; of several panels
+        the one of this number."""
         import matplotlib.pyplot
 
         if names:
@@ -487,11 +501,14 @@ class Map(Answer):
             axes = matplotlib.pyplot.figure(figsize=(7.0, 5.0)).add_subplot()
         label = f"{self.figure} ({self.unit})" if self.unit else self.figure
         axes.set_xlabel(_path(self._axes[0]))
+        values = self.values[panel] if self.panels else self.values
+        if self.panels:
+            axes.set_title(self._panels[panel])
         if self._axes[1] is None:
-            axes.plot(self.x, self.values[0], marker=".")
+            axes.plot(self.x, values[0], marker=".")
             axes.set_ylabel(label)
         else:
-            mesh = axes.pcolormesh(self.x, self.y, self.values, shading="nearest")
+            mesh = axes.pcolormesh(self.x, self.y, values, shading="nearest")
             axes.set_ylabel(_path(self._axes[1]))
             axes.get_figure().colorbar(mesh, ax=axes, label=label)  # type: ignore[union-attr]
         return axes
@@ -506,8 +523,9 @@ class Methods(Answer):
 
     @property
     def recommended(self) -> str | None:
-        """The method that is soonest accurate enough; `None`: none is."""
-        found = self.document["recommendation"]
+        """The method that is soonest accurate enough; `None`: none is, or they were studied at
+        every value of a parameter, of which `document["slices"]` has one each."""
+        found = self.document.get("recommendation")
         method = found.get("method") if isinstance(found, dict) else None
         return method if isinstance(method, str) else None
 
@@ -548,6 +566,16 @@ class Cam(Answer):
     def svg(self) -> str:
         """The cam with its follower as a drawing."""
         return self._files[1]
+
+    @property
+    def lift_off(self) -> float | None:
+        """Speed of the cam (rad/s) at which its elastic follower leaves it, found by runs; `None`:
+        it was not asked for, or lies outside of what was tried, as `text()` says."""
+        cam = self.document.get("cam")
+        force = cam.get("force") if isinstance(cam, dict) else None
+        found = force.get("elastic") if isinstance(force, dict) else None
+        speed = found.get("at") if isinstance(found, dict) else None
+        return float(speed) if isinstance(speed, (int, float)) else None
 
 
 class Law(Answer):

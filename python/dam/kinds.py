@@ -16,7 +16,6 @@ __all__ = [
     "AnyKind",
     "Cam",
     "CamFollower",
-    "CamLaw",
     "CamOf",
     "Contact",
     "Couple",
@@ -34,7 +33,9 @@ __all__ = [
     "From",
     "Geometry",
     "Gravity",
+    "Harmonic",
     "HuntCrossley",
+    "Indicator",
     "Kloss",
     "Law",
     "LawOf",
@@ -46,6 +47,7 @@ __all__ = [
     "LinkageForce",
     "LinkageForceForce",
     "LinkageForceTable",
+    "LinkageInput",
     "LinkageLink",
     "LinkageLinkGeometry",
     "LinkageOutput",
@@ -62,6 +64,8 @@ __all__ = [
     "Point",
     "Polynomial",
     "Position",
+    "PositionCam",
+    "PositionCamLaw",
     "PositionPolynomial",
     "PositionTable",
     "Ratio",
@@ -98,25 +102,21 @@ __all__ = [
 
 
 class Cam(Tree):
-    """Cam with rise, dwell, return and rest.
+    """Contact along a line with the object's own `cam`, of its `material`: radii, width and moduli are those, k is the secant N/p at a stated load.
 
     Parameters
     ----------
-    law
-        Law of motion of both, or an object with one for the rise and one for the return.
-    lift
-        Full stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
-    return_
-        Angle of the return (angle in rad, deg, mrad or rev)
-    rise
-        Angle of the rise (angle in rad, deg, mrad or rev)
-    dwell
-        Angle of the upper dwell (angle in rad, deg, mrad or rev) Default: 0.0.
-    phase
-        Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
-    rest
-        Angle of the rest; if given, the four angles must make a full turn (angle in rad,
-        deg, mrad or rev)
+    load
+        Contact force along the normal at which k is the secant N/p (force in N, kN or MN)
+    at
+        Angle of the cam at which they touch; absent: where its profile is most sharply
+        convex (angle in rad, deg, mrad or rev)
+    cam_depth
+        Depth below the cam's surface from which its approach is counted, where that is flat
+        or hollow (length in m, mm, cm or µm)
+    depth
+        Depth below a flat face from which its approach is counted (length in m, mm, cm or
+        µm)
     """
 
     __slots__ = ()
@@ -124,22 +124,16 @@ class Cam(Tree):
     def __init__(
         self,
         *,
-        law: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value] | CamLaw,
-        lift: Quantity,
-        return_: Quantity,
-        rise: Quantity,
-        dwell: Quantity | None = None,
-        phase: Quantity | None = None,
-        rest: Quantity | None = None,
+        load: Quantity,
+        at: Quantity | None = None,
+        cam_depth: Quantity | None = None,
+        depth: Quantity | None = None,
     ) -> None:
         super().__init__(
-            ("law", law),
-            ("lift", lift),
-            ("return", return_),
-            ("rise", rise),
-            ("dwell", dwell),
-            ("phase", phase),
-            ("rest", rest),
+            ("load", load),
+            ("at", at),
+            ("cam_depth", cam_depth),
+            ("depth", depth),
         )
 
 
@@ -151,8 +145,8 @@ class CamFollower(Tree):
     input
         Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
     cam
-        Geometry of the disc cam that realises the position function; used by `dam cam`
-        only, not by the dynamics.
+        Geometry of the disc cam that realises the position function: for `dam cam`, and
+        with a `material` for the pressure of a run; not for the dynamics.
     damping
         Damping b seen at the last mass (rotational damping in N m s/rad or N m s; or
         damping in N s/m or kN s/m)
@@ -270,31 +264,6 @@ class CamFollower(Tree):
             ("stiffness", stiffness),
             ("stiffnesses", stiffnesses),
             ("stops", stops),
-        )
-
-
-class CamLaw(Tree):
-    """What `law` is made of.
-
-    Parameters
-    ----------
-    return_
-        Law of the return, run backwards.
-    rise
-        Law of the rise.
-    """
-
-    __slots__ = ()
-
-    def __init__(
-        self,
-        *,
-        return_: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value],
-        rise: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value],
-    ) -> None:
-        super().__init__(
-            ("return", return_),
-            ("rise", rise),
         )
 
 
@@ -910,10 +879,18 @@ class Force(Tree):
     ----------
     constant
         Constant force (force in N, kN or MN)
+    expression
+        Expression over t, phi and phi_dot of the drive, in s, rad or m: "30*(1 -
+        phi_dot/150)".
     linear
         T₀·(1 − ω/ω₀).
+    over
+        Another object (or output) whose motion `expression` looks at as over_phi and
+        over_phi_dot: `press`, `press.ram`.
     table
         List of [speed, force]: linear between the points, constant outside.
+    unit
+        Unit of the value of `expression`; default SI (force in N, kN or MN)
     """
 
     __slots__ = ()
@@ -922,13 +899,19 @@ class Force(Tree):
         self,
         *,
         constant: Quantity | None = None,
+        expression: str | None = None,
         linear: Linear | Mapping[str, Value] | None = None,
+        over: str | None = None,
         table: Sequence[Sequence[Quantity]] | None = None,
+        unit: str | None = None,
     ) -> None:
         super().__init__(
             ("constant", constant),
+            ("expression", expression),
             ("linear", linear),
+            ("over", over),
             ("table", table),
+            ("unit", unit),
         )
 
 
@@ -1004,6 +987,9 @@ class From(Tree):
 
     Parameters
     ----------
+    cam
+        Contact along a line with the object's own `cam`, of its `material`: radii, width
+        and moduli are those, k is the secant N/p at a stated load.
     line
         Contact along a line (roller, flat face): k is the secant N/p at a stated load.
     point
@@ -1015,10 +1001,12 @@ class From(Tree):
     def __init__(
         self,
         *,
+        cam: Cam | Mapping[str, Value] | None = None,
         line: Line | Mapping[str, Value] | None = None,
         point: Point | Mapping[str, Value] | None = None,
     ) -> None:
         super().__init__(
+            ("cam", cam),
             ("line", line),
             ("point", point),
         )
@@ -1091,6 +1079,43 @@ class Gravity(Tree):
         )
 
 
+class Harmonic(Tree):
+    """Sine over time, or over the driver's displacement.
+
+    Parameters
+    ----------
+    amplitude
+        Amplitude (moment in N m, kN m or N mm; or force in N, kN or MN)
+    frequency
+        Periods per second (frequency in Hz or kHz)
+    mean
+        Constant part (moment in N m, kN m or N mm; or force in N, kN or MN) Default: 0.0.
+    order
+        Periods per turn of the driver (a pure number)
+    phase
+        Angle of the sine at its start (angle in rad, deg, mrad or rev) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        amplitude: Quantity,
+        frequency: Quantity | None = None,
+        mean: Quantity | None = None,
+        order: Quantity | None = None,
+        phase: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("amplitude", amplitude),
+            ("frequency", frequency),
+            ("mean", mean),
+            ("order", order),
+            ("phase", phase),
+        )
+
+
 class HuntCrossley(Tree):
     """N = c·p·max(0, 1 + κ·ṗ)
 
@@ -1110,6 +1135,43 @@ class HuntCrossley(Tree):
     ) -> None:
         super().__init__(
             ("kappa", kappa),
+        )
+
+
+class Indicator(Tree):
+    """Pressure on a piston over the driver's displacement: the indicator diagram of an engine or a compressor.
+
+    Parameters
+    ----------
+    area
+        Area of the piston; positive: the pressure pushes towards positive displacement
+        (area in m^2, mm^2 or cm^2)
+    points
+        List of [driver's displacement, pressure]: linear between the points.
+    ambient
+        Pressure on the other side of the piston (pressure in Pa, kPa, bar or MPa) Default:
+        101325.0.
+    period
+        Repeats after this much of the driver's displacement: 360 deg of a two-stroke, 720
+        deg of a four-stroke engine; default one turn of a turning driver (angle in rad,
+        deg, mrad or rev; or length in m, mm, cm or µm)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        area: Quantity,
+        points: Sequence[Sequence[Quantity]],
+        ambient: Quantity | None = None,
+        period: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("area", area),
+            ("points", points),
+            ("ambient", ambient),
+            ("period", period),
         )
 
 
@@ -1309,7 +1371,7 @@ class Linear(Tree):
 
 
 class Linkage(Tree):
-    """A planar linkage of rigid links with one degree of freedom.
+    """A planar linkage of rigid links, with one degree of freedom or several.
 
     Parameters
     ----------
@@ -1335,6 +1397,9 @@ class Linkage(Tree):
         direction. Default: false.
     ground
         Points of the ground by name, each [x, y]. Default: {}.
+    inputs
+        In place of `input`, `driver`, `position`, `start` and `travel`: its independent
+        coordinates by name, as many as its mobility. Each is an output too, `press.left`.
     joint_friction
         True: the friction of the pairs acts on the motion in `dam run`, and the linkage may
         come to rest by it; false: it counts in `dam forces` only. Default: false.
@@ -1370,6 +1435,7 @@ class Linkage(Tree):
         from_: str | None = None,
         gravity: Gravity | Mapping[str, Value] | bool | None = None,
         ground: Mapping[str, Sequence[Quantity]] | None = None,
+        inputs: Mapping[str, LinkageInput | Mapping[str, Value]] | None = None,
         joint_friction: bool | None = None,
         links: Mapping[str, LinkageLink | Mapping[str, Value]] | None = None,
         outputs: Mapping[str, LinkageOutput | Mapping[str, Value]] | None = None,
@@ -1389,6 +1455,7 @@ class Linkage(Tree):
             ("from", from_),
             ("gravity", gravity),
             ("ground", ground),
+            ("inputs", inputs),
             ("joint_friction", joint_friction),
             ("links", links),
             ("outputs", outputs),
@@ -1535,6 +1602,69 @@ class LinkageForceTable(Tree):
             ("points", points),
             ("direction", direction),
             ("period", period),
+        )
+
+
+class LinkageInput(Tree):
+    """What `linkage_input` is made of.
+
+    Parameters
+    ----------
+    angle
+        The angle of a link that floats.
+    loads
+        Loads by name. Positive forces act in the direction of positive displacement.
+        Default: {}.
+    object
+        Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
+    offset
+        With `object`: input coordinate where that is at zero; default 0 (angle in rad, deg,
+        mrad or rev; or length in m, mm, cm or µm)
+    pair
+        The coordinate of a pair.
+    ratio
+        With `object`: input coordinate over the displacement of that; default 1 (a pure
+        number; or length per angle in m/rad, mm/rad, mm/rev or mm)
+    speed
+        Speed at the start of a free input; default 0 (angular speed in rad/s, rev/s, rpm or
+        deg/s; or speed in m/s, mm/s or m/min)
+    start
+        Value at which `assembly` holds; a free input starts there. Default 0, with `object`
+        where that starts (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+    x
+        x of the origin of a link that floats: no pair joins it to the ground, and its `y`
+        and `angle` are inputs too.
+    y
+        y of the origin of a link that floats.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        angle: str | None = None,
+        loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
+        object: str | None = None,
+        offset: Quantity | None = None,
+        pair: str | None = None,
+        ratio: Quantity | None = None,
+        speed: Quantity | None = None,
+        start: Quantity | None = None,
+        x: str | None = None,
+        y: str | None = None,
+    ) -> None:
+        super().__init__(
+            ("angle", angle),
+            ("loads", loads),
+            ("object", object),
+            ("offset", offset),
+            ("pair", pair),
+            ("ratio", ratio),
+            ("speed", speed),
+            ("start", start),
+            ("x", x),
+            ("y", y),
         )
 
 
@@ -1702,17 +1832,31 @@ class Load(Tree):
     ----------
     constant
         Constant force W (moment in N m, kN m or N mm; or force in N, kN or MN)
+    expression
+        Expression over t, phi and phi_dot of the mass, driver_phi and driver_phi_dot, in s,
+        rad or m: "120*sin(2*pi*5*t)".
     friction
         Coulomb friction, regularised: W = −force·tanh(φ̇/width).
+    harmonic
+        Sine over time, or over the driver's displacement.
+    indicator
+        Pressure on a piston over the driver's displacement: the indicator diagram of an
+        engine or a compressor.
     mass
         Mass it acts on: `last`, `first`, `all`, or its number from 1; default `all` for a
         weight, `last` for everything else.
+    over
+        Another object (or output) whose motion `expression` looks at as over_phi and
+        over_phi_dot: `press`, `press.ram`.
     position_table
         Force over the driver's displacement.
     spring
         Spring: W = −preload − rate·φ.
     time_table
         List of [time, force]: linear between the points, constant outside.
+    unit
+        Unit of the value of `expression`; default SI (moment in N m, kN m or N mm; or force
+        in N, kN or MN)
     viscous
         Viscous: W = −b·φ̇, b (rotational damping in N m s/rad or N m s; or damping in N s/m
         or kN s/m)
@@ -1728,22 +1872,32 @@ class Load(Tree):
         self,
         *,
         constant: Quantity | None = None,
+        expression: str | None = None,
         friction: Friction | Mapping[str, Value] | None = None,
+        harmonic: Harmonic | Mapping[str, Value] | None = None,
+        indicator: Indicator | Mapping[str, Value] | None = None,
         mass: int | Literal['last', 'first', 'all'] | None = None,
+        over: str | None = None,
         position_table: PositionTable | Mapping[str, Value] | Own | None = None,
         spring: Spring | Mapping[str, Value] | None = None,
         time_table: Sequence[Sequence[Quantity]] | None = None,
+        unit: str | None = None,
         viscous: Quantity | None = None,
         weight: Weight | Mapping[str, Value] | None = None,
         window: Window | Mapping[str, Value] | None = None,
     ) -> None:
         super().__init__(
             ("constant", constant),
+            ("expression", expression),
             ("friction", friction),
+            ("harmonic", harmonic),
+            ("indicator", indicator),
             ("mass", mass),
+            ("over", over),
             ("position_table", position_table),
             ("spring", spring),
             ("time_table", time_table),
+            ("unit", unit),
             ("viscous", viscous),
             ("weight", weight),
             ("window", window),
@@ -1803,6 +1957,9 @@ class Motion(Tree):
     displacement
         Displacement at t = 0 of a drive that slides, with `speed` or `acceleration`;
         default 0 (length in m, mm, cm or µm)
+    expression
+        Displacement as an expression of t in s: "0.1*sin(2*pi*t)"; speed, acceleration and
+        jerk follow from it.
     fixed
         Held at this displacement. (angle in rad, deg, mrad or rev; or length in m, mm, cm
         or µm)
@@ -1818,6 +1975,9 @@ class Motion(Tree):
         or deg/s; or speed in m/s, mm/s or m/min)
     table
         List of [time, displacement], at least three: a smooth spline through the points.
+    unit
+        Unit of the value of `expression`; default SI (angle in rad, deg, mrad or rev; or
+        length in m, mm, cm or µm)
     """
 
     __slots__ = ()
@@ -1828,23 +1988,27 @@ class Motion(Tree):
         acceleration: Quantity | None = None,
         angle: Quantity | None = None,
         displacement: Quantity | None = None,
+        expression: str | None = None,
         fixed: Quantity | None = None,
         plan: Plan | Mapping[str, Value] | None = None,
         run_up: RunUp | Mapping[str, Value] | None = None,
         speed: Quantity | None = None,
         start_speed: Quantity | None = None,
         table: Sequence[Sequence[Quantity]] | None = None,
+        unit: str | None = None,
     ) -> None:
         super().__init__(
             ("acceleration", acceleration),
             ("angle", angle),
             ("displacement", displacement),
+            ("expression", expression),
             ("fixed", fixed),
             ("plan", plan),
             ("run_up", run_up),
             ("speed", speed),
             ("start_speed", start_speed),
             ("table", table),
+            ("unit", unit),
         )
 
 
@@ -1949,11 +2113,15 @@ class PairContact(Tree):
     law
         N over the indentation p and its rate: `elastic` k·p; `kelvin_voigt` k·p +
         damping·ṗ; `hunt_crossley` k·p·(1 + dissipation·ṗ); `hertz` K·p^(3/2)·(1 +
-        dissipation·ṗ). Default: "elastic".
+        dissipation·ṗ); `restitution` rigid, with impacts, which is the default where that
+        is given. Default: "elastic".
+    restitution
+        Coefficient of restitution e of a rigid contact: the speed after an impact over that
+        before it (a pure number)
     stiffness
         Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N
-        m/rad^(3/2) (rotational stiffness in N m/rad, N m, kN m/rad or N m/deg; or stiffness
-        in N/m, N/mm or kN/mm)
+        m/rad^(3/2); none of `restitution` (rotational stiffness in N m/rad, N m, kN m/rad
+        or N m/deg; or stiffness in N/m, N/mm or kN/mm)
     """
 
     __slots__ = ()
@@ -1964,7 +2132,8 @@ class PairContact(Tree):
         damping: Quantity | None = None,
         dissipation: Quantity | None = None,
         from_: From | Mapping[str, Value] | None = None,
-        law: Literal['elastic', 'kelvin_voigt', 'hunt_crossley', 'hertz'] | None = None,
+        law: Literal['elastic', 'kelvin_voigt', 'hunt_crossley', 'hertz', 'restitution'] | None = None,
+        restitution: Quantity | None = None,
         stiffness: Quantity | None = None,
     ) -> None:
         super().__init__(
@@ -1972,6 +2141,7 @@ class PairContact(Tree):
             ("dissipation", dissipation),
             ("from", from_),
             ("law", law),
+            ("restitution", restitution),
             ("stiffness", stiffness),
         )
 
@@ -2191,7 +2361,7 @@ class Position(Tree):
     def __init__(
         self,
         *,
-        cam: Cam | Mapping[str, Value] | None = None,
+        cam: PositionCam | Mapping[str, Value] | None = None,
         four_bar: FourBar | Mapping[str, Value] | None = None,
         plan: Plan | Mapping[str, Value] | None = None,
         polynomial: PositionPolynomial | Mapping[str, Value] | None = None,
@@ -2211,6 +2381,77 @@ class Position(Tree):
             ("slider_crank", slider_crank),
             ("slotted_link", slotted_link),
             ("table", table),
+        )
+
+
+class PositionCam(Tree):
+    """Cam with rise, dwell, return and rest.
+
+    Parameters
+    ----------
+    law
+        Law of motion of both, or an object with one for the rise and one for the return.
+    lift
+        Full stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+    return_
+        Angle of the return (angle in rad, deg, mrad or rev)
+    rise
+        Angle of the rise (angle in rad, deg, mrad or rev)
+    dwell
+        Angle of the upper dwell (angle in rad, deg, mrad or rev) Default: 0.0.
+    phase
+        Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
+    rest
+        Angle of the rest; if given, the four angles must make a full turn (angle in rad,
+        deg, mrad or rev)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        law: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value] | PositionCamLaw,
+        lift: Quantity,
+        return_: Quantity,
+        rise: Quantity,
+        dwell: Quantity | None = None,
+        phase: Quantity | None = None,
+        rest: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("law", law),
+            ("lift", lift),
+            ("return", return_),
+            ("rise", rise),
+            ("dwell", dwell),
+            ("phase", phase),
+            ("rest", rest),
+        )
+
+
+class PositionCamLaw(Tree):
+    """What `law` is made of.
+
+    Parameters
+    ----------
+    return_
+        Law of the return, run backwards.
+    rise
+        Law of the rise.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        return_: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value],
+        rise: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value],
+    ) -> None:
+        super().__init__(
+            ("return", return_),
+            ("rise", rise),
         )
 
 
@@ -2297,8 +2538,8 @@ class Rocker(Tree):
     input
         Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
     cam
-        Geometry of the disc cam that realises the position function; used by `dam cam`
-        only, not by the dynamics.
+        Geometry of the disc cam that realises the position function: for `dam cam`, and
+        with a `material` for the pressure of a run; not for the dynamics.
     damping
         Damping b seen at the last mass (rotational damping in N m s/rad or N m s)
     damping_capacity
@@ -3286,11 +3527,15 @@ class StopContact(Tree):
     law
         N over the indentation p and its rate: `elastic` k·p; `kelvin_voigt` k·p +
         damping·ṗ; `hunt_crossley` k·p·(1 + dissipation·ṗ); `hertz` K·p^(3/2)·(1 +
-        dissipation·ṗ). Default: "elastic".
+        dissipation·ṗ); `restitution` rigid, with impacts, which is the default where that
+        is given. Default: "elastic".
+    restitution
+        Coefficient of restitution e of a rigid contact: the speed after an impact over that
+        before it (a pure number)
     stiffness
         Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N
-        m/rad^(3/2) (rotational stiffness in N m/rad, N m, kN m/rad or N m/deg; or stiffness
-        in N/m, N/mm or kN/mm)
+        m/rad^(3/2); none of `restitution` (rotational stiffness in N m/rad, N m, kN m/rad
+        or N m/deg; or stiffness in N/m, N/mm or kN/mm)
     """
 
     __slots__ = ()
@@ -3301,7 +3546,8 @@ class StopContact(Tree):
         damping: Quantity | None = None,
         dissipation: Quantity | None = None,
         from_: From | Mapping[str, Value] | None = None,
-        law: Literal['elastic', 'kelvin_voigt', 'hunt_crossley', 'hertz'] | None = None,
+        law: Literal['elastic', 'kelvin_voigt', 'hunt_crossley', 'hertz', 'restitution'] | None = None,
+        restitution: Quantity | None = None,
         stiffness: Quantity | None = None,
     ) -> None:
         super().__init__(
@@ -3309,6 +3555,7 @@ class StopContact(Tree):
             ("dissipation", dissipation),
             ("from", from_),
             ("law", law),
+            ("restitution", restitution),
             ("stiffness", stiffness),
         )
 
@@ -3418,12 +3665,20 @@ class Torque(Tree):
     ----------
     constant
         Constant torque (moment in N m, kN m or N mm)
+    expression
+        Expression over t, phi and phi_dot of the drive, in s, rad or m: "30*(1 -
+        phi_dot/150)".
     kloss
         Asynchronous motor: 2·T_b/(s/s_b + s_b/s), s = 1 − ω/ω_s.
     linear
         T₀·(1 − ω/ω₀).
+    over
+        Another object (or output) whose motion `expression` looks at as over_phi and
+        over_phi_dot: `press`, `press.ram`.
     table
         List of [speed, torque]: linear between the points, constant outside.
+    unit
+        Unit of the value of `expression`; default SI (moment in N m, kN m or N mm)
     """
 
     __slots__ = ()
@@ -3432,15 +3687,21 @@ class Torque(Tree):
         self,
         *,
         constant: Quantity | None = None,
+        expression: str | None = None,
         kloss: Kloss | Mapping[str, Value] | None = None,
         linear: TorqueLinear | Mapping[str, Value] | None = None,
+        over: str | None = None,
         table: Sequence[Sequence[Quantity]] | None = None,
+        unit: str | None = None,
     ) -> None:
         super().__init__(
             ("constant", constant),
+            ("expression", expression),
             ("kloss", kloss),
             ("linear", linear),
+            ("over", over),
             ("table", table),
+            ("unit", unit),
         )
 
 

@@ -173,6 +173,7 @@ class Scene:
         check: bool = True,
         digits: int = 3,
         threads: int | None = None,
+        panels: str | Sequence[str] = (),
         progress: Progress | None = None,
     ) -> answers.Map:
         """A figure over one or two parameters: where does the mechanism work?
@@ -190,12 +191,17 @@ class Scene:
         threads
             Number of threads; default: one for every processor core. The values do not
             depend on it.
+        panels
+            Several maps in one, for each value of further parameters: `"rocker.masses=1,2"`;
+            lists that go together are separated by semicolons, several texts multiply.
         """
         along = _axis(x)
         up = None if y is None else _axis(y)
-        found = self._core.map(along, up, figure, check, digits, threads, _told(progress))
-        answer, shape, figure_of, hash, verdicts = found
-        return answers.Map(answer, (along, up), shape, figure_of, hash, verdicts)
+        texts = [panels] if isinstance(panels, str) else list(panels)
+        told = _told(progress)
+        found = self._core.map(along, up, figure, check, digits, threads, texts, told)
+        answer, shape, figure_of, hash, verdicts, labels = found
+        return answers.Map(answer, (along, up), shape, figure_of, hash, verdicts, labels)
 
     def methods(
         self,
@@ -206,6 +212,8 @@ class Scene:
         steps: Sequence[float] | None = None,
         repeats: int = 5,
         point_limit: float = 5.0,
+        models: bool = False,
+        x: Axis | None = None,
         progress: Progress | None = None,
     ) -> answers.Methods:
         """Speed against accuracy of the methods of integration, and where they fail.
@@ -222,9 +230,17 @@ class Scene:
             Timed runs of a point at most.
         point_limit
             Longest time of a point (s).
+        models
+            Whether the least model of elastic objects that is accurate enough (default: to
+            1 %) is chosen and studied, beside the errors of all models.
+        x
+            A parameter: the methods are studied at each of its values, for the regions in
+            which each is best.
         """
+        along = None if x is None else _axis(x)
+        told = _told(progress)
         found = self._core.methods(
-            accuracy, methods, tolerances, steps, repeats, point_limit, _told(progress)
+            accuracy, methods, tolerances, steps, repeats, point_limit, models, along, told
         )
         return answers.Methods(found)
 
@@ -290,6 +306,7 @@ class Scene:
         reserve: Quantity = 0.2,
         tolerance: Quantity | None = None,
         cutter: Quantity | None = None,
+        lift_off: bool = False,
     ) -> answers.Cam:
         """The cam of an object: profile, checks, sizes, the force that keeps the follower on
         it.
@@ -314,6 +331,9 @@ class Scene:
             How far curves may stand off their chords; default 1 µm.
         cutter
             Radius of a cutter, whose path is wanted too.
+        lift_off
+            Whether the speed of the cam at which an elastic follower leaves it is searched for,
+            by runs at other speeds of the drive: `Cam.lift_off`.
         """
         left, is_force = str(reserve), isinstance(reserve, str) and not _is_number(reserve)
         found = self._core.cam(
@@ -327,6 +347,7 @@ class Scene:
             is_force,
             _text(tolerance),
             _text(cutter),
+            lift_off,
         )
         return answers.Cam(*found)
 

@@ -9,7 +9,7 @@ use dam::ask::{CamQuestion, Judging};
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::object::law::read_argument;
 use dam::read::{Bounds, Wanted};
-use dam::scene::{Document, Folder, Overrides, schema as schema_of_kinds, schema_text};
+use dam::scene::{Document, Folder, schema as schema_of_kinds, schema_text};
 use dam::studies::Control;
 use dam::studies::axis::Axis;
 use dam::studies::cam::Reserve;
@@ -21,21 +21,30 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyList;
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// A scene.
 #[pyclass(frozen, module = "dam._dam")]
 pub(crate) struct Scene {
-    scene: dam::Scene,
+    scene: Arc<dam::Scene>,
 }
 
 impl Scene {
     fn of(scene: dam::Scene) -> Self {
-        Self { scene }
+        Self {
+            scene: Arc::new(scene),
+        }
     }
 
-    fn asked(&self) -> dam::Scene {
-        self.scene.clone()
+    /// The scene for whoever works on a question; nothing is copied.
+    fn asked(&self) -> Arc<dam::Scene> {
+        Arc::clone(&self.scene)
+    }
+
+    /// A scene of one's own.
+    fn copy(&self) -> dam::Scene {
+        dam::Scene::clone(&self.scene)
     }
 }
 
@@ -57,6 +66,19 @@ fn quantity(
     let wanted = wanted.into();
     let read = read_argument(name, &text, |slot| slot.quantity(wanted, bounds));
     Ok(Some(read?))
+}
+
+/// The scene with a setting as the program takes it, `PATH=VALUE`.
+///
+/// # Errors
+/// There is no `=`.
+pub(crate) fn with_setting(scene: dam::Scene, setting: &str) -> Result<dam::Scene, Error> {
+    let (address, value) = setting
+        .split_once('=')
+        .ok_or_else(|| wrong(format!("`{setting}` is no setting: no `=`")))?;
+    let parsed = serde_json::from_str::<serde_json::Value>(value);
+    let value = parsed.unwrap_or_else(|_| value.into());
+    Ok(scene.set(address, tree_of(&value)))
 }
 
 /// Numbers of samples and of threads that make sense.
@@ -93,21 +115,14 @@ impl Scene {
 
     fn set(&self, py: Python<'_>, address: &str, value: &Bound<'_, PyAny>) -> PyResult<Self> {
         let value = node(value)?;
-        directly(py, || Ok(self.asked().set(address, value))).map(Self::of)
+        directly(py, || Ok(self.copy().set(address, value))).map(Self::of)
     }
 
     fn set_all(&self, py: Python<'_>, settings: Vec<String>) -> PyResult<Self> {
         directly(py, || {
-            let mut scene = self.asked();
+            let mut scene = self.copy();
             for setting in settings {
-                let (address, value) = setting
-                    .split_once('=')
-                    .ok_or_else(|| wrong(format!("`{setting}` is no setting: no `=`")))?;
-                let parsed = serde_json::from_str::<serde_json::Value>(value);
-                let value = parsed.unwrap_or_else(|_| value.into());
-                let mut overrides = Overrides::none();
-                overrides.set(address, &value);
-                scene = scene.set(address, tree_of(&value));
+                scene = with_setting(scene, &setting)?;
             }
             Ok(scene)
         })
@@ -161,6 +176,17 @@ impl Scene {
         Ok((Answer::new(found), trusted))
     }
 
+    /// Least time (s) that so many runs take that Rust asks for: what a run costs without Python.
+    fn least_time(&self, py: Python<'_>, repeats: usize) -> PyResult<f64> {
+        if !(1..=1000).contains(&repeats) {
+            return Err(PyValueError::new_err("between 1 and 1000 runs are timed"));
+        }
+        let scene = self.asked();
+        compute(py, None, move |watch| {
+            run::least_time(&scene, repeats, watch)
+        })
+    }
+
     #[pyo3(signature = (address, values, progress=None))]
     fn compare(
         &self,
@@ -179,7 +205,7 @@ impl Scene {
         Ok(Answer::with_columns(found, columns))
     }
 
-    #[pyo3(signature = (x, y, figure, check, digits, threads, progress))]
+    #[pyo3(signature = (x, y, figure, check, digits, threads, panels, progress))]
     #[allow(
         clippy::too_many_arguments,
         reason = "these are what a map is asked by; the stub names them"
@@ -193,16 +219,19 @@ impl Scene {
         check: bool,
         digits: u8,
         threads: Option<usize>,
+        panels: Vec<String>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<MapAnswer> {
-        let wanted = wanted(py, (x, y), figure, check, digits, threads)?;
+        let mut wanted = wanted(py, (x, y), figure, check, digits, threads)?;
+        wanted.panels = panels;
         let scene = self.asked();
         let found = compute(py, progress.as_ref(), move |watch| {
             map::ask(scene, wanted, watch)
         })?;
         let (shape, figure) = (found.shape, found.figure.clone());
         let (hash, verdicts) = (found.hash.clone(), found.verdicts());
-        Ok((Answer::new(found), shape, figure, hash, verdicts))
+        let panels = found.panels.clone();
+        Ok((Answer::new(found), shape, figure, hash, verdicts, panels))
     }
 
     /// What a map will be, without working it out.
@@ -245,7 +274,7 @@ impl Scene {
         })
     }
 
-    #[pyo3(signature = (accuracy, methods, tolerances, steps, repeats, point_limit, progress))]
+    #[pyo3(signature = (accuracy, methods, tolerances, steps, repeats, point_limit, models, x, progress))]
     #[allow(
         clippy::too_many_arguments,
         reason = "these are what a study is asked by; the stub names them"
@@ -259,6 +288,8 @@ impl Scene {
         steps: Option<Vec<f64>>,
         repeats: usize,
         point_limit: f64,
+        models: bool,
+        x: Option<&str>,
         progress: Option<Py<PyAny>>,
     ) -> PyResult<Answer> {
         let refuse = |what: String| Err(fault::scene_error(py, &wrong(what)));
@@ -289,18 +320,29 @@ impl Scene {
                 list
             })
         };
+        let plan = move |plan: &mut dam::studies::methods::Plan| {
+            plan.methods = chosen;
+            plan.repeats = repeats;
+            plan.point_limit = limit;
+            plan.steps = descending(steps);
+            if let Some(tolerances) = descending(tolerances) {
+                plan.tolerances = tolerances;
+            }
+        };
         let scene = self.asked();
+        if let Some(x) = x {
+            if models {
+                return refuse("models are chosen for one scene: leave `models` or `x` out".into());
+            }
+            let axis = Axis::parse(x).map_err(|what| fault::scene_error(py, &wrong(what)))?;
+            let found = compute(py, progress.as_ref(), move |watch| {
+                methods::over(scene, &axis, accuracy, plan, watch)
+            })?;
+            let columns = found.columns();
+            return Ok(Answer::with_columns(found, columns));
+        }
         let found = compute(py, progress.as_ref(), move |watch| {
-            let plan = move |plan: &mut dam::studies::methods::Plan| {
-                plan.methods = chosen;
-                plan.repeats = repeats;
-                plan.point_limit = limit;
-                plan.steps = descending(steps);
-                if let Some(tolerances) = descending(tolerances) {
-                    plan.tolerances = tolerances;
-                }
-            };
-            methods::ask(scene, accuracy, plan, watch)
+            methods::ask(scene, accuracy, models, plan, watch)
         })?;
         let columns = found.columns();
         Ok(Answer::with_columns(found, columns))
@@ -363,7 +405,7 @@ impl Scene {
     }
 
     #[pyo3(signature = (object, speed, pressure_angle, return_pressure_angle, roller_factor,
-        least_radius, reserve, reserve_is_force, tolerance, cutter))]
+        least_radius, reserve, reserve_is_force, tolerance, cutter, lift_off))]
     #[allow(
         clippy::too_many_arguments,
         reason = "these are what a cam is asked by; the stub names them"
@@ -381,6 +423,7 @@ impl Scene {
         reserve_is_force: bool,
         tolerance: Option<String>,
         cutter: Option<String>,
+        lift_off: bool,
     ) -> PyResult<(Answer, String, String)> {
         let any = Bounds::ANY;
         let read = || -> Result<(CamQuestion, cam::Drawn), Error> {
@@ -407,13 +450,14 @@ impl Scene {
             let drawn = cam::Drawn {
                 tolerance: length("tolerance", tolerance)?.unwrap_or(1e-6),
                 cutter: length("cutter", cutter)?,
+                lift_off,
             };
             Ok((question, drawn))
         };
         let (question, drawn) = read().map_err(|error| fault::scene_error(py, &error))?;
         let scene = self.asked();
-        let (found, columns, dxf, svg) = compute(py, None, move |_| {
-            let (found, columns) = cam::ask(scene, question, drawn)?;
+        let (found, columns, dxf, svg) = compute(py, None, move |watch| {
+            let (found, columns) = cam::ask(scene, question, drawn, watch)?;
             let (dxf, svg) = (found.dxf()?, found.svg()?);
             Ok((found, columns, dxf, svg))
         })?;
@@ -464,16 +508,18 @@ fn wanted(
         check,
         digits,
         threads,
+        panels: Vec::new(),
     })
 }
 
-/// Answer, numbers of values up and along, figure and its unit, hash, verdicts.
+/// Answer, numbers of values up and along, figure and its unit, hash, verdicts, panels.
 type MapAnswer = (
     Answer,
     (usize, usize),
     (String, String),
     String,
     Vec<(String, String, Option<bool>)>,
+    Vec<String>,
 );
 
 fn tree_of(value: &serde_json::Value) -> dam::read::Node {

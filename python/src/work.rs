@@ -154,8 +154,9 @@ pub(crate) fn compute<T: Send + 'static>(
         let at = At::new(&watched);
         let outcome = catch_unwind(AssertUnwindSafe(|| question(&watched)));
         drop(at);
-        // Nobody may be waiting any more.
-        let _ = answer.send(outcome);
+        // Boxed, since a channel makes room for many of what it carries, zeroed, and answers are
+        // large. Nobody may be waiting any more.
+        let _ = answer.send(Box::new(outcome));
     };
     let worker = hand_over(Box::new(job))?;
     let outcome = wait(py, &watch, found, progress);
@@ -165,7 +166,7 @@ pub(crate) fn compute<T: Send + 'static>(
         if let Some(error) = watch.raised() {
             return Err(error);
         }
-        return match outcome {
+        return match *outcome {
             Ok(found) => {
                 if let Some(progress) = progress {
                     progress.call1(py, (1.0,))?;
@@ -184,9 +185,9 @@ type Outcome<T> = std::thread::Result<Result<T, dam::Error>>;
 fn wait<T: Send>(
     py: Python<'_>,
     watch: &Watch,
-    found: Receiver<Outcome<T>>,
+    found: Receiver<Box<Outcome<T>>>,
     progress: Option<&Py<PyAny>>,
-) -> PyResult<Option<Outcome<T>>> {
+) -> PyResult<Option<Box<Outcome<T>>>> {
     let found = Mutex::new(found);
     let receive = |time: Duration| {
         let found = found.lock().unwrap_or_else(PoisonError::into_inner);

@@ -120,6 +120,51 @@ def test_a_cam_has_its_profile(scenarios: Path) -> None:
         scene.cam(tolerance=-1.0)
 
 
+def test_an_elastic_follower_lets_go(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "cams" / "eccentric_jump.json")
+    assert scene.cam().lift_off is None
+    found = scene.cam(lift_off=True)
+    # The closed form of the scenario's table: 52.30 rpm.
+    assert found.lift_off == pytest.approx(52.30 * math.tau / 60, rel=2e-3)
+    assert "lets go, elastic" in found.text()
+
+
+def test_methods_beside_models_and_over_a_parameter(rocker: dam.Scene) -> None:
+    closed = rocker.set("rocker.loads.closing.constant", -1000).set("run.duration", 0.02)
+    found = closed.methods(methods=["exact", "dop853"], repeats=1, models=True, tolerances=[1e-6])
+    models = found.document["models"]
+    assert isinstance(models, dict) and models["asked"] == 0.01
+    error, levels = models["error"], models["levels"]
+    # One mode is enough, and rigid would not be.
+    assert isinstance(error, float) and error < 0.01 and isinstance(levels, dict)
+    assert levels["rocker"] == {"count": 1, "level": "modes"}
+    assert found.recommended in ("exact", "dop853")
+    over = closed.methods(
+        methods=["exact"], repeats=1, tolerances=[1e-6], x="rocker.stiffness=1e6:1e8:3:log"
+    )
+    slices = over.document["slices"]
+    assert isinstance(slices, list) and len(slices) == 3
+    assert over.recommended is None
+    with pytest.raises(dam.SceneError, match="models"):
+        closed.methods(models=True, x="rocker.stiffness=1e6:1e8:3:log")
+
+
+def test_several_panels_are_several_maps(rocker: dam.Scene) -> None:
+    scene = rocker.set("run.duration", 0.02)
+    axes = ("rocker.inertia=0.05:0.2:3", "rocker.stiffness=1e6:1e7:2")
+    found = scene.map(*axes, panels="rocker.masses=1,2")
+    assert found.shape == (2, 2, 3) and len(found.panels) == 2
+    data = found.to_xarray()
+    for panel, masses in enumerate((1, 2)):
+        alone = scene.set("rocker.masses", masses).map(*axes)
+        assert (found.values[panel] == alone.values).all()
+        assert (data["value"][panel].to_numpy() == alone.values).all()
+        assert (found.y == alone.y).all() and (found.x == alone.x).all()
+    assert alone.panels == [] and alone.shape == (2, 3)
+    with pytest.raises(dam.SceneError):
+        scene.map(*axes, panels=["rocker.masses=1,2; run.duration=1"])
+
+
 def test_a_law_has_its_constants() -> None:
     found = dam.law("3-4-5", samples=200)
     tau, theta = found.record["tau"], found.record["theta"]

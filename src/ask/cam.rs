@@ -1,14 +1,17 @@
 //! The cam of an object.
 
-use super::Mechanism;
+use super::{Mechanism, Scene};
 use crate::Error;
 use crate::fault::Fault;
 use crate::frontend::diagnostics::Diagnostic;
 use crate::kinematics::cam::DiscCam;
 use crate::kinematics::cam::sizing::PressureLimits;
+use crate::studies::Control;
 use crate::studies::cam::{
-    CamFigures, CamForce, Question, Reserve, disc_cam, figures, objects_with_cam,
+    CamFigures, CamForce, Question, Reserve, SpeedSearch, Steady, disc_cam, figures,
+    objects_with_cam, steady_contact,
 };
+use crate::studies::law::{LiftOff, lift_off};
 use std::f64::consts::FRAC_PI_2;
 
 /// What is asked of a cam. SI units, angles in radians.
@@ -106,6 +109,54 @@ impl CamQuestion {
                 let fault = Diagnostic::error("question", format!("`{name}` is to be {wanted}"));
                 Err(Error::of(fault.path(name)))
             }
+        }
+    }
+}
+
+/// Why a search ended early.
+enum Ended {
+    Interrupted,
+    Failed(Error),
+}
+
+impl From<Error> for Ended {
+    fn from(error: Error) -> Self {
+        Self::Failed(error)
+    }
+}
+
+impl Scene {
+    /// The speed of a cam (rad/s) at which its elastic follower begins to leave it, found by
+    /// runs of the scene at other speeds of its drive; `None`: it was ended from outside.
+    ///
+    /// # Errors
+    /// As of [`Mechanism::cam`]; the pair is not closed by force, or no drive of constant
+    /// speed is behind it; what is wrong with the scene at a speed that is tried.
+    pub fn cam_lift_off(
+        &self,
+        question: &CamQuestion,
+        control: &Control<'_>,
+    ) -> Result<Option<LiftOff>, Error> {
+        let ready = self.prepare_within(control)?;
+        let search = ready.cam(question, |found| {
+            SpeedSearch::new(ready.model(), found.object, found.force)
+        })?;
+        let search = search.map_err(Error::question)?;
+        let opens = |cam_speed: f64| -> Result<bool, Ended> {
+            let (address, speed) = search.setting(cam_speed);
+            let one = self.clone().set(&address, speed);
+            let one = one.prepare_within(control)?;
+            let found = steady_contact(&one.system, search.object, &one.settings, control);
+            match found.map_err(|faults| one.diagnose(&faults))? {
+                Steady::Closed => Ok(false),
+                Steady::Opens => Ok(true),
+                Steady::Interrupted => Err(Ended::Interrupted),
+            }
+        };
+        match lift_off(search.start, opens) {
+            Ok(found) => Ok(Some(found)),
+            Err(Ended::Interrupted) => Ok(None),
+            Err(Ended::Failed(error)) => Err(error),
         }
     }
 }

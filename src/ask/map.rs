@@ -21,6 +21,7 @@ pub struct MapQuestion {
     check_determined: bool,
     digits: u8,
     threads: Option<usize>,
+    panels: Vec<String>,
 }
 
 /// A figure over one or two parameters, with a verdict for every point.
@@ -62,6 +63,7 @@ impl Scene {
             check_determined: true,
             digits: 3,
             threads: None,
+            panels: Vec::new(),
         }
     }
 }
@@ -105,6 +107,14 @@ impl MapQuestion {
         self
     }
 
+    /// Several maps in one study, as of `dam map --panels`: `"rocker.masses=1,2"`; lists that go
+    /// together are separated by semicolons, several texts multiply. They are looked at by
+    /// [`Self::studied`].
+    pub fn panels(mut self, texts: &[String]) -> Self {
+        self.panels = texts.to_vec();
+        self
+    }
+
     /// Works out all points.
     ///
     /// # Errors
@@ -120,6 +130,9 @@ impl MapQuestion {
     /// As of [`Self::ask`]; it was ended before the last point, or by its listener.
     pub fn ask_within(&self, control: &Control<'_>, listener: &dyn Listener) -> Result<Map, Error> {
         self.studied(|study| {
+            if study.panels.panels.len() > 1 {
+                return Err(Error::question("a map of several panels is no single one"));
+            }
             let found = map(study, BTreeMap::new(), self.threads, control, listener);
             let mut found = found.map_err(Error::question)?;
             let cells: Option<Vec<Cell>> = found.panels.swap_remove(0).into_iter().collect();
@@ -145,11 +158,12 @@ impl MapQuestion {
         for axis in std::iter::once(&self.x).chain(&self.y) {
             axis.check().map_err(Error::question)?;
         }
+        let panels = Panels::parse(&self.panels).map_err(Error::question)?;
         let question = Question {
             overrides: self.scene.settings().arguments().to_vec(),
             x: self.x.clone(),
             y: self.y.clone(),
-            panels: Panels::default(),
+            panels,
             figure: self.figure.clone(),
             check_determined: self.check_determined,
             digits: self.digits,

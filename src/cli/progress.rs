@@ -1,6 +1,6 @@
 //! A progress bar for runs longer than a second, on a terminal only.
 
-use super::interrupt::{self, Keeping};
+use super::interrupt;
 use crate::dynamics::integrate::{Modes, Sink, SwitchEvent};
 use crate::frontend::diagnostics::printable;
 use crate::math::polynomial::Step;
@@ -22,7 +22,7 @@ pub(crate) struct Progress {
     begun: Instant,
     until_look: u32,
     switches: u64,
-    keeping: Option<Keeping>,
+    keeping: bool,
 }
 
 impl Progress {
@@ -37,7 +37,7 @@ impl Progress {
             begun: Instant::now(),
             until_look: STRIDE,
             switches: 0,
-            keeping: None,
+            keeping: false,
         }
     }
 
@@ -76,8 +76,11 @@ fn style() -> ProgressStyle {
 
 impl Sink for Progress {
     fn start(&mut self, _time: f64, _y: &[f64], _modes: &Modes) {
-        // From here on there is a motion to keep.
-        self.keeping.get_or_insert_with(interrupt::keep);
+        // From here on there is a motion to keep, to be told when the run is over too.
+        if !self.keeping {
+            interrupt::keep_for_good();
+            self.keeping = true;
+        }
     }
 
     fn step(&mut self, step: &Step<'_>, _modes: &Modes) {

@@ -5,13 +5,13 @@ use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::status::Status;
-use crate::dynamics::model::{Coordinate, LinkageBody, Model, Reduced};
+use crate::dynamics::model::{Coordinate, LinkageBody, Model, MultiLinkageBody, Reduced};
 use crate::dynamics::system::{Regime, System};
 use crate::exact::{Parts, Refusal};
 use crate::report::diagram::Diagram;
 use crate::report::show::equations::{equations, latex, text};
 use crate::report::show::graph;
-use crate::report::show::masses::{self, Frequencies};
+use crate::report::show::masses::{self, Frequencies, moved_by};
 use crate::report::show::reduced::modes;
 use crate::report::svg::graph::svg;
 use crate::studies::exact::{Mixed, mixed};
@@ -154,6 +154,9 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
         "scene": scene,
         "objects": objects,
         "linkages": model.linkages.iter().map(|body| linkage(model, body)).collect::<Vec<_>>(),
+        "multi_linkages": (model.multi_linkages.iter())
+            .map(|body| multi_linkage(model, body))
+            .collect::<Vec<_>>(),
         "natural_frequencies": { "unit": "rad/s", "engaged": found.engaged, "open": found.open },
         "exact": exact_document(system),
         "equations": { "text": text(&equations(model)), "latex": latex(&equations(model)) },
@@ -179,6 +182,28 @@ fn reduced(model: &Model, reduced: &Reduced) -> serde_json::Value {
         "modes": modes.collect::<Vec<_>>(),
         "under_acceleration": reduced.under_acceleration,
         "offset": reduced.offset,
+    })
+}
+
+/// Structure and inputs of a linkage of several.
+fn multi_linkage(model: &Model, body: &MultiLinkageBody) -> serde_json::Value {
+    let (linkage, structure) = (&body.linkage, body.linkage.structure());
+    let groups = (0..structure.groups.len()).map(|group| structure.describe(group));
+    let inputs = linkage.inputs().iter().zip(moved_by(model, body));
+    let inputs = inputs.map(|(input, what)| {
+        json!({
+            "name": input.name,
+            "coordinate": linkage.describe(input),
+            "start": input.start,
+            "moved": what,
+        })
+    });
+    json!({
+        "id": model.objects[body.object].id,
+        "mobility": structure.mobility,
+        "explanation": structure.explanation,
+        "groups": groups.collect::<Vec<_>>(),
+        "inputs": inputs.collect::<Vec<_>>(),
     })
 }
 

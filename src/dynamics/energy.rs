@@ -11,6 +11,8 @@ pub struct EnergyAudit {
     pub dissipated: f64,
     /// Energy lost to friction in the joints of linkages.
     pub friction: f64,
+    /// Energy lost in impacts of rigid contacts.
+    pub impacts: f64,
     /// Kinetic and elastic energy at the end less that at the start.
     pub change: f64,
     /// Work put in by drives and by loads where it is positive: of powers that are
@@ -23,9 +25,9 @@ pub struct EnergyAudit {
 }
 
 impl EnergyAudit {
-    /// |drives + loads − change − dissipated − friction| / scale; 0 when nothing moved.
+    /// |drives + loads − change − dissipated − friction − impacts| / scale; 0 when nothing moved.
     pub fn error(&self) -> f64 {
-        let lost = self.dissipated + self.friction;
+        let lost = self.dissipated + self.friction + self.impacts;
         let difference = (self.drives + self.loads - self.change - lost).abs();
         if difference == 0.0 {
             0.0
@@ -64,6 +66,7 @@ impl EnergyAudit {
             loads: self.loads - before.loads,
             dissipated: self.dissipated - before.dissipated,
             friction: self.friction - before.friction,
+            impacts: self.impacts - before.impacts,
             change: self.change - before.change,
             put_in: both.map(|k| self.put_in[k] - before.put_in[k]),
             greatest: self.greatest,
@@ -91,6 +94,7 @@ impl EnergyAudit {
         self.loads += other.loads;
         self.dissipated += other.dissipated;
         self.friction += other.friction;
+        self.impacts += other.impacts;
         self.change += other.change;
         for (own, other) in self.put_in.iter_mut().zip(other.put_in) {
             *own += other;

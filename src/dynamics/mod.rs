@@ -7,6 +7,7 @@ pub mod integrate;
 pub mod load;
 pub mod model;
 pub mod record;
+pub(crate) mod restitution;
 pub(crate) mod segment;
 pub mod steady;
 pub mod system;

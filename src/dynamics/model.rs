@@ -14,20 +14,23 @@
 mod contact;
 mod loads;
 mod part;
+mod pressing;
 mod stop;
 
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::linkage::Linkage;
 use crate::kinematics::linkage::kinetostatics::Kinetostatics;
+use crate::kinematics::linkage::multi::MultiLinkage;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
 use serde::Serialize;
 use std::sync::Arc;
 
 pub use contact::{ContactElement, ContactLaw};
-pub use loads::{LinearPiece, Load, LoadLaw};
+pub use loads::{LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
 pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, owner_of};
+pub use pressing::Pressing;
 pub use stop::{Stop, StopPart};
 
 /// Index of a node in [`Model::nodes`].
@@ -42,8 +45,10 @@ pub struct Model {
     pub links: Vec<Link>,
     /// Loads on nodes.
     pub loads: Vec<Load>,
-    /// Linkages.
+    /// Linkages of one input.
     pub linkages: Vec<LinkageBody>,
+    /// Linkages of several inputs.
+    pub multi_linkages: Vec<MultiLinkageBody>,
     /// Piecewise axes: which piece of a law, table or window is in force is a
     /// discrete state that changes at located events.
     pub tracks: Vec<Track>,
@@ -255,6 +260,12 @@ pub enum DampingLaw {
         /// p = q + compliance·N. With dissipation it is 0.
         compliance: f64,
     },
+    /// Rigid, ṗ⁺ = −e·ṗ⁻ at an impact. Of a contact element of a rigid body, and of a
+    /// stop.
+    Restitution {
+        /// e, from 0 to 1.
+        coefficient: f64,
+    },
 }
 
 /// A rigid planar linkage on a node whose displacement is its input coordinate
@@ -271,6 +282,24 @@ pub struct LinkageBody {
     pub outputs: Vec<NodeIndex>,
     /// Friction of the pairs, when it acts on the motion; `None`: it moves freely.
     pub friction: Option<Arc<Kinetostatics>>,
+    /// The object concerned, index into [`Model::objects`].
+    pub object: usize,
+}
+
+/// A rigid planar linkage on several nodes whose displacements are its inputs q₁, …, qₘ: it
+/// couples them by its mass matrix M(q) and loads them with its forces, and the nodes carry
+/// nothing of their own. Its outputs are constrained nodes that follow all of them.
+#[derive(Clone, Debug)]
+pub struct MultiLinkageBody {
+    /// The node that is the first input once more: the displacement of the object.
+    pub node: NodeIndex,
+    /// Inputs, in their order: rigid nodes behind what drives them, or rotors without inertia
+    /// where they are free.
+    pub inputs: Vec<NodeIndex>,
+    /// The linkage.
+    pub linkage: Arc<MultiLinkage>,
+    /// The nodes of its outputs, in their order.
+    pub outputs: Vec<NodeIndex>,
     /// The object concerned, index into [`Model::objects`].
     pub object: usize,
 }

@@ -22,6 +22,8 @@ pub(crate) enum Signal {
     ContactForce,
     /// Indentation of a contact element that ends at a massless point.
     Indentation,
+    /// Pressure between a follower and its cam.
+    Pressure,
     /// Clearance of an open pair from the nearest flank, negative behind it.
     Clearance,
 }

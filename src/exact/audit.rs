@@ -20,6 +20,7 @@ use super::phase::{Exponentials, Phase};
 use super::problem::{Flank, PairState, TimeLoad, TreeMass, TreeProblem};
 use super::regime::Regime;
 use crate::dynamics::energy::EnergyAudit;
+use crate::dynamics::integrate::Impact;
 use moving::Room;
 
 /// The state at one instant, the law included.
@@ -56,8 +57,12 @@ pub(super) struct Ledger {
     /// a place, at t = 0.
     start: Option<([f64; 2], f64)>,
     greatest: [f64; 2],
+    /// Energy lost in impacts.
+    impacts: f64,
     /// Energy stored in open pairs at the start of the phase.
     held: f64,
+    /// Kinetic and potential energy at the start of a phase in which a rigid pair holds.
+    carried: Option<f64>,
     /// L and L̇ at the end of the last phase.
     law: (f64, f64),
     room: Room,
@@ -99,7 +104,9 @@ impl Ledger {
             put_in: [0.0; 2],
             start: None,
             greatest: [0.0; 2],
+            impacts: 0.0,
             held: 0.0,
+            carried: None,
             law: (0.0, 0.0),
             room: Room::default(),
         }
@@ -115,12 +122,31 @@ impl Ledger {
         q: &[f64],
         first: impl FnOnce() -> Instant<'a>,
     ) {
-        if self.start.is_none() {
+        let holds =
+            |(mass, state): (&TreeMass, &PairState)| mass.restitution.is_some() && state.engaged();
+        let carried = problem.masses.iter().zip(key).any(holds);
+        if self.start.is_none() || carried {
             let at = first();
-            self.start = Some((energy(&self.stores, &at), potential(problem, &at)));
-            self.see(&at);
+            self.carried = carried.then(|| total(&self.stores, problem, &at));
+            self.start_at(problem, &at);
+        } else {
+            self.carried = None;
         }
         self.held = held(&self.stores, key, q);
+    }
+
+    fn start_at(&mut self, problem: &TreeProblem, at: &Instant<'_>) {
+        if self.start.is_none() {
+            self.start = Some((energy(&self.stores, at), potential(problem, at)));
+            self.see(at);
+        }
+    }
+
+    /// An impact, with the work of the law in it.
+    pub(super) fn strike(&mut self, impact: &Impact) {
+        self.drives += impact.drives;
+        self.put_in[0] += impact.drives.max(0.0);
+        self.impacts += impact.lost;
     }
 
     #[inline(always)]
@@ -145,7 +171,12 @@ impl Ledger {
             return;
         };
         let work = forms.work::<A>(problem, &regime.basis, phase, e, &mut self.room);
-        self.drives += work.drives;
+        // What moves as prescribed takes from the law what its energy changes by.
+        let carried = self
+            .carried
+            .map(|before| total(&self.stores, problem, at) - before);
+        let drives = work.drives + carried.unwrap_or(0.0);
+        self.drives += drives;
         self.loads += work.loads;
         self.dissipated += work.dissipated + self.held - held(&self.stores, &regime.key, at.q);
         self.law = at.law;
@@ -168,6 +199,7 @@ impl Ledger {
             loads: self.loads + fell,
             dissipated: self.dissipated,
             friction: 0.0,
+            impacts: self.impacts,
             change: total(end.0) - total(energy),
             put_in: [law, loads.max(loads + fell)],
             greatest: self.greatest,
@@ -217,6 +249,12 @@ fn energy(stores: &[Store], at: &Instant<'_>) -> [f64; 2] {
         out[1] += store.stored(i, at.q);
     }
     out
+}
+
+/// Kinetic and elastic energy with the potential of constant loads and springs.
+fn total(stores: &[Store], problem: &TreeProblem, at: &Instant<'_>) -> f64 {
+    let [kinetic, elastic] = energy(stores, at);
+    kinetic + elastic + potential(problem, at)
 }
 
 /// Energy stored in the open pairs.

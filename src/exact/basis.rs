@@ -114,6 +114,8 @@ pub(crate) struct Basis {
     pub(crate) rigid: Vec<Rigid>,
     /// Constant force of the flanks in contact (springs relaxed at the flank).
     pub(crate) flank_force: Vec<f64>,
+    /// Masses that a rigid pair holds, each with its q.
+    pub(crate) held: Vec<(usize, f64)>,
     /// The harmonics whose lanes stay empty, for they are at a mode's own frequency.
     pub(crate) resonance: Option<Box<Resonance>>,
 }
@@ -170,6 +172,7 @@ impl Basis {
             return Err(NoBasis("a mode is not finite".into()));
         }
         let mut basis = Self::packed(n, lanes, rigid, flank_force(problem, states));
+        basis.held = held(problem, states);
         basis.resonance = Resonance::new(resonant).map(Box::new);
         Ok(basis)
     }
@@ -260,6 +263,7 @@ impl Basis {
             rigid,
             lanes,
             flank_force,
+            held: Vec::new(),
             resonance: None,
         }
     }
@@ -278,6 +282,18 @@ fn drift(lanes: &[Lane]) -> f64 {
         .filter(|size| *size > 0.0)
         .fold(f64::INFINITY, f64::min);
     0.99 * SLOW / slowest
+}
+
+/// The masses that a rigid pair holds on a flank, and where.
+fn held(problem: &TreeProblem, states: &[PairState]) -> Vec<(usize, f64)> {
+    let mut held = Vec::new();
+    for (i, mass) in problem.masses.iter().enumerate() {
+        if let (Some(_), PairState::Engaged(f)) = (mass.restitution, states[i]) {
+            let flank = mass.pair.flanks().0[usize::from(f)];
+            held.push((i, -flank.sign * flank.offset));
+        }
+    }
+    held
 }
 
 /// Engaged on a flank at x = ∓η/2 the link is relaxed there, not at 0.

@@ -109,6 +109,12 @@ impl Workspace<'_> {
         let (PairState::Pressed(f) | PairState::Engaged(f)) = watch.target else {
             return;
         };
+        if self.problem.masses[i].restitution.is_some() {
+            return match watch.target {
+                PairState::Pressed(_) => self.release(i, f, time),
+                _ => self.strike(i, f, time),
+            };
+        }
         let clear = self.first[i] + 2 * usize::from(f);
         let speed = self.functionals[clear].rate(&self.v);
         let undamped = self.problem.masses[i].damping == 0.0;
@@ -131,6 +137,7 @@ impl Workspace<'_> {
             before,
             after,
             speed,
+            impact: None,
         });
     }
 }

@@ -101,6 +101,20 @@ impl Law {
         (value, speed)
     }
 
+    /// L, L̇ and L̈ just after an instant, a double-double.
+    pub(crate) fn jet(&self, (time, low): (f64, f64)) -> [f64; 3] {
+        let mut forcing = self.forcing();
+        self.start::<Plain>(time, low, &mut None, &mut forcing);
+        let [mut value, mut speed] = [forcing.law[0], forcing.law[1]];
+        let mut acceleration = 2.0 * forcing.law[2];
+        for (z, omega) in forcing.harmonics.iter().zip(self.frequencies()) {
+            value += z.re;
+            speed -= omega * z.im;
+            acceleration -= omega * omega * z.re;
+        }
+        [value, speed, acceleration]
+    }
+
     /// An empty forcing with room for this law's harmonics.
     pub(crate) fn forcing(&self) -> Forcing {
         Forcing {

@@ -14,7 +14,8 @@
 //! bilateral, force-closed or form-closed pair ([`TreePair`]); a pair never
 //! pulls. Masses may have springs and viscous dampers to the ground and loads
 //! that are constant, piecewise linear in time, or tables over a displacement
-//! that is prescribed ([`TimeLoad`]).
+//! that is prescribed ([`TimeLoad`]). A single mass under constant loads may have a rigid
+//! pair, with impacts.
 //!
 //! [`Parts`] makes the trees from a system and says what of it does not qualify.
 //! A run is made at once ([`ExactTree::run`]) or phase by phase ([`Cursor`]);
@@ -108,6 +109,7 @@ mod fading;
 mod from_model;
 mod functional;
 mod hermite;
+mod impacts;
 #[cfg(test)]
 mod independent;
 mod lanes;

@@ -128,6 +128,9 @@ impl Phase {
             Some(steady) => self.steady_polynomials(basis, steady, q, v),
             None => self.moving_polynomials(problem, basis, q, v),
         }
+        for &(mass, place) in &basis.held {
+            self.poly[mass * POLY] = place;
+        }
         self.reach = self.reach.min(basis.longest);
         self.take_flights(basis);
         self.project::<A>(basis, q, v);

@@ -55,12 +55,16 @@ pub struct TreeMass {
     pub parent: Option<usize>,
     /// Deformation of the link x = q − lever·q_parent.
     pub lever: f64,
-    /// c > 0 of the link.
+    /// c > 0 of the link; 0 of a rigid pair.
     pub stiffness: f64,
     /// b ≥ 0 of the link.
     pub damping: f64,
     /// The pair in the link.
     pub pair: TreePair,
+    /// e of a rigid pair, which has an impact where a flank is touched at a speed, and is
+    /// held there while it presses; its link has neither stiffness nor damping. Only of the
+    /// single mass of a tree, with constant loads and without a damper to the ground.
+    pub restitution: Option<f64>,
     /// Stiffness of springs to the ground, ≥ 0.
     pub ground_stiffness: f64,
     /// Viscous damping to the ground, ≥ 0.
@@ -81,6 +85,7 @@ impl TreeMass {
             stiffness,
             damping,
             pair: TreePair::Bilateral,
+            restitution: None,
             ground_stiffness: 0.0,
             ground_damping: 0.0,
             loads: Vec::new(),
@@ -213,7 +218,7 @@ pub enum PairState {
     Free,
     /// Behind flank f (X < 0) with the force cut off at zero.
     Pressed(u8),
-    /// Engaged on flank f.
+    /// Engaged on flank f; of a rigid pair: held there.
     Engaged(u8),
 }
 

@@ -5,10 +5,11 @@ use super::audit::Forms;
 use super::basis::Basis;
 use super::functional::{Functional, ORDERS, Weights};
 use super::lanes::{Plain, V, WIDTH};
+use super::law::LAW_DEGREE;
 use super::panel::Panel;
 use super::pencil::C;
 use super::phase::Steady;
-use super::problem::{PairState, Refusal, TreeObject, TreeProblem};
+use super::problem::{PairState, Refusal, TreeMass, TreeObject, TreeProblem};
 use super::sample::Strides;
 use super::workspace::Workspace;
 
@@ -67,10 +68,28 @@ pub(crate) fn pair_functionals(problem: &TreeProblem) -> (Vec<Functional>, Vec<u
                 }
             };
             functionals.push(linear(1.0, 0.0));
-            functionals.push(linear(mass.stiffness, mass.damping));
+            functionals.push(match mass.restitution {
+                Some(_) => held_pull(mass, i, flank.sign),
+                None => linear(mass.stiffness, mass.damping),
+            });
         }
     }
     (functionals, first)
+}
+
+/// The force away from its flank that acts on a mass which a rigid pair holds there:
+/// sign·(W − J·φ̈ − springs), of constant loads W.
+fn held_pull(mass: &TreeMass, i: usize, sign: f64) -> Functional {
+    let mut load = [0.0; LAW_DEGREE + 1];
+    for own in &mass.loads {
+        own.add(0.0, 0.0, &mut None, &mut load);
+    }
+    let (spring, inertia) = (mass.ground_stiffness, mass.inertia);
+    Functional {
+        terms: vec![(i, [-sign * spring, 0.0, -sign * inertia])],
+        law: [spring, 0.0, inertia].map(|factor| -sign * mass.ratio * factor),
+        constant: sign * (load[0] - spring * mass.offset),
+    }
 }
 
 /// The four functionals of every object in a regime: δ, φ̇, φ̈, and the link's

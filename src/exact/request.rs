@@ -4,6 +4,7 @@ use super::asked::Asked;
 use super::problem::PairState;
 use super::track::TreeFigures;
 use crate::dynamics::energy::EnergyAudit;
+use crate::dynamics::integrate::Impact;
 
 /// Request: what is asked of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +73,8 @@ pub struct ExactSwitch {
     pub after: PairState,
     /// Ẋ at the switch: speed of parting (> 0) or of approach (< 0).
     pub speed: f64,
+    /// The impact that it is, of a rigid pair; its component is the mass.
+    pub impact: Option<Impact>,
 }
 
 /// Result of a run.

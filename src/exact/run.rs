@@ -214,6 +214,8 @@ impl Workspace<'_> {
                 return Err(Refusal::new("", "pairs switch without end at one instant"));
             }
             self.switch(number, self.at.0);
+        } else {
+            self.let_go();
         }
         Ok(())
     }

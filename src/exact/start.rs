@@ -80,8 +80,13 @@ pub(crate) fn states(
                     if sign < 0.0 {
                         states[i] = PairState::Engaged(f as u8);
                         // The pull c·X + b·Ẋ leads by one order when damped.
-                        let damped = usize::from(problem.masses[i].damping > 0.0);
-                        zeros[at + 1] = (order - damped).min(4);
+                        let mass = &problem.masses[i];
+                        let leads = match mass.restitution {
+                            // Held, the force is J·Ẍ turned round.
+                            Some(_) => 2,
+                            None => usize::from(mass.damping > 0.0),
+                        };
+                        zeros[at + 1] = order.saturating_sub(leads).min(4);
                     } else {
                         zeros[at] = order.min(4);
                     }

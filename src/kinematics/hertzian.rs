@@ -211,6 +211,11 @@ mod tests {
         poisson_ratio: 0.3,
     };
 
+    const RUBBER: Material = Material {
+        modulus: 2e6,
+        poisson_ratio: 0.48,
+    };
+
     /// ∫₀^∞ f ds by the rule of midpoints, s = exp(x − exp(−x)) and its slope (double
     /// exponential).
     fn over_all(f: impl Fn(f64) -> f64) -> f64 {
@@ -286,6 +291,54 @@ mod tests {
         let both = line_approach(load, [roller; 2]).unwrap();
         // (Beyond terms of (a/R)², which the closed formula leaves out.)
         approx::assert_relative_eq!(both, 2.0 * one, max_relative = 1e-3);
+    }
+
+    #[test]
+    fn the_approach_of_a_half_space_is_the_strain_below_its_contact() {
+        // A. Flamant: under a line load q the stresses on its axis plane at the depth z are
+        // σ_z = −2q·z³/(π·r⁴) and σ_x = −2q·x²·z/(π·r⁴), r² = x² + z². Of a half ellipse of
+        // pressure, x = z·tan θ, all of them added up; then the strain from the surface to the
+        // depth d, in plane strain.
+        let (load, radius) = (3e5, 12e-3);
+        for (material, depth) in [(STEEL, 20e-3), (STEEL, 4e-3), (RUBBER, 20e-3)] {
+            let flat = Backing::Depth {
+                curvature: 0.0,
+                depth,
+            };
+            let load = if material == STEEL { load } else { 1e-5 * load };
+            let roller = (material, Backing::Cylinder(radius));
+            let modulus = contact_modulus([material; 2]);
+            let a = (4.0 * load * radius / (PI * modulus)).sqrt();
+            let nu = material.poisson_ratio;
+            let strain = |z: f64| {
+                let widest = (a / z).atan();
+                let count = 200;
+                let (mut down, mut across) = (0.0, 0.0);
+                for k in 0..count {
+                    let beta = PI * ((f64::from(k) + 0.5) / f64::from(count) - 0.5);
+                    let theta = widest * beta.sin();
+                    let x = z * theta.tan() / a;
+                    let pressure = 2.0 * load / (PI * a) * (1.0 - x * x).max(0.0).sqrt();
+                    let weight = pressure * widest * beta.cos() * PI / f64::from(count);
+                    down -= 2.0 / PI * weight * theta.cos().powi(2);
+                    across -= 2.0 / PI * weight * theta.sin().powi(2);
+                }
+                material.compliance() * (down - nu / (1.0 - nu) * across)
+            };
+            let count = 4000;
+            let term = |k: i32| {
+                let x = (f64::from(k) + 0.5) / f64::from(count);
+                strain(depth * x.powi(3)) * 3.0 * depth * x * x / f64::from(count)
+            };
+            let own = -(0..count).map(term).sum::<f64>();
+            // The roller's share is that of two rollers, halved.
+            let both = line_approach(load, [roller, (material, flat)]).unwrap();
+            let half = (4.0 * radius / a).ln() * 2.0 - 1.0;
+            let rolled = load * material.compliance() / PI * half;
+            // (Beyond terms of (a/d)².)
+            let share = 2.0 * (a / depth).powi(2) + 1e-5;
+            approx::assert_relative_eq!(both - rolled, own, max_relative = share);
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! know how large a rounding error may be. Every coefficient therefore carries
 //! a magnitude, the sum of the absolute values of all that was added up to it.
 
+use crate::math::expression::{Function, Scalar, about};
 use crate::math::jet::Jet;
 use crate::math::number::Number;
 use crate::math::quantity::Quantity;
@@ -178,6 +179,63 @@ impl Quantity for Series {
         let (value, first) = function(start);
         let second = difference(function(start + STEP).1, function(start - STEP).1);
         self.composed(&with_sizes(&[value, first, second], start))
+    }
+}
+
+/// Derivatives of a function of an expression that are followed.
+const FOLLOWED: usize = 8;
+
+impl Series {
+    /// A function of it, from the coefficients of its power series.
+    fn of_coefficients(self, mut coefficients: [f64; FOLLOWED]) -> Self {
+        let mut factorial = 1.0;
+        for (order, c) in coefficients.iter_mut().enumerate().skip(1) {
+            factorial *= order as f64;
+            *c *= factorial;
+        }
+        self.composed(&with_sizes(&coefficients, self.coefficients[0]))
+    }
+}
+
+impl Scalar for Series {
+    fn number(value: f64) -> Self {
+        Self::from(value)
+    }
+
+    fn central(self) -> f64 {
+        self.coefficients[0]
+    }
+
+    fn affine(self, factor: f64, shift: f64) -> Self {
+        self.scale(factor) + Self::from(shift)
+    }
+
+    /// Exact up to the seventh derivative.
+    fn of(self, function: Function) -> Self {
+        self.of_coefficients(about(function, self.coefficients[0]))
+    }
+
+    fn power(self, exponent: f64) -> Self {
+        let start = self.coefficients[0];
+        let mut coefficients = [0.0; FOLLOWED];
+        let mut factor = 1.0;
+        for (order, c) in coefficients.iter_mut().enumerate() {
+            *c = factor * start.powf(exponent - order as f64);
+            factor *= (exponent - order as f64) / (order + 1) as f64;
+        }
+        self.of_coefficients(coefficients)
+    }
+
+    fn power_of(self, exponent: Self) -> Self {
+        (self.of(Function::Ln) * exponent).of(Function::Exp)
+    }
+
+    /// The direction at the start, and from there the angle turned by.
+    fn atan2(y: Self, x: Self) -> Self {
+        let (v, u) = (y.coefficients[0], x.coefficients[0]);
+        let across = y.scale(u) - x.scale(v);
+        let along = x.scale(u) + y.scale(v);
+        (across / along).of(Function::Atan) + Self::from(v.atan2(u))
     }
 }
 

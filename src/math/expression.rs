@@ -5,15 +5,39 @@
 //! the constants [`CONSTANTS`] and the functions [`FUNCTIONS`]. As in
 //! mathematics, `-2^2` is −4 and `2^3^2` is 2⁹.
 //!
-//! The text is read by `nanoexpr` at every evaluation, without allocating: what
-//! is kept is the text.
+//! A text is read once (`read`) into a list of operations (`program`), which is
+//! evaluated without allocating: on numbers, on numbers with derivatives, on bounds
+//! (`interval`) and as a power series (`ordered`). Where it has kinks and jumps
+//! (`crossing`) it can be told which piece is in force.
 
+mod affine;
+mod builder;
+mod crossing;
 mod evaluate;
+mod function;
+mod interval;
+mod of_one;
+mod ordered;
+#[cfg(test)]
+mod other_reader;
+mod program;
+mod read;
+mod third;
 
-use evaluate::{Known, Names, Nothing, Real};
-use nanoexpr::{Error, ErrorKind, Evaluator};
+use read::Wrong;
 use std::f64::consts::{E, PI, TAU};
 use std::ops::Range;
+use std::sync::Arc;
+
+pub(crate) use affine::Affine;
+pub(crate) use crossing::{Stretch, VARIABLES, follow};
+pub(crate) use evaluate::Scalar;
+pub(crate) use function::Function;
+pub(crate) use interval::{Interval, Moving};
+pub(crate) use of_one::{MOST, OfOne};
+pub(crate) use ordered::{Ordered, about};
+pub(crate) use program::{OPEN, Program};
+pub(crate) use third::Third;
 
 /// Constants that an expression knows, with their values.
 pub const CONSTANTS: [(&str, f64); 7] = [
@@ -26,67 +50,38 @@ pub const CONSTANTS: [(&str, f64); 7] = [
     ("e", E),
 ];
 
-/// A function of one number.
-type OfOne = fn(f64) -> f64;
-
-/// A function of two numbers.
-type OfTwo = fn(f64, f64) -> f64;
-
-/// Functions of one argument that an expression knows.
-const OF_ONE: [(&str, OfOne); 26] = [
-    ("sin", f64::sin),
-    ("cos", f64::cos),
-    ("tan", f64::tan),
-    ("asin", f64::asin),
-    ("acos", f64::acos),
-    ("atan", f64::atan),
-    ("sinh", f64::sinh),
-    ("cosh", f64::cosh),
-    ("tanh", f64::tanh),
-    ("asinh", f64::asinh),
-    ("acosh", f64::acosh),
-    ("atanh", f64::atanh),
-    ("exp", f64::exp),
-    ("ln", f64::ln),
-    ("log", f64::ln),
-    ("log10", f64::log10),
-    ("log2", f64::log2),
-    ("sqrt", f64::sqrt),
-    ("cbrt", f64::cbrt),
-    ("abs", f64::abs),
-    ("signum", f64::signum),
-    ("floor", f64::floor),
-    ("ceil", f64::ceil),
-    ("round", f64::round),
-    ("trunc", f64::trunc),
-    ("fract", f64::fract),
+/// Functions of one argument that have kinks or jumps.
+const PIECES: [&str; 8] = [
+    "abs", "signum", "sign", "floor", "ceil", "round", "trunc", "fract",
 ];
-
-/// Functions of two arguments that an expression knows.
-const OF_TWO: [(&str, OfTwo); 3] = [("atan2", f64::atan2), ("min", f64::min), ("max", f64::max)];
 
 /// Names of all functions, as a message lists them.
 pub const FUNCTIONS: &str = "sin, cos, tan, asin, acos, atan, atan2, sinh, cosh, tanh, asinh, \
-     acosh, atanh, exp, ln, log (natural), log10, log2, sqrt, cbrt, abs, signum, min, max, floor, \
-     ceil, round, trunc, fract";
+     acosh, atanh, exp, ln, log (natural), log10, log2, sqrt, cbrt, abs, sign, signum, min, max, \
+     floor, ceil, round, trunc, fract";
 
 /// Longest text that is read, in bytes.
 const LONGEST: usize = 2000;
 
-/// How deep parentheses, calls and operators may nest.
-const DEEPEST: usize = 256;
-
-/// Most arguments of a function.
-const ARGUMENTS: usize = 2;
+/// Variables by name, each with the index of its value: several names may mean one.
+pub(crate) type Names<'a> = [(&'a str, usize)];
 
 /// A function of named variables, written as an expression.
 #[derive(Clone, Debug)]
 pub struct Expression {
     text: String,
-    /// The text in the reader's alphabet, byte by byte at the same place.
-    source: String,
-    /// Names of the variables in the reader's alphabet.
-    variables: Vec<String>,
+    program: Arc<Program>,
+    /// The program in the making, and its result: what others are made of.
+    builder: Arc<builder::Builder>,
+    root: program::Register,
+    unlocated: Option<Range<usize>>,
+}
+
+/// Two are equal that are written alike, over the same variables.
+impl PartialEq for Expression {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text && self.program == other.program
+    }
 }
 
 /// A mistake in an expression.
@@ -104,26 +99,37 @@ impl Expression {
     /// Reads `text`, an expression over `variables`.
     ///
     /// # Errors
-    /// The first mistake: of the syntax, or else an unknown name or a wrong
-    /// number of arguments, also in a branch of a conditional that is never
-    /// taken.
+    /// The first mistake: of the syntax, an unknown name or a wrong number of arguments,
+    /// also in a branch of a conditional that is never taken.
     pub fn new(text: &str, variables: &[&str]) -> Result<Self, Mistake> {
+        let names: Vec<(&str, usize)> = variables.iter().copied().zip(0..).collect();
+        Self::over(text, &names)
+    }
+
+    /// Reads `text`, an expression over variables that may have several names.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(crate) fn over(text: &str, names: &Names<'_>) -> Result<Self, Mistake> {
         if text.len() > LONGEST {
+            let mut start = LONGEST;
+            while !text.is_char_boundary(start) {
+                start -= 1;
+            }
             return Err(Mistake {
                 message: format!("longer than {LONGEST} characters"),
                 hint: String::new(),
-                place: LONGEST..text.len(),
+                place: start..text.len(),
             });
         }
-        let expression = Self {
+        let found = read::read(text, names).map_err(|error| mistake(text, names, &error))?;
+        Ok(Self {
             text: text.to_owned(),
-            source: in_ascii(text),
-            variables: variables.iter().map(|name| in_ascii(name)).collect(),
-        };
-        match expression.fault() {
-            None => Ok(expression),
-            Some(error) => Err(mistake(text, variables, error)),
-        }
+            program: Arc::new(found.program),
+            builder: Arc::new(found.builder),
+            root: found.root,
+            unlocated: found.unlocated,
+        })
     }
 
     /// As it was written.
@@ -134,47 +140,50 @@ impl Expression {
     /// The value where the variables have these values, in the order of their
     /// names; NaN where there is none.
     pub fn at(&self, values: &[f64]) -> f64 {
-        let known = Known {
-            variables: &self.variables,
-            values,
+        self.program.value.evaluate(values, &|_| OPEN)
+    }
+
+    /// Its operations.
+    pub(crate) fn program(&self) -> &Arc<Program> {
+        &self.program
+    }
+
+    /// What of it is linear in some variables, if nothing else of it depends on them.
+    pub(crate) fn affine_in(&self, variables: &[usize]) -> Option<Affine> {
+        affine::of(&self.builder, self.root, variables)
+    }
+
+    /// The program with each variable replaced by slope·x + shift of variable 0; `None`
+    /// for a variable that must not count.
+    pub(crate) fn along_a_line(program: &Program, lines: &[Option<[f64; 2]>]) -> Option<Program> {
+        affine::along_a_line(program, lines)
+    }
+
+    /// The first place that cannot be a switch, told as a mistake: whether two numbers
+    /// that change continuously are just equal, or whether such a number is just zero.
+    ///
+    /// # Errors
+    /// That mistake.
+    pub(crate) fn switches(&self) -> Result<(), Mistake> {
+        let Some(place) = &self.unlocated else {
+            return Ok(());
         };
-        let evaluator = Evaluator::<_, ARGUMENTS>::new(&known).max_depth(DEEPEST);
-        evaluator
-            .evaluate(&self.source)
-            .map_or(f64::NAN, |Real(value)| value)
+        let words = self.text.get(place.clone()).unwrap_or_default().trim();
+        let at = self
+            .text
+            .get(..place.start)
+            .map_or(0, |s| s.chars().count())
+            + 1;
+        let what = match words {
+            "==" | "!=" => format!("`{words}` of what changes continuously"),
+            _ => format!("`{words}` takes what changes continuously as true or false"),
+        };
+        Err(Mistake {
+            message: format!("\"{}\", character {at}: {what}", self.text),
+            hint: "compare with `<` or `>`: t < 2 ? 1 : 0".to_owned(),
+            place: place.clone(),
+        })
     }
-
-    /// The first error that does not depend on the values of variables.
-    fn fault(&self) -> Option<Error> {
-        let names = Names(&self.variables);
-        let evaluator = Evaluator::<_, ARGUMENTS>::new(&names).max_depth(DEEPEST);
-        // What follows a condition is evaluated in one case only: to hear of the
-        // names in all branches, the text is read again without conditions.
-        let all = self.source.replace(['?', ':'], "+");
-        let all = all.replace("&&", "+ ").replace("||", "+ ");
-        [self.source.as_str(), &all]
-            .into_iter()
-            .find_map(|text| evaluator.evaluate::<Nothing>(text).err())
-    }
-}
-
-/// Greek letters are names of two ASCII characters to the reader: as many bytes
-/// as before, so that places stay. No other name begins with an underscore.
-const GREEK: [(&str, &str); 3] = [("φ", "_f"), ("π", "_p"), ("τ", "_t")];
-
-fn in_ascii(text: &str) -> String {
-    // An underscore of the text itself is no letter of any name.
-    let text = text.replace('_', "\u{1}");
-    GREEK
-        .iter()
-        .fold(text, |text, (letter, name)| text.replace(letter, name))
-}
-
-fn constant(name: &str) -> Option<f64> {
-    let is = |known: &str| known == name || GREEK.contains(&(known, name));
-    CONSTANTS
-        .iter()
-        .find_map(|(known, value)| is(known).then_some(*value))
 }
 
 /// How what other languages call `if` is written.
@@ -186,53 +195,61 @@ fn asks_if(text: &str) -> bool {
     words.any(|word| word.eq_ignore_ascii_case("if"))
 }
 
-fn mistake(text: &str, variables: &[&str], error: Error) -> Mistake {
-    let place = error.span.start..error.span.end;
+fn mistake(text: &str, names: &Names<'_>, (wrong, place): &read::Error) -> Mistake {
     let words = text.get(place.clone()).unwrap_or_default();
-    let (what, hint) = match error.kind {
-        ErrorKind::UnknownVariable => {
-            let hint = format!(
-                "known are {} and the constants pi, tau, e",
-                variables.join(", ")
-            );
+    let (what, hint) = match wrong {
+        Wrong::Variable => {
+            let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
+            let hint = match known.is_empty() {
+                true => "known are the constants pi, tau, e".to_owned(),
+                false => format!(
+                    "known are {} and the constants pi, tau, e",
+                    known.join(", ")
+                ),
+            };
             (format!("`{words}` is not known"), hint)
         }
-        ErrorKind::UnknownFunction if words == "if" => {
+        Wrong::Function if words == "if" => {
             (format!("`{words}` is no function"), CONDITION.to_owned())
         }
-        ErrorKind::UnknownFunction => (
+        Wrong::Function => (
             format!("`{words}` is no function"),
             format!("the functions are {FUNCTIONS}"),
         ),
-        ErrorKind::ArgumentCount | ErrorKind::TooManyArguments => (
+        Wrong::Arguments => (
             format!("`{words}` has a wrong number of arguments"),
             match asks_if(text) {
                 true => CONDITION.to_owned(),
                 false => "atan2, min and max take two, the others one".to_owned(),
             },
         ),
-        ErrorKind::UnexpectedEnd => ("the expression ends too early".to_owned(), String::new()),
-        ErrorKind::UnclosedParenthesis => ("this `(` is not closed".to_owned(), String::new()),
-        ErrorKind::UnexpectedToken if place.start > 0 => (
+        Wrong::End => ("the expression ends too early".to_owned(), String::new()),
+        Wrong::Parenthesis => ("this `(` is not closed".to_owned(), String::new()),
+        Wrong::Token if place.start > 0 => (
             format!("`{words}` cannot stand here"),
             "between two operands stands an operator: 2*phi, sin(phi)".to_owned(),
         ),
-        ErrorKind::UnexpectedToken | ErrorKind::UnexpectedCharacter => {
-            (format!("`{words}` cannot stand here"), String::new())
-        }
-        kind => (kind.description().to_owned(), String::new()),
+        Wrong::Token | Wrong::Character => (format!("`{words}` cannot stand here"), String::new()),
+        Wrong::Number => ("invalid number".to_owned(), String::new()),
+        Wrong::Factorial => (
+            format!("`{words}`: only whole numbers up to 170 have a factorial"),
+            String::new(),
+        ),
+        Wrong::TooDeep => ("expression nested too deeply".to_owned(), String::new()),
+        Wrong::TooLong => ("too many operations".to_owned(), String::new()),
     };
     let at = text.get(..place.start).unwrap_or(text).chars().count() + 1;
     Mistake {
         message: format!("\"{text}\", character {at}: {what}"),
         hint,
-        place,
+        place: place.clone(),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{CONSTANTS, Expression, FUNCTIONS, OF_ONE, OF_TWO};
+    use super::function::SMOOTH;
+    use super::{CONSTANTS, Expression, FUNCTIONS, PIECES};
 
     fn value(text: &str, x: f64) -> f64 {
         let expression = Expression::new(text, &["x", "φ"]).unwrap();
@@ -287,7 +304,7 @@ mod tests {
             ("max(1, 2, 3)", 10..11, "arguments"),
             ("2 x", 2..3, "cannot stand"),
             ("sin x", 4..5, "cannot stand"),
-            ("x_f", 1..2, "cannot stand"),
+            ("x_f", 0..3, "`x_f` is not known"),
             ("2..3", 2..4, "cannot stand"),
             ("1e999", 0..5, "invalid number"),
             ("x = 3", 2..3, "cannot stand"),
@@ -313,16 +330,47 @@ mod tests {
             .split(", ")
             .map(|name| name.split(' ').next().unwrap())
             .collect();
-        for (name, function) in OF_ONE {
+        for name in SMOOTH.iter().map(|(name, _)| *name).chain(PIECES) {
             assert!(listed.contains(&name), "{name}");
-            let found = value(&format!("{name}(x)"), 0.6);
-            assert!(found == function(0.6) || found.is_nan() && function(0.6).is_nan());
+            let _ = value(&format!("{name}(x)"), 0.6);
         }
-        for (name, function) in OF_TWO {
+        for name in ["atan2", "min", "max"] {
             assert!(listed.contains(&name), "{name}");
-            assert_eq!(value(&format!("{name}(x, 2)"), 0.6), function(0.6, 2.0));
+            let _ = value(&format!("{name}(x, 2)"), 0.6);
         }
-        assert_eq!(listed.len(), OF_ONE.len() + OF_TWO.len());
+        assert_eq!(listed.len(), SMOOTH.len() + PIECES.len() + 3);
+        let x = 0.6f64;
+        for (text, wanted) in [
+            ("sin(x)", x.sin()),
+            ("cos(x)", x.cos()),
+            ("tan(x)", x.tan()),
+            ("asin(x)", x.asin()),
+            ("acos(x)", x.acos()),
+            ("atan(x)", x.atan()),
+            ("sinh(x)", x.sinh()),
+            ("cosh(x)", x.cosh()),
+            ("tanh(x)", x.tanh()),
+            ("asinh(x)", x.asinh()),
+            ("acosh(1/x)", (1.0 / x).acosh()),
+            ("atanh(x)", x.atanh()),
+            ("exp(x)", x.exp()),
+            ("ln(x)", x.ln()),
+            ("log(x)", x.ln()),
+            ("log10(x)", x.log10()),
+            ("log2(x)", x.log2()),
+            ("sqrt(x)", x.sqrt()),
+            ("cbrt(x)", x.cbrt()),
+            ("abs(-x)", x),
+            ("sign(-x) + signum(x)", 0.0),
+            ("floor(-x)", -1.0),
+            ("ceil(-x)", 0.0),
+            ("round(-x)", -1.0),
+            ("trunc(-x)", 0.0),
+            ("fract(-x)", -x),
+            ("atan2(-x, -2)", (-x).atan2(-2.0)),
+        ] {
+            approx::assert_relative_eq!(value(text, x), wanted, epsilon = 1e-15);
+        }
         for (name, wanted) in CONSTANTS {
             assert_eq!(value(name, 0.6), wanted);
         }

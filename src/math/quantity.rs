@@ -5,11 +5,12 @@
 //! order. Handing over the law itself, not its value, lets every kind of number
 //! take from it what it needs.
 
+use crate::math::expression::Scalar;
 use crate::math::jet::Jet;
 use crate::math::number::{Dual, Duals, Number};
 
 /// A number on which the equations of motion can be evaluated.
-pub(crate) trait Quantity: Number {
+pub(crate) trait Quantity: Number + Scalar {
     /// Highest derivative of a function that [`Self::lift`] looks at.
     const DERIVATIVES: usize;
 

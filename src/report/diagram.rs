@@ -2,7 +2,8 @@
 
 use super::order::drivers_first;
 use crate::dynamics::model::{
-    Closure, Coordinate, LinkageBody, Model, NodeMotion, ObjectPart, Pair, PartInput, STOP,
+    Closure, Coordinate, LinkageBody, Model, MultiLinkageBody, NodeMotion, OUTPUT, ObjectPart,
+    Pair, PartInput, STOP,
 };
 use crate::report::show::{equations, motion, position};
 
@@ -170,12 +171,23 @@ fn detail(model: &Model, object: &ObjectPart) -> String {
     let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
     match motion {
         Some(NodeMotion::Prescribed { motion, .. }) => motion::summary(motion, object.coordinate),
+        Some(NodeMotion::Rotor { .. }) if object.kind == OUTPUT => "free".into(),
         Some(NodeMotion::Rotor { .. }) => "motor".into(),
+        Some(NodeMotion::Constrained { .. }) => several(model, object),
         Some(NodeMotion::Rigid { .. }) => rigid(model, object),
         _ => match object.nodes.len() {
             1 => "1 mass".into(),
             count => format!("{count} masses"),
         },
+    }
+}
+
+/// A linkage of several inputs, or an output of it.
+fn several(model: &Model, object: &ObjectPart) -> String {
+    let is = |body: &&MultiLinkageBody| object.nodes.first() == Some(&body.node);
+    match model.multi_linkages.iter().find(is) {
+        Some(body) => format!("{} links", body.linkage.spec().linkage.links.len()),
+        None => "rigid".into(),
     }
 }
 

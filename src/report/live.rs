@@ -10,9 +10,11 @@ use super::map::picture;
 use super::mechanism;
 use super::plot::{Plots, page, palette};
 use super::quantity::with_unit;
+use super::show::{equations, masses, masses::Frequencies};
 use super::verdict::{Verdict, verdict};
 use crate::dynamics::model::Model;
 use crate::dynamics::record::{Figures, Record};
+use crate::dynamics::system::{Regime, System};
 use crate::kinematics::cam::DiscCam;
 use crate::studies::map::{MapResult, Study};
 use serde_json::Value;
@@ -101,6 +103,24 @@ pub(crate) fn run(
         moving,
         pictures,
     }
+}
+
+/// The linkages as they are drawn by hand.
+pub(crate) fn sketches(system: &System) -> Value {
+    mechanism::sketch::sketches(system.model())
+}
+
+/// The dynamic model, and the equations, as parts of a page.
+pub(crate) fn model(system: &System) -> [String; 2] {
+    let model = system.model();
+    let frequencies = Frequencies {
+        engaged: system.natural_frequencies(Regime::Engaged),
+        open: system.natural_frequencies(Regime::Open),
+    };
+    [
+        super::svg::masses::svg(model) + &masses::html(model, &frequencies),
+        equations::mathml(&equations::equations(model)),
+    ]
 }
 
 fn charts(shown: &[Shown], before: &Charts) -> Charts {

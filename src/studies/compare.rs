@@ -130,7 +130,14 @@ impl Comparison {
             let address = format!("{id}.{name}");
             self.table.rows.iter().find(|row| row.figure == address)
         });
-        rows.filter_map(|row| Some(self.enough_of(row, row.limit.as_ref()?)))
+        // Why a figure has no limit is a warning of its own.
+        let warned = |row: &TableRow, limit: &Limit| {
+            let why = limit.why.as_deref();
+            why.is_some_and(|why| why.starts_with(&row.figure))
+        };
+        rows.filter_map(|row| Some((row, row.limit.as_ref()?)))
+            .filter(|(row, limit)| !warned(row, limit))
+            .map(|(row, limit)| self.enough_of(row, limit))
             .collect()
     }
 

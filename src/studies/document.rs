@@ -8,8 +8,8 @@ use crate::dynamics::model::{
     Closure, Coordinate, DampingLaw, LinkBase, LinkageBody, Model, ObjectPart,
 };
 use crate::dynamics::record::{
-    EnergyAudit, Figures, JointFigures, ObjectFigures, PairFigures, Recorded, RunSummary,
-    StopFigures, Units,
+    EnergyAudit, Figures, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
+    Recorded, RunSummary, StopFigures, Units,
 };
 use crate::units::shown;
 
@@ -214,12 +214,17 @@ pub(super) fn document(
 pub(super) fn blank(model: &Model) -> Figures {
     let figures: Vec<ObjectFigures> = (model.objects.iter().enumerate())
         .map(|(index, part)| ObjectFigures {
-            stop: model.stop(index).map(|_| StopFigures::default()),
+            stop: model.stop(index).map(|stop| StopFigures {
+                impacts: stop.law.is_rigid().then(ImpactFigures::default),
+                ..StopFigures::default()
+            }),
             pair: can_open(model, part).then(|| PairFigures {
                 margin: part.rigid_pair.map(|_| 0.0),
-                max_indentation: part.contact.map(|_| 0.0),
+                max_indentation: part.indented().map(|_| 0.0),
+                impacts: part.strikes().map(|_| ImpactFigures::default()),
                 ..PairFigures::default()
             }),
+            pressing: part.pressing.as_ref().map(|_| PressingFigures::default()),
             joints: rubs(model, part).then(JointFigures::default),
             ..ObjectFigures::default()
         })
@@ -256,6 +261,7 @@ fn is_undamped(model: &Model, part: &ObjectPart) -> bool {
             DampingLaw::KelvinVoigt => false,
             DampingLaw::HuntCrossley { .. } => true,
             DampingLaw::Hertz { dissipation, .. } => dissipation > 0.0,
+            DampingLaw::Restitution { coefficient } => coefficient < 1.0,
         });
         link.damping == 0.0 && !lossy_contact
     })

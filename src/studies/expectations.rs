@@ -255,6 +255,7 @@ mod tests {
                 links: Vec::new(),
                 contact: None,
                 rigid_pair: None,
+                pressing: None,
             }],
             ..Model::default()
         };

@@ -5,6 +5,8 @@
 //! In a chain of n masses link 1 is the first fragment, its damper n·b acts at the full
 //! approach speed when the pair closes, and the force grows with n. That follows from how the
 //! object is made, not from runs, which may look settled before it shows.
+//!
+//! The force of a rigid contact has none either: in an impact it is an impulse.
 
 use crate::dynamics::builder::spec::BodySpec;
 use crate::dynamics::model::{Closure, DampingLaw, Model, ObjectPart};
@@ -19,32 +21,60 @@ pub fn without_limit<'a>(
     asked: impl IntoIterator<Item = &'a str>,
     found: Option<&Figures>,
 ) -> Vec<String> {
-    let strikes = |part: &&ObjectPart| {
-        let figures = found.map(|figures| figures.objects.get(&part.id));
-        let pair = figures.map(|own| own.and_then(|own| own.pair.as_ref()));
-        pair.is_none_or(|pair| pair.is_some_and(|pair| pair.max_approach_speed > 0.0))
+    let strikes = |part: &ObjectPart| {
+        let Some(figures) = found else { return true };
+        let own = figures.objects.get(&part.id);
+        let pair = own.and_then(|own| own.pair.as_ref());
+        let stop = own.and_then(|own| own.stop.as_ref());
+        let speeds = [
+            pair.map(|pair| pair.max_approach_speed),
+            stop.map(|stop| stop.max_approach_speed),
+        ];
+        speeds.into_iter().flatten().any(|speed| speed > 0.0)
     };
-    let parts = model
-        .objects
-        .iter()
-        .filter(|part| grows(scene, model, part));
-    let parts: Vec<&ObjectPart> = parts.filter(strikes).collect();
+    let parts = model.objects.iter().enumerate();
+    let parts = parts.filter_map(|(index, part)| Some((part, cause(scene, model, index)?)));
+    let parts: Vec<(&ObjectPart, Cause)> = parts.filter(|(part, _)| strikes(part)).collect();
     let mut told = Vec::new();
     for address in asked {
-        let concerned = |part: &&&ObjectPart| {
+        let concerned = |(part, cause): &&(&ObjectPart, Cause)| {
             let id = &part.id;
             let driver = part.driver().map(|driver| &model.objects[driver].id);
+            let driver = driver.filter(|_| *cause != Cause::Stop);
             address == format!("{id}.pair.max_contact_force")
+                || address == format!("{id}.stop.max_contact_force")
                 || address == format!("{id}.peak_reaction")
                 || driver.is_some_and(|driver| address == format!("{driver}.peak_reaction"))
         };
-        if let Some(part) = parts.iter().find(concerned) {
-            told.push(message(address, part));
+        if let Some((part, cause)) = parts.iter().find(concerned) {
+            told.push(message(address, part, *cause));
         }
     }
     told.sort();
     told.dedup();
     told
+}
+
+/// What a force has no limit by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Cause {
+    /// The damper of link 1, which becomes stiffer with every mass.
+    Damper,
+    /// A rigid pair.
+    Pair,
+    /// A rigid stop.
+    Stop,
+}
+
+fn cause(scene: &TypedScene, model: &Model, object: usize) -> Option<Cause> {
+    let part = &model.objects[object];
+    if model.stop(object).is_some_and(|stop| stop.law.is_rigid()) {
+        Some(Cause::Stop)
+    } else if part.strikes().is_some() {
+        Some(Cause::Pair)
+    } else {
+        grows(scene, model, part).then_some(Cause::Damper)
+    }
 }
 
 /// True when the contact force of an object grows with its number of masses: it can open,
@@ -60,7 +90,19 @@ fn grows(scene: &TypedScene, model: &Model, part: &ObjectPart) -> bool {
     part.contact.is_none() && opens && damped && uniform
 }
 
-fn message(address: &str, part: &ObjectPart) -> String {
+fn message(address: &str, part: &ObjectPart, cause: Cause) -> String {
+    let impulse = |impulse: &str| {
+        format!(
+            "{address} has no limit: in an impact of a rigid contact the force is an impulse; the \
+             figure is the greatest force between impacts. `{impulse}` has a value, and a contact \
+             with a stiffness gives the force a limit"
+        )
+    };
+    match cause {
+        Cause::Damper => {}
+        Cause::Pair => return impulse(&format!("{}.pair.impacts.max_impulse", part.id)),
+        Cause::Stop => return impulse(&format!("{}.stop.impacts.max_impulse", part.id)),
+    }
     let (id, count) = (&part.id, part.nodes.len());
     let masses = if count == 1 { "mass" } else { "masses" };
     format!(
@@ -92,6 +134,12 @@ mod tests {
             "rocker.delta_max",
         ];
         without_limit(&reading.scene, &model, asked, None).len()
+    }
+
+    #[test]
+    fn a_rigid_contact_has_impulses() {
+        let rigid = ["rocker.pair.contact.restitution=0.5", "rocker.masses=0"];
+        assert_eq!(told(&rigid), 3);
     }
 
     #[test]

@@ -142,6 +142,7 @@ fn change_load(law: &mut LoadLaw, factor: f64) {
         }
         LoadLaw::Friction { force, .. } => *force *= factor,
         LoadLaw::Stop(stop) => stop.at *= factor,
+        LoadLaw::Written(written) => written.factor *= factor,
         LoadLaw::Custom { factor: own, .. } => *own *= factor,
         LoadLaw::LinearMotor { stall_torque, .. } => *stall_torque *= factor,
         LoadLaw::Kloss {

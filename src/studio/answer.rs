@@ -2,7 +2,7 @@
 //! run as it is shown.
 
 use super::limits::{MASSES, ROWS, RUN, SAMPLES};
-use super::text::Counter;
+use super::units::Counter;
 use crate::ask::{Judging, Mechanism};
 use crate::budget::Budget;
 use crate::dynamics::integrate::Stop;
@@ -86,6 +86,7 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             };
             numbers.into_iter().map(one).collect::<Vec<Value>>()
         });
+        let objects = document.map(|document| document.outline(&Layered(self.catalogue, &BuiltIn)));
         let faults = faults
             .items
             .iter()
@@ -94,6 +95,7 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             "type": "checked",
             "version": self.version,
             "numbers": numbers,
+            "objects": objects,
             "faults": faults.collect::<Vec<_>>(),
         })
         .to_string()

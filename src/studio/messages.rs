@@ -36,6 +36,11 @@ pub(super) enum Said {
         /// The name of the file.
         scene: String,
     },
+    /// Makes a new file with an empty scene, which is opened then.
+    New {
+        /// The name of the file.
+        scene: String,
+    },
     /// The file was changed by others: takes it.
     Reload,
     /// The file was changed by others: the text stays, and is saved over it when asked to.

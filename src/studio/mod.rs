@@ -15,12 +15,15 @@ mod answer;
 mod atomic;
 mod chart;
 mod connections;
+mod disk;
 mod drafts;
 mod folder;
 mod guard;
+mod history;
 mod launch;
 mod limits;
 mod messages;
+mod questions;
 mod room;
 #[cfg(test)]
 mod room_tests;
@@ -29,8 +32,10 @@ mod server;
 #[cfg(test)]
 mod server_tests;
 mod socket;
+mod state;
 mod text;
 mod token;
+mod units;
 mod window;
 mod work;
 

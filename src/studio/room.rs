@@ -1,69 +1,37 @@
 //! The document of a file: its text, which all windows on it share, and what follows from it.
 
 use super::answer::{self, Answer, Asked};
-use super::atomic;
 use super::chart::{Task, Told};
-use super::drafts::{Draft, Drafts};
-use super::folder::{Folder, Shelf};
+use super::disk::OnDisk;
+use super::drafts::Drafts;
+use super::folder::Shelf;
+use super::history::Group;
 use super::messages::{self, Update};
-use super::text::{Group, Text};
+use super::state::State;
+use super::text::Text;
 use super::window::Window;
 use super::work::Desk;
 use crate::ask::Judging;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::Document;
 use crate::report::live::Charts;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, Weak};
-use std::time::SystemTime;
 
 /// A document.
 #[derive(Debug)]
 pub(super) struct Room {
     name: String,
-    path: PathBuf,
     shelf: Shelf,
-    drafts: Drafts,
     state: Mutex<State>,
     runs: OnceLock<Arc<Desk<Question>>>,
     maps: OnceLock<Arc<Desk<MapQuestion>>>,
     /// Raised where memory ran out.
     exhausted: AtomicBool,
 }
-
-#[derive(Debug)]
-struct State {
-    text: Text,
-    /// What the file held when it was last read or written.
-    saved: String,
-    disk: Disk,
-    /// A draft that waits for a decision; the text is not to be changed before.
-    offered: Option<Draft>,
-    /// Version of the text in the draft on the disk; `None`: there is none.
-    drafted: Option<u64>,
-    windows: BTreeMap<u64, Arc<Window>>,
-    asked: BTreeMap<u64, messages::Asked>,
-    checked: Option<Arc<str>>,
-    answer: Option<Arc<Answer>>,
-    status: String,
-}
-
-/// The file beside the text.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Disk {
-    /// As it was left.
-    Same(Stamp),
-    /// Changed by others, which the user has not decided on.
-    Changed(Stamp),
-    /// Gone.
-    Gone,
-}
-
-/// Tells one state of a file from another without reading it.
-type Stamp = Option<(SystemTime, u64)>;
 
 /// A version that is to be answered.
 #[derive(Debug)]
@@ -80,11 +48,6 @@ struct MapQuestion {
     asked: Vec<(Arc<Window>, messages::Asked)>,
 }
 
-fn stamp(path: &Path) -> Stamp {
-    let known = path.metadata().ok()?;
-    Some((known.modified().ok()?, known.len()))
-}
-
 impl Room {
     /// Opens a file of the folder.
     ///
@@ -96,30 +59,12 @@ impl Room {
         shelf: Shelf,
         drafts: Drafts,
     ) -> Result<Arc<Self>, String> {
-        let disk = Disk::Same(stamp(path));
-        let saved = Folder::read(path)?;
-        let offered = drafts.find(path).filter(|draft| draft.text != saved);
-        if offered.is_none() {
-            // One of what was saved in the end.
-            drafts.forget(path);
-        }
+        let disk = OnDisk::open(path, drafts)?;
+        let text = Text::new(disk.saved().to_owned())?;
         let room = Arc::new(Self {
             name: name.to_owned(),
-            path: path.to_owned(),
             shelf,
-            drafts,
-            state: Mutex::new(State {
-                text: Text::new(saved.clone())?,
-                saved,
-                disk,
-                drafted: offered.as_ref().map(|_| 0),
-                offered,
-                windows: BTreeMap::new(),
-                asked: BTreeMap::new(),
-                checked: None,
-                answer: None,
-                status: String::new(),
-            }),
+            state: Mutex::new(State::new(text, disk)),
             runs: OnceLock::new(),
             maps: OnceLock::new(),
             exhausted: AtomicBool::new(false),
@@ -160,6 +105,12 @@ impl Room {
         self.lock().text.text().to_owned()
     }
 
+    /// The text at present, with its version.
+    pub(super) fn newest(&self) -> (u64, String) {
+        let state = self.lock();
+        (state.text.version(), state.text.text().to_owned())
+    }
+
     /// What the scene may copy from.
     pub(super) fn catalogue(&self) -> &Shelf {
         &self.shelf
@@ -168,8 +119,8 @@ impl Room {
     /// Whether nobody looks at it, and nothing of it would be lost.
     pub(super) fn is_idle(&self) -> bool {
         let state = self.lock();
-        state.windows.is_empty()
-            && (!state.is_dirty() || state.drafted == Some(state.text.version()))
+        let (text, version) = (state.text.text(), state.text.version());
+        state.windows.is_empty() && state.disk.is_safe(text, version)
     }
 
     /// A window looks at it.
@@ -203,7 +154,7 @@ impl Room {
         updates: &[Update],
     ) -> Result<(), String> {
         let mut state = self.lock();
-        if state.offered.is_some() {
+        if state.disk.is_asking() {
             return Err("decide about the draft first".to_owned());
         }
         if version != state.text.version() {
@@ -214,27 +165,34 @@ impl Room {
             );
             return Ok(());
         }
+        let before = state.text.version();
+        let mut taken = Vec::new();
+        let mut fault = None;
         for update in updates {
             let group = match update.drag {
                 Some(drag) => Group::Drag(window.id, drag),
                 None => Group::Typing(window.id),
             };
-            let before = state.text.version();
-            if let Err(fault) = state.text.apply(&update.changes, group) {
-                // The window has what the others have not: it begins anew.
-                window.send(state.opened(&self.name).into());
-                return Err(fault);
+            fault = state.text.apply(&update.changes, group).err();
+            if fault.is_some() {
+                break;
             }
-            state.tell_changes(before, window.id, std::slice::from_ref(&update.changes));
+            taken.push(update.changes.clone());
+        }
+        // At once: a window that hears of a part would send the rest again.
+        state.tell_changes(before, window.id, &taken);
+        if fault.is_some() {
+            // The window has what the others have not: it begins anew.
+            window.send(state.opened(&self.name).into());
         }
         self.changed(state);
-        Ok(())
+        fault.map_or(Ok(()), Err)
     }
 
     /// Takes a step back, or does it again.
     pub(super) fn step(&self, back: bool) {
         let mut state = self.lock();
-        if state.offered.is_some() {
+        if state.disk.is_asking() {
             return;
         }
         let before = state.text.version();
@@ -251,39 +209,21 @@ impl Room {
     /// Writes the text to its file, unless others have changed that.
     pub(super) fn save(&self) -> Result<(), String> {
         let mut state = self.lock();
-        // The last look before it is written over.
-        self.look_at(&mut state);
-        if let Disk::Changed(_) = state.disk {
-            state.tell_status();
-            return Err("the file was changed by another program; decide first".to_owned());
-        }
-        self.is_itself()?;
-        let written = atomic::write(&self.path, state.text.text().as_bytes(), false);
-        written.map_err(|error| format!("the file cannot be written: {}", error.kind()))?;
-        state.saved = state.text.text().to_owned();
-        state.disk = Disk::Same(stamp(&self.path));
-        self.drafts.forget(&self.path);
-        state.drafted = None;
+        let State { text, disk, .. } = &mut *state;
+        let saved = disk.save(text.text());
         state.tell_status();
-        Ok(())
+        saved
     }
 
     /// The file was changed by others: takes it, or stays with the text.
     pub(super) fn decide(&self, reload: bool) -> Result<(), String> {
         let mut state = self.lock();
-        let stamp = stamp(&self.path);
-        self.is_itself()?;
-        let found = Folder::read(&self.path)?;
+        let found = state.disk.accept(reload)?;
         if reload {
-            if found.replace("\r\n", "").contains('\r') {
-                return Err("lines of the file end with CR alone, which cannot be kept".to_owned());
-            }
             let before = state.text.version();
             let changes = state.text.replace(&found);
             state.tell_changes(before, 0, &changes);
         }
-        state.saved = found;
-        state.disk = Disk::Same(stamp);
         self.changed(state);
         Ok(())
     }
@@ -291,16 +231,13 @@ impl Room {
     /// Takes the draft that was offered, or forgets it.
     pub(super) fn draft(&self, restore: bool) {
         let mut state = self.lock();
-        let Some(draft) = state.offered.take() else {
+        let Some(draft) = state.disk.decide(restore) else {
             return;
         };
-        if restore {
+        if let Some(draft) = draft {
             let before = state.text.version();
-            let changes = state.text.replace(&draft.text);
+            let changes = state.text.replace(&draft);
             state.tell_changes(before, 0, &changes);
-        } else {
-            self.drafts.forget(&self.path);
-            state.drafted = None;
         }
         self.changed(state);
     }
@@ -445,45 +382,8 @@ impl Room {
         }
     }
 
-    /// Whether no link has come in the way of the file since it was opened.
-    fn is_itself(&self) -> Result<(), String> {
-        let folder = self.path.parent();
-        let folder_is = folder.is_some_and(|own| own.canonicalize().is_ok_and(|real| real == own));
-        let file_is = match self.path.symlink_metadata() {
-            Ok(known) => known.is_file(),
-            // It is gone, and may be made anew.
-            Err(_) => true,
-        };
-        match folder_is && file_is {
-            true => Ok(()),
-            false => Err("the file leads out of its folder now".to_owned()),
-        }
-    }
-
-    /// Looks at the file: whether others have changed it.
-    fn look_at(&self, state: &mut State) {
-        let now = stamp(&self.path);
-        let was = match state.disk {
-            Disk::Same(was) | Disk::Changed(was) => was,
-            Disk::Gone => None,
-        };
-        if now == was && now.is_some() {
-            return;
-        }
-        let found = self.is_itself().and_then(|()| Folder::read(&self.path));
-        state.disk = match (now, found) {
-            (None, _) => Disk::Gone,
-            (_, Ok(found)) if found == state.saved => Disk::Same(now),
-            (_, Ok(found)) if found == state.text.text() => {
-                state.saved = found;
-                Disk::Same(now)
-            }
-            _ => Disk::Changed(now),
-        };
-    }
-
     /// What is looked at from time to time: work that has gone on too long; the file; the draft.
-    pub(super) fn look(&self, memory: u64, round: u64) -> Option<impl FnOnce() + Send + 'static> {
+    pub(super) fn look(&self, memory: u64, round: u64) -> Option<impl FnOnce() + Send + use<>> {
         for desk in self.runs.get().into_iter() {
             if desk.look(memory) {
                 self.exhausted.store(true, Ordering::Relaxed);
@@ -496,28 +396,14 @@ impl Room {
             return None;
         }
         let mut state = self.lock();
-        self.look_at(&mut state);
+        let State { text, disk, .. } = &mut *state;
+        disk.look(text.text());
+        let kept = match round.is_multiple_of(20) {
+            true => disk.keep(text.text(), text.version()),
+            false => None,
+        };
         state.tell_status();
-        if !round.is_multiple_of(20) || state.offered.is_some() {
-            return None;
-        }
-        let version = state.text.version();
-        if !state.is_dirty() {
-            if state.drafted.take().is_some() {
-                self.drafts.forget(&self.path);
-            }
-            return None;
-        }
-        if state.drafted == Some(version) {
-            return None;
-        }
-        state.drafted = Some(version);
-        let (drafts, path) = (self.drafts.clone(), self.path.clone());
-        let (saved, text) = (state.saved.clone(), state.text.text().to_owned());
-        Some(move || {
-            // Where drafts cannot be kept, the next second tries again.
-            let _ = drafts.keep(&path, &saved, &text);
-        })
+        kept
     }
 }
 
@@ -557,71 +443,5 @@ impl Told for Teller<'_> {
     fn progress(&self, done: usize, of: usize) {
         let message = json!({ "type": "map_progress", "done": done, "of": of });
         self.window.send(message.to_string().into());
-    }
-}
-
-impl State {
-    fn is_dirty(&self) -> bool {
-        self.text.text() != self.saved
-    }
-
-    fn tell(&self, message: &Arc<str>) {
-        for window in self.windows.values() {
-            window.send(message.clone());
-        }
-    }
-
-    /// Everything that a window begins with.
-    fn opened(&self, name: &str) -> String {
-        let draft = self.offered.as_ref().map(
-            |draft| json!({ "time": draft.time, "other_base": draft.is_of_another(&self.saved) }),
-        );
-        json!({
-            "type": "opened",
-            "scene": name,
-            "version": self.text.version(),
-            "text": self.text.shown(),
-            "draft": draft,
-        })
-        .to_string()
-    }
-
-    /// Tells all windows of changes from a version on, and who made them.
-    fn tell_changes(&self, version: u64, by: u64, changes: &[Value]) {
-        let message = json!({
-            "type": "updates",
-            "version": version,
-            "updates": changes.iter()
-                .map(|changes| json!({ "by": by.to_string(), "changes": changes }))
-                .collect::<Vec<_>>(),
-        });
-        self.tell(&message.to_string().into());
-    }
-
-    fn told_status(&self) -> String {
-        let [undo, redo] = self.text.history();
-        let disk = match self.disk {
-            Disk::Same(_) => "same",
-            Disk::Changed(_) => "changed",
-            Disk::Gone => "gone",
-        };
-        json!({
-            "type": "status",
-            "saved": !self.is_dirty() && !matches!(self.disk, Disk::Gone),
-            "undo": undo,
-            "redo": redo,
-            "disk": disk,
-            "draft": self.offered.is_some(),
-        })
-        .to_string()
-    }
-
-    /// Tells all windows how it stands with the document, where that is news.
-    fn tell_status(&mut self) {
-        let status = self.told_status();
-        if status != self.status {
-            self.tell(&status.as_str().into());
-            self.status = status;
-        }
     }
 }

@@ -47,7 +47,7 @@ impl Opened {
         let text = self.room.text();
         let at = text.find(old).unwrap();
         let [before, removed, rest] =
-            [&text[..at], old, &text[at + old.len()..]].map(super::text::length);
+            [&text[..at], old, &text[at + old.len()..]].map(super::units::length);
         let changes = json!([before, [removed, new], rest]);
         self.room
             .push(&self.window, version, &[Update { changes, drag }])

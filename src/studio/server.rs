@@ -4,6 +4,7 @@
 use super::connections;
 use super::guard::{Nonce, guard, refused};
 use super::limits::BODY;
+use super::questions::{self, Named};
 use super::served::{Studio, keep};
 use super::socket;
 use crate::frontend::scene::{BuiltIn, Document, Layered, schema_of};
@@ -14,7 +15,6 @@ use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use axum::{Json, Router, middleware};
-use serde::Deserialize;
 use serde_json::json;
 use std::net::Ipv4Addr;
 use std::sync::Arc;
@@ -55,6 +55,9 @@ fn router(studio: Arc<Studio>) -> Router {
         .route("/look.css", get(|| async { style(live::style()) }))
         .route("/api/scenes", get(scenes))
         .route("/api/schema", get(schema))
+        .route("/api/parts", get(questions::parts))
+        .route("/api/model", get(questions::model))
+        .route("/api/linkages", get(questions::linkages))
         .route("/ws", get(upgrade))
         .fallback(|| async { refused(StatusCode::NOT_FOUND) })
         .layer(DefaultBodyLimit::max(BODY))
@@ -78,12 +81,6 @@ fn style(text: String) -> Response {
 async fn scenes(State(studio): State<Arc<Studio>>) -> Response {
     Json(json!({ "folder": studio.folder.name(), "scenes": studio.folder.scenes() }))
         .into_response()
-}
-
-/// A scene in the query.
-#[derive(Deserialize)]
-struct Named {
-    scene: String,
 }
 
 /// The schema of a scene as it is edited at present: what may be written where.

@@ -133,8 +133,16 @@ fn only_rightful_requests_are_answered() {
         scenes.contains("scene.json") && !scenes.contains("link.json"),
         "{scenes}"
     );
-    let rightful = ["GET /api/schema?scene=scene.json"];
-    assert_eq!(served.ask(rightful[0], &[&host, &bearer, &own]).0, 200);
+    let rightful = [
+        "GET /api/schema?scene=scene.json",
+        "GET /api/parts?scene=scene.json",
+        "GET /api/model?scene=scene.json",
+        "GET /api/linkages?scene=scene.json",
+    ];
+    for question in rightful {
+        let (status, answer) = served.ask(question, &[&host, &bearer, &own]);
+        assert_eq!(status, 200, "{answer}");
+    }
     let port = served.port;
     let (wrong, twice) = (
         format!("Authorization: Bearer {}", "0".repeat(64)),
@@ -177,6 +185,13 @@ fn only_rightful_requests_are_answered() {
             404,
         ),
         ("GET /api/schema?scene=link.json", &[&host, &bearer], 404),
+        ("GET /api/model?scene=link.json", &[&host, &bearer], 404),
+        ("GET /api/model?scene=scene.json", &[&host], 401),
+        (
+            "GET /api/parts?scene=../secret.json",
+            &[&host, &bearer],
+            404,
+        ),
         ("GET /../secret.json", &[&host, &bearer], 404),
         ("GET /ws", &[&host, upgrade], 403),
         ("GET /ws", &[&host, upgrade, "Origin: null"], 403),

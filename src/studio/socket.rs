@@ -116,6 +116,10 @@ impl Visit {
             Said::Shown => self.window.shown(false),
             Said::MapShown => self.window.shown(true),
             Said::Hello { .. } => return Err("it is known who you are".to_owned()),
+            Said::New { scene } => {
+                self.write(&scene, &empty(&scene))?;
+                return self.open(&scene);
+            }
             _ => {}
         }
         let room = self.room.clone().ok_or("no scene is open")?;
@@ -161,4 +165,13 @@ impl Visit {
             })
             .map_err(|error| format!("the file cannot be written: {}", error.kind()))
     }
+}
+
+/// An empty scene.
+fn empty(file: &str) -> String {
+    let name = file.rsplit('/').next().unwrap_or(file);
+    let name = json!(name.trim_end_matches(".json").replace(['_', '-'], " "));
+    format!(
+        "{{\n  \"dam\": 1,\n  \"name\": {name},\n  \"objects\": {{\n  }},\n  \"run\": {{ \"duration\": \"1 s\" }}\n}}\n"
+    )
 }

@@ -1,44 +1,14 @@
 //! A scene's text with its edits: what all windows on a file share, byte for byte as it is in
 //! the file.
 //!
-//! Windows count as their editor does: in UTF-16 units, every line break as one, be it one byte
-//! or two. Lines that nobody touches keep their bytes.
+//! Windows count in units of their own ([`super::units`]). Lines that nobody touches keep their
+//! bytes.
 
-use super::limits::{BODY, HISTORY};
+use super::history::{Edit, Group, History};
+use super::limits::BODY;
+use super::units::{Walk, length};
 use serde_json::{Value, json};
 use std::ops::Range;
-use std::time::{Duration, Instant};
-
-/// A piece of text that stands in place of another.
-#[derive(Clone, Debug, PartialEq, Eq)]
-struct Edit {
-    at: usize,
-    removed: String,
-    inserted: String,
-}
-
-/// What one undo takes back.
-#[derive(Clone, Debug)]
-struct Step {
-    /// In the order in which they were made.
-    edits: Vec<Edit>,
-    group: Group,
-    time: Instant,
-}
-
-/// Which edits belong to one step.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Group {
-    /// Typing of a window: what follows at once at the same place is the same step.
-    Typing(u64),
-    /// A drag of a window, by its number there.
-    Drag(u64, u64),
-    /// By itself.
-    Alone,
-}
-
-/// Typing that stops for so long begins a new step.
-const PAUSE: Duration = Duration::from_millis(600);
 
 /// A text with its history.
 #[derive(Debug)]
@@ -47,8 +17,7 @@ pub(super) struct Text {
     line_break: &'static str,
     /// Every change makes a new version.
     version: u64,
-    done: Vec<Step>,
-    undone: Vec<Step>,
+    history: History,
 }
 
 impl Text {
@@ -66,8 +35,7 @@ impl Text {
             line_break: if is_long { "\r\n" } else { "\n" },
             text,
             version: 0,
-            done: Vec::new(),
-            undone: Vec::new(),
+            history: History::default(),
         })
     }
 
@@ -88,7 +56,7 @@ impl Text {
 
     /// Whether there is something to undo and to redo.
     pub(super) fn history(&self) -> [bool; 2] {
-        [!self.done.is_empty(), !self.undone.is_empty()]
+        self.history.has()
     }
 
     /// Applies a window's changes: the list `[kept, [removed, line, line …], …]` of its editor.
@@ -114,33 +82,20 @@ impl Text {
         });
         let edits: Vec<Edit> = edits.collect();
         self.version += 1;
-        self.undone.clear();
-        self.remember(edits, group);
+        self.history.remember(edits, group);
         Ok(())
     }
 
     /// Takes the last step back; the changes for the windows. `None`: there is none.
     pub(super) fn undo(&mut self) -> Option<Vec<Value>> {
-        let step = self.done.pop()?;
-        let back = step.edits.iter().rev().map(|edit| Edit {
-            at: edit.at,
-            removed: edit.inserted.clone(),
-            inserted: edit.removed.clone(),
-        });
-        let changes = self.make(back.collect());
-        self.undone.push(step);
-        Some(changes)
+        let edits = self.history.undo()?;
+        Some(self.make(edits))
     }
 
     /// Does the last step that was taken back again.
     pub(super) fn redo(&mut self) -> Option<Vec<Value>> {
-        let step = self.undone.pop()?;
-        let changes = self.make(step.edits.clone());
-        self.done.push(Step {
-            group: Group::Alone,
-            ..step
-        });
-        Some(changes)
+        let edits = self.history.redo()?;
+        Some(self.make(edits))
     }
 
     /// Puts another text in its place, as one step: only what differs is changed.
@@ -181,8 +136,7 @@ impl Text {
             return Vec::new();
         }
         let changes = self.make(vec![edit.clone()]);
-        self.undone.clear();
-        self.remember(vec![edit], Group::Alone);
+        self.history.remember(vec![edit], Group::Alone);
         changes
     }
 
@@ -210,54 +164,6 @@ impl Text {
             json!(list)
         };
         edits.into_iter().map(change).collect()
-    }
-
-    fn remember(&mut self, mut edits: Vec<Edit>, group: Group) {
-        let now = Instant::now();
-        if let Some(last) = self.done.last_mut().filter(|last| last.group == group) {
-            let joined = match group {
-                Group::Alone => false,
-                Group::Drag(..) => true,
-                Group::Typing(_) => {
-                    let touch = last.edits.last().zip(edits.first());
-                    let touch = touch.is_some_and(|(last, next)| {
-                        let end = last.at + last.inserted.len();
-                        next.at == end || next.at + next.removed.len() == end || next.at == last.at
-                    });
-                    let alone = edits.len() == 1 && !edits[0].inserted.contains('\n');
-                    touch && alone && now - last.time < PAUSE
-                }
-            };
-            if joined {
-                last.time = now;
-                // A drag writes the same number over and over: its ends are enough.
-                let [old, new] = [last.edits.as_mut_slice(), edits.as_mut_slice()];
-                if let ([old], [new]) = (old, new)
-                    && old.at == new.at
-                    && old.inserted == new.removed
-                {
-                    old.inserted = std::mem::take(&mut new.inserted);
-                    return;
-                }
-                last.edits.append(&mut edits);
-                return;
-            }
-        }
-        self.done.push(Step {
-            edits,
-            group,
-            time: now,
-        });
-        let size = |step: &Step| -> usize {
-            let edits = step.edits.iter();
-            edits
-                .map(|edit| 64 + edit.removed.len() + edit.inserted.len())
-                .sum()
-        };
-        let mut kept: usize = self.done.iter().map(size).sum();
-        while kept > HISTORY && self.done.len() > 1 {
-            kept -= size(&self.done.remove(0));
-        }
     }
 
     /// The bytes that changes replace, and by what.
@@ -290,74 +196,11 @@ impl Text {
     }
 }
 
-/// Goes through a text in the units of windows.
-struct Walk<'t> {
-    text: &'t str,
-    at: usize,
-}
-
-impl<'t> Walk<'t> {
-    fn new(text: &'t str) -> Self {
-        Self { text, at: 0 }
-    }
-
-    /// Goes on by some units; `None`: the text ends before, or a character is split.
-    fn go(&mut self, units: u64) -> Option<()> {
-        let mut left = units;
-        let mut rest = self.text[self.at..].chars();
-        while left > 0 {
-            let next = rest.next()?;
-            self.at += next.len_utf8();
-            if next == '\r' && rest.as_str().starts_with('\n') {
-                rest.next();
-                self.at += 1;
-            }
-            left = left.checked_sub(next.len_utf16() as u64)?;
-        }
-        Some(())
-    }
-}
-
-/// Length of a text in the units of windows.
-pub(super) fn length(text: &str) -> usize {
-    text.encode_utf16().count() - text.matches("\r\n").count()
-}
-
-/// Turns bytes into the units of windows; they must ascend.
-#[derive(Debug)]
-pub(super) struct Counter<'t> {
-    text: &'t str,
-    at: usize,
-    units: usize,
-}
-
-impl<'t> Counter<'t> {
-    pub(super) fn new(text: &'t str) -> Self {
-        Self {
-            text,
-            at: 0,
-            units: 0,
-        }
-    }
-
-    /// The units before a byte.
-    pub(super) fn units(&mut self, byte: usize) -> usize {
-        let mut byte = byte.min(self.text.len());
-        while !self.text.is_char_boundary(byte) {
-            byte -= 1;
-        }
-        if byte < self.at {
-            (self.at, self.units) = (0, 0);
-        }
-        self.units += length(&self.text[self.at..byte]);
-        self.at = byte;
-        self.units
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Counter, Group, Text, length};
+    use super::super::history::Group;
+    use super::super::units::length;
+    use super::Text;
     use serde_json::{Value, json};
 
     /// Applies changes to a text as windows hold it.
@@ -520,17 +363,5 @@ mod tests {
             text.undo();
             assert_eq!(text.text(), old);
         }
-    }
-
-    #[test]
-    fn bytes_become_units() {
-        let text = "µ\r\n😀x";
-        let mut counter = Counter::new(text);
-        assert_eq!(
-            [0, 2, 4, 8, 9].map(|byte| counter.units(byte)),
-            [0, 1, 2, 4, 5]
-        );
-        assert_eq!(counter.units(2), 1);
-        assert_eq!(counter.units(99), 5);
     }
 }

@@ -126,6 +126,9 @@ pub mod quantities {
     );
     /// Density.
     pub const DENSITY: Quantity = quantity("density", (1, -3, 0, 0), &["kg/m^3", "g/cm^3"]);
+    /// Pressure.
+    pub const PRESSURE: Quantity =
+        quantity("pressure", (1, -1, -2, 0), &["Pa", "kPa", "bar", "MPa"]);
     /// Elastic modulus.
     pub const MODULUS: Quantity =
         quantity("modulus", (1, -1, -2, 0), &["Pa", "MPa", "GPa", "N/mm^2"]);
@@ -134,6 +137,11 @@ pub mod quantities {
     /// Moment.
     pub const MOMENT: Quantity = quantity("moment", (1, 2, -2, 0), &["N m", "kN m", "N mm"]);
     /// Stiffness of a sliding object.
+    pub const IMPULSE: Quantity = quantity("impulse", (1, 1, -1, 0), &["N s", "kN s"]);
+    /// Moment times time.
+    pub const ANGULAR_IMPULSE: Quantity =
+        quantity("angular impulse", (1, 2, -1, 0), &["N m s", "kN m s"]);
+    /// Force per length.
     pub const LINEAR_STIFFNESS: Quantity =
         quantity("stiffness", (1, 0, -2, 0), &["N/m", "N/mm", "kN/mm"]);
     /// Stiffness of a turning object.
@@ -216,6 +224,7 @@ pub mod quantities {
         SECONDS_PER_LENGTH,
         LENGTH_PER_ANGLE,
         ANGLE_PER_LENGTH,
+        PRESSURE,
     ];
 }
 

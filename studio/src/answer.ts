@@ -19,10 +19,41 @@ export interface Answer {
 export function read(frame: ArrayBuffer): { head: Answer; columns: (number | null)[][] } {
   const length = new DataView(frame).getUint32(0, true);
   const head = JSON.parse(new TextDecoder().decode(new Uint8Array(frame, 4, length))) as Answer;
-  const values = new Float64Array(frame, 4 + length);
-  let at = 0;
-  const columns = head.lengths.map((count) => Array.from(values.subarray(at, at += count), (value) => Number.isNaN(value) ? null : value));
-  return { head, columns };
+  return { head, columns: lazily(head.lengths, new Float64Array(frame, 4 + length)) };
+}
+
+// Columns are made where a chart asks for them.
+function lazily(lengths: number[], values: Float64Array): (number | null)[][] {
+  const starts: number[] = [], made: (number | null)[][] = [];
+  lengths.reduce((at, count, index) => { starts[index] = at; return at + count; }, 0);
+  return new Proxy(made, { get: (_, key) => {
+    const index = typeof key === "string" ? Number(key) : NaN;
+    if (!(index in starts)) return Reflect.get(made, key);
+    return (made[index] ??= Array.from(values.subarray(starts[index]!, starts[index]! + lengths[index]!), (value) => Number.isNaN(value) ? null : value));
+  } });
+}
+
+// Makes an element's content another one, and touches only what differs.
+function patch(parent: Element, html: string): void {
+  const wanted = document.createElement("template");
+  wanted.innerHTML = html;
+  if (!alike(parent, wanted.content)) parent.replaceChildren(wanted.content);
+}
+
+// Takes texts and attributes over; false: there are other elements.
+function alike(own: Node, wanted: Node): boolean {
+  const [a, b] = [own.childNodes, wanted.childNodes];
+  if (a.length !== b.length) return false;
+  for (let k = 0; k < a.length; k++) {
+    const [one, other] = [a[k]!, b[k]!];
+    if (one.nodeName !== other.nodeName) return false;
+    if (one instanceof Element && other instanceof Element) {
+      if (one.attributes.length !== other.attributes.length) return false;
+      for (const { name, value } of other.attributes) if (one.getAttribute(name) !== value) one.setAttribute(name, value);
+      if (!alike(one, other)) return false;
+    } else if (one.nodeValue !== other.nodeValue) one.nodeValue = other.nodeValue;
+  }
+  return true;
 }
 
 export class Board {
@@ -56,7 +87,7 @@ export class Board {
     this.move(head, source);
     if (head.tables !== this.tables) {
       this.tables = head.tables;
-      this.parts.tables.innerHTML = head.tables;
+      patch(this.parts.tables, head.tables);
     }
     return head;
   }

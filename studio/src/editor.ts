@@ -1,5 +1,6 @@
 // The text in the window: CodeMirror, in step with the document on the server, which has the
-// history. Edits go there one after the other; those of others come as they are made.
+// history. Edits go there one after the other; those of others come as they are made. The view has
+// a state of its own, which follows: to read and draw the text anew is what takes long.
 
 import { acceptCompletion, autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, startCompletion } from "@codemirror/autocomplete";
 import { collab, getSyncedVersion, receiveUpdates, sendableUpdates } from "@codemirror/collab";
@@ -8,7 +9,7 @@ import { json } from "@codemirror/lang-json";
 import { bracketMatching, foldGutter, foldKeymap, HighlightStyle, indentOnInput, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Annotation, ChangeSet, Compartment, EditorState, type ChangeSpec } from "@codemirror/state";
+import { Annotation, ChangeSet, Compartment, EditorState, Transaction, type ChangeSpec, type TransactionSpec } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import type { Link, Message } from "./link";
@@ -16,6 +17,10 @@ import { fields, setFields, type Field } from "./numbers";
 import { Guide } from "./schema";
 
 const dragged = Annotation.define<number>();
+// Marks what the view is told, and does not tell.
+const outside = Annotation.define<boolean>();
+// While a number moves, the text shows it so often (ms).
+const REST = 120;
 const nonce = document.querySelector<HTMLMetaElement>("meta[name=nonce]")?.content ?? "";
 
 const colours = HighlightStyle.define([
@@ -40,21 +45,72 @@ const look = EditorView.theme({
 
 export class Editor {
   readonly view: EditorView;
+  // The text as it is; the view comes after.
+  state: EditorState;
+  private behind: ChangeSet | null = null;
+  private flushed = 0;
   private pushing = false;
   private later: (() => void)[] = [];
   private readonly writable = new Compartment();
   private schema: { at: number; guide: Promise<Guide> } | null = null;
   private scene = "";
   private drags = 0;
-  changed: (state: EditorState) => void = () => {};
+  private told = false;
+  private locked = false;
+  changed: () => void = () => {};
 
   constructor(parent: Element, private readonly link: Link, private readonly by: () => string) {
-    this.view = new EditorView({ parent, state: this.state("", 0) });
+    this.state = this.own("", 0);
+    this.view = new EditorView({ parent, state: this.fresh(""), dispatchTransactions: (made) => this.typed(made) });
+    // Whatever is done in the view is done to the text as it is.
+    for (const kind of ["keydown", "beforeinput", "compositionstart", "mousedown", "paste", "cut", "drop", "focusin"]) parent.addEventListener(kind, () => this.flush(), true);
     link.on("updates", (message) => this.receive(message));
     link.on("late", () => { this.pushing = false; this.push(); });
   }
 
-  private state(text: string, version: number): EditorState {
+  // Changes the text; the view comes after.
+  private dispatch(spec: TransactionSpec): void {
+    const made = this.state.update(spec);
+    this.state = made.state;
+    if (made.docChanged) {
+      this.behind = this.behind ? this.behind.compose(made.changes) : made.changes;
+      this.push();
+    }
+    this.changed();
+  }
+
+  // Shows the text as it is; with `often` false not before what is shown is old.
+  flush(often = true): void {
+    if (!this.behind || (!often && performance.now() - this.flushed < REST)) return;
+    const changes = this.behind;
+    this.behind = null;
+    this.flushed = performance.now();
+    this.view.dispatch({ changes, annotations: [outside.of(true), Transaction.remote.of(true)] });
+  }
+
+  // Whether the view shows an older text.
+  get isBehind(): boolean { return this.behind !== null; }
+
+  // Changes made in the view, and what came from elsewhere since it was drawn.
+  private typed(made: readonly Transaction[]): void {
+    this.view.update(made);
+    for (const one of made) {
+      if (!one.docChanged || one.annotation(outside)) continue;
+      const changes = this.behind ? one.changes.map(this.behind) : one.changes;
+      this.behind = this.behind?.map(one.changes, true) ?? null;
+      this.state = this.state.update({ changes }).state;
+      this.changed();
+      this.push();
+    }
+  }
+
+  // The text, its edits and its numbers.
+  private own(text: string, version: number): EditorState {
+    return EditorState.create({ doc: text, extensions: [collab({ startVersion: version, clientID: this.by() }), fields] });
+  }
+
+  // What the view has of it.
+  private fresh(text: string): EditorState {
     const step = (type: string) => () => { this.when(() => this.link.send({ type })); return true; };
     return EditorState.create({
       doc: text,
@@ -73,7 +129,7 @@ export class Editor {
             return { dom };
           } };
         }),
-        collab({ startVersion: version, clientID: this.by() }), fields, this.writable.of([]),
+        this.writable.of([]),
         keymap.of([
           { key: "Mod-z", run: step("undo"), preventDefault: true },
           { key: "Mod-y", mac: "Mod-Shift-z", run: step("redo"), preventDefault: true },
@@ -85,7 +141,6 @@ export class Editor {
           indentWithTab,
         ]),
         EditorView.contentAttributes.of({ "aria-label": "text of the scene" }),
-        EditorView.updateListener.of((update) => { if (update.docChanged || update.transactions.some((one) => one.effects.some((effect) => effect.is(setFields)))) { this.changed(update.state); this.push(); } }),
       ],
     });
   }
@@ -96,63 +151,73 @@ export class Editor {
     this.later = [];
     this.scene = message.scene;
     this.schema = null;
-    this.view.setState(this.state(message.text, message.version));
+    this.told = false;
+    this.behind = null;
+    this.state = this.own(message.text, message.version);
+    this.view.setState(this.fresh(message.text));
     this.lock(message.draft !== null);
-    this.changed(this.view.state);
+    this.changed();
   }
 
   // Whether nothing can be changed.
-  lock(on: boolean): void { this.view.dispatch({ effects: this.writable.reconfigure(on ? EditorState.readOnly.of(true) : []) }); }
+  lock(on: boolean): void { this.locked = on; this.view.dispatch({ effects: this.writable.reconfigure(on ? EditorState.readOnly.of(true) : []) }); }
 
   // A new step of undo, that the next edits with its number belong to.
   drag(): number { return ++this.drags; }
 
   // Changes the text from outside of it.
   change(changes: ChangeSpec, drag: number): void {
-    if (!this.view.state.readOnly) this.view.dispatch({ changes, annotations: dragged.of(drag) });
+    if (!this.locked) this.dispatch({ changes, annotations: dragged.of(drag) });
   }
 
   // Does something once the server has all edits.
   when(act: () => void): void { if (this.settled()) act(); else this.later.push(act); }
 
-  private settled(): boolean { return sendableUpdates(this.view.state).length === 0; }
+  private settled(): boolean { return sendableUpdates(this.state).length === 0; }
+
+  // Whether the server has not taken the last edits yet.
+  get isBusy(): boolean { return this.pushing; }
 
   // Whether the text is that of a version.
-  isAt(version: number): boolean { return this.settled() && getSyncedVersion(this.view.state) === version; }
+  isAt(version: number): boolean { return this.settled() && getSyncedVersion(this.state) === version; }
 
   private push(): void {
     if (this.pushing) return;
-    const updates = sendableUpdates(this.view.state);
+    const updates = sendableUpdates(this.state);
     if (!updates.length) { this.later.splice(0).forEach((act) => act()); return; }
     this.pushing = this.link.send({
-      type: "push", version: getSyncedVersion(this.view.state),
+      type: "push", version: getSyncedVersion(this.state),
       updates: updates.map(({ changes, origin }) => ({ changes: changes.toJSON(), drag: origin.annotation(dragged) })),
     });
   }
 
   private receive({ version, updates }: Message): void {
-    const known = getSyncedVersion(this.view.state);
+    const known = getSyncedVersion(this.state);
     const fresh = updates.slice(Math.max(0, known - version));
     if (fresh.some((one: any) => one.by === this.by())) this.pushing = false;
-    if (fresh.length) this.view.dispatch(receiveUpdates(this.view.state, fresh.map((one: any) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by }))));
+    if (fresh.length) this.dispatch(receiveUpdates(this.state, fresh.map((one: any) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by }))));
     this.push();
   }
 
   // What the server found in a version: it counts while that is the text.
   check({ version, numbers, faults }: Message): boolean {
     if (!this.isAt(version)) return false;
-    const length = this.view.state.doc.length;
+    const length = this.state.doc.length;
     const diagnostics: Diagnostic[] = faults.map((fault: any) => ({
       from: Math.min(fault.from, length), to: Math.min(Math.max(fault.to, fault.from), length), severity: fault.severity,
       message: [fault.elsewhere ? `${fault.elsewhere}: ${fault.message}` : fault.message, ...fault.hints].join("\n"),
     }));
-    this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
-    if (numbers) this.view.dispatch({ effects: setFields.of(numbers as Field[]) });
+    if (diagnostics.length || this.told) {
+      this.flush();
+      this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
+    }
+    this.told = diagnostics.length > 0;
+    if (numbers) this.dispatch({ effects: setFields.of(numbers as Field[]) });
     return true;
   }
 
   // The schema of the scene, with its ids, as it was not long ago.
-  private guide(): Promise<Guide> {
+  guide(): Promise<Guide> {
     if (!this.schema || Date.now() - this.schema.at > 5000) {
       const guide = this.link.get(`/api/schema?scene=${encodeURIComponent(this.scene)}`).then((schema) => new Guide(schema));
       this.schema = { at: Date.now(), guide };
@@ -162,6 +227,7 @@ export class Editor {
   }
 
   show(from: number, to: number): void {
+    this.flush();
     this.view.dispatch({ selection: { anchor: from, head: to }, effects: EditorView.scrollIntoView(from, { y: "center" }) });
     this.view.focus();
   }

@@ -1,17 +1,28 @@
 // The studio: text, numbers and answers of one scene, side by side.
 
 import { render } from "preact";
-import { useEffect, useReducer, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useReducer, useRef, useState } from "preact/hooks";
 import { Board, type Answer } from "./answer";
+import { Drawing } from "./drawing";
 import { Editor } from "./editor";
+import { ObjectForm, SceneForm, type Desk } from "./form";
+import type { Outline } from "./graph";
 import { Host } from "./host";
+import type { Parts } from "./kinds";
 import { Link, type Message } from "./link";
 import { MapView } from "./map";
+import { Models } from "./models";
 import { fields as fieldsOf, type Field, type Span } from "./numbers";
+import { Objects } from "./objects";
+import type { Guide } from "./schema";
 import { Sliders } from "./sliders";
+import { Edits, member, find, parse, type Change, type Value } from "./tree";
 import "./style.css";
 
 const link = new Link();
+
+const VIEWS = [["objects", "Objects"], ["drawing", "Drawing"], ["text", "Text"], ["model", "Dynamic model"], ["equations", "Equations"]] as const;
+type View = (typeof VIEWS)[number][0];
 
 interface Status { saved: boolean; undo: boolean; redo: boolean; disk: string }
 
@@ -43,17 +54,37 @@ function Studio() {
   const [answer, setAnswer] = useState<Answer | null>(null);
   const [stale, setStale] = useState(false);
   const [told, setTold] = useState("");
+  const [view, setView] = useState<View>("objects");
+  const [side, setSide] = useState<"numbers" | "properties">("numbers");
+  const [objects, setObjects] = useState<Outline[]>([]);
+  const [parts, setParts] = useState<Parts>({ kinds: [], objects: [] });
+  const [guide, setGuide] = useState<Guide | null>(null);
+  const [chosen, setChosen] = useState<string[]>([]);
+  const [version, setVersion] = useState(0);
+  // What is told of versions matters where the model is looked at.
+  const newest = useRef(0), models = useRef(false);
+  models.current = view === "model" || view === "equations" || view === "drawing";
+  const parsed = useRef<{ of: unknown; text: string; root: Value | null; good: Value | null; goodText: string }>({ of: null, text: "", root: null, good: null, goodText: "" });
   const wrong = useRef(false), current = useRef(""), latest = useRef<Answer | null>(null);
 
   useEffect(() => {
     const own = editor.current = new Editor(place.current!, link, () => self.current);
     const shown = board.current = new Board({ tables: tables.current!, charts: charts.current!, machine: moving.current! }, answers.current!);
-    // Once a frame, however often the text changes.
-    own.changed = () => {
+    // Everything is drawn once a frame, however often the text and its answer change.
+    let changed = false, frame: ArrayBuffer | null = null, late = 0;
+    const draw = () => {
+      drawing.current = false;
+      if (changed) { own.flush(false); redraw(0); }
+      changed = false;
+      if (own.isBehind) { clearTimeout(late); late = setTimeout(() => own.flush(), 150); }
+      if (frame) { const newest = frame; frame = null; answered(newest); }
+    };
+    const soon = () => {
       if (drawing.current) return;
       drawing.current = true;
-      requestAnimationFrame(() => { drawing.current = false; redraw(0); });
+      requestAnimationFrame(draw);
     };
+    own.changed = () => { changed = true; soon(); };
     link.state = setConnected;
     link.on("welcome", (message) => {
       self.current = message.window;
@@ -66,7 +97,11 @@ function Studio() {
       });
     });
     link.on("opened", (message) => {
-      if (message.scene !== current.current) { spans.current.clear(); shown.clear(); latest.current = null; setAnswer(null); }
+      if (message.scene !== current.current) {
+        setObjects([]); setChosen([]); setFaults([]);
+        void link.get(`/api/parts?scene=${encodeURIComponent(message.scene)}`).then(setParts, () => {});
+        setScenes((known) => known.includes(message.scene) ? known : [...known, message.scene].sort());
+        spans.current.clear(); shown.clear(); latest.current = null; setAnswer(null); }
       current.current = message.scene;
       setScene(message.scene);
       document.title = `${message.scene} – dam studio`;
@@ -74,6 +109,7 @@ function Studio() {
       setTold("");
       wrong.current = false;
       own.open(message);
+      void own.guide().then(setGuide, () => {});
     });
     link.on("status", (message) => {
       setStatus(message as unknown as Status);
@@ -82,15 +118,20 @@ function Studio() {
     link.on("checked", (message: Message) => {
       if (!own.check(message)) return;
       wrong.current = message.faults.some((fault: any) => fault.severity === "error");
-      setFaults(message.faults);
+      setFaults((before) => JSON.stringify(before) === JSON.stringify(message.faults) ? before : message.faults);
       setStale(wrong.current);
+      // While a number moves nothing of it is another.
+      if (message.objects) setObjects((before) => JSON.stringify(before) === JSON.stringify(message.objects) ? before : message.objects);
+      newest.current = message.version;
+      if (models.current) setVersion(message.version);
     });
     link.on("failed", (message) => { setTold(message.message); setStale(true); });
     link.on("error", (message) => setTold(message.message));
-    link.answer = (frame) => {
-      const head = shown.show(frame);
+    link.answer = (given) => { frame = given; soon(); };
+    const answered = (given: ArrayBuffer) => {
+      const head = shown.show(given);
       performance.mark("answer", { detail: head.version });
-      requestAnimationFrame(() => link.send({ type: "shown" }));
+      link.send({ type: "shown" });
       const before = latest.current;
       latest.current = head;
       setStale(wrong.current);
@@ -113,8 +154,50 @@ function Studio() {
     const name = prompt("Name of the new file in this folder", scene.replace(/\.json$/, "-2.json"));
     if (name) act("save_as", { scene: name });
   };
-  const view = editor.current?.view;
-  const fields: Field[] = view ? view.state.field(fieldsOf) : [];
+  const fresh = () => {
+    const name = prompt("Name of the new scene in this folder", "scene.json");
+    if (name) act("new", { scene: name.endsWith(".json") ? name : `${name}.json` });
+  };
+  // The text as a tree, made where it is looked at; of what is no JSON the last one that was.
+  const tree = () => {
+    const own = editor.current!, known = parsed.current, doc = own.state.doc;
+    if (known.of !== doc) {
+      known.of = doc;
+      known.text = doc.toString();
+      known.root = parse(known.text);
+      if (known.root) { known.good = known.root; known.goodText = known.text; }
+    }
+    return known;
+  };
+  const edit = (make: (edits: Edits) => Change[], drag?: number): boolean => {
+    const own = editor.current!, { text, root } = tree();
+    if (!root) { setTold("The text is not whole at present: mend it in the text view first."); return false; }
+    const changes = make(new Edits(text, root));
+    if (changes.length) own.change(changes, drag ?? own.drag());
+    return changes.length > 0;
+  };
+  const select = (ids: string[]) => { setChosen(ids); if (ids.length || side !== "properties") setSide("properties"); };
+  const rename = (id: string, other: string) => {
+    if (!/^[A-Za-z_][A-Za-z0-9_-]*$/.test(other)) { setTold(`“${other}” is no name: letters, digits, _ and - are, and a letter comes first.`); redraw(0); return; }
+    if (objects.some((one) => one.id === other)) { setTold(`There is an object ${other} already.`); return; }
+    if (edit((edits) => edits.rename(id, other))) setChosen((before) => before.map((one) => one === id ? other : one));
+  };
+  const look = (next: View) => { setView(next); setVersion(newest.current); if (next === "text") { editor.current!.flush(); requestAnimationFrame(() => editor.current!.view.requestMeasure()); } };
+  const properties = () => {
+    if (!guide || !editor.current) return null;
+    const { good, goodText } = tree();
+    if (!good) return <p class="soft">The text is no JSON yet: see the text view.</p>;
+    const desk: Desk = { guide, root: good, text: goodText, faults, outputs: objects.flatMap((one) => one.outputs.map((output) => output.address)), edit };
+    const there = chosen.filter((id) => member(find(good, ["objects"]), id));
+    if (there.length > 1) return <p class="soft">{there.length} objects are selected: {there.join(", ")}. Duplicate and Delete take all of them.</p>;
+    const id = there[0];
+    if (id === undefined) return <SceneForm desk={desk} />;
+    const kind = member(find(good, ["objects", id]), "kind")?.value.text ?? objects.find((one) => one.id === id)?.kind ?? "";
+    return <ObjectForm key={id} desk={desk} id={id} kind={kind} rename={(other) => rename(id, other)} />;
+  };
+  // Drawn anew where something of it is another: not while numbers move.
+  const graph = useMemo(() => view === "objects" ? <Objects key="objects" objects={objects} faults={faults} parts={parts} selected={chosen} select={select} edit={edit} /> : null, [view, objects, faults, parts, chosen]);
+  const fields: Field[] = editor.current?.state.field(fieldsOf) ?? [];
   const errors = faults.filter((fault) => fault.severity === "error");
   const figures = latest.current ? figuresOf(latest.current.figures) : [];
   return (
@@ -127,6 +210,7 @@ function Studio() {
         <span class={status.saved ? "soft" : "unsaved"} role="status">{status.saved ? "saved" : "not saved"}</span>
         <button type="button" onClick={() => act("save")} disabled={status.saved} title="Ctrl-S">Save</button>
         <button type="button" onClick={saveAs}>Save as…</button>
+        <button type="button" onClick={fresh}>New…</button>
         <button type="button" onClick={() => act("undo")} disabled={!status.undo} title="Ctrl-Z">Undo</button>
         <button type="button" onClick={() => act("redo")} disabled={!status.redo} title="Ctrl-Y">Redo</button>
         {!connected && <span class="lost" role="alert">{link.known
@@ -146,14 +230,25 @@ function Studio() {
         {told && <p role="alert">{told} <button type="button" onClick={() => setTold("")}>Close</button></p>}
       </div>}
       <div key="panes" class="panes">
-        <div class="left">
-          <Host class="text-pane" of={(element) => { place.current = element; }} />
-          <div class="faults" aria-label="faults" role="region">
-            {faults.map((fault) => <button type="button" class={fault.severity} onClick={() => editor.current!.show(fault.from, fault.to)}>
+        <div class={`pane-left shows-${view}`}>
+          <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.filter(([name]) => name !== "drawing" || view === name || objects.some((one) => one.kind === "linkage")).map(([name, words]) =>
+            <button type="button" role="tab" key={name} aria-selected={view === name} onClick={() => look(name)}>{words}</button>)}</div>
+          {graph}
+          {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} faults={faults} edit={edit} drag={() => editor.current!.drag()} />}
+          {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => document.getElementById(`object-${id}`)?.scrollIntoView({ block: "start" })} />}
+          <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
+          <div key="faults" class="faults" aria-label="faults" role="region">
+            {faults.map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
               <b>{fault.severity}</b> {fault.path && <code>{fault.path}</code>} {fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</button>)}
           </div>
         </div>
-        <div class="middle">{editor.current && <Sliders editor={editor.current} fields={fields} spans={spans.current} />}</div>
+        <div class="pane-middle">
+          <div class="tabs" role="tablist" aria-label="numbers and properties">
+            <button type="button" role="tab" aria-selected={side === "numbers"} onClick={() => setSide("numbers")}>Numbers</button>
+            <button type="button" role="tab" aria-selected={side === "properties"} onClick={() => setSide("properties")}>Properties{chosen.length === 1 ? ` of ${chosen[0]}` : ""}</button>
+          </div>
+          <div class="side">{editor.current && (side === "numbers" ? <Sliders editor={editor.current} fields={fields} spans={spans.current} /> : properties())}</div>
+        </div>
         <main class={`answers${stale ? " stale" : ""}`} ref={answers} aria-label="answers">
           {stale && <p key="stale" class="stale-mark" role="status">{errors.length
             ? `Stale: the text has ${errors.length} ${errors.length === 1 ? "fault" : "faults"}; this is the last good answer.` : "Stale: there is no answer to this text."}</p>}

@@ -29,7 +29,7 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
   const alongY = y && addresses.includes(y) && y !== alongX ? y : first(fields, alongX, /stiffness|gap|inertia|mass/);
   const known = fields.length > 1 && alongX !== undefined && alongY !== undefined;
   const spanFor = (address: string): Span => {
-    const field = fieldOf(editor.view.state, address)!;
+    const field = fieldOf(editor.state, address)!;
     const span = spans.get(address) ?? spanOf(field);
     spans.set(address, span);
     return span;
@@ -51,14 +51,20 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
   }, [question, scene]);
 
   const mark = () => {
-    const { x, y } = now.current, [a, b] = [x, y].map((address) => address === undefined ? null : fieldOf(editor.view.state, address)?.value ?? null);
+    const { x, y } = now.current, [a, b] = [x, y].map((address) => address === undefined ? null : fieldOf(editor.state, address)?.value ?? null);
     made.current.forEach((chart) => chart.mark(a!, b!));
   };
   useEffect(mark);
 
   useEffect(() => {
-    link.on("map_progress", ({ done, of }) => setProgress([done, of]));
+    // Told of once a frame at most.
+    let latest: [number, number] | null = null, frame = 0;
+    link.on("map_progress", ({ done, of }) => {
+      latest = [done, of];
+      frame ||= requestAnimationFrame(() => { frame = 0; setProgress(latest); });
+    });
     link.on("map", (message: Message) => {
+      latest = null;
       setProgress(null);
       setTold(message.refused ? `There is no map: ${message.refused}` : `${message.figure}, ${message.cells} points. Click or drag sets both numbers.`);
       if (!message.refused && place.current) {
@@ -73,7 +79,7 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
     });
     const begin = () => { drag.current = editor.drag(); };
     const steer = (event: Event) => {
-      const { x: a, y: b } = (event as CustomEvent).detail, { x, y } = now.current, state = editor.view.state;
+      const { x: a, y: b } = (event as CustomEvent).detail, { x, y } = now.current, state = editor.state;
       const changes = [[x, a], [y, b]].flatMap(([address, value]) => {
         const field = fieldOf(state, address as string);
         if (!field) return [];

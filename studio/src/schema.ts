@@ -36,7 +36,16 @@ function way(state: EditorState, node: SyntaxNode): { step: string | number; own
 }
 
 export class Guide {
-  constructor(private readonly root: Schema) {}
+  constructor(readonly root: Schema) {}
+
+  // A schema itself, where it stands elsewhere under a name; what is said of it here goes before.
+  resolved(schema: Schema | undefined): Schema {
+    if (!schema || typeof schema !== "object") return {};
+    if (typeof schema["$ref"] !== "string") return schema;
+    const target = schema["$ref"].replace("#/", "").split("/").reduce((at: any, part: string) => at?.[part], this.root);
+    const { $ref: _, ...own } = schema;
+    return { ...this.resolved(target), ...own };
+  }
 
   // What a schema may be, alternatives apart.
   private forms(schema: Schema | undefined, depth = 0): Schema[] {

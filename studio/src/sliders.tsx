@@ -1,16 +1,29 @@
 // Every number of the scene as a field with its unit and a slider.
 
-import { useRef, useState } from "preact/hooks";
+import type { VNode } from "preact";
+import { useEffect, useRef, useState } from "preact/hooks";
 import type { Editor } from "./editor";
 import { fieldOf, shareOf, spanOf, typed, valueAt, written, type Field, type Span } from "./numbers";
 
 const STEPS = 1000;
+// Width of the knob that the browser draws (pixels).
+const KNOB = 16;
 // A key that rests this long begins a new step of undo.
 const PAUSE = 600;
 
 interface Props { editor: Editor; fields: Field[]; spans: Map<string, Span> }
 
 export function Sliders({ editor, fields, spans }: Props) {
+  // What looks as before is not drawn anew.
+  const drawn = useRef(new Map<string, { look: string; of: VNode }>());
+  const slider = (field: Field): VNode => {
+    const { address, value, unit, units, si, bounds } = field, text = editor.state.sliceDoc(...field.number_at);
+    const look = JSON.stringify([text, value, unit, units, si, bounds, spans.get(address)]), before = drawn.current.get(address);
+    if (before?.look === look) return before.of;
+    const of = <Slider key={address} editor={editor} field={field} text={text} spans={spans} />;
+    drawn.current.set(address, { look, of });
+    return of;
+  };
   const groups = new Map<string, Field[]>();
   for (const field of fields) {
     const id = field.address.split(/[.[]/)[0]!;
@@ -21,7 +34,7 @@ export function Sliders({ editor, fields, spans }: Props) {
       {[...groups].map(([id, own]) => (
         <details key={id} open={id !== "run" && own.length <= 60}>
           <summary>{id} <span class="soft">{own.length}</span></summary>
-          {own.map((field) => <Slider key={field.address} editor={editor} field={field} spans={spans} />)}
+          {own.map(slider)}
         </details>
       ))}
       {fields.length === 0 && <p class="soft">No numbers can be read from the text yet.</p>}
@@ -29,8 +42,9 @@ export function Sliders({ editor, fields, spans }: Props) {
   );
 }
 
-function Slider({ editor, field, spans }: { editor: Editor; field: Field; spans: Map<string, Span> }) {
-  const drag = useRef(0), last = useRef(0), held = useRef(false);
+function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; text: string; spans: Map<string, Span> }) {
+  const drag = useRef(0), last = useRef(0), held = useRef(false), raw = useRef(false);
+  const bar = useRef<HTMLInputElement>(null);
   const [wrong, setWrong] = useState(false);
   const { address, value, unit, units, si } = field;
   let span = spans.get(address);
@@ -46,29 +60,42 @@ function Slider({ editor, field, spans }: { editor: Editor; field: Field; spans:
     const now = performance.now();
     if (!held.current && now - last.current > PAUSE) drag.current = editor.drag();
     last.current = now;
-    const state = editor.view.state, own = fieldOf(state, address);
+    const state = editor.state, own = fieldOf(state, address);
     if (!own) return;
     const [from, to] = own.number_at, before = state.sliceDoc(from, to);
     const insert = written(valueAt(span!, share), before, field.whole, span!);
     if (insert !== before) editor.change({ from, to, insert }, drag.current);
   };
+  // The browser tells of a slider once a frame, of the pointer at once: this saves half a frame.
+  const newest = useRef(move);
+  newest.current = move;
+  useEffect(() => {
+    const own = bar.current!, follow = (event: Event) => {
+      if (!held.current || editor.isBusy) return;
+      const { left, width } = own.getBoundingClientRect();
+      const share = ((event as PointerEvent).clientX - left - KNOB / 2) / (width - KNOB);
+      raw.current = true;
+      newest.current(Math.round(STEPS * Math.min(1, Math.max(0, share))) / STEPS);
+    };
+    own.addEventListener("pointerrawupdate", follow);
+    return () => own.removeEventListener("pointerrawupdate", follow);
+  }, []);
   const settle = () => {
     held.current = false;
     const share = shareOf(span!, value);
     if (share < 0.02 || share > 0.98) spans.set(address, spanOf(field));
   };
   const enter = (text: string) => {
-    const own = fieldOf(editor.view.state, address), change = own && typed(own, text);
+    const own = fieldOf(editor.state, address), change = own && typed(own, text);
     setWrong(!change);
     if (change) { spans.delete(address); editor.change(change, editor.drag()); }
   };
-  const [from, to] = field.number_at, text = editor.view.state.sliceDoc(from, to);
   return (
     <div class="slider" data-address={address}>
       <label for={`number ${address}`} title={`${address}${field.quantity ? `: ${field.quantity}` : ""}`}>{name}</label>
-      <input type="range" min={0} max={STEPS} step={1} value={Math.round(STEPS * shareOf(span, value))} aria-label={`${address}, slider`}
+      <input type="range" ref={bar} min={0} max={STEPS} step={1} value={Math.round(STEPS * shareOf(span, value))} aria-label={`${address}, slider`}
         aria-valuetext={`${text} ${shownUnit}`}
-        onPointerDown={() => { held.current = true; drag.current = editor.drag(); }}
+        onPointerDown={() => { held.current = true; raw.current = false; drag.current = editor.drag(); }}
         onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
       <input type="text" id={`number ${address}`} value={`${text}${shownUnit ? ` ${shownUnit}` : ""}`} aria-invalid={wrong} spellcheck={false} size={12}
         title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}

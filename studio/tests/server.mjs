@@ -22,6 +22,8 @@ export class Server {
   }
   path(name = "two_masses.json") { return join(this.folder, name); }
   text(name) { return readFileSync(this.path(name), "utf8"); }
+  // A file of the project.
+  read(name) { return readFileSync(join(root, name), "utf8"); }
   write(text, name) { writeFileSync(this.path(name), text); }
   async start(port) {
     const args = ["studio", this.folder, "--no-open", ...(port ? ["--port", String(port)] : [])];

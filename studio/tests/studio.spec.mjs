@@ -1,15 +1,14 @@
 import { expect, test } from "@playwright/test";
 import { readdirSync } from "node:fs";
 import { join } from "node:path";
+import { agrees as agreesWith, deltaOf, opened as openedAt, random, slider, textOf, watched } from "./page.mjs";
 import { Server } from "./server.mjs";
 
 let server, wrong;
 test.beforeEach(async ({ page }) => {
   server = new Server();
   await server.start();
-  wrong = [];
-  page.on("pageerror", (error) => wrong.push(error.message));
-  page.on("console", (message) => { if (message.type() === "error" && !/WebSocket|ERR_CONNECTION/.test(message.text())) wrong.push(message.text()); });
+  wrong = watched(page);
 });
 test.afterEach(async () => {
   await server.end();
@@ -17,22 +16,8 @@ test.afterEach(async () => {
   expect(wrong).toEqual([]);
 });
 
-async function opened(page, address = server.address) {
-  await page.goto(address);
-  await page.waitForSelector(".verdict");
-}
-const slider = (page, address) => page.getByLabel(`${address}, slider`, { exact: true });
-// The text as the editor holds it, all of its lines.
-const textOf = (page) => page.evaluate(() => document.querySelector(".cm-content").cmTile?.view?.state.doc.toString() ?? document.querySelector(".cm-content").cmView.view.state.doc.toString());
-const deltaOf = (page) => page.locator(".figures tbody tr", { hasText: "rocker" }).first().locator("td span[title]").first().getAttribute("title").then((text) => text.split(" ")[0]);
-
-// The answer on the screen is that of the program to the same text, to the last digit.
-async function agrees(page) {
-  await expect(async () => {
-    const figures = server.run(await textOf(page)).objects.rocker;
-    expect(Number(await deltaOf(page))).toBe(figures.delta_abs);
-  }).toPass({ timeout: 20_000 });
-}
+const opened = (page, address = server.address) => openedAt(page, address);
+const agrees = (page) => agreesWith(page, server);
 
 test("a scene opens with its answer, which is that of dam run", async ({ page }) => {
   await opened(page);
@@ -75,6 +60,12 @@ test("a slider changes its number alone, figures follow, and one drag is one ste
   for (let k = 1; k <= 12; k++) await page.mouse.move(...at(1 / 3 + k / 40));
   await page.mouse.up();
   await expect.poll(() => deltaOf(page)).not.toBe(first);
+  // The text follows a drag a little later.
+  await expect.poll(async () => {
+    const seen = await textOf(page);
+    await page.waitForTimeout(300);
+    return seen === await textOf(page);
+  }).toBe(true);
   const text = await textOf(page);
   const lines = text.split("\n").map((line, k) => [line, before.split("\n")[k]]).filter(([a, b]) => a !== b);
   expect(lines).toHaveLength(1);
@@ -110,8 +101,7 @@ test("numbers are typed with units", async ({ page }) => {
 test("random edits and as many undos give the file back byte for byte", async ({ page }) => {
   const seed = Number(process.env.SEED ?? Date.now() % 1_000_000);
   console.log(`seed ${seed}`);
-  let state = seed;
-  const below = (most) => { state = (state * 1103515245 + 12345) % 2147483648; return Math.floor(state / 2147483648 * most); };
+  const below = random(seed);
   server.write(server.text().replaceAll("\n", "\r\n"));
   await opened(page);
   const before = server.text();

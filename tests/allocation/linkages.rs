@@ -1,11 +1,15 @@
 //! Solving a linkage and reducing it to its input allocates nothing.
 
 use crate::counting::allocations;
+use dam::integrate::Dynamics;
 use dam::linkage::Linkage;
 use dam::linkage::spec::{
     AssemblyChoice, AssemblySpec, ForceLaw, ForceSpec, LinkSpec, LinkageSpec, OutputKind,
     OutputSpec, PairKind, PairSpec, PointOf,
 };
+use dam::lower::lower;
+use dam::scene::{BuiltIn, Document, Overrides};
+use dam::system::System;
 
 fn at(link: Option<usize>, at: [f64; 2]) -> PointOf {
     PointOf { link, at }
@@ -107,4 +111,42 @@ fn solving_allocates_nothing() {
     let _ = linkage.solve(f64::NAN, 1, &mut workspace);
     assert!(sum.is_finite() && sum != 0.0);
     assert_eq!(allocations(), before);
+}
+
+/// Linkages of several inputs: on motors alone, and with an elastic shaft before one of them.
+#[test]
+fn the_right_hand_side_of_several_inputs_allocates_nothing() {
+    let five_bar = std::fs::read_to_string("scenarios/linkages/five_bar.json").expect("a scene");
+    let shaft = r#""shaft": { "kind": "shaft", "input": "right", "inertia": 0.01, "stiffness": 500, "masses": 2 }, "bar": {"#;
+    let elastic = five_bar.replace(r#""bar": {"#, shaft);
+    let elastic = elastic.replace(r#""object": "right""#, r#""object": "shaft""#);
+    assert!(elastic.contains(r#""object": "shaft""#));
+    for text in [five_bar, elastic] {
+        let document = Document::parse("scene", text.as_bytes()).expect("JSON");
+        let scene = document.scene(&BuiltIn, &Overrides::new(Vec::<String>::new()));
+        let scene = scene
+            .map_err(|faults| faults.render(false))
+            .expect("a scene")
+            .scene;
+        let system = System::new(lower(&scene).expect("a model")).expect("a system");
+        let start = system.initial_state().expect("a start");
+        let n = start.y.len();
+        let mut scratch = system.scratch();
+        let (mut dy, mut signals) = (vec![0.0; n], vec![[0.0; 3]; system.signals()]);
+        let mut out = vec![0.0; n];
+        let direction = vec![1.0; n];
+        let mut y = start.y.clone();
+        let before = allocations();
+        for _ in 0..200 {
+            system.derivatives(0.0, &y, &start.modes, &mut scratch, &mut dy);
+            let extra = &mut signals[system.coordinates()..];
+            system.extra_signals(0.0, &y, &dy, &start.modes, &mut scratch, extra);
+            system.tangent(0.0, &y, &start.modes, &direction, &mut scratch, &mut out);
+            for (y, dy) in y.iter_mut().zip(&dy) {
+                *y += 1e-6 * dy;
+            }
+        }
+        assert!(y.iter().chain(&out).all(|value| value.is_finite()));
+        assert_eq!(allocations(), before);
+    }
 }

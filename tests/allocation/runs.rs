@@ -1,11 +1,13 @@
 //! The right-hand side and everything called at every step allocate nothing.
 
 use crate::counting::allocations;
+use dam::expression::Expression;
 use dam::integrate::{Dynamics, Limits, Method, Modes, Settings, Sink, Stop, integrate};
 use dam::model::*;
 use dam::motion::DriveMotion;
 use dam::position::{Position, PositionSpec};
 use dam::system::{ObjectState, System};
+use std::sync::Arc;
 
 fn law(driver: usize, position: Position, track: Option<usize>) -> Law {
     Law {
@@ -28,6 +30,24 @@ fn part(id: &str, nodes: Vec<usize>, driver: Option<usize>, links: Vec<usize>) -
         contact: None,
         driven_end: None,
         rigid_pair: None,
+        pressing: None,
+    }
+}
+
+const GUARDED: &str = "3*sin(20*t)*abs(x - 0.1) - (v > 2 ? 0.1*v : 0) + floor(3*r) + max(x, t)^2";
+
+/// An expression over time, its own motion and the rotor's.
+fn written(text: &str) -> WrittenLoad {
+    let expression = Expression::new(text, &["t", "x", "v", "r"]).unwrap();
+    WrittenLoad {
+        expression: Arc::new(expression),
+        factor: 1.0,
+        variables: vec![
+            LoadVariable::Time,
+            LoadVariable::Displacement(3),
+            LoadVariable::Speed(3),
+            LoadVariable::Displacement(0),
+        ],
     }
 }
 
@@ -125,6 +145,7 @@ fn model() -> Model {
     model.loads = vec![
         load(4, LoadLaw::Constant(-2.0)),
         load(4, LoadLaw::Pieces { track: 1, pieces }),
+        load(3, LoadLaw::Written(written(GUARDED))),
         load(
             3,
             LoadLaw::Friction {
@@ -213,6 +234,11 @@ fn quiet_model() -> Model {
     model
         .loads
         .retain(|load| !matches!(load.law, LoadLaw::Pieces { .. } | LoadLaw::SpeedTable(_)));
+    for load in &mut model.loads {
+        if let LoadLaw::Written(written) = &mut load.law {
+            *written = self::written("3*sin(20*t)*x - v*exp(-x^2) + 2*cos(r)/(1 + v^2)");
+        }
+    }
     model
 }
 

@@ -8,4 +8,5 @@ mod forces;
 mod joint_friction;
 mod kinematics;
 mod scenes;
+mod several;
 mod slide_crank;

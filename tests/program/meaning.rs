@@ -1,6 +1,7 @@
 //! What a designer reads is what is true: units of lists, warnings of what is
 //! likely not meant, the machine on the page of a run, maps that answer.
 
+use crate::browser::{browser, dom};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -709,47 +710,15 @@ fn the_page_of_a_map_answers_with_every_cell() {
 
 // ---- in a browser --------------------------------------------------------------------
 
-fn browser() -> Option<String> {
-    if let Ok(name) = std::env::var("DAM_BROWSER") {
-        return Some(name);
-    }
-    let names = ["chromium", "chromium-browser", "google-chrome"];
-    let works = |name: &&str| Command::new(name).arg("--version").output().is_ok();
-    names.into_iter().find(works).map(str::to_owned)
-}
-
 /// What a script finds in a page once its own scripts have run; `None` without a browser.
 fn asked(page: &str, script: &str) -> Option<Value> {
     let browser = browser()?;
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("page.html");
     let ask = format!(
         "<pre id=\"answer\"></pre><script>document.getElementById('answer').textContent = \
          JSON.stringify((() => {{ {script} }})());</script></body>"
     );
-    std::fs::write(&path, page.replace("</body>", &ask)).unwrap();
-    let output = Command::new(browser)
-        .args([
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--disable-quic",
-        ])
-        .args(["--no-first-run", "--disable-background-networking"])
-        .args([
-            "--disable-component-update",
-            "--disable-sync",
-            "--window-size=1280,1600",
-        ])
-        .args(["--virtual-time-budget=3000", "--dump-dom"])
-        .arg(format!(
-            "--user-data-dir={}",
-            folder.path().join("profile").display()
-        ))
-        .arg(format!("file://{}", path.display()))
-        .output()
-        .unwrap();
-    let dom = text(&output.stdout);
+    let dom = dom(&browser, &page.replace("</body>", &ask), folder.path());
     let from = dom.find("<pre id=\"answer\">").expect("an answer") + 17;
     let to = from + dom[from..].find("</pre>").unwrap();
     let plain = dom[from..to]

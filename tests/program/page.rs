@@ -4,18 +4,10 @@
 //! Needs Chromium; where there is none the test says so and leaves it. With
 //! `DAM_BROWSER` set (as `.ci/run` does) that browser must be there.
 
+use crate::browser::{browser, dom};
 use serde_json::Value;
 use std::path::Path;
 use std::process::Command;
-
-fn browser() -> Option<String> {
-    if let Ok(name) = std::env::var("DAM_BROWSER") {
-        return Some(name);
-    }
-    let names = ["chromium", "chromium-browser", "google-chrome"];
-    let works = |name: &&str| Command::new(name).arg("--version").output().is_ok();
-    names.into_iter().find(works).map(str::to_owned)
-}
 
 /// What the page says of itself once its scripts and `PROBE` have run.
 fn probed(browser: &str, page: &str, folder: &Path) -> Value {
@@ -23,29 +15,8 @@ fn probed(browser: &str, page: &str, folder: &Path) -> Value {
     // Errors of the page's own scripts are told in the answer.
     let trap = "<head><script>window.failures = []; addEventListener('error', e => \
                 failures.push(e.message));</script>";
-    let path = folder.join("page.html");
     let page = page.replacen("<head>", trap, 1);
-    std::fs::write(&path, page.replace("</body>", &probe)).unwrap();
-    let output = Command::new(browser)
-        .args([
-            "--headless",
-            "--no-sandbox",
-            "--disable-gpu",
-            "--disable-quic",
-        ])
-        .args(["--no-first-run", "--disable-background-networking"])
-        .args(["--disable-component-update", "--disable-sync"])
-        .args(["--window-size=1280,1600", "--virtual-time-budget=3000"])
-        .arg("--dump-dom")
-        .arg(format!(
-            "--user-data-dir={}",
-            folder.join("profile").display()
-        ))
-        .arg(format!("file://{}", path.display()))
-        .output()
-        .unwrap();
-    assert!(output.status.success(), "{browser} failed");
-    let dom = String::from_utf8(output.stdout).unwrap();
+    let dom = dom(browser, &page.replace("</body>", &probe), folder);
     let drawing = dom.split("<script").next().unwrap_or_default();
     assert!(!drawing.contains("NaN"), "a coordinate is not a number");
     let answer = dom.split("<pre id=\"answer\">").nth(1).expect("an answer");

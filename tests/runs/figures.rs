@@ -55,6 +55,7 @@ fn one_object(position: Position, motion: fn(Law) -> NodeMotion, load: f64) -> M
         contact: None,
         driven_end: None,
         rigid_pair: None,
+        pressing: None,
     };
     Model {
         nodes: vec![

@@ -6,6 +6,7 @@ mod bad_input;
 mod contact;
 mod dead_positions;
 mod examples;
+mod expressions;
 mod figures;
 mod lagrange;
 mod levels;

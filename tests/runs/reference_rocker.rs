@@ -158,6 +158,7 @@ fn objects(masses: usize) -> Vec<ObjectPart> {
         contact: None,
         driven_end: None,
         rigid_pair: None,
+        pressing: None,
     };
     vec![
         part("drive", "drive", vec![0], None, Vec::new()),

@@ -1,12 +1,15 @@
 //! Cams.
 
-use super::Asked;
+use super::{Asked, interrupted};
 use crate::answer::{Columns, Told};
+use crate::work::Watch;
 use dam::ask::CamQuestion;
 use dam::report::cam::{CamReport, curves, cycle_rows, dxf, findings, picture};
 use dam::report::findings::Findings;
+use dam::studies::law::LiftOff;
 use dam::{Error, Scene};
 use serde_json::Value;
+use std::sync::Arc;
 
 /// Rows of the cycle's table in a turn.
 const ROWS: usize = 720;
@@ -16,15 +19,19 @@ pub(crate) struct Cam {
     asked: Asked,
     question: CamQuestion,
     drawn: Drawn,
+    /// Speed of the cam at which an elastic follower leaves it.
+    elastic: Option<LiftOff>,
 }
 
-/// How its curves are drawn.
+/// How its curves are drawn, and whether runs are asked.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Drawn {
     /// How far they may stand off their chords (m).
     pub(crate) tolerance: f64,
     /// Radius of a cutter (m), whose path is wanted too.
     pub(crate) cutter: Option<f64>,
+    /// Whether the speed at which an elastic follower leaves the cam is searched for by runs.
+    pub(crate) lift_off: bool,
 }
 
 /// The cam of an object of a scene.
@@ -32,9 +39,10 @@ pub(crate) struct Drawn {
 /// # Errors
 /// Everything that is wrong with the scene; why there is no cam.
 pub(crate) fn ask(
-    scene: Scene,
+    scene: Arc<Scene>,
     question: CamQuestion,
     drawn: Drawn,
+    watch: &Watch,
 ) -> Result<(Cam, Columns), Error> {
     let lengths = [drawn.tolerance, drawn.cutter.unwrap_or(1.0)];
     if !lengths
@@ -53,26 +61,40 @@ pub(crate) fn ask(
             ROWS,
         ))
     })?;
+    let elastic = match drawn.lift_off {
+        false => None,
+        true => match scene.cam_lift_off(&question, &watch.budget())? {
+            None => return Err(interrupted("the search for the speed")),
+            found => found,
+        },
+    };
     let asked = Asked { scene, ready };
     let cam = Cam {
         asked,
         question,
         drawn,
+        elastic,
     };
     Ok((cam, columns))
 }
 
 impl Cam {
     fn report<T>(&self, look: impl FnOnce(&CamReport<'_>) -> T) -> Result<T, Error> {
-        let Drawn { tolerance, cutter } = self.drawn;
+        let Drawn {
+            tolerance, cutter, ..
+        } = self.drawn;
         self.asked.ready.cam(&self.question, |found| {
             let curves = curves(found.cam, tolerance, cutter);
             let curves = curves.map_err(|fault| Error::from(vec![fault]))?;
+            let mut figures = found.figures.clone();
+            if let Some(force) = &mut figures.force {
+                force.elastic = self.elastic;
+            }
             Ok(look(&CamReport {
                 name: self.asked.name(),
                 id: found.object,
                 cam: found.cam,
-                figures: found.figures,
+                figures: &figures,
                 force: found.force,
                 curves: &curves,
                 tolerance,

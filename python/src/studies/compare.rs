@@ -11,6 +11,7 @@ use dam::report::findings::Findings;
 use dam::studies::compare::{Comparison, compare};
 use dam::{Error, Mechanism, Scene};
 use serde_json::{Value, json};
+use std::sync::Arc;
 
 /// A comparison with the scene of its first run.
 pub(crate) struct Compared {
@@ -23,7 +24,7 @@ pub(crate) struct Compared {
 /// # Errors
 /// Everything that is wrong with the scene for the first value with which anything is.
 pub(crate) fn ask(
-    scene: Scene,
+    scene: Arc<Scene>,
     address: &str,
     values: Vec<Node>,
     watch: &Watch,
@@ -34,11 +35,12 @@ pub(crate) fn ask(
     let mut values = values.into_iter().zip(0u32..);
     let comparison = compare(address, &labels, |label| -> Result<_, Error> {
         let (value, at) = values.next().unwrap_or_else(|| (label.into(), 0));
-        let scene = scene.clone().set(address, value);
+        let scene = Scene::clone(&scene).set(address, value);
         let budget = watch.budget();
         let ready = Mechanism::of_within(scene.decode()?, Judging::Needed, &budget)?;
         let part = (f64::from(at) / count, f64::from(at + 1) / count);
         let result = run::within(&ready, watch, part)?;
+        let scene = Arc::new(scene);
         first.get_or_insert(Asked { scene, ready });
         Ok(result)
     })?;

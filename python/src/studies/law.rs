@@ -8,6 +8,7 @@ use dam::report::findings::Findings;
 use dam::report::law::{LawRow, cycle_findings, cycle_rows, law_findings, law_rows};
 use dam::{Error, Scene};
 use serde_json::Value;
+use std::sync::Arc;
 
 /// A law by itself.
 pub(crate) struct Shown {
@@ -57,7 +58,7 @@ pub(crate) struct Followed {
 /// # Errors
 /// Everything that is wrong with the scene; the object follows no law.
 pub(crate) fn cycle(
-    scene: Scene,
+    scene: Arc<Scene>,
     object: String,
     samples: usize,
 ) -> Result<(Followed, Columns), Error> {

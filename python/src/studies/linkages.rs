@@ -9,6 +9,7 @@ use dam::studies::forces::{Course, ForceStudy};
 use dam::studies::kinematics::{Kinematics, Question, even_motion, linkage_of};
 use dam::{Error, Scene};
 use serde_json::Value;
+use std::sync::Arc;
 
 /// Most positions of a study.
 pub(crate) const MOST: usize = 1_000_000;
@@ -23,7 +24,7 @@ pub(crate) struct Moved {
 ///
 /// # Errors
 /// Everything that is wrong with the scene; what cannot be answered.
-pub(crate) fn kinematics(scene: Scene, question: &Question) -> Result<Moved, Error> {
+pub(crate) fn kinematics(scene: Arc<Scene>, question: &Question) -> Result<Moved, Error> {
     let ready = scene.prepare()?;
     let found = ready.kinematics(question)?;
     let asked = Asked { scene, ready };
@@ -61,7 +62,7 @@ pub(crate) struct Carried {
 ///
 /// # Errors
 /// Everything that is wrong with the scene; what cannot be answered.
-pub(crate) fn forces(scene: Scene, question: &Question) -> Result<Carried, Error> {
+pub(crate) fn forces(scene: Arc<Scene>, question: &Question) -> Result<Carried, Error> {
     let ready = scene.prepare()?;
     let found = ready.forces(question)?;
     let model = ready.model();

@@ -12,11 +12,12 @@ use dam::{Error, Scene};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// A map with its question.
 pub(crate) struct Mapped {
-    scene: Scene,
+    scene: Arc<Scene>,
     question: MapQuestion,
     result: MapResult,
     /// Numbers of values along and up.
@@ -25,6 +26,8 @@ pub(crate) struct Mapped {
     pub(crate) figure: (String, String),
     /// Hash of all that the values depend on.
     pub(crate) hash: String,
+    /// What each panel differs in; one without words where there is a single map.
+    pub(crate) panels: Vec<String>,
     columns: [Vec<f64>; 4],
 }
 
@@ -37,6 +40,7 @@ pub(crate) struct Wanted {
     pub(crate) check: bool,
     pub(crate) digits: u8,
     pub(crate) threads: Option<usize>,
+    pub(crate) panels: Vec<String>,
 }
 
 impl Wanted {
@@ -54,7 +58,7 @@ impl Wanted {
         if let Some(threads) = self.threads {
             question = question.threads(threads);
         }
-        question
+        question.panels(&self.panels)
     }
 }
 
@@ -62,10 +66,10 @@ impl Wanted {
 ///
 /// # Errors
 /// The scene is wrong at every point tried beforehand, or the question is.
-pub(crate) fn ask(scene: Scene, wanted: Wanted, watch: &Watch) -> Result<Mapped, Error> {
+pub(crate) fn ask(scene: Arc<Scene>, wanted: Wanted, watch: &Watch) -> Result<Mapped, Error> {
     let threads = wanted.threads;
     let question = wanted.question(&scene);
-    let (result, shape, figure, hash, columns) = question.studied(|study| {
+    let (result, shape, figure, hash, panels, columns) = question.studied(|study| {
         let cells = study.cells() as f64;
         let counter = Counter {
             watch,
@@ -84,7 +88,9 @@ pub(crate) fn ask(scene: Scene, wanted: Wanted, watch: &Watch) -> Result<Mapped,
         let columns = columns(&found, &x, &y);
         let figure = (study.figure.clone(), study.unit.clone());
         let shape = (y.len(), x.len());
-        Ok((found, shape, figure, study.hash.clone(), columns))
+        let panels = study.panels.panels.iter();
+        let panels = panels.map(|panel| panel.label.clone()).collect();
+        Ok((found, shape, figure, study.hash.clone(), panels, columns))
     })?;
     Ok(Mapped {
         scene,
@@ -93,6 +99,7 @@ pub(crate) fn ask(scene: Scene, wanted: Wanted, watch: &Watch) -> Result<Mapped,
         shape,
         figure,
         hash,
+        panels,
         columns,
     })
 }
@@ -160,7 +167,8 @@ fn columns(result: &MapResult, x: &[f64], y: &[f64]) -> [Vec<f64>; 4] {
     let cells = result.panels.iter().flatten();
     for (index, cell) in cells.enumerate() {
         let cell = cell.as_ref();
-        let up = y.get(index / x.len().max(1)).copied();
+        let row = index / x.len().max(1);
+        let up = y.get(row % y.len().max(1)).copied();
         let value = |number: Option<f64>| number.unwrap_or(f64::NAN);
         let along = x.get(index % x.len().max(1)).copied();
         columns[0].push(value(along));

@@ -18,11 +18,12 @@ use dam::report::findings::Source;
 use dam::studies::order::{Certainty, Certificate};
 use dam::{Mechanism, Scene};
 use serde_json::Value;
+use std::sync::Arc;
 
 /// A scene with the mechanism made of it: what a page shows of them.
 #[derive(Debug)]
 pub(crate) struct Asked {
-    pub(crate) scene: Scene,
+    pub(crate) scene: Arc<Scene>,
     pub(crate) ready: Mechanism,
 }
 

@@ -10,6 +10,7 @@ use dam::report::reduce::{document, findings};
 use dam::studies::reduce::Reduction;
 use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
+use std::sync::Arc;
 
 /// A scene made smaller.
 pub(crate) struct Reduced {
@@ -21,7 +22,7 @@ pub(crate) struct Reduced {
 ///
 /// # Errors
 /// Everything that is wrong with the scene.
-pub(crate) fn ask(scene: Scene, watch: &Watch) -> Result<Reduced, Error> {
+pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Reduced, Error> {
     let budget = watch.budget();
     let ready = Mechanism::of_within(scene.decode()?, Judging::Never, &budget)?;
     let found = scene.reduce_within(&budget)?;

@@ -15,6 +15,8 @@ use dam::studies::cam::disc_cams;
 use dam::studies::run::{RunResult, run};
 use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
+use std::sync::Arc;
+use std::time::Instant;
 
 /// A run with all that was asked.
 pub(crate) struct Run {
@@ -26,12 +28,30 @@ pub(crate) struct Run {
 ///
 /// # Errors
 /// Everything that is wrong with it.
-pub(crate) fn ask(scene: Scene, watch: &Watch) -> Result<Run, Error> {
+pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Run, Error> {
     let budget = watch.budget();
     let ready = Mechanism::of_within(scene.decode()?, Judging::Asked, &budget)?;
     let asked = Asked { scene, ready };
     let result = within(&asked.ready, watch, (0.0, 1.0))?;
     Ok(Run { asked, result })
+}
+
+/// Least time (s) of so many runs, from the scene to its figures and columns.
+///
+/// # Errors
+/// As of [`ask`].
+pub(crate) fn least_time(scene: &Scene, repeats: usize, watch: &Watch) -> Result<f64, Error> {
+    let mut least = f64::INFINITY;
+    for _ in 0..repeats {
+        let begun = Instant::now();
+        let found = scene.run()?;
+        least = least.min(begun.elapsed().as_secs_f64());
+        drop(found);
+        if watch.budget().is_interrupted() {
+            return Err(interrupted("the runs"));
+        }
+    }
+    Ok(least)
 }
 
 /// A run that is told of, as a part `from` … `to` of the whole.

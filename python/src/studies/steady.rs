@@ -9,6 +9,7 @@ use dam::steady::Row;
 use dam::studies::steady::{Answer, ROWS, RigidAnswer};
 use dam::{Error, Scene};
 use serde_json::{Value, json};
+use std::sync::Arc;
 
 /// A steady motion.
 pub(crate) struct Steady {
@@ -20,7 +21,7 @@ pub(crate) struct Steady {
 ///
 /// # Errors
 /// Everything that is wrong with the scene; why there is no steady motion.
-pub(crate) fn ask(scene: Scene, watch: &Watch) -> Result<Steady, Error> {
+pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Steady, Error> {
     let ready = scene.prepare_within(&watch.budget())?;
     let found = ready.steady_within(&watch.budget())?;
     let asked = Asked { scene, ready };

@@ -4,8 +4,11 @@ use super::spec::{BodySpec, ChainSpec, ContactSpec};
 use super::{ChainParameters, ModelBuilder, Place};
 use crate::dynamics::model::{
     Closure, ContactElement, ContactLaw, DampingLaw, Law, Link, LinkBase, Node, NodeIndex,
-    NodeMotion, Pair,
+    NodeMotion, Pair, Pressing,
 };
+use crate::kinematics::cam::{CamGeometry, DiscCam};
+use crate::kinematics::position::Position;
+use std::sync::Arc;
 
 impl ModelBuilder {
     /// The faults of a contact element's numbers, and of what it stands in front of.
@@ -29,6 +32,25 @@ impl ModelBuilder {
                 "give one of them, or another closure",
             );
         }
+        if let BodySpec::Modes { .. } = spec.body {
+            let message = "its modes are those of the object held at its driven end, whose inertia and \
+                           flexibility would lie on the contact";
+            let hint =
+                "give `masses` in place of `modes` and of `flexibility`, or leave the contact out";
+            self.fault(at, "pair.contact", message, hint);
+        }
+        let rigid = matches!(spec.body, BodySpec::Rigid { .. });
+        if contact.law.is_rigid() && !rigid {
+            let message = "before an elastic object an impact would set a single fragment going, \
+                           the more lightly the more masses there are";
+            let hint = "give `masses: 0`, or the contact a stiffness";
+            self.fault(at, "pair.contact.restitution", message, hint);
+        }
+        if contact.law.is_rigid() && spec.pair.closure == Closure::Form && spec.pair.gap == 0.0 {
+            let message = "without a gap a rigid pair never comes apart, and nothing strikes";
+            let hint = "give a gap, or the closure bilateral without a contact";
+            self.fault(at, "pair.contact.restitution", message, hint);
+        }
         if let BodySpec::Rigid { inertia } = spec.body
             && inertia <= 0.0
         {
@@ -45,8 +67,17 @@ impl ModelBuilder {
         contact: &ContactSpec,
     ) {
         let path = |name: &str| at.path(&format!("{property}.{name}"));
-        self.faults.positive(&path("stiffness"), contact.stiffness);
+        if !contact.law.is_rigid() {
+            self.faults.positive(&path("stiffness"), contact.stiffness);
+        }
         match contact.law {
+            ContactLaw::Restitution { coefficient } => {
+                if !(0.0..=1.0).contains(&coefficient) {
+                    let message = format!("{coefficient} is no coefficient of restitution");
+                    let hint = "give a number between 0 and 1";
+                    self.fault(at, &format!("{property}.restitution"), message, hint);
+                }
+            }
             ContactLaw::Elastic => {}
             ContactLaw::KelvinVoigt { damping } => {
                 self.faults.not_negative(&path("damping"), damping);
@@ -54,6 +85,17 @@ impl ModelBuilder {
             ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation } => {
                 self.faults.not_negative(&path("dissipation"), dissipation);
             }
+        }
+    }
+
+    /// Tells how hard an object presses on its cam, as far as that can be built: what is
+    /// wrong with it is told where cams are asked about.
+    pub fn pressing(&mut self, at: &Place, spec: &ChainSpec, geometry: &CamGeometry) {
+        let position = Position::new(&spec.position).ok();
+        let cam = position.and_then(|position| DiscCam::new(&position, geometry).ok());
+        let pressing = cam.and_then(|cam| Pressing::new(cam, spec.lever));
+        if let Some(part) = self.model.objects.get_mut(at.object) {
+            part.pressing = pressing.map(Arc::new);
         }
     }
 

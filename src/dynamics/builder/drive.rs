@@ -2,7 +2,7 @@
 
 use super::spec::{DriveMotionSpec, DriveSpec, MotorSpec, TorqueSpec};
 use super::{ModelBuilder, Place};
-use crate::dynamics::model::{Coordinate, Load, LoadLaw};
+use crate::dynamics::model::{Coordinate, Load, LoadLaw, NodeIndex};
 use crate::kinematics::motion::DriveMotion;
 
 impl ModelBuilder {
@@ -36,8 +36,12 @@ impl ModelBuilder {
             Coordinate::Sliding => "force",
         };
         let name = at.path(&format!("motor.{word}"));
-        if let Some(law) = self.torque(&name, word, &spec.torque) {
+        if let Some(law) = self.torque(&name, word, &spec.torque, node) {
             self.model.loads.push(Load { node, name, law });
+            if let TorqueSpec::Written(written) = &spec.torque {
+                let name = at.path(&format!("motor.{word}"));
+                self.wait_for(&name, written.over.as_ref());
+            }
         }
         // The rotor has no driver: positions of its loads are its own.
         for load in &spec.loads {
@@ -45,7 +49,13 @@ impl ModelBuilder {
         }
     }
 
-    fn torque(&mut self, path: &str, word: &str, spec: &TorqueSpec) -> Option<LoadLaw> {
+    fn torque(
+        &mut self,
+        path: &str,
+        word: &str,
+        spec: &TorqueSpec,
+        node: NodeIndex,
+    ) -> Option<LoadLaw> {
         let faults = &mut self.faults;
         match *spec {
             TorqueSpec::Constant(torque) => {
@@ -79,6 +89,7 @@ impl ModelBuilder {
                     synchronous_speed,
                 })
             }
+            TorqueSpec::Written(ref written) => self.written(path, written, node, node),
             TorqueSpec::Table(ref points) => {
                 faults.points(&format!("{path}.table"), points, 1);
                 Some(LoadLaw::SpeedTable(points.clone()))

@@ -44,6 +44,9 @@ impl ModelBuilder {
                 name: path.clone(),
                 law,
             });
+            if let LoadLawSpec::Written(written) = &spec.law {
+                self.wait_for(&path, written.over.as_ref());
+            }
         }
     }
 
@@ -84,6 +87,7 @@ impl ModelBuilder {
                 let pieces = pieces::window([*from, *to], *force, *period);
                 (over_position, pieces, "window")
             }
+            LoadLawSpec::Written(written) => return self.written(path, written, node, driver),
             _ => return self.smooth_law(path, spec, object, node),
         };
         match pieces {
@@ -141,7 +145,8 @@ impl ModelBuilder {
                 faults.positive("friction.width", width);
                 Some(LoadLaw::Friction { force, width })
             }
-            LoadLawSpec::TimeTable(_)
+            LoadLawSpec::Written(_)
+            | LoadLawSpec::TimeTable(_)
             | LoadLawSpec::PositionTable { .. }
             | LoadLawSpec::Window { .. } => None,
         };

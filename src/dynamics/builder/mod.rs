@@ -23,12 +23,14 @@ mod level_of_body;
 mod linkage;
 mod load;
 mod modes;
+mod multi;
 mod nodes;
 mod pieces;
 mod place;
 mod reach;
 pub mod spec;
 mod stop;
+pub(crate) mod written;
 
 pub use chain::ChainParameters;
 pub(crate) use driven_end::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
@@ -60,6 +62,8 @@ pub struct ModelBuilder {
     known: Vec<Known>,
     /// Outputs that others hang on.
     followed: BTreeSet<String>,
+    /// Loads that look at objects which may have no node yet.
+    waiting: Vec<written::Waiting>,
 }
 
 /// A node as the builder knows it: its object, and where it stands at the start.
@@ -94,6 +98,7 @@ impl ModelBuilder {
             outputs: BTreeMap::new(),
             known: Vec::new(),
             followed: BTreeSet::new(),
+            waiting: Vec::new(),
         }
     }
 
@@ -178,6 +183,7 @@ impl ModelBuilder {
     /// # Errors
     /// Every fault noted.
     pub(crate) fn finish(mut self) -> Result<Model, Vec<Fault>> {
+        self.connect_waiting();
         self.faults.check()?;
         Ok(self.model)
     }

@@ -265,7 +265,12 @@ impl ModelBuilder {
         }
         self.load(at, spec, &[output], driver);
         let known = |load: &Load| {
-            matches!(load.law, LoadLaw::Constant(_) | LoadLaw::Pieces { .. }) && load.node == output
+            let given = match &load.law {
+                LoadLaw::Constant(_) | LoadLaw::Pieces { .. } => true,
+                LoadLaw::Written(written) => written.nodes().next().is_none(),
+                _ => false,
+            };
+            given && load.node == output
         };
         let Some(load) = self.model.loads.pop_if(|load| known(load)) else {
             return 0.0;
@@ -281,6 +286,11 @@ impl ModelBuilder {
                     LoadLaw::Pieces { track, pieces }
                 }
                 LoadLaw::Constant(force) => LoadLaw::Constant(share * force),
+                LoadLaw::Written(written) => {
+                    let mut own = written.clone();
+                    own.factor *= share;
+                    LoadLaw::Written(own)
+                }
                 other => other.clone(),
             };
             let name = load.name.clone();

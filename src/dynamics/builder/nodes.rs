@@ -187,7 +187,7 @@ impl ModelBuilder {
 
     /// Adds a node to an object or an output of one, with its displacement at t = 0; it is the output until another
     /// one is added.
-    fn add_node(&mut self, part: usize, node: Node, start: f64) -> NodeIndex {
+    pub(super) fn add_node(&mut self, part: usize, node: Node, start: f64) -> NodeIndex {
         self.model.nodes.push(node);
         let index = self.model.nodes.len() - 1;
         let object = &mut self.model.objects[part];

@@ -5,8 +5,10 @@
 //! N for N·m.
 
 pub use super::level::{InertiaSplit, Level, Lumping, Uniform};
+pub use super::written::WrittenSpec;
 use crate::dynamics::load::CustomLoad;
 use crate::dynamics::model::{Closure, ContactLaw, Coordinate, DampingLaw};
+use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
 pub use crate::kinematics::motion::DriveMotionSpec;
 use crate::kinematics::position::PositionSpec;
@@ -59,6 +61,8 @@ pub enum TorqueSpec {
     },
     /// `{ "table": [[ω, T], …] }`: linear between the points, constant outside.
     Table(Vec<(f64, f64)>),
+    /// `{ "expression": "30*(1 - phi_dot/150)", "unit" }` over time and the rotor's motion.
+    Written(WrittenSpec),
 }
 
 /// A planar linkage of rigid links, and how it is driven.
@@ -74,6 +78,39 @@ pub struct DrivenLinkage {
     pub linkage: LinkageSpec,
     /// Loads on each of its outputs, along it.
     pub loads: Vec<Vec<LoadSpec>>,
+}
+
+/// A planar linkage of several inputs, and what moves each of them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrivenMultiLinkage {
+    /// Whether its first input turns or slides.
+    pub coordinate: Coordinate,
+    /// The linkage itself; the start of an input whose motion another object gives is
+    /// where that stands at t = 0, unless [`InputDrive::Object`] says another.
+    pub linkage: MultiSpec,
+    /// What moves each input, and the loads on it.
+    pub inputs: Vec<(InputDrive, Vec<LoadSpec>)>,
+    /// Loads on each of its outputs, along it.
+    pub loads: Vec<Vec<LoadSpec>>,
+}
+
+/// What moves an input of a linkage of several.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum InputDrive {
+    /// Nothing: it is a free coordinate, from its start on at this speed (rad/s or m/s).
+    Free {
+        /// Speed at t = 0.
+        speed: f64,
+    },
+    /// An object that the port of its name hangs on: q = ratio·φ + offset.
+    Object {
+        /// ∂q/∂φ.
+        ratio: f64,
+        /// q where the object is at zero.
+        offset: f64,
+        /// Value of q at which the assembly holds; `None`: that at t = 0.
+        start: Option<f64>,
+    },
 }
 
 /// Any driven object: masses, links, pair, loads.
@@ -188,10 +225,26 @@ pub struct PairSpec {
 /// A contact element: stiffness and law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSpec {
-    /// k_c > 0 (N/m or N·m/rad), or K (N/m^{3/2} or N·m/rad^{3/2}) by the law of Hertz.
+    /// k_c > 0 (N/m or N·m/rad), or K (N/m^{3/2} or N·m/rad^{3/2}) by the law of Hertz; of a
+    /// rigid contact 0.
     pub stiffness: f64,
     /// Law of the contact force.
     pub law: ContactLaw,
+    /// Where the stiffness is to follow from the object's own cam, which whoever reads that
+    /// has to work out: then it is no number yet. `None` of a contact that is ready.
+    pub on_cam: Option<OnCamSpec>,
+}
+
+/// The contact of a follower on its own cam, as the stiffness needs it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OnCamSpec {
+    /// Force along the normal at which the stiffness is the secant (N), > 0.
+    pub load: f64,
+    /// Angle of the cam (rad); `None`: where its profile is most sharply convex.
+    pub angle: Option<f64>,
+    /// Depths from which the approach is counted where follower and cam are flat or hollow
+    /// (m), > 0.
+    pub depths: [Option<f64>; 2],
 }
 
 /// A named stop of the last mass against the ground.
@@ -283,6 +336,9 @@ pub enum LoadLawSpec {
         /// Regularisation width: speed at which tanh 1 = 76 % is reached, > 0.
         width: f64,
     },
+    /// `{ "expression": "120*sin(2*pi*5*t)", "unit": "kN" }` over time and motions, and
+    /// `{ "harmonic": … }`.
+    Written(WrittenSpec),
     /// Anything else over displacement and speed of the mass: no text describes it.
     Custom(CustomLoad),
 }

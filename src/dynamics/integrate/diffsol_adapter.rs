@@ -102,7 +102,7 @@ where
     let count = scales.len();
     let [mut y, mut dy, mut middle] = [vec![0.0; count], vec![0.0; count], vec![0.0; count]];
     let mut between = solver.state().y.clone();
-    let longest = run.settings.step.unwrap_or(f64::INFINITY);
+    let longest = run.longest_step();
     solver.set_stop_time(target - start)?;
     let result = loop {
         let before = solver.state().t;

@@ -6,6 +6,8 @@
 //! change the right-hand side is smooth, also a little beyond the places where
 //! they should have changed; a *watch* says where that is.
 
+use crate::math::polynomial::Step;
+
 /// Discrete state: one small integer per component (a pair, a track).
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Modes(pub Vec<i64>);
@@ -81,6 +83,26 @@ pub struct Singularity {
     pub span: f64,
     /// Component of [`Modes`] that it belongs to.
     pub component: usize,
+}
+
+/// An impact of a rigid contact: its speeds jump at an instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// Component of [`Modes`] of the contact.
+    pub component: usize,
+    /// The flank that is struck: −1 the lower, +1 the upper.
+    pub side: i64,
+    /// Speed at which it came together (rad/s or m/s), ≥ 0.
+    pub approach: f64,
+    /// Impulse (N·m·s or N·s), ≥ 0.
+    pub impulse: f64,
+    /// Energy lost (J), ≥ 0.
+    pub lost: f64,
+    /// Work of the prescribed drives in it (J).
+    pub drives: f64,
+    /// Time at which the impacts end that would follow in ever shorter times (s), where
+    /// it is held from here on; `None`: it goes apart.
+    pub rests: Option<f64>,
 }
 
 /// The mechanism itself cannot go on; not a failure of the method.
@@ -255,7 +277,8 @@ pub trait Dynamics: Sync {
     }
 
     /// Changes the modes for a switch located at (`time`, `y`), and the state where
-    /// the new modes bind it (by no more than it is uncertain by).
+    /// the new modes bind it (by no more than it is uncertain by), or where an impact lets
+    /// speeds jump.
     ///
     /// # Errors
     /// The mechanism cannot go on.
@@ -265,7 +288,7 @@ pub trait Dynamics: Sync {
         y: &mut [f64],
         watch: &EventFunction,
         modes: &mut Modes,
-    ) -> Result<(), PhysicalStop>;
+    ) -> Result<Option<Impact>, PhysicalStop>;
 
     /// All probes for the present modes; clears `out` first. Default: none.
     fn probes(&self, _modes: &Modes, out: &mut Vec<Probe>) {
@@ -286,6 +309,30 @@ pub trait Dynamics: Sync {
         Probe::RESTS
     }
 
+    /// True where [`Self::crossing`] has to be asked. Default: false.
+    fn has_crossings(&self) -> bool {
+        false
+    }
+
+    /// The first switch on a step, up to `end`, of what is no linear function of a
+    /// signal and its rate: its place and what changes. `fresh`: something has switched
+    /// at the step's start. Default: none.
+    fn crossing(
+        &self,
+        _step: &Step<'_>,
+        _modes: &Modes,
+        _end: f64,
+        _fresh: bool,
+    ) -> Option<(f64, EventFunction)> {
+        None
+    }
+
+    /// The longest step (s) in which what the state does not tell, a force by which
+    /// something is held, can be followed. Default: any.
+    fn longest_step(&self, _modes: &Modes) -> f64 {
+        f64::INFINITY
+    }
+
     /// Why the evaluation made last gave no numbers, where the mechanism itself is
     /// the reason. Default: it never is.
     fn obstacle(&self, _scratch: &Self::Scratch) -> Option<PhysicalStop> {
@@ -297,6 +344,12 @@ pub trait Dynamics: Sync {
 
     /// Changes the modes for a break at `time`, just reached.
     fn pass_break(&self, time: f64, modes: &mut Modes);
+
+    /// True of a contact that comes apart from exactly where it touches: its guard begins at
+    /// zero then. Default: false.
+    fn is_rigid_contact(&self, _component: usize) -> bool {
+        false
+    }
 
     /// True for components whose changes are switches of a pair, which are
     /// counted and reported; false for changes of a formula (tracks).

@@ -29,7 +29,9 @@ mod taylor;
 mod tests;
 
 pub use auto::{Chosen, Situation, Vibration, choose, fastest_rate};
-pub use dynamics::{Dynamics, EventFunction, Guard, Modes, PhysicalStop, Probe, Singularity};
+pub use dynamics::{
+    Dynamics, EventFunction, Guard, Impact, Modes, PhysicalStop, Probe, Singularity,
+};
 pub use taylor::degree as series_degree;
 
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};

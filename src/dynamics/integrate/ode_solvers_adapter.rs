@@ -67,7 +67,7 @@ fn dopri5<D: Dynamics>(run: &mut Run<'_, D>) {
     let first = run.first_length(5);
     let (start, target) = (run.from.time, run.target);
     let tolerance = SHARE_OF_OTHERS * run.tolerance();
-    let longest = run.settings.step.unwrap_or(target - start);
+    let longest = run.longest_step().min(target - start);
     let counters = Counters::default();
     let problem = Problem::new(run, &counters, rounding(start, target));
     let state = problem.scaled_start();
@@ -103,7 +103,7 @@ fn dop853<D: Dynamics>(run: &mut Run<'_, D>) {
     let dimension = run.from.y.len() as f64;
     // The norm divides by the number of states, time included.
     let tolerance = SHARE_OF_OTHERS * run.tolerance() * (dimension / (dimension + 1.0)).sqrt();
-    let longest = run.settings.step.unwrap_or(target - start);
+    let longest = run.longest_step().min(target - start);
     let counters = Counters::default();
     let mut problem = Problem::new(run, &counters, rounding(start, target));
     problem.time_unit = Some(TIME_UNIT * (target - start));

@@ -1,6 +1,6 @@
 //! Settings of a run, its end, and who listens to it.
 
-use super::{EventFunction, Modes, PhysicalStop};
+use super::{EventFunction, Impact, Modes, PhysicalStop};
 use crate::budget::{Budget, Spent};
 use crate::math::polynomial::Step;
 use serde::Serialize;
@@ -193,7 +193,8 @@ pub struct Outcome {
 pub struct SwitchEvent<'a> {
     /// Time of the switch (s).
     pub time: f64,
-    /// State then (continuous through the switch).
+    /// State then; continuous through the switch but for the speeds in an impact, after which
+    /// it is.
     pub y: &'a [f64],
     /// Event function that fired; `None` for a break in time.
     pub watch: Option<&'a EventFunction>,
@@ -201,6 +202,8 @@ pub struct SwitchEvent<'a> {
     pub before: &'a Modes,
     /// Modes after.
     pub after: &'a Modes,
+    /// The impact that it is, and the state before it.
+    pub impact: Option<(&'a Impact, &'a [f64])>,
 }
 
 /// Listens to a run; cannot change it.

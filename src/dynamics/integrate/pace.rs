@@ -47,9 +47,17 @@ impl<D: Dynamics> Run<'_, D> {
         self.bounded(length)
     }
 
+    /// Longest step (s): of the settings, and of what a method cannot see.
+    pub(super) fn longest_step(&self) -> f64 {
+        let modes = self.evaluator.modes.borrow();
+        let own = self.evaluator.dynamics.longest_step(&modes);
+        self.settings.step.map_or(own, |step| step.min(own))
+    }
+
     fn bounded(&self, length: f64) -> f64 {
-        let longest = self.settings.step.unwrap_or(f64::INFINITY);
-        length.min(longest).min(self.target - self.from.time)
+        length
+            .min(self.longest_step())
+            .min(self.target - self.from.time)
     }
 
     /// The leg ends at a switch or a break: keeps what step was usual in it.

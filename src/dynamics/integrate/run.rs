@@ -73,6 +73,10 @@ pub(super) struct Run<'a, D: Dynamics> {
     shorter_middle: Vec<f64>,
     event_functions: Vec<EventFunction>,
     probes: Vec<Probe>,
+    /// The switch that [`Dynamics::crossing`] found last.
+    crossed: Option<EventFunction>,
+    /// Count of such switches, and the time from which they are counted (s).
+    crossings: (u32, f64),
     /// Memory of the probes.
     probed: Vec<f64>,
     /// True before the first step after the start and after every switch.
@@ -120,6 +124,8 @@ impl<'a, D: Dynamics> Run<'a, D> {
             shorter_middle: vec![0.0; 2 * coordinates],
             event_functions: Vec::new(),
             probes: Vec::new(),
+            crossed: None,
+            crossings: (0, 0.0),
             probed: vec![0.0; 2 * coordinates],
             fresh: true,
             zero_at_start: Vec::new(),
@@ -258,7 +264,9 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// The earliest switch on an output built with the right-hand side.
     fn earliest_of_smooth(&mut self) -> Option<Located> {
         self.output.quintic(&self.from, &self.to);
-        let unseen = self.event_functions.is_empty() && self.probes.is_empty();
+        let unseen = self.event_functions.is_empty()
+            && self.probes.is_empty()
+            && !self.evaluator.dynamics.has_crossings();
         if unseen && !self.sink.looks_within(self.to.time) {
             return None;
         }

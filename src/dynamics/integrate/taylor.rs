@@ -68,7 +68,7 @@ impl Series {
         self.y.resize(width, 0.0);
         self.dy.resize(width, 0.0);
         let mut wanted = run.first_length(degree as i32);
-        let longest = run.settings.step.unwrap_or(f64::INFINITY);
+        let longest = run.longest_step();
         loop {
             let (time, rest) = (run.from.time, run.target - run.from.time);
             let asked = wanted.min(longest).min(rest);

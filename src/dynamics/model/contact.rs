@@ -5,7 +5,7 @@ use super::{DampingLaw, NodeIndex};
 /// A contact between an object and what its law asks for: an element of its own, whose
 /// data do not depend on the number of masses. It stands in the link that holds the pair:
 ///
-/// * before a rigid body that link is the contact alone;
+/// * before a rigid body that link is the contact alone, of no stiffness where it is rigid;
 /// * before an undamped link 1, with a law without loss, it is contact and link 1 in series;
 /// * else it ends at a massless point, from which link 1 leads on to mass 1. The forces on
 ///   that point are in balance, which determines its speed.
@@ -13,7 +13,7 @@ use super::{DampingLaw, NodeIndex};
 pub struct ContactElement {
     /// Law of the contact force.
     pub law: ContactLaw,
-    /// k_c (N/m or N·m/rad), or K of a contact in a point.
+    /// k_c (N/m or N·m/rad), or K of a contact in a point; 0 of a rigid one.
     pub stiffness: f64,
     /// The link that holds the pair.
     pub link: usize,
@@ -41,6 +41,12 @@ pub enum ContactLaw {
         /// χ ≥ 0 (s/m or s/rad).
         dissipation: f64,
     },
+    /// Rigid: what comes together at a speed goes apart at e times that speed, at once;
+    /// what presses without coming apart is held.
+    Restitution {
+        /// e, from 0 to 1.
+        coefficient: f64,
+    },
 }
 
 impl ContactLaw {
@@ -61,6 +67,7 @@ impl ContactLaw {
                 (law, 0.0)
             }
             Self::Elastic | Self::HuntCrossley { .. } => (DampingLaw::KelvinVoigt, 0.0),
+            Self::Restitution { coefficient } => (DampingLaw::Restitution { coefficient }, 0.0),
         }
     }
 
@@ -71,6 +78,7 @@ impl ContactLaw {
             Self::KelvinVoigt { damping: loss }
             | Self::HuntCrossley { dissipation: loss }
             | Self::Hertz { dissipation: loss } => loss == 0.0,
+            Self::Restitution { coefficient } => coefficient == 1.0,
         }
     }
 
@@ -79,7 +87,12 @@ impl ContactLaw {
         match self {
             Self::Elastic | Self::KelvinVoigt { .. } => true,
             Self::HuntCrossley { dissipation } => dissipation == 0.0,
-            Self::Hertz { .. } => false,
+            Self::Hertz { .. } | Self::Restitution { .. } => false,
         }
+    }
+
+    /// True when nothing gives way in it: it has no stiffness and no indentation.
+    pub fn is_rigid(self) -> bool {
+        matches!(self, Self::Restitution { .. })
     }
 }

@@ -2,6 +2,7 @@
 
 use super::{NodeIndex, Stop};
 use crate::dynamics::load::LoadFunction;
+use crate::math::expression::Expression;
 use std::sync::Arc;
 
 /// A load on a node. Positive forces act towards positive displacement.
@@ -64,6 +65,8 @@ pub enum LoadLaw {
     SpeedTable(Vec<(f64, f64)>),
     /// A one-sided stop against the ground.
     Stop(Stop),
+    /// An expression over time and motions.
+    Written(WrittenLoad),
     /// `factor` times anything else over displacement and speed of the node.
     Custom {
         /// The force.
@@ -71,6 +74,70 @@ pub enum LoadLaw {
         /// Factor on it.
         factor: f64,
     },
+}
+
+/// A force written as an expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrittenLoad {
+    /// The expression.
+    pub expression: Arc<Expression>,
+    /// Factor on its value, which is then in N or N·m.
+    pub factor: f64,
+    /// What its variables are, in their order.
+    pub variables: Vec<LoadVariable>,
+}
+
+/// A variable of a load by an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoadVariable {
+    /// t (s).
+    Time,
+    /// φ of a node (rad or m).
+    Displacement(NodeIndex),
+    /// φ̇ of a node (rad/s or m/s).
+    Speed(NodeIndex),
+}
+
+impl WrittenLoad {
+    /// The nodes whose motion it looks at.
+    pub fn nodes(&self) -> impl Iterator<Item = NodeIndex> + '_ {
+        let read = |index: usize| self.expression.program().reads(index);
+        let nodes = self.variables.iter().enumerate();
+        nodes.filter_map(move |(index, variable)| match *variable {
+            LoadVariable::Displacement(node) | LoadVariable::Speed(node) if read(index) => {
+                Some(node)
+            }
+            _ => None,
+        })
+    }
+
+    /// True where it looks at the time.
+    pub fn needs_time(&self) -> bool {
+        let mut variables = self.variables.iter().enumerate();
+        variables.any(|(index, variable)| {
+            *variable == LoadVariable::Time && self.expression.program().reads(index)
+        })
+    }
+
+    /// True where it looks at a speed.
+    pub fn needs_speed(&self) -> bool {
+        let mut variables = self.variables.iter().enumerate();
+        variables.any(|(index, variable)| {
+            matches!(variable, LoadVariable::Speed(_)) && self.expression.program().reads(index)
+        })
+    }
+
+    /// The force at a time, where `motion` gives φ and φ̇ of a node.
+    pub fn force(&self, time: f64, motion: impl Fn(NodeIndex) -> (f64, f64)) -> f64 {
+        let values: Vec<f64> = (self.variables.iter())
+            .map(|variable| match *variable {
+                LoadVariable::Time => time,
+                LoadVariable::Displacement(node) => motion(node).0,
+                LoadVariable::Speed(node) => motion(node).1,
+            })
+            .collect();
+        self.factor * self.expression.at(&values)
+    }
 }
 
 /// A straight piece of a table.

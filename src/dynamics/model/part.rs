@@ -1,6 +1,8 @@
 //! What the objects of a scene have become in the model.
 
+use super::pressing::Pressing;
 use super::{ContactElement, Coordinate, NodeIndex, Pair};
+use std::sync::Arc;
 
 /// The owner of a figure and the figure's name, from an address such as
 /// `rocker.pair.gap` or `press.ram.peak_speed`: the longest id that `known`
@@ -43,6 +45,8 @@ pub struct ObjectPart {
     pub contact: Option<ContactElement>,
     /// The pair of a rigid object (an elastic object's is in its link 1).
     pub rigid_pair: Option<Pair>,
+    /// The cam that it is pressed on, where that and what it is made of are known.
+    pub pressing: Option<Arc<Pressing>>,
 }
 
 /// An input of an object part.
@@ -78,6 +82,16 @@ impl ObjectPart {
             [ref only] => Some(only.driver),
             _ => None,
         }
+    }
+
+    /// The contact element of its pair, where that gives way.
+    pub fn indented(&self) -> Option<ContactElement> {
+        self.contact.filter(|contact| !contact.law.is_rigid())
+    }
+
+    /// The contact element of its pair, where that is rigid.
+    pub fn strikes(&self) -> Option<ContactElement> {
+        self.contact.filter(|contact| contact.law.is_rigid())
     }
 
     /// True of a part of an object that nothing can hang on and that no scene names.

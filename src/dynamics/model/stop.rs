@@ -11,7 +11,7 @@ pub struct Stop {
     pub at: f64,
     /// −1: it holds the node from going below `at`; +1: from going above.
     pub side: f64,
-    /// k (N/m or N·m/rad), or K of a contact in a point.
+    /// k (N/m or N·m/rad), or K of a contact in a point; 0 of a rigid one.
     pub stiffness: f64,
     /// Law of its contact.
     pub law: ContactLaw,

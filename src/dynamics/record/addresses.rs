@@ -83,11 +83,16 @@ impl Figures {
             | "pair.max_contact_force"
             | "pair.margin"
             | "stop.max_contact_force" => units.force.to_owned(),
+            "pressing.max_pressure" => "Pa".to_owned(),
             "pair.separated_time"
             | "pair.longest_separation"
+            | "pressing.time"
             | "time_at_rest"
             | "stop.contact_time" => "s".to_owned(),
-            "friction_loss" => "J".to_owned(),
+            "friction_loss" | "pair.impacts.loss" | "stop.impacts.loss" => "J".to_owned(),
+            "pair.impacts.max_impulse" | "stop.impacts.max_impulse" => {
+                format!("{} s", units.force)
+            }
             name if name.contains(".switch_times.") => "s".to_owned(),
             _ => String::new(),
         }
@@ -112,7 +117,12 @@ impl Figures {
             "delta_abs" | "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
             "final.displacement" if delta > 0.0 => delta,
             "final.speed" => object.peak_speed,
-            "pair.separations" | "pair.closures" | "pair.in_working_order" | "stop.closures" => 1.0,
+            "pair.separations"
+            | "pair.closures"
+            | "pair.in_working_order"
+            | "pair.impacts.count"
+            | "stop.closures"
+            | "stop.impacts.count" => 1.0,
             "pair.separated_time" | "pair.longest_separation" | "stop.contact_time" => {
                 self.run.time
             }

@@ -2,6 +2,7 @@
 
 use super::peaks::WEIGHTS;
 use crate::dynamics::energy::EnergyAudit;
+use crate::dynamics::integrate::Impact;
 use crate::dynamics::system::{Energy, Power};
 
 /// Places of a step whose powers count in the balance.
@@ -31,6 +32,15 @@ impl Ledger {
         step.greatest[1] = step.greatest[1].max(energy.elastic);
         self.energy = total;
         step
+    }
+
+    /// An impact at which the energy of the speeds before it becomes that of those after it.
+    pub(crate) fn strike(&mut self, impact: &Impact, after: Energy) -> EnergyAudit {
+        let step = &mut self.step;
+        step.drives += impact.drives;
+        step.put_in[0] += impact.drives.max(0.0);
+        step.impacts += impact.lost;
+        self.close(after)
     }
 
     /// Power at place `index` of [`super::peaks::PLACES`] in a step of `span` seconds.

@@ -40,10 +40,20 @@ pub enum Figure {
     MaxContactForce,
     /// Greatest indentation of the contact element.
     MaxIndentation,
+    /// Number of impacts of a rigid contact.
+    Impacts,
+    /// Greatest impulse of one (N·s or N·m·s).
+    MaxImpulse,
+    /// Energy lost in them (J).
+    ImpactLoss,
     /// Least contact force that the motion of a rigid object needs.
     Margin,
     /// 1: no separation within the window of steady figures; 0: there is one.
     InWorkingOrder,
+    /// Greatest pressure between a follower and its cam (Pa).
+    MaxPressure,
+    /// Time of it (s).
+    PressureTime,
     /// Number of times that the input of a linkage with joint friction stands still.
     Standstills,
     /// Time for which joint friction held it at rest (s).
@@ -60,11 +70,17 @@ pub enum Figure {
     StopForce,
     /// Greatest indentation of a stop.
     StopIndentation,
+    /// Number of impacts on a rigid stop.
+    StopImpacts,
+    /// Greatest impulse of one (N·s or N·m·s).
+    StopMaxImpulse,
+    /// Energy lost in them (J).
+    StopImpactLoss,
 }
 
 impl Figure {
     /// All figures.
-    pub const ALL: [Self; 27] = [
+    pub const ALL: [Self; 35] = [
         Self::DeltaAbs,
         Self::DeltaMax,
         Self::DeltaMin,
@@ -82,8 +98,13 @@ impl Figure {
         Self::MaxApproachSpeed,
         Self::MaxContactForce,
         Self::MaxIndentation,
+        Self::Impacts,
+        Self::MaxImpulse,
+        Self::ImpactLoss,
         Self::Margin,
         Self::InWorkingOrder,
+        Self::MaxPressure,
+        Self::PressureTime,
         Self::Standstills,
         Self::TimeAtRest,
         Self::FrictionLoss,
@@ -92,6 +113,9 @@ impl Figure {
         Self::StopApproachSpeed,
         Self::StopForce,
         Self::StopIndentation,
+        Self::StopImpacts,
+        Self::StopMaxImpulse,
+        Self::StopImpactLoss,
     ];
 
     /// Address within the object: `pair.max_lift`.
@@ -114,8 +138,13 @@ impl Figure {
             Self::MaxApproachSpeed => "pair.max_approach_speed",
             Self::MaxContactForce => "pair.max_contact_force",
             Self::MaxIndentation => "pair.max_indentation",
+            Self::Impacts => "pair.impacts.count",
+            Self::MaxImpulse => "pair.impacts.max_impulse",
+            Self::ImpactLoss => "pair.impacts.loss",
             Self::Margin => "pair.margin",
             Self::InWorkingOrder => "pair.in_working_order",
+            Self::MaxPressure => "pressing.max_pressure",
+            Self::PressureTime => "pressing.time",
             Self::Standstills => "standstills",
             Self::TimeAtRest => "time_at_rest",
             Self::FrictionLoss => "friction_loss",
@@ -124,6 +153,9 @@ impl Figure {
             Self::StopApproachSpeed => "stop.max_approach_speed",
             Self::StopForce => "stop.max_contact_force",
             Self::StopIndentation => "stop.max_indentation",
+            Self::StopImpacts => "stop.impacts.count",
+            Self::StopMaxImpulse => "stop.impacts.max_impulse",
+            Self::StopImpactLoss => "stop.impacts.loss",
         }
     }
 }
@@ -149,6 +181,8 @@ impl ObjectFigures {
             Figure::PeakReaction => self.peak_reaction,
             Figure::FinalDisplacement => self.end.displacement,
             Figure::FinalSpeed => self.end.speed,
+            Figure::MaxPressure => self.pressing?.max_pressure,
+            Figure::PressureTime => self.pressing?.time,
             Figure::Standstills => joints?.standstills as f64,
             Figure::TimeAtRest => joints?.time_at_rest,
             Figure::FrictionLoss => joints?.friction_loss,
@@ -157,6 +191,9 @@ impl ObjectFigures {
             Figure::StopApproachSpeed => stop?.max_approach_speed,
             Figure::StopForce => stop?.max_contact_force,
             Figure::StopIndentation => stop?.max_indentation,
+            Figure::StopImpacts => stop?.impacts?.count as f64,
+            Figure::StopMaxImpulse => stop?.impacts?.max_impulse,
+            Figure::StopImpactLoss => stop?.impacts?.loss,
             of_pair => return self.pair.as_ref()?.value(of_pair),
         })
     }
@@ -173,6 +210,9 @@ impl PairFigures {
             Figure::MaxApproachSpeed => Some(self.max_approach_speed),
             Figure::MaxContactForce => Some(self.max_contact_force),
             Figure::MaxIndentation => self.max_indentation,
+            Figure::Impacts => Some(self.impacts?.count as f64),
+            Figure::MaxImpulse => Some(self.impacts?.max_impulse),
+            Figure::ImpactLoss => Some(self.impacts?.loss),
             Figure::Margin => self.margin,
             Figure::InWorkingOrder => self
                 .in_working_order
@@ -186,7 +226,8 @@ impl PairFigures {
 mod tests {
     use super::Figure;
     use crate::dynamics::record::{
-        Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, StopFigures,
+        Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
+        PressingFigures, RunSummary, StopFigures,
     };
     use std::collections::{BTreeMap, BTreeSet};
 
@@ -213,9 +254,18 @@ mod tests {
                 max_approach_speed: 14.0,
                 max_contact_force: 15.0,
                 max_indentation: Some(21.0),
+                impacts: Some(ImpactFigures {
+                    count: 27,
+                    max_impulse: 28.0,
+                    loss: 29.0,
+                }),
                 margin: Some(16.0),
                 switch_times: Vec::new(),
                 in_working_order: Some(false),
+            }),
+            pressing: Some(PressingFigures {
+                max_pressure: 33.0,
+                time: 34.0,
             }),
             joints: Some(JointFigures {
                 standstills: 17,
@@ -228,6 +278,11 @@ mod tests {
                 max_approach_speed: 24.0,
                 max_contact_force: 25.0,
                 max_indentation: 26.0,
+                impacts: Some(ImpactFigures {
+                    count: 30,
+                    max_impulse: 31.0,
+                    loss: 32.0,
+                }),
                 switch_times: Vec::new(),
             }),
         }

@@ -173,6 +173,14 @@ impl<'s> Figured<'s> {
         for joints in &mut self.joints {
             joints.switch(event);
         }
+        if let Some((impact, _)) = event.impact {
+            let energy = self.observer.energy_of(event.time, event.y, event.after);
+            self.audit.go_on(&self.ledger.strike(impact, energy));
+            let states = self.observer.state(event.time, event.y, event.after);
+            for (tally, state) in self.tallies.iter_mut().zip(states) {
+                tally.see(event.time, state);
+            }
+        }
     }
 
     /// States of all objects at all places, with powers and energies.

@@ -1,5 +1,6 @@
 //! The figures of a run: the document that `dam run --json` prints.
 
+use crate::dynamics::integrate::Impact;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -60,6 +61,10 @@ pub struct ObjectFigures {
     pub end: FinalState,
     /// The driving pair; null for a bilateral one.
     pub pair: Option<PairFigures>,
+    /// How hard it presses on its cam, where that has a `material`; absent where the
+    /// pressure grows beyond bounds: on an edge of an undercut profile.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressing: Option<PressingFigures>,
     /// Friction in the joints of a linkage, where it acts on the motion.
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     pub joints: Option<JointFigures>,
@@ -74,6 +79,15 @@ pub fn greatest_magnitude(least: f64, greatest: f64) -> f64 {
         return f64::NAN;
     }
     least.abs().max(greatest.abs())
+}
+
+/// Pressure between a follower and its cam.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct PressingFigures {
+    /// Greatest Hertzian pressure along the line of contact (Pa); 0 while the pair is open.
+    pub max_pressure: f64,
+    /// Its time (s).
+    pub time: f64,
 }
 
 /// Figures of a linkage whose joints have friction.
@@ -101,8 +115,33 @@ pub struct StopFigures {
     pub max_contact_force: f64,
     /// Greatest indentation.
     pub max_indentation: f64,
+    /// Impacts, where it is rigid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub impacts: Option<ImpactFigures>,
     /// Times of all switches (s).
     pub switch_times: Vec<f64>,
+}
+
+/// Figures of the impacts of a rigid contact. In an impact the contact force is an impulse:
+/// it has no magnitude, and the greatest contact force is that of the times of rest between
+/// impacts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct ImpactFigures {
+    /// How often it is struck, t > 0.
+    pub count: u64,
+    /// Greatest impulse (N·s or N·m·s).
+    pub max_impulse: f64,
+    /// Energy lost in all of them (J), ≥ 0.
+    pub loss: f64,
+}
+
+impl ImpactFigures {
+    /// Another impact.
+    pub(crate) fn add(&mut self, impact: &Impact) {
+        self.count += 1;
+        self.max_impulse = self.max_impulse.max(impact.impulse);
+        self.loss += impact.lost;
+    }
 }
 
 /// State of the last mass at the end of the run.
@@ -135,6 +174,10 @@ pub struct PairFigures {
     /// Greatest indentation of the contact element; absent without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max_indentation: Option<f64>,
+    /// Impacts of a rigid contact; absent without one. Where they follow each other in ever
+    /// shorter times, those that are too low to be told apart count as one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub impacts: Option<ImpactFigures>,
     /// Rigid force-closed pair: least contact force the motion needs (negative:
     /// it would lift off); null for elastic objects.
     #[serde(skip_serializing_if = "Option::is_none")]

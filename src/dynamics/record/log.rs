@@ -73,7 +73,10 @@ impl<'s> Log<'s> {
             let stops = system.stops_of_object(object).collect();
             let mut pair = PairTracker::new(object, system.pair_component(object)?, stops);
             pair.is_stop = model.stop(object).is_some();
-            Some(pair)
+            match system.is_rigid_contact(object) {
+                true => Some(pair.rigid()),
+                false => Some(pair),
+            }
         };
         Self {
             observer: Observer::new(system).of_steps(settings.implicit),
@@ -154,14 +157,31 @@ impl<'s> Log<'s> {
             event.before.0[pair.component] != event.after.0[pair.component]
         };
         let (mut any, mut off) = (false, Vec::new());
+        if let Some((impact, _)) = event.impact {
+            any = true;
+            let own = |pair: &&mut PairTracker| pair.component == impact.component;
+            for pair in self.pairs.iter_mut().filter(own) {
+                let id = &self.observer.system().model().objects[pair.object].id;
+                let intervals = match pair.is_stop {
+                    true => &mut off,
+                    false => &mut self.separations,
+                };
+                pair.strike((id, event.time), impact, &mut self.switches, intervals);
+            }
+        }
         for pair in self.pairs.iter_mut().filter(changed) {
             any = true;
             let (component, held) = (pair.component, pair.is_held(&event.after.0));
+            // Impacts in ever shorter times end a little later.
+            let rests = event
+                .impact
+                .filter(|(impact, _)| impact.component == component);
+            let rests = rests.and_then(|(impact, _)| impact.rests);
             let state = self.observer.state(event.time, event.y, event.before)[pair.object];
             pair.switch(
                 (
                     &self.observer.system().model().objects[pair.object].id,
-                    event.time,
+                    rests.unwrap_or(event.time),
                 ),
                 (event.before.0[component], event.after.0[component], held),
                 &state,
@@ -184,9 +204,10 @@ impl<'s> Log<'s> {
             self.budget = CLOSEUPS;
         }
         if any && self.settings.switch_rows {
-            for modes in [event.before, event.after] {
-                self.observer.state(event.time, event.y, modes);
-                let seen = seen(&mut self.observer, event.y, modes, &mut self.masses);
+            let struck = event.impact.map_or(event.y, |(_, before)| before);
+            for (y, modes) in [(struck, event.before), (event.y, event.after)] {
+                self.observer.state(event.time, y, modes);
+                let seen = seen(&mut self.observer, y, modes, &mut self.masses);
                 if !self.rows.push(event.time, seen) {
                     return self.fail(event.time);
                 }
@@ -319,6 +340,7 @@ impl<'s> Log<'s> {
                     max_approach_speed: pair.max_approach_speed,
                     max_contact_force: tallies[object].contact_force(),
                     max_indentation: tallies[object].indentation().unwrap_or(0.0),
+                    impacts: pair.impacts,
                     switch_times: pair.switch_times,
                 });
                 continue;

@@ -31,8 +31,8 @@ pub use addresses::AddressError;
 pub use failure::Failure;
 pub use figure::Figure;
 pub use figures::{
-    Figures, FinalState, JointFigures, ObjectFigures, PairFigures, RunSummary, StopFigures, Units,
-    greatest_magnitude,
+    Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
+    RunSummary, StopFigures, Units, greatest_magnitude,
 };
 pub use quantity::Quantity;
 pub use recorder::{Recorded, Recorder};
@@ -117,11 +117,11 @@ pub struct SwitchRow {
     pub time: f64,
     /// Object id.
     pub object: String,
-    /// `opens` or `closes`.
+    /// `opens` or `closes`; `impact` of a rigid contact.
     pub what: &'static str,
     /// `lower` or `upper` flank.
     pub flank: &'static str,
-    /// Approach speed at a closure, speed of parting at an opening (≥ 0).
+    /// Approach speed at a closure and at an impact, speed of parting at an opening (≥ 0).
     pub speed: f64,
 }
 

@@ -77,6 +77,7 @@ pub(super) fn at_places(
         Signal::ContactForce => field(|state| state.contact_force),
         Signal::Clearance => field(|state| state.lift),
         Signal::Indentation => field(|state| state.indentation),
+        Signal::Pressure => field(|state| state.pressure),
     }
 }
 

@@ -1,6 +1,7 @@
 //! What happens in a driving pair: openings, closings, approach.
 
-use super::{Interval, PairFigures, SwitchRow};
+use super::{ImpactFigures, Interval, PairFigures, SwitchRow};
+use crate::dynamics::integrate::Impact;
 use crate::dynamics::system::ObjectState;
 
 /// Follows one pair that can open through a run.
@@ -16,6 +17,7 @@ pub(crate) struct PairTracker {
     stops: Vec<usize>,
     figures: PairFigures,
     open_since: Option<f64>,
+    start: f64,
 }
 
 impl PairTracker {
@@ -29,13 +31,21 @@ impl PairTracker {
             stops,
             figures: PairFigures::default(),
             open_since: None,
+            start: 0.0,
         }
+    }
+
+    /// The same of a rigid contact, which is struck.
+    pub(crate) fn rigid(mut self) -> Self {
+        self.figures.impacts = Some(ImpactFigures::default());
+        self
     }
 
     /// The state just after the start; taking it is no switch.
     pub(crate) fn start(&mut self, time: f64, modes: &[i64]) {
         let open = modes[self.component] == 0 && !self.is_held(modes);
         self.open_since = open.then_some(time);
+        self.start = time;
     }
 
     /// True when one of the object's stops holds it: what rests on a seat has not lost
@@ -47,6 +57,32 @@ impl PairTracker {
     /// The object comes to one of its stops: from there on its pair is not lost.
     pub(crate) fn hold(&mut self, id: &str, time: f64, intervals: &mut Vec<Interval>) {
         self.close_interval(id, time, intervals);
+    }
+
+    /// An impact of a rigid contact at `time`, after which it is open or rests.
+    pub(crate) fn strike(
+        &mut self,
+        (id, time): (&str, f64),
+        impact: &Impact,
+        rows: &mut Vec<SwitchRow>,
+        intervals: &mut Vec<Interval>,
+    ) {
+        if time > self.start {
+            self.figures.impacts.get_or_insert_default().add(impact);
+        }
+        let approach = &mut self.figures.max_approach_speed;
+        *approach = approach.max(impact.approach);
+        rows.push(SwitchRow {
+            time,
+            object: id.to_owned(),
+            what: "impact",
+            flank: if impact.side < 0 { "lower" } else { "upper" },
+            speed: impact.approach,
+        });
+        if self.open_since.is_some() && impact.rests.is_none() {
+            self.close_interval(id, time, intervals);
+            self.open_since = Some(time);
+        }
     }
 
     /// A change of mode at `time`, `held` by a stop of the object or not; `state` is the object's state then. Rows and

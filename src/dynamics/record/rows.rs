@@ -261,6 +261,7 @@ mod tests {
         deformation_speed: 0.0,
         lift: 0.0,
         indentation: 0.0,
+        pressure: 0.0,
     }; 2];
 
     fn seen(states: &[ObjectState]) -> Seen<'_> {

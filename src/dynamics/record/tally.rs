@@ -1,7 +1,7 @@
 //! The figures of one object, gathered segment by segment: the only place that says
 //! which extremes and integrals of which signals the figures are.
 
-use super::{FinalState, ObjectFigures, greatest_magnitude};
+use super::{FinalState, ObjectFigures, PressingFigures, greatest_magnitude};
 use crate::dynamics::model::{Closure, ContactLaw, Pair};
 use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
 use crate::dynamics::system::{ObjectState, System};
@@ -25,6 +25,7 @@ pub(super) fn read(signal: Signal, state: &ObjectState) -> f64 {
         Signal::ContactForce => state.contact_force,
         Signal::Clearance => state.lift,
         Signal::Indentation => state.indentation,
+        Signal::Pressure => state.pressure,
     }
 }
 
@@ -53,11 +54,14 @@ impl Indentation {
     fn of(system: &System, object: usize) -> Option<Self> {
         system.pair_component(object)?;
         let model = system.model();
+        if model.stop(object).is_some_and(|stop| stop.law.is_rigid()) {
+            return None;
+        }
         if model.stop(object).is_some() {
             return Some(Self::Followed(Peak::NONE));
         }
         let part = &model.objects[object];
-        let contact = part.contact?;
+        let contact = part.indented()?;
         Some(match contact.law {
             _ if contact.point.is_some() => Self::Followed(Peak::NONE),
             law if !law.is_lossless() => Self::OfDeviation {
@@ -88,6 +92,8 @@ pub(crate) struct Tally {
     lift: Option<Peak>,
     /// Greatest indentation of a contact element.
     indentation: Option<Indentation>,
+    /// Greatest pressure between a follower and its cam.
+    pressure: Option<Peak>,
     last: ObjectState,
 }
 
@@ -110,6 +116,7 @@ impl Tally {
             opens: part.rigid_pair.map_or(1.0, |pair| pair.opens),
             lift: system.pair_component(object).map(|_| Peak::NONE),
             indentation: Indentation::of(system, object),
+            pressure: part.pressing.as_ref().map(|_| Peak::NONE),
             last: ObjectState::default(),
         }
     }
@@ -125,6 +132,9 @@ impl Tally {
         }
         for peak in self.slack.iter_mut().flatten() {
             peak.see(time, -state.contact_force);
+        }
+        if let Some(peak) = &mut self.pressure {
+            peak.see(time, state.pressure);
         }
         if let Some(Indentation::Followed(peak)) = &mut self.indentation {
             peak.see(time, state.indentation);
@@ -154,6 +164,9 @@ impl Tally {
         }
         for (peak, signal) in self.peaks.iter_mut().zip(MAGNITUDES) {
             segment.raise_magnitude(number, signal, peak);
+        }
+        if let Some(peak) = &mut self.pressure {
+            segment.raise(asked(Signal::Pressure, 1.0), peak);
         }
         self.take_contact(number, segment);
         if let Some(lift) = &mut self.lift {
@@ -198,6 +211,11 @@ impl Tally {
     pub(crate) fn replace_forces(&mut self, other: &Self) {
         self.peaks[2..].copy_from_slice(&other.peaks[2..]);
         self.slack = other.slack;
+    }
+
+    /// Takes the pressure on the cam of another tally in place of its own.
+    pub(crate) fn replace_pressure(&mut self, other: &Self) {
+        self.pressure = other.pressure;
     }
 
     /// The least of what a force may not pass without being greater than before:
@@ -277,6 +295,7 @@ impl Tally {
             .chain(slack)
             .chain(self.lift)
             .chain(self.followed())
+            .chain(self.pressure)
             .filter(|peak| peak.value > f64::NEG_INFINITY)
             .map(|peak| peak.time)
             .filter(|time| time.is_finite())
@@ -294,6 +313,11 @@ impl Tally {
             },
             ..ObjectFigures::default()
         };
+        let found = self.pressure.filter(|peak| peak.value.is_finite());
+        figures.pressing = found.map(|peak| PressingFigures {
+            max_pressure: peak.value.max(0.0),
+            time: peak.time,
+        });
         if let Some(deviation) = self.deviation {
             figures.delta_max = deviation.greatest.value;
             figures.delta_min = -deviation.least.value;

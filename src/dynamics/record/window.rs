@@ -121,6 +121,7 @@ mod tests {
                 links: Vec::new(),
                 contact: None,
                 rigid_pair: None,
+                pressing: None,
             });
         }
         model

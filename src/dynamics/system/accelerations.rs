@@ -19,12 +19,13 @@ impl Frozen {
             match step {
                 Step::Prescribed(_) => {}
                 Step::Rotor(rotor) => {
-                    let mass = if self.rigids.is_empty() {
-                        N::from(self.inertia[rotor.node])
+                    let acceleration = if !self.multi.is_empty() {
+                        work.dense.rotors[rotor.coordinate]
+                    } else if self.rigids.is_empty() && !self.impacts {
+                        work.force[rotor.node] / N::from(self.inertia[rotor.node])
                     } else {
-                        work.mass[rotor.node]
+                        work.force[rotor.node] / work.mass[rotor.node]
                     };
-                    let acceleration = work.force[rotor.node] / mass;
                     work.acceleration[rotor.node] = acceleration;
                     out[rotor.coordinate] = acceleration;
                 }
@@ -35,9 +36,16 @@ impl Frozen {
                 Step::Chain(index) => {
                     let chain = &self.chains[*index];
                     let base = self.law_acceleration(chain.law, work);
-                    let reaction = work.reaction[*index];
                     let mode = work.pair_modes[*index];
+                    if chain.contact.holds(mode) {
+                        self.accelerate_held(*index, base, work, out);
+                        continue;
+                    }
+                    let reaction = work.reaction[*index];
                     self.accelerate_chain(chain, state, ([base, reaction], mode), work, out);
+                    if self.impacts {
+                        self.ground(*index, base, work, out);
+                    }
                 }
                 Step::Constrained(index) => {
                     let node = self.constraints[*index].node;
@@ -45,6 +53,47 @@ impl Frozen {
                 }
             }
         }
+    }
+
+    /// A body that a rigid contact holds: it goes with its law, and the contact has the
+    /// force that this takes.
+    fn accelerate_held<N: Quantity>(
+        &self,
+        index: usize,
+        base: N,
+        work: &mut Work<N>,
+        out: &mut [N],
+    ) {
+        let chain = &self.chains[index];
+        let node = chain.first_node;
+        out[chain.first_coordinate] = N::from(0.0);
+        work.acceleration[node] = base;
+        work.reaction[index] = work.force[node] - work.mass[node] * base;
+    }
+
+    /// Holds the last mass of a chain where a rigid stop does.
+    fn ground<N: Quantity>(&self, index: usize, base: N, work: &mut Work<N>, out: &mut [N]) {
+        let chain = &self.chains[index];
+        for (number, stop) in self.stops.iter().enumerate() {
+            if stop.chain != index || !stop.contact.holds(work.stop_modes[number]) {
+                continue;
+            }
+            let coordinate = chain.first_coordinate + (stop.node - chain.first_node);
+            work.stop_reaction[number] = -(work.mass[stop.node] * work.acceleration[stop.node]);
+            work.acceleration[stop.node] = N::from(0.0);
+            out[coordinate] = -base;
+        }
+    }
+
+    /// True of a chain that a rigid contact holds on its law, as of the last evaluation.
+    pub(super) fn is_held<N>(&self, index: usize, work: &Work<N>) -> bool {
+        (self.chains[index].contact).holds(work.pair_modes[index])
+    }
+
+    /// True of a mass that a rigid stop holds, as of the last evaluation.
+    pub(super) fn is_grounded<N>(&self, node: usize, work: &Work<N>) -> bool {
+        let mut stops = self.stops.iter().zip(&work.stop_modes);
+        stops.any(|(stop, &mode)| stop.node == node && stop.contact.holds(mode))
     }
 
     /// Accelerations of the nodes from u¨ of the coordinates, as far as

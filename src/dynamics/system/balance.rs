@@ -12,6 +12,7 @@ use super::constraints::Chains;
 use super::frozen::{Chain, Frozen, Step};
 use super::pairs::OPEN;
 use super::passes::{Extent, Work};
+use super::stops::FrozenStop;
 use crate::dynamics::model::Closure;
 use crate::math::number::Dual;
 use crate::math::quantity::Quantity;
@@ -191,6 +192,9 @@ impl Frozen {
             self.law_accelerations(time, modes, work);
         }
         self.apply_resting_loads(time, modes, work);
+        if !self.multi.is_empty() {
+            self.balance_multi(kind, work);
+        }
         if kind == Balance::Kinetostatic {
             for (node, &inertia) in self.inertia.iter().enumerate() {
                 let load = work.acceleration[node].scale(inertia);
@@ -231,6 +235,10 @@ impl Frozen {
     ) {
         let chain = &self.chains[index];
         let rests = self.rests(index, modes);
+        if rests && let Some(stop) = self.rigid_rest(index, modes) {
+            return self.deflect_to_stop(index, stop, state, work, miss);
+        }
+        let rigid = chain.contact.restitution().is_some();
         let (u, _) = self.deviations(chain, state);
         let miss = &mut miss[chain.coordinates()];
         let stiffness = &self.stiffness[chain.coordinates()];
@@ -245,7 +253,11 @@ impl Frozen {
             }
             if m == 0 && rests {
                 // The pair carries nothing: all that acts is in balance on the stop.
-                miss[0] = -carried.scale(1.0 / stiffness[0]);
+                let scale = match rigid {
+                    true => self.stop_stiffness(index, modes),
+                    false => stiffness[0],
+                };
+                miss[0] = -carried.scale(1.0 / scale);
                 continue;
             }
             let below = if m > 0 {
@@ -253,6 +265,10 @@ impl Frozen {
             } else {
                 N::from(self.flank(chain, modes))
             };
+            if m == 0 && rigid {
+                miss[0] = u[0] - below;
+                continue;
+            }
             miss[m] = match chain.contact.hertz().filter(|_| m == 0) {
                 None => u[m] - below - carried.scale(1.0 / stiffness[m]),
                 Some(hertz) => u[m] - below - carried.lift(|force| hertz.deflection(force))[0],
@@ -265,6 +281,45 @@ impl Frozen {
         work.reaction[index] = carried;
         let reaction = carried * work.laws[chain.law].first;
         work.force[self.laws[chain.law].driver] += reaction;
+    }
+
+    /// u less the deflection of a chain whose pair is open and that lies on a rigid stop: its
+    /// last mass stands there, and its links carry the forces to it.
+    fn deflect_to_stop<N: Quantity>(
+        &self,
+        index: usize,
+        stop: &FrozenStop,
+        state: &[N],
+        work: &mut Work<N>,
+        miss: &mut [N],
+    ) {
+        let chain = &self.chains[index];
+        let (u, _) = self.deviations(chain, state);
+        let miss = &mut miss[chain.coordinates()];
+        let stiffness = &self.stiffness[chain.coordinates()];
+        let mut before = N::from(0.0);
+        for m in 0..chain.masses {
+            if m > 0 {
+                // Link m carries what acts on the masses before it, towards the stop.
+                miss[m] = u[m] - u[m - 1] + before.scale(1.0 / stiffness[m]);
+            }
+            before += work.force[chain.first_node + m];
+        }
+        miss[0] = stop.deformation(work.displacement[stop.node]);
+        work.reaction[index] = N::from(0.0);
+    }
+
+    /// The rigid stop that a chain lies on.
+    fn rigid_rest(&self, index: usize, modes: &[i64]) -> Option<&FrozenStop> {
+        let mut stops = self.stops_of(index);
+        stops.find(|stop| stop.contact.holds(modes[stop.component]))
+    }
+
+    /// Stiffness of the stop that a chain lies on.
+    fn stop_stiffness(&self, index: usize, modes: &[i64]) -> f64 {
+        let mut stops = self.stops_of(index);
+        let own = stops.find(|stop| modes[stop.component] != OPEN);
+        own.map_or(1.0, |stop| stop.contact.stiffness())
     }
 
     /// x at which the flank of a mode is touched; 0, the middle, when open.
@@ -292,12 +347,39 @@ impl Frozen {
         }
     }
 
+    /// Adds what linkages of several inputs do on these: without dampers, and at rest
+    /// without anything that speeds make; else with the inertia forces of their accelerations.
+    fn balance_multi<N: Quantity>(&self, kind: Balance, work: &mut Work<N>) {
+        if kind == Balance::Static {
+            self.stand_still(work);
+        }
+        self.apply_multi(false, work);
+        if kind == Balance::Kinetostatic {
+            for (multi, own) in self.multi.iter().zip(&work.multi) {
+                let count = multi.nodes.len();
+                for (i, &node) in multi.nodes.iter().enumerate() {
+                    for (j, &other) in multi.nodes.iter().enumerate() {
+                        let mass = own.space.reduced.mass[i * count + j];
+                        let load = mass * work.acceleration[other];
+                        work.force[node] -= load;
+                    }
+                }
+            }
+        }
+    }
+
     /// Accelerations of all nodes when every chain follows its law like a
     /// rigid body; a rotor's from all that hangs on it, rigidly reduced.
     fn law_accelerations<N: Quantity>(&self, time: N, modes: &[i64], work: &mut Work<N>) {
         self.apply_loads(time, modes, Extent::Full, work);
         self.own_masses(Extent::Full, work);
         self.reduce_to_rotors(modes, work);
+        if !self.multi.is_empty() {
+            self.hold_rotors(work);
+            self.follow_rotors(modes, work);
+            self.couple_densely(Extent::Full, Chains::Rigid, work);
+            return self.follow_rotors(modes, work);
+        }
         self.follow_rotors(modes, work);
         if self.couple(Extent::Full, Chains::Rigid, work) {
             self.follow_rotors(modes, work);
@@ -336,7 +418,10 @@ impl Frozen {
             match step {
                 Step::Prescribed(_) => {}
                 Step::Rotor(rotor) => {
-                    work.acceleration[rotor.node] = work.force[rotor.node] / work.mass[rotor.node];
+                    work.acceleration[rotor.node] = match self.multi.is_empty() {
+                        true => work.force[rotor.node] / work.mass[rotor.node],
+                        false => work.dense.rotors[rotor.coordinate],
+                    };
                 }
                 Step::Rigid(index) => {
                     let rigid = self.rigids[*index];

@@ -97,6 +97,10 @@ impl Frozen {
                         work.acceleration[node] = bends.second[coordinate] + base;
                     }
                 }
+                Step::Chain(index) if self.is_held(*index, work) => {
+                    let chain = &self.chains[*index];
+                    work.acceleration[chain.first_node] = self.law_acceleration(chain.law, work);
+                }
                 Step::Chain(_) => {}
                 Step::Constrained(index) => {
                     let node = self.constraints[*index].node;

@@ -5,10 +5,17 @@ use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
+use super::multi::{FrozenMulti, MultiPlace, MultiValue};
 use super::pairs::Contact;
+use super::passes::{Extent, Work};
 use super::stops::FrozenStop;
+use super::written::Written;
 use crate::dynamics::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, Stop, TrackSource};
 use crate::fault::Fault;
+use std::sync::Arc;
+
+/// A mass matrix of which a pivot has lost all digits but so many parts is not positive.
+const MASSLESS: f64 = 1e-13;
 
 /// Lays a model out; the faults of all its parts together.
 pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
@@ -21,13 +28,21 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
         builder.place(node);
     }
     builder.place_linkages();
+    builder.place_multi();
     builder.place_tracks();
+    builder.frozen.place_distances();
     builder.place_friction();
     builder.place_loads();
+    builder.frozen.impacts = builder.frozen.has_rigid_contacts();
     builder.frozen.mark_heavy();
+    builder.frozen.find_roots();
     builder.refuse_coupled_friction();
+    builder.refuse_rigid_contacts();
     builder.frozen.mark_chains();
     builder.frozen.separate();
+    if builder.faults.is_empty() {
+        builder.refuse_massless();
+    }
     if builder.faults.is_empty() {
         Ok(builder.frozen)
     } else {
@@ -123,6 +138,7 @@ impl<'a> Builder<'a> {
                     drivers,
                     constraint,
                     heavy: false,
+                    multi: None,
                 });
             }
         }
@@ -188,7 +204,7 @@ impl<'a> Builder<'a> {
     fn indented(&self, link: usize) -> Option<f64> {
         let mut contacts = self.model.objects.iter().flat_map(|part| part.contact);
         let own = contacts.find(|contact| contact.link == link)?;
-        Some(own.stiffness)
+        (!own.law.is_rigid()).then_some(own.stiffness)
     }
 
     fn add_node(&mut self, node: usize, free: bool) -> usize {
@@ -244,6 +260,32 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// Linkages of several inputs, and which constrained nodes are theirs.
+    fn place_multi(&mut self) {
+        let frozen = &mut self.frozen;
+        for (linkage, body) in self.model.multi_linkages.iter().enumerate() {
+            let inputs = body.inputs.iter();
+            frozen.multi.push(FrozenMulti {
+                nodes: inputs.map(|&node| frozen.internal[node]).collect(),
+                linkage: Arc::clone(&body.linkage),
+                object: body.object,
+            });
+            let outputs = body.outputs.iter().enumerate();
+            let own = outputs.map(|(output, &node)| (node, MultiValue::Output(output)));
+            for (node, value) in own.chain([(body.node, MultiValue::Input)]) {
+                let node = frozen.internal[node];
+                let mut constraints = frozen.constraints.iter_mut();
+                if let Some(one) = constraints.find(|one| one.node == node) {
+                    one.multi = Some(MultiPlace { linkage, value });
+                }
+            }
+            for group in 1..body.linkage.structure().groups.len() {
+                let value = MultiValue::Distance(group - 1);
+                frozen.add_distance(MultiPlace { linkage, value });
+            }
+        }
+    }
+
     fn place_tracks(&mut self) {
         for track in &self.model.tracks {
             let node = match track.source {
@@ -288,11 +330,93 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// The mass matrix of linkages of several inputs must be positive at the start.
+    fn refuse_massless(&mut self) {
+        let Some(multi) = self.frozen.multi.first() else {
+            return;
+        };
+        let object = multi.object;
+        let (mut work, mut modes) = (Work::new(&self.frozen), self.frozen.no_modes());
+        let state = self.frozen.law_state();
+        self.frozen.locate_tracks(&state, &mut modes);
+        let mut out = vec![0.0; self.frozen.coordinates];
+        let extent = Extent::Full;
+        self.frozen
+            .evaluate(0.0, &state, &modes, extent, &mut work, &mut out);
+        if work.dense.positive > MASSLESS || self.frozen.unassembled(&work).is_some() {
+            return;
+        }
+        let id = &self.model.objects[object].id;
+        self.faults.push(Fault::new(
+            format!("{id}.inputs"),
+            "the free inputs have a motion that moves no inertia: it cannot be told how fast they \
+             would go",
+            "give mass or a moment of inertia to the links that move alone there, or inertia to \
+             the motors",
+        ));
+    }
+
+    /// What rigid contacts are not combined with.
+    fn refuse_rigid_contacts(&mut self) {
+        let frozen = &self.frozen;
+        let mut faults = Vec::new();
+        for component in 0..frozen.contacts() {
+            if !frozen.is_rigid(component) {
+                continue;
+            }
+            let chain = match frozen.pairs.get(component) {
+                Some(&chain) => chain,
+                None => frozen.stops[component - frozen.pairs.len()].chain,
+            };
+            let own = &frozen.chains[chain];
+            let id = || {
+                let nodes = |node: &usize| own.nodes().contains(&frozen.internal[*node]);
+                let mut parts = self.model.objects.iter();
+                let part = parts.find(|part| part.nodes.iter().any(nodes));
+                part.map_or_else(String::new, |part| part.id.clone())
+            };
+            let mut moving = frozen.roots(frozen.laws[own.law].driver);
+            moving.extend(own.nodes());
+            let rubbing = |group: &&super::friction::Group| {
+                group.coordinate.is_some() && moving.contains(&group.root)
+            };
+            if frozen.groups.iter().any(|group| rubbing(&group)) {
+                faults.push(Fault::new(
+                    format!("{}.pair.contact.restitution", id()),
+                    "it strikes what moves as one with joints that have friction: what friction \
+                     does in an impact is not determined",
+                    "leave `joint_friction` out, or give the contact a stiffness",
+                ));
+            }
+            if !frozen.multi.is_empty() && frozen.moves_freely(frozen.laws[own.law].driver) {
+                faults.push(Fault::new(
+                    format!("{}.pair.contact.restitution", id()),
+                    "it strikes what moves freely beside a linkage of several inputs: the impulse \
+                     would pass through its mass matrix, which impacts do not know",
+                    "give the contact a stiffness, or prescribe the motion of its driver",
+                ));
+            }
+            let stop = component >= frozen.pairs.len();
+            if stop
+                && own.contact.restitution().is_some()
+                && frozen.moves_freely(frozen.laws[own.law].driver)
+            {
+                faults.push(Fault::new(
+                    format!("{}.stops", id()),
+                    "between a rigid pair and a rigid stop a drive that moves freely would be held \
+                     by both at once",
+                    "give the pair or the stop a contact with a stiffness",
+                ));
+            }
+        }
+        self.faults.extend(faults);
+    }
+
     fn place_loads(&mut self) {
         let mut stops = 0;
         for load in &self.model.loads {
             let node = self.frozen.internal[load.node];
-            let mut stop = None;
+            let (mut stop, mut written) = (None, None);
             let argument = match &load.law {
                 LoadLaw::Constant(force) => {
                     self.frozen.constant_force[node] += force;
@@ -309,6 +433,10 @@ impl<'a> Builder<'a> {
                     stops += 1;
                     None
                 }
+                LoadLaw::Written(own) => {
+                    written = Some(Written::new(own, load.node, &mut self.frozen));
+                    None
+                }
                 _ => None,
             };
             self.frozen.loads.push(FrozenLoad {
@@ -316,6 +444,7 @@ impl<'a> Builder<'a> {
                 law: load.law.clone(),
                 argument,
                 stop,
+                written,
             });
         }
     }

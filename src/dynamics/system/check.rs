@@ -1,6 +1,6 @@
 //! Checks of a model's numbers and structure before it is frozen.
 
-use crate::dynamics::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+use crate::dynamics::model::{DampingLaw, Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
 use crate::fault::Fault;
 use crate::kinematics::position::Position;
 
@@ -86,6 +86,7 @@ fn check_indices(model: &Model, faults: &mut Vec<Fault>) {
     for load in &model.loads {
         let track = match load.law {
             LoadLaw::Pieces { track, .. } => track < tracks,
+            LoadLaw::Written(ref written) => written.nodes().all(|node| node < nodes),
             _ => true,
         };
         if load.node >= nodes || !track {
@@ -194,6 +195,14 @@ fn carries_inertia(model: &Model, node: usize) -> bool {
         }
         _ => false,
     };
+    let input = |node: usize| {
+        let mut bodies = model.multi_linkages.iter();
+        bodies.any(|body| body.inputs.contains(&node))
+    };
+    // (Whether every input of a linkage of several moves inertia, its mass matrix tells.)
+    if input(node) {
+        return true;
+    }
     let heavy = |other: usize| {
         let linkage = model.linkages.iter().find(|body| body.node == other);
         let links = linkage.map_or(&[][..], |body| &body.linkage.spec().links);
@@ -209,7 +218,11 @@ fn carries_inertia(model: &Model, node: usize) -> bool {
 fn check_links(model: &Model, faults: &mut Vec<Fault>) {
     for link in &model.links {
         let object = object_of(model, link.mass);
-        if !(link.stiffness > 0.0 && link.stiffness.is_finite()) {
+        let rigid = matches!(
+            &link.base,
+            LinkBase::Law { pair } if matches!(pair.law, DampingLaw::Restitution { .. })
+        );
+        if !(rigid || link.stiffness > 0.0 && link.stiffness.is_finite()) {
             faults.push(Fault::new(
                 format!("{object}.stiffness"),
                 format!("a stiffness of {} is not possible", link.stiffness),
@@ -255,8 +268,10 @@ fn check_loads(model: &Model, faults: &mut Vec<Fault>) {
             }
             LoadLaw::Stop(stop) => {
                 let side = stop.side.abs() == 1.0;
-                side && stop.stiffness > 0.0 && finite(&[stop.at, stop.stiffness])
+                let gives = stop.stiffness > 0.0 || stop.law.is_rigid();
+                side && gives && finite(&[stop.at, stop.stiffness])
             }
+            LoadLaw::Written(written) => finite(&[written.factor]),
             LoadLaw::Custom { function, factor } => finite(&[*factor, function.magnitude()]),
             LoadLaw::SpeedTable(points) => {
                 let ascending = points.windows(2).all(|pair| pair[0].0 < pair[1].0);

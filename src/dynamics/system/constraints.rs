@@ -10,6 +10,7 @@
 //! is left out, and scenes without inertia on constrained nodes do nothing of it.
 
 use super::frozen::{Frozen, Step};
+use super::multi::MultiPlace;
 use super::passes::{Extent, Work};
 use crate::kinematics::constraint::{Constraint, ConstraintJet};
 use crate::math::linear::dense;
@@ -26,6 +27,8 @@ pub(super) struct Constrained {
     pub(super) constraint: Constraint,
     /// True when inertia is on it: its own or that of what follows it rigidly.
     pub(super) heavy: bool,
+    /// What it is of a linkage of several inputs, from which it is then read off.
+    pub(super) multi: Option<MultiPlace>,
 }
 
 impl Constrained {
@@ -169,6 +172,9 @@ impl Frozen {
     /// Displacement and speed of a constrained node, those of its drivers known.
     pub(super) fn constrain<N: Quantity>(&self, index: usize, work: &mut Work<N>) {
         let constrained = &self.constraints[index];
+        if let Some(place) = constrained.multi {
+            return self.follow_multi(place, index, work);
+        }
         let values = &mut work.constraints[index];
         let [value, rate] = values.evaluate(constrained, &work.displacement, &work.speed);
         work.displacement[constrained.node] = value;
@@ -194,13 +200,19 @@ impl Frozen {
         }
     }
 
-    /// Rigid nodes hand inertia and forces to their drivers, constrained nodes their
-    /// forces alone, the last driven first.
-    pub(super) fn reduce_constrained<N: Quantity>(&self, extent: Extent, work: &mut Work<N>) {
+    /// Rigid nodes, and bodies that a rigid contact holds, hand inertia and forces to their
+    /// drivers, constrained nodes their forces alone, the last driven first.
+    pub(super) fn reduce_steps<N: Quantity>(&self, extent: Extent, work: &mut Work<N>) {
         self.own_masses(extent, work);
         for step in self.steps_of(extent).iter().rev() {
             match *step {
-                Step::Prescribed(_) | Step::Rotor(_) | Step::Chain(_) => {}
+                Step::Prescribed(_) | Step::Rotor(_) => {}
+                Step::Chain(index) => {
+                    let chain = &self.chains[index];
+                    if chain.contact.holds(work.pair_modes[index]) {
+                        self.reduce_node(chain.law, chain.first_node, work);
+                    }
+                }
                 Step::Rigid(index) => {
                     let rigid = self.rigids[index];
                     self.reduce_node(rigid.law, rigid.node, work);
@@ -292,8 +304,21 @@ impl Frozen {
         work: &Work<N>,
         shares: &mut [N],
     ) {
+        let node = self.constraints[index].node;
+        self.shares_of_node(node, extent, chains, work, shares);
+    }
+
+    /// ∂φ/∂φ of any node, likewise.
+    pub(super) fn shares_of_node<N: Quantity>(
+        &self,
+        node: usize,
+        extent: Extent,
+        chains: Chains,
+        work: &Work<N>,
+        shares: &mut [N],
+    ) {
         shares.fill(N::from(0.0));
-        shares[self.constraints[index].node] = N::from(1.0);
+        shares[node] = N::from(1.0);
         for step in self.steps_of(extent).iter().rev() {
             match *step {
                 Step::Prescribed(_) | Step::Rotor(_) => {}
@@ -310,7 +335,7 @@ impl Frozen {
                         shares[driver] += share * first;
                     }
                 }
-                Step::Chain(index) if chains == Chains::Rigid => {
+                Step::Chain(index) if chains == Chains::Rigid || self.is_held(index, work) => {
                     let chain = &self.chains[index];
                     let first = work.laws[chain.law].first;
                     for node in chain.nodes() {
@@ -339,8 +364,11 @@ impl Frozen {
                     let node = rotor.node;
                     sum += one[node] * other[node] / work.mass[node];
                 }
-                Step::Chain(index) if chains == Chains::Free => {
+                Step::Chain(index) if chains == Chains::Free && !self.is_held(index, work) => {
                     for node in self.chains[index].nodes() {
+                        if self.is_grounded(node, work) {
+                            continue;
+                        }
                         sum += one[node] * other[node] / work.mass[node];
                     }
                 }
@@ -350,9 +378,13 @@ impl Frozen {
         sum
     }
 
-    /// True when the motion of a node hangs on a constrained node with inertia, or the
-    /// other way round: joint friction is not found there.
+    /// True when the motion of a node hangs on a constrained node with inertia or moves a
+    /// linkage of several inputs, or the other way round: joint friction is not found there.
     pub(super) fn is_coupled(&self, root: usize) -> bool {
+        let mut inputs = self.multi.iter().flat_map(|multi| &multi.nodes);
+        if inputs.any(|&node| node == root || self.roots(node).contains(&root)) {
+            return true;
+        }
         self.heavy.iter().any(|&index| {
             let constrained = &self.constraints[index];
             constrained.node == root || self.roots(constrained.node).contains(&root)
@@ -388,6 +420,9 @@ impl Frozen {
                     let rigid = self.rigids[index];
                     let driver = self.laws[rigid.law].driver;
                     inertia[driver] |= inertia[rigid.node];
+                }
+                Step::Chain(index) if self.chains[index].contact.restitution().is_some() => {
+                    inertia[self.laws[self.chains[index].law].driver] = true;
                 }
                 Step::Constrained(index) => {
                     let constrained = &mut self.constraints[index];

@@ -1,13 +1,15 @@
 //! The system as the integrators see it.
 
-use super::frozen::{Frozen, Step};
+use super::frozen::{Frozen, Step as Pass};
 use super::passes::{Extent, Work};
 use super::taylor::{Start, Taylor};
+use super::written::Written;
 use super::{Bundle, DIRECTIONS, Scratch, System};
 use crate::dynamics::integrate::{
-    Dynamics, EventFunction, Modes, PhysicalStop, Probe, Singularity,
+    Dynamics, EventFunction, Impact, Modes, PhysicalStop, Probe, Singularity,
 };
 use crate::math::number::{Dual, Duals};
+use crate::math::polynomial::Step;
 
 impl Scratch {
     pub(super) fn new(frozen: &Frozen) -> Self {
@@ -37,6 +39,10 @@ impl Bundle {
 
 /// Share of a rotor's angle that counts for its size.
 const TURNED: f64 = 0.01;
+
+/// Longest step while a rigid contact is held, in units of the time in which the fastest
+/// motion of the laws turns by a radian, taken as a whole: its pieces turn some times faster.
+const LONGEST_HELD: f64 = 0.1;
 
 impl Dynamics for System {
     type Scratch = Scratch;
@@ -135,8 +141,10 @@ impl Dynamics for System {
     }
 
     fn is_autonomous(&self) -> bool {
-        let timed = |step: &Step| matches!(step, Step::Prescribed(_));
-        !self.frozen.steps.iter().any(timed) && self.frozen.tracks.iter().all(|t| t.node.is_some())
+        let timed = |step: &Pass| matches!(step, Pass::Prescribed(_));
+        !self.frozen.steps.iter().any(timed)
+            && self.frozen.tracks.iter().all(|t| t.node.is_some())
+            && !self.frozen.written().any(Written::needs_time)
     }
 
     fn time_tangent(
@@ -210,6 +218,9 @@ impl Dynamics for System {
         let work = &mut scratch.work;
         let accelerations = &dy[self.frozen.coordinates..];
         self.frozen.motion(time, y, &modes.0, Extent::Needed, work);
+        if !self.frozen.multi.is_empty() {
+            self.frozen.find_distances(work);
+        }
         self.frozen.known_accelerations(accelerations, work);
         for (out, &node) in out.iter_mut().zip(&self.frozen.extra) {
             *out = [
@@ -225,8 +236,8 @@ impl Dynamics for System {
     }
 
     fn size(&self, index: usize, value: f64) -> f64 {
-        // Only rotors have no link; their angle stays well above its rounding.
-        let turns = index < self.frozen.coordinates && self.frozen.stiffness[index] == 0.0;
+        // The angle of a rotor stays well above its rounding.
+        let turns = index < self.frozen.coordinates && self.frozen.is_rotor(index);
         let share = if turns { TURNED } else { 1.0 };
         self.scales_of_state()[index] + share * value.abs()
     }
@@ -245,13 +256,16 @@ impl Dynamics for System {
         y: &mut [f64],
         watch: &EventFunction,
         modes: &mut Modes,
-    ) -> Result<(), PhysicalStop> {
+    ) -> Result<Option<Impact>, PhysicalStop> {
         self.pass_switch(time, y, watch, modes)
     }
 
     fn probes(&self, modes: &Modes, out: &mut Vec<Probe>) {
         out.clear();
         self.frozen.probes(&modes.0, out);
+        if self.frozen.impacts {
+            self.frozen.probe_held(&modes.0, out);
+        }
     }
 
     fn probe(
@@ -263,11 +277,36 @@ impl Dynamics for System {
         scratch: &mut Scratch,
     ) -> f64 {
         let work = &mut scratch.work;
-        self.frozen.probe(probe, time, y, &modes.0, work)
+        match probe.index.checked_sub(self.frozen.groups.len()) {
+            Some(contact) => self.frozen.parting(contact, time, y, &modes.0, work),
+            None => self.frozen.probe(probe, time, y, &modes.0, work),
+        }
+    }
+
+    fn longest_step(&self, modes: &Modes) -> f64 {
+        match self.frozen.impacts && self.frozen.holds_any(&modes.0) {
+            true => LONGEST_HELD * super::scales::quickest(self.laws_sampled()),
+            false => f64::INFINITY,
+        }
+    }
+
+    fn has_crossings(&self) -> bool {
+        self.frozen.guards > 0
+    }
+
+    fn crossing(
+        &self,
+        step: &Step<'_>,
+        modes: &Modes,
+        end: f64,
+        fresh: bool,
+    ) -> Option<(f64, EventFunction)> {
+        self.frozen.crossing(step, &modes.0, end, fresh)
     }
 
     fn obstacle(&self, scratch: &Scratch) -> Option<PhysicalStop> {
-        self.friction_obstacle(&scratch.work)
+        let friction = self.friction_obstacle(&scratch.work);
+        friction.or_else(|| self.singular_obstacle(&scratch.work))
     }
 
     fn singularities(&self, modes: &Modes, out: &mut Vec<Singularity>) {
@@ -282,7 +321,7 @@ impl Dynamics for System {
         let extra = signal.checked_sub(self.frozen.coordinates)?;
         let node = *self.frozen.extra.get(extra)?;
         let motion = self.frozen.steps.iter().find_map(|step| match step {
-            Step::Prescribed(drive) if drive.node == node => Some(&drive.motion),
+            Pass::Prescribed(drive) if drive.node == node => Some(&drive.motion),
             _ => None,
         })?;
         let jet = motion.jet(motion.breaks().locate(time, 1.0), time);
@@ -295,6 +334,10 @@ impl Dynamics for System {
 
     fn pass_break(&self, time: f64, modes: &mut Modes) {
         self.frozen.pass_break(time, &mut modes.0);
+    }
+
+    fn is_rigid_contact(&self, component: usize) -> bool {
+        self.frozen.is_rigid(component)
     }
 
     fn is_pair(&self, component: usize) -> bool {

@@ -55,6 +55,14 @@ impl Frozen {
             kinetic += (reduced.inertia * speed * speed).scale(0.5);
             elastic += reduced.potential;
         }
+        for own in &work.multi {
+            let [moving, stored] = match own.assembled {
+                true => own.space.energies(),
+                false => [N::from(f64::NAN); 2],
+            };
+            kinetic += moving;
+            elastic += stored;
+        }
         [kinetic, elastic]
     }
 

@@ -9,6 +9,7 @@ use super::constraints::Constrained;
 use super::friction::Group;
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
+use super::multi::{Direct, FrozenMulti, Root};
 use super::pairs::Contact;
 use super::stops::FrozenStop;
 use super::trains::Train;
@@ -46,8 +47,14 @@ pub(super) struct Frozen {
     pub(super) constraints: Vec<Constrained>,
     /// Constraints that inertia is on, indices into `constraints`.
     pub(super) heavy: Vec<usize>,
-    /// Linkages, drivers before driven.
+    /// Linkages of one input, drivers before driven.
     pub(super) linkages: Vec<FrozenLinkage>,
+    /// Linkages of several inputs, drivers before driven.
+    pub(super) multi: Vec<FrozenMulti>,
+    /// The free coordinates that their inertia forces act on, and all rotors beside them.
+    pub(super) roots: Vec<Root>,
+    /// Such a linkage and its rotors, if the system consists of nothing else.
+    pub(super) direct: Option<Direct>,
     /// Constant inertia of each node (k, kg·m² or kg).
     pub(super) inertia: Vec<f64>,
     /// Sum of the constant loads on each node (k, N·m or N).
@@ -70,8 +77,12 @@ pub(super) struct Frozen {
     pub(super) groups: Vec<Group>,
     /// Number of directions: the components of the modes after the tracks.
     pub(super) directions: usize,
+    /// Number of guards of loads by expressions: the components after the directions.
+    pub(super) guards: usize,
     /// Internal nodes whose displacement is a signal beyond the coordinates.
     pub(super) extra: Vec<usize>,
+    /// True where contacts are rigid.
+    pub(super) impacts: bool,
 }
 
 /// One step of the forward pass.
@@ -259,6 +270,14 @@ impl Frozen {
     #[inline(always)]
     pub(super) fn pair_mode(&self, chain: &Chain, modes: &[i64]) -> i64 {
         segment(modes, chain.component)
+    }
+
+    /// True of the coordinate of a motor's rotor.
+    pub(super) fn is_rotor(&self, coordinate: usize) -> bool {
+        // (Only rotors have no link, but for bodies on a rigid contact.)
+        self.stiffness[coordinate] == 0.0
+            && (self.steps.iter())
+                .any(|step| matches!(step, Step::Rotor(rotor) if rotor.coordinate == coordinate))
     }
 
     /// True when the motion of a node hangs on a free coordinate.

@@ -2,7 +2,9 @@
 
 use super::forest::Forest;
 
-use super::frozen::{Frozen, Step};
+use super::frozen::{Chain, Frozen, Step};
+use super::multi::SmallMotion;
+use super::pairs::OPEN;
 use super::passes::{Extent, Work};
 use crate::dynamics::model::LoadLaw;
 use nalgebra::{DMatrix, DVector};
@@ -10,15 +12,24 @@ use nalgebra::{DMatrix, DVector};
 impl Frozen {
     /// Mass and stiffness at the position at t = 0, on the law.
     pub(super) fn linearised(&self, regime: Regime, modes: &[i64]) -> Linearised {
-        // A massless point has no motion of its own: contact and link 1 are in series.
-        let points = || self.chains.iter().filter(|chain| chain.point);
+        // A massless point has no motion of its own: contact and link 1 are in series. Nor
+        // has a body that a rigid contact holds.
+        let held =
+            |chain: &Chain| regime == Regime::Engaged && chain.contact.restitution().is_some();
+        let left_out = || (self.chains.iter()).filter(|chain| chain.point || held(chain));
         let place = |coordinate: usize| {
-            let before = points().filter(|chain| chain.first_coordinate < coordinate);
+            let before = left_out().filter(|chain| chain.first_coordinate < coordinate);
             coordinate - before.count()
         };
-        let n = self.coordinates - points().count();
+        let n = self.coordinates - left_out().count();
         let mut work = Work::new(self);
         self.motion(0.0, &self.law_state(), modes, Extent::Full, &mut work);
+        for (mode, chain) in work.pair_modes.iter_mut().zip(&self.chains) {
+            *mode = match held(chain) {
+                true => chain.contact.sides()[0],
+                false => OPEN,
+            };
+        }
         self.reduce_rigid(Extent::Full, &mut work);
         // Every node's displacement is a sum of factors times free coordinates: none,
         // where it is prescribed, and more than one only behind a constraint.
@@ -51,11 +62,15 @@ impl Frozen {
                     let first = chain.first_coordinate;
                     // (Drivers, and so their coordinates, come first.)
                     let reduced = place(first);
+                    let base = through(&moves[self.laws[chain.law].driver], slope);
+                    if held(chain) {
+                        moves[chain.first_node] = base;
+                        continue;
+                    }
                     for (m, node) in chain.nodes().skip(own).enumerate() {
                         moves[node] = vec![(reduced + m, 1.0)];
                         mass[reduced + m] = work.mass[node];
                     }
-                    let base = through(&moves[self.laws[chain.law].driver], slope);
                     if regime == Regime::Engaged || !chain.contact.can_open() {
                         let series = match chain.point {
                             true => {
@@ -91,20 +106,36 @@ impl Frozen {
             if let LoadLaw::Spring { rate, .. } = &load.law {
                 add_square(&mut stiffness, *rate, &moves[load.node]);
             }
+            if let Some(written) = load.written.as_ref().filter(|own| own.rate != 0.0) {
+                add_square(&mut stiffness, written.rate, &moves[load.node]);
+            }
         }
         for (index, linkage) in self.linkages.iter().enumerate() {
             let own = self.potential_stiffness(index, &work);
             add_square(&mut stiffness, own, &moves[linkage.node]);
         }
-        let coupled = (!self.heavy.is_empty()).then(|| {
+        let several: Vec<SmallMotion> = (0..self.multi.len())
+            .map(|index| self.small_motion(index, &work))
+            .collect();
+        for (multi, own) in self.multi.iter().zip(&several) {
+            add_form(&mut stiffness, &own.stiffness, &multi.nodes, &moves);
+        }
+        let mut coupled = (!self.heavy.is_empty() || !several.is_empty()).then(|| {
             let diagonal = DVector::from_column_slice(&mass);
             let mut matrix = Stiffness::Full(DMatrix::from_diagonal(&diagonal));
             for &index in &self.heavy {
                 let node = self.constraints[index].node;
                 add_square(&mut matrix, work.mass[node], &moves[node]);
             }
+            for (multi, own) in self.multi.iter().zip(&several) {
+                add_form(&mut matrix, &own.mass, &multi.nodes, &moves);
+            }
             matrix.full()
         });
+        if let Some(coupled) = coupled.as_mut().filter(|_| !several.is_empty()) {
+            // Coordinates may have no inertia but that of a linkage of several inputs.
+            mass = coupled.diagonal().iter().copied().collect();
+        }
         Linearised {
             mass,
             coupled,
@@ -200,6 +231,19 @@ impl Stiffness {
             }
         }
         matrix
+    }
+}
+
+/// Adds Σ a_ij·x_i·x_j, each x the displacement of a node, a sum of factors times coordinates.
+fn add_form(matrix: &mut Stiffness, a: &[f64], nodes: &[usize], moves: &[Vec<(usize, f64)>]) {
+    for (i, &one) in nodes.iter().enumerate() {
+        for (j, &other) in nodes.iter().enumerate() {
+            for &(c, f) in &moves[one] {
+                for &(d, g) in &moves[other] {
+                    matrix.add(c, d, a[i * nodes.len() + j] * f * g);
+                }
+            }
+        }
     }
 }
 

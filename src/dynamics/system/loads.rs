@@ -1,5 +1,6 @@
 //! Loads whose force is not constant.
 
+use super::written::Written;
 use crate::dynamics::model::{LinearPiece, LoadLaw, Track};
 use crate::kinematics::breaks::Breaks;
 use crate::math::quantity::Quantity;
@@ -15,6 +16,8 @@ pub(super) struct FrozenLoad {
     pub(super) argument: Option<Argument>,
     /// Of [`LoadLaw::Stop`]: index into [`Frozen::stops`](super::frozen::Frozen::stops).
     pub(super) stop: Option<usize>,
+    /// Of [`LoadLaw::Written`]: the expression.
+    pub(super) written: Option<Written>,
 }
 
 /// Argument of a load's table: what it runs over.
@@ -51,8 +54,8 @@ impl FrozenLoad {
     ) -> N {
         match &self.law {
             LoadLaw::Constant(force) => N::from(*force),
-            // (A stop's force depends on its mode.)
-            LoadLaw::Stop(_) => N::from(0.0),
+            // (A stop's force depends on its mode, that of an expression on other nodes.)
+            LoadLaw::Stop(_) | LoadLaw::Written(_) => N::from(0.0),
             LoadLaw::Pieces { pieces, .. } => match &self.argument {
                 Some(axis) => {
                     let (x, segment) = argument(axis);
@@ -124,6 +127,7 @@ pub(super) fn needs_speed(law: &LoadLaw) -> bool {
         | LoadLaw::Kloss { .. }
         | LoadLaw::SpeedTable(_) => true,
         LoadLaw::Custom { function, .. } => function.needs_speed(),
+        LoadLaw::Written(written) => written.needs_speed(),
     }
 }
 

@@ -23,12 +23,14 @@ mod friction;
 mod frozen;
 mod growth;
 mod hertz;
+mod impacts;
 mod kappa;
 mod linearised;
 mod linkages;
 mod links;
 mod loads;
 mod masses;
+mod multi;
 mod observe;
 mod onset;
 mod outlook;
@@ -55,6 +57,7 @@ mod testing_random;
 #[cfg(test)]
 mod tests;
 mod trains;
+mod written;
 
 pub use frequencies::VibrationMode;
 pub(crate) use friction::StickSlip;
@@ -144,6 +147,9 @@ pub struct ObjectState {
     pub lift: f64,
     /// Indentation p ≥ 0 of the contact element of a pair that can open; 0 without one.
     pub indentation: f64,
+    /// Hertzian pressure between a follower and its cam (Pa); 0 where they do not press on
+    /// each other, and where nothing is known of their material.
+    pub pressure: f64,
 }
 
 /// Powers at an instant (W).
@@ -211,9 +217,14 @@ impl System {
     /// Scale of each state entry. (Exact propagation needs none: thousands of
     /// samples of the laws are saved in a map.)
     fn scales_of_state(&self) -> &[f64] {
-        let sample = || Arc::new(scales::sample(&self.frozen));
         self.scales
-            .get_or_init(|| scales::scales(&self.frozen, self.sampled.get_or_init(sample)))
+            .get_or_init(|| scales::scales(&self.frozen, self.laws_sampled()))
+    }
+
+    /// The laws along the motion of the drives.
+    fn laws_sampled(&self) -> &Sampled {
+        let sample = || Arc::new(scales::sample(&self.frozen));
+        self.sampled.get_or_init(sample)
     }
 
     /// The samples of its laws that scales are found from, if they have been taken

@@ -6,7 +6,8 @@ use super::passes::{Extent, Work};
 use super::reduced::Modal;
 use super::{Energy, ObjectState, Power, Scratch, System};
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{Closure, LoadLaw, Model, ObjectPart, Pair};
+use crate::dynamics::model::{Closure, LoadLaw, Model, ObjectPart, Pair, Pressing};
+use std::sync::Arc;
 
 /// Place of an object of the model in the frozen layout.
 #[derive(Clone, Debug)]
@@ -19,6 +20,8 @@ pub(super) struct ObjectPlace {
     driven_end: Option<Rigid>,
     /// Of an object that is reduced to modes what it is the sum of.
     pub(super) modal: Option<Modal>,
+    /// The cam that it is pressed on, with the node that turns it.
+    pressing: Option<(Arc<Pressing>, usize)>,
 }
 
 /// Body of an object: drive, motor, rigid object or chain.
@@ -35,6 +38,8 @@ pub(super) enum Body {
     },
     /// A rigid object, with its pair.
     Rigid(Rigid, Pair),
+    /// An output of a linkage of several inputs.
+    Output,
     /// A chain, index into [`Frozen::chains`].
     Chain(usize),
     /// A stop, index into [`Frozen::stops`].
@@ -61,7 +66,10 @@ fn pressed(pair: &Pair, pull: f64) -> f64 {
 impl ObjectPlace {
     /// Finds an object of the model in the frozen layout.
     pub(super) fn find(frozen: &Frozen, model: &Model, part: &ObjectPart) -> Self {
-        let node = frozen.internal[part.nodes[part.nodes.len() - 1]];
+        let own = part.nodes[part.nodes.len() - 1];
+        // Such a linkage shows its first input.
+        let multi = model.multi_linkages.iter().find(|multi| multi.node == own);
+        let node = frozen.internal[multi.map_or(own, |multi| multi.inputs[0])];
         let body = frozen
             .steps
             .iter()
@@ -75,6 +83,9 @@ impl ObjectPlace {
                 Step::Chain(index) if frozen.chains[*index].nodes().contains(&node) => {
                     Some(Body::Chain(*index))
                 }
+                Step::Constrained(index) if frozen.constraints[*index].node == node => {
+                    Some(Body::Output)
+                }
                 _ => None,
             })
             // Every node has its step.
@@ -86,6 +97,10 @@ impl ObjectPlace {
             body,
             driven_end: end.and_then(rigid).copied(),
             modal: None,
+            pressing: part.pressing.clone().and_then(|pressing| {
+                let law = frozen.law_of_node(node)?;
+                Some((pressing, frozen.laws[law].driver))
+            }),
         }
     }
 }
@@ -97,8 +112,17 @@ fn motor(frozen: &Frozen, model: &Model, part: &ObjectPart, internal: usize) -> 
         let rest = name.strip_prefix(part.id.as_str());
         rest.is_some_and(|rest| [".torque", ".motor.torque", ".motor.force"].contains(&rest))
     };
+    // Constant loads have no place of their own in the layout.
+    let varying = (model.loads.iter()).filter(|load| !matches!(load.law, LoadLaw::Constant(_)));
+    let torque: Vec<usize> = (varying.enumerate())
+        .filter(|(_, load)| load.node == part.nodes[0] && own(&load.name))
+        .map(|(index, _)| index)
+        .collect();
     let loads = (0..frozen.loads.len())
-        .filter(|&load| frozen.loads[load].node == internal && is_motor(&frozen.loads[load].law))
+        .filter(|&load| {
+            let own = &frozen.loads[load];
+            own.node == internal && (is_motor(&own.law) || torque.contains(&load))
+        })
         .collect();
     let constant = model
         .loads
@@ -113,6 +137,11 @@ fn motor(frozen: &Frozen, model: &Model, part: &ObjectPart, internal: usize) -> 
 }
 
 impl System {
+    /// True of a motor, and of a free input of a linkage: its displacement is a coordinate.
+    pub(super) fn is_rotor(&self, object: usize) -> bool {
+        matches!(self.places[object].body, Body::Motor { .. })
+    }
+
     /// A complete evaluation into `scratch`.
     pub(super) fn evaluate_fully(
         &self,
@@ -200,7 +229,15 @@ impl System {
                     out.reaction = rigid.pull(work);
                     out.contact_force = pressed(pair, out.reaction);
                 }
-                Body::Stop(stop) => self.frozen.stops[*stop].observe(&modes.0, work, out),
+                // The force with which what hangs on it pulls.
+                Body::Output => {
+                    let inertia = work.mass[place.node] * work.acceleration[place.node];
+                    out.reaction = work.force[place.node] - inertia;
+                }
+                Body::Stop(stop) => {
+                    let held = work.stop_reaction[*stop];
+                    self.frozen.stops[*stop].observe(&modes.0, held, work, out);
+                }
                 Body::Chain(chain) => {
                     let reaction = work.reaction[*chain];
                     self.observe_chain(&self.frozen.chains[*chain], y, modes, reaction, out);
@@ -214,6 +251,9 @@ impl System {
                 if let Body::Rigid(_, pair) = &place.body {
                     out.contact_force = pressed(pair, out.reaction);
                 }
+            }
+            if let Some((pressing, cam)) = &place.pressing {
+                out.pressure = pressing.pressure(work.displacement[*cam], out.reaction);
             }
         }
     }
@@ -272,6 +312,11 @@ impl System {
             let (reduced, speed) = (frozen.linkage(index, work), work.speed[linkage.node]);
             applied += reduced.applied * speed;
             damped -= reduced.damping * speed;
+        }
+        for own in &work.multi {
+            let power = own.space.power();
+            applied += power.applied;
+            damped += power.dissipated;
         }
         let chains = frozen.chains.iter();
         Power {

@@ -28,6 +28,10 @@ impl System {
             .iter()
             .zip(modes[..frozen.contacts()].iter_mut())
         {
+            if contact.is_rigid() {
+                // Its mode has been settled by itself.
+                continue;
+            }
             match contact.mode_now() {
                 Some(now) => *mode = now,
                 None => decided = false,
@@ -43,7 +47,10 @@ impl System {
             tried.push(modes.to_vec());
             let motion = frozen.develop(state, noise, modes);
             let contradicted = frozen.deformations(&motion, modes);
-            let contradicted = (contradicted.iter().map(Deformation::mode_ahead).enumerate())
+            let ahead = contradicted.iter().enumerate();
+            let ahead = ahead.filter(|(_, contact)| !contact.is_rigid());
+            let contradicted = ahead
+                .map(|(number, contact)| (number, contact.mode_ahead()))
                 .find(|&(contact, mode)| mode != modes[contact]);
             match contradicted {
                 Some((contact, mode)) => modes[contact] = mode,
@@ -62,6 +69,10 @@ struct Deformation<'f> {
 }
 
 impl Deformation<'_> {
+    fn is_rigid(&self) -> bool {
+        self.contact.restitution().is_some()
+    }
+
     fn presses(&self, side: i64) -> [Series; 2] {
         self.contact.presses(side, self.x, self.v)
     }
@@ -70,6 +81,9 @@ impl Deformation<'_> {
     /// rates are known decides the contact: what is not known yet comes after the
     /// first derivative that does not vanish.
     fn tells(&self, known: usize) -> bool {
+        if self.is_rigid() {
+            return true;
+        }
         let sides = self.contact.sides().iter();
         let mut guards = sides.flat_map(|&side| self.presses(side).map(|guard| guard.leading()));
         guards.all(|power| power.is_some_and(|power| power <= known))

@@ -25,7 +25,8 @@ impl System {
     /// part of the mechanism.
     pub fn bends(&self) -> bool {
         let bent = |law: &super::frozen::FrozenLaw| !matches!(law.position, Position::Ratio { .. });
-        !self.frozen.linkages.is_empty() || self.frozen.laws.iter().any(bent)
+        let linkages = !self.frozen.linkages.is_empty() || !self.frozen.multi.is_empty();
+        linkages || self.frozen.laws.iter().any(bent)
     }
 
     /// Part of the mechanism that has no power series because it is not known to the
@@ -33,7 +34,9 @@ impl System {
     pub(crate) fn without_series(&self) -> Option<&'static str> {
         let frozen = &self.frozen;
         let custom = |load: &super::loads::FrozenLoad| matches!(load.law, LoadLaw::Custom { .. });
-        if frozen
+        if !frozen.multi.is_empty() {
+            Some("a linkage with several inputs, which couples coordinates,")
+        } else if frozen
             .constraints
             .iter()
             .any(|one| !one.constraint.is_linear())
@@ -74,8 +77,7 @@ impl System {
         let tracks = frozen.tracks.iter().map(|track| match track.node {
             None => passed(&track.breaks, duration),
             Some(node) => match frozen.coordinate[node] {
-                // Only rotors have no link.
-                Some(rotor) if frozen.stiffness[rotor] == 0.0 => {
+                Some(rotor) if frozen.is_rotor(rotor) => {
                     let speed = self.scales_of_state()[frozen.coordinates + rotor];
                     passed(&track.breaks, speed * duration)
                 }
@@ -83,7 +85,7 @@ impl System {
             },
         });
         let sides = frozen.groups.iter().map(|group| match group.coordinate {
-            Some(rotor) if frozen.stiffness[rotor] == 0.0 => {
+            Some(rotor) if frozen.is_rotor(rotor) => {
                 let speed = self.scales_of_state()[frozen.coordinates + rotor];
                 SIDES * group.rubbing_guides() * speed * duration / TAU
             }

@@ -32,6 +32,8 @@ pub(super) struct Contact {
     pub(super) kappa: Option<f64>,
     /// The elastic force where it is no c·p.
     hertz: Option<Hertz>,
+    /// e of a rigid contact: its force is no function of p and ṗ, see [`super::impacts`].
+    restitution: Option<f64>,
 }
 
 impl Contact {
@@ -44,6 +46,7 @@ impl Contact {
         damping: 0.0,
         kappa: None,
         hertz: None,
+        restitution: None,
     };
 
     /// A pair on a link. A κ still to be found (from the static penetration)
@@ -69,7 +72,7 @@ impl Contact {
             ));
         }
         let kappa = match pair.law {
-            DampingLaw::KelvinVoigt => None,
+            DampingLaw::KelvinVoigt | DampingLaw::Restitution { .. } => None,
             DampingLaw::HuntCrossley { kappa } => Some(kappa.unwrap_or(0.0)),
             DampingLaw::Hertz { dissipation, .. } => Some(dissipation),
         };
@@ -87,6 +90,17 @@ impl Contact {
                 "seconds per unit of penetration",
             ));
         }
+        let restitution = match pair.law {
+            DampingLaw::Restitution { coefficient } => Some(coefficient),
+            _ => None,
+        };
+        if restitution.is_some_and(|e| !(0.0..=1.0).contains(&e)) {
+            return Err(Fault::new(
+                format!("{object}.pair.contact.restitution"),
+                "a coefficient of restitution lies between 0 and 1",
+                "0: what comes together stays together; 1: nothing is lost",
+            ));
+        }
         let half_gap = match pair.closure {
             Closure::Form => 0.5 * pair.gap,
             Closure::Bilateral | Closure::Force => 0.0,
@@ -99,6 +113,7 @@ impl Contact {
             damping,
             kappa,
             hertz,
+            restitution,
         })
     }
 
@@ -115,6 +130,17 @@ impl Contact {
             Closure::Force => &[-1],
             Closure::Form => &[-1, 1],
         }
+    }
+
+    /// e of a rigid contact.
+    pub(super) fn restitution(&self) -> Option<f64> {
+        self.restitution
+    }
+
+    /// True in a mode in which a rigid contact holds.
+    #[inline(always)]
+    pub(super) fn holds(&self, mode: i64) -> bool {
+        self.restitution.is_some() && mode != OPEN
     }
 
     /// Penetration p of the flank on a side and its rate, negative when clear of it.
@@ -138,6 +164,9 @@ impl Contact {
 
     /// Penetration of a flank at rest under a force N ≥ 0.
     pub(super) fn depth_under(&self, force: f64) -> f64 {
+        if self.restitution.is_some() {
+            return 0.0;
+        }
         match self.hertz {
             None => force / self.stiffness,
             Some(hertz) => hertz.penetration(force),
@@ -160,13 +189,14 @@ impl Contact {
     }
 
     /// F of link 1: smooth in x and v while the mode does not change, also
-    /// beyond the place where it should have changed.
+    /// beyond the place where it should have changed. Of a rigid contact, which has no
+    /// force by itself, 0.
     #[inline(always)]
     pub(super) fn force<N: Quantity>(&self, mode: i64, x: N, v: N) -> N {
         if self.closure == Closure::Bilateral {
             return x.scale(self.stiffness) + v.scale(self.damping);
         }
-        if mode == OPEN {
+        if mode == OPEN || self.restitution.is_some() {
             return N::from(0.0);
         }
         let (p, rate) = self.penetration(mode, x, v);
@@ -184,6 +214,7 @@ impl Contact {
     pub(super) fn presses<N: Number>(&self, side: i64, x: N, v: N) -> [N; 2] {
         let (p, rate) = self.penetration(side, x, v);
         match self.kappa {
+            None if self.restitution.is_some() => [p, p],
             None => [p, p + rate.scale(self.damping / self.stiffness)],
             Some(kappa) => [p, N::from(1.0) + rate.scale(kappa)],
         }
@@ -199,6 +230,7 @@ impl Contact {
             speed: 0.0,
         };
         let pressing = match self.kappa {
+            None if self.restitution.is_some() => depth,
             None => Guard {
                 speed: side * self.damping / self.stiffness,
                 ..depth
@@ -221,6 +253,10 @@ impl Contact {
         component: usize,
         out: &mut Vec<EventFunction>,
     ) {
+        if self.holds(mode) {
+            // Whether it comes apart only its force tells.
+            return;
+        }
         if mode != OPEN {
             out.push(EventFunction {
                 guards: self.guards(mode, (signal, zero)),

@@ -12,6 +12,7 @@ use super::constraints::{Chains, ConstraintValues, Coupling};
 use super::friction::Rubbing;
 use super::frozen::{Chain, Frozen, Step, segment};
 use super::linkages::{Cursor, Solved};
+use super::multi::{Dense, MultiWork};
 use crate::math::quantity::Quantity;
 use std::cell::{Cell, RefCell};
 
@@ -48,10 +49,21 @@ pub(super) struct Work<N> {
     pub(super) reaction: Vec<N>,
     /// The modes of the chains' pairs that these reactions belong to.
     pub(super) pair_modes: Vec<i64>,
+    /// The modes of the stops, where there are rigid contacts.
+    pub(super) stop_modes: Vec<i64>,
+    /// Forces of rigid stops on their masses.
+    pub(super) stop_reaction: Vec<N>,
+    /// Room for modes with a rigid contact opened, and for accelerations in them.
+    pub(super) opened: Vec<i64>,
+    pub(super) parting: Vec<N>,
     /// The constraints with several drivers.
     pub(super) constraints: Vec<ConstraintValues<N>>,
     /// Room for the inertia forces on them.
     pub(super) coupling: Coupling<N>,
+    /// The linkages of several inputs.
+    pub(super) multi: Vec<MultiWork<N>>,
+    /// Room for their inertia forces.
+    pub(super) dense: Dense<N>,
     /// J of the linkages, for the right-hand side.
     pub(super) reduced_inertia: Vec<N>,
     /// The linkages, solved once for all that looks at them.
@@ -82,10 +94,22 @@ impl<N: Quantity> Work<N> {
             laws: vec![law; frozen.laws.len()],
             reaction: vec![zero; frozen.chains.len()],
             pair_modes: vec![0; frozen.chains.len()],
+            stop_modes: vec![0; frozen.stops.len()],
+            stop_reaction: vec![zero; frozen.stops.len()],
+            opened: Vec::with_capacity(match frozen.impacts {
+                true => frozen.no_modes().len(),
+                false => 0,
+            }),
+            parting: match frozen.impacts {
+                true => vec![zero; frozen.coordinates],
+                false => Vec::new(),
+            },
             constraints: (frozen.constraints.iter())
                 .map(ConstraintValues::new)
                 .collect(),
             coupling: Coupling::new(frozen),
+            multi: frozen.multi.iter().map(MultiWork::new).collect(),
+            dense: Dense::new(frozen),
             reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
             rubbing: frozen.rubbing_memory(),
@@ -122,6 +146,9 @@ impl Frozen {
             if self.coupled.is_empty() {
                 return;
             }
+            if let Some(direct) = &self.direct {
+                return self.evaluate_direct(direct, (time, state, modes), work, out);
+            }
             if !self.trains.is_empty() {
                 return self.evaluate_trains(time, state, modes, work, out);
             }
@@ -132,6 +159,12 @@ impl Frozen {
         self.reduce_rigid(extent, work);
         if !self.groups.is_empty() {
             self.rub(state, modes, extent, work);
+        }
+        if !self.multi.is_empty() {
+            self.hold_rotors(work);
+            self.accelerate(state, extent, work, out);
+            self.couple_densely(extent, Chains::Free, work);
+            return self.accelerate(state, extent, work, out);
         }
         self.accelerate(state, extent, work, out);
         if !self.heavy.is_empty() && self.couple(extent, Chains::Free, work) {
@@ -235,6 +268,9 @@ impl Frozen {
             work.force[self.loads[index].node] += force;
         }
         self.apply_linkages(extent, work);
+        if !self.multi.is_empty() {
+            self.apply_multi(true, work);
+        }
     }
 
     /// The force of one of the loads that are not constant.
@@ -252,6 +288,9 @@ impl Frozen {
             let stop = &self.stops[stop];
             return stop.force(modes[stop.component], displacement, speed);
         }
+        if let Some(written) = &load.written {
+            return written.force(time, modes, work);
+        }
         load.force(displacement, speed, |axis| {
             let place = axis.node.map_or(time, |node| work.displacement[node]);
             (place, modes[axis.component])
@@ -267,6 +306,11 @@ impl Frozen {
         extent: Extent,
         work: &mut Work<N>,
     ) {
+        if self.impacts {
+            for (mode, stop) in work.stop_modes.iter_mut().zip(&self.stops) {
+                *mode = modes[stop.component];
+            }
+        }
         for step in self.steps_of(extent) {
             let Step::Chain(index) = *step else {
                 continue;
@@ -292,8 +336,8 @@ impl Frozen {
     /// Hands the inertia and the forces of rigid nodes to their drivers, the
     /// last driven first.
     pub(super) fn reduce_rigid<N: Quantity>(&self, extent: Extent, work: &mut Work<N>) {
-        if !self.constraints.is_empty() {
-            return self.reduce_constrained(extent, work);
+        if !self.constraints.is_empty() || self.impacts {
+            return self.reduce_steps(extent, work);
         }
         let rigids = match extent {
             Extent::Needed => &self.needed_rigids,

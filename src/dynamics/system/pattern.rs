@@ -5,7 +5,8 @@
 //! number and U″ is zero.
 
 use super::constraints::Constrained;
-use super::frozen::{Chain, Frozen, Step};
+use super::frozen::{Chain, Frozen, Rigid, Step};
+use super::written::Written;
 use crate::dynamics::model::LoadLaw;
 use crate::kinematics::position::Position;
 use std::collections::BTreeSet;
@@ -115,10 +116,13 @@ impl Frozen {
     fn collect_loads(&self, of: &mut Dependences) {
         for load in &self.loads {
             let mut set = match load.law {
-                LoadLaw::Constant(_) | LoadLaw::Pieces { .. } => Set::new(),
+                LoadLaw::Constant(_) | LoadLaw::Pieces { .. } | LoadLaw::Written(_) => Set::new(),
                 _ => of.place[load.node].clone(),
             };
             if let Some(node) = load.argument.as_ref().and_then(|axis| axis.node) {
+                set.extend(&of.place[node]);
+            }
+            for node in load.written.iter().flat_map(Written::nodes) {
                 set.extend(&of.place[node]);
             }
             of.force[load.node].extend(set);
@@ -143,6 +147,14 @@ impl Frozen {
         for step in self.steps.iter().rev() {
             let rigid = match *step {
                 Step::Rigid(index) => self.rigids[index],
+                // A rigid contact may hold it.
+                Step::Chain(index) if self.chains[index].contact.restitution().is_some() => {
+                    let chain = &self.chains[index];
+                    Rigid {
+                        node: chain.first_node,
+                        law: chain.law,
+                    }
+                }
                 Step::Constrained(index) => {
                     let one = &self.constraints[index];
                     let force = &self.gradient(one, &of.place) | &of.force[one.node];
@@ -181,6 +193,11 @@ impl Frozen {
     fn couple_sets(&self, of: &mut Dependences) {
         let mut all = Set::new();
         let mut roots = Set::new();
+        for &node in self.multi.iter().flat_map(|multi| &multi.nodes) {
+            all.extend(&of.place[node]);
+            all.extend(&of.force[node]);
+            roots.extend(self.roots(node));
+        }
         for &index in &self.heavy {
             let node = self.constraints[index].node;
             all.extend(&of.place[node]);

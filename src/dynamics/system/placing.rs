@@ -3,11 +3,15 @@
 use super::balance::{Balance, Balanced, resting_mode};
 use super::frozen::{Chain, Frozen, Step};
 use super::passes::{Extent, Work};
+use crate::math::expression::OPEN;
 
 impl Frozen {
-    /// Modes with every pair open and every track in segment 0.
+    /// Modes with every pair open, every track in segment 0 and every guard of an expression
+    /// by its value.
     pub(super) fn no_modes(&self) -> Vec<i64> {
-        vec![0; self.contacts() + self.tracks.len() + self.directions]
+        let mut modes = vec![0; self.first_guard()];
+        modes.resize(modes.len() + self.guards, OPEN);
+        modes
     }
 
     /// The state on the law: u = 0, u̇ = 0, rotors at their start.
@@ -95,7 +99,7 @@ impl Frozen {
     /// Sets every track to the segment in which the state at t = 0 moves on.
     pub(super) fn locate_tracks(&self, state: &[f64], modes: &mut [i64]) {
         if self.tracks.is_empty() {
-            return;
+            return self.locate_guards(0.0, state, modes);
         }
         let mut work = Work::new(self);
         let mut out = vec![0.0; self.coordinates];
@@ -104,6 +108,7 @@ impl Frozen {
         for _ in 0..=self.tracks.len() {
             let mut settled = true;
             self.evaluate(0.0, state, modes, Extent::Full, &mut work, &mut out);
+            self.find_distances(&mut work);
             for (index, track) in self.tracks.iter().enumerate() {
                 let (place, sense) = match track.node {
                     None => (0.0, 1.0),
@@ -125,8 +130,9 @@ impl Frozen {
                 }
             }
             if settled {
-                return;
+                break;
             }
         }
+        self.locate_guards(0.0, state, modes);
     }
 }

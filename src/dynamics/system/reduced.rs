@@ -63,6 +63,7 @@ impl System {
     pub(crate) fn deviates(&self, object: usize) -> bool {
         self.places[object].modal.is_some()
             || (self.last_coordinate(object).is_some()
+                && !self.is_rotor(object)
                 && !self.model.objects[object].is_drive()
                 && self.stop_of(object).is_none())
     }

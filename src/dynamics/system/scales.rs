@@ -2,7 +2,8 @@
 //!
 //! The scale δ* of an object's deviation is the deflection under its loads and
 //! the inertia load of its law, (ΣW + J·max|U″φ̇² + U′φ̈|)/c, at least its gap; its
-//! speed's scale is δ*·√(c/J). J is the sum of its masses, c the stiffness of
+//! speed's scale is δ*·√(c/J); of a body on a rigid contact they are the way and the speed of
+//! its law. J is the sum of its masses, c the stiffness of
 //! its links in series. Followers load it with what they carry, times U′.
 //!
 //! The greatest accelerations are those of the mechanism on its laws, sampled
@@ -11,6 +12,7 @@
 use super::constraints::ConstraintValues;
 use super::frozen::{Chain, Frozen, FrozenLaw, Step};
 use super::loads::FrozenLoad;
+use super::multi::MultiWork;
 use super::passes::{Extent, Work};
 use crate::dynamics::model::LoadLaw;
 use std::f64::consts::PI;
@@ -44,9 +46,17 @@ pub(super) fn scales(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
     for step in &frozen.steps {
         match step {
             Step::Prescribed(_) | Step::Rigid(_) | Step::Constrained(_) => {}
+            Step::Chain(index) if frozen.chains[*index].contact.restitution().is_some() => {
+                let chain = &frozen.chains[*index];
+                let range = &sampled.ranges[chain.first_node];
+                let gap = 2.0 * chain.contact.half_gap;
+                let coordinate = chain.first_coordinate;
+                scales[coordinate] = positive(range.displacement.max(gap), FLOOR);
+                scales[n + coordinate] = positive(range.speed, FLOOR);
+            }
             Step::Rotor(rotor) => {
                 let speed = nominal_speed(frozen, rotor.node, rotor.speed);
-                scales[rotor.coordinate] = ROTOR_ANGLE;
+                scales[rotor.coordinate] = frozen.way_of(rotor.node).unwrap_or(ROTOR_ANGLE);
                 scales[n + rotor.coordinate] = positive(speed, 1.0);
             }
             Step::Chain(index) => {
@@ -112,7 +122,13 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
         .map(|force| force.abs())
         .collect();
     for load in &frozen.loads {
-        let force = magnitude(load, &ranges[load.node]);
+        let force = match &load.written {
+            Some(written) => written.magnitude(|node| {
+                let range = &ranges[node];
+                [range.displacement, range.speed]
+            }),
+            None => magnitude(load, &ranges[load.node]),
+        };
         carried[load.node] += if force.is_finite() { force } else { 0.0 };
     }
     for (node, range) in ranges.iter().enumerate() {
@@ -163,7 +179,8 @@ fn magnitude(load: &FrozenLoad, range: &Range) -> f64 {
         } => breakdown_torque.abs(),
         LoadLaw::SpeedTable(points) => points.iter().map(|point| point.1.abs()).fold(0.0, f64::max),
         // (It presses no more than it is pressed by all others.)
-        LoadLaw::Stop(_) => 0.0,
+        // (What is written is tried over all motions that it looks at.)
+        LoadLaw::Stop(_) | LoadLaw::Written(_) => 0.0,
         LoadLaw::Custom { function, factor } => (factor * function.magnitude()).abs(),
     }
 }
@@ -185,7 +202,12 @@ fn nominal_speed(frozen: &Frozen, node: usize, given: f64) -> f64 {
     if speed > 0.0 {
         return speed;
     }
-    (4.0 * PI * frozen.constant_force[node].abs() / carried_inertia(frozen, node)).sqrt()
+    // What an expression drives it with within a turn, at rest.
+    let written = frozen.loads.iter().filter(|load| load.node == node);
+    let written = written.filter_map(|load| load.written.as_ref());
+    let written: f64 = written.map(|own| own.magnitude(|_| [PI, 0.0])).sum();
+    let force = frozen.constant_force[node].abs() + written;
+    (4.0 * PI * force / carried_inertia(frozen, node)).sqrt()
 }
 
 /// Inertia of a rotor with that of all that follows it rigidly at t = 0 when it
@@ -220,6 +242,19 @@ pub(crate) struct Sampled {
     linkages: Vec<f64>,
 }
 
+/// The least time in which a sampled motion turns by a radian of its fastest change (s);
+/// infinite where none is accelerated.
+pub(super) fn quickest(sampled: &Sampled) -> f64 {
+    let moving = sampled
+        .ranges
+        .iter()
+        .filter(|range| range.acceleration > 0.0);
+    let times = moving.map(|range| range.speed / range.acceleration);
+    times
+        .filter(|&time| time > 0.0)
+        .fold(f64::INFINITY, f64::min)
+}
+
 /// Samples the laws along the motion of the drives.
 pub(super) fn sample(frozen: &Frozen) -> Sampled {
     let mut ranges = vec![Range::default(); frozen.inertia.len()];
@@ -232,6 +267,7 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
         .collect();
     let mut linkages = vec![0.0f64; frozen.linkages.len()];
     let memory = frozen.linkage_memory();
+    let mut multi: Vec<MultiWork<f64>> = frozen.multi.iter().map(MultiWork::new).collect();
     let mut motion = vec![[0.0; 3]; frozen.inertia.len()];
     for sample in 0..=SAMPLES {
         let share = sample as f64 / SAMPLES as f64;
@@ -257,7 +293,10 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
                 }
                 Step::Constrained(index) => {
                     let (own, values) = (&frozen.constraints[*index], &mut constraints[*index]);
-                    motion[own.node] = values.sample(own, &motion);
+                    motion[own.node] = match own.multi {
+                        None => values.sample(own, &motion),
+                        Some(place) => frozen.sample_multi(place, values, &mut multi, &motion),
+                    };
                     for (slope, first) in gradients[*index].iter_mut().zip(&values.first) {
                         *slope = slope.max(first.abs());
                     }

@@ -2,24 +2,22 @@
 //! only looked at from outside left out.
 
 use super::frozen::{Branch, Chain, Frozen, Rigid, Step};
+use super::multi::direct;
 use super::trains::trains;
+use super::written::Written;
 
 impl Frozen {
     /// Marks the chains that somebody looks at, and those that carry rigid objects.
     pub(super) fn mark_chains(&mut self) {
         let frozen = self;
-        let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))
-            .chain(
-                frozen
-                    .constraints
-                    .iter()
-                    .flat_map(|one| one.drivers.clone()),
-            )
-            .chain(frozen.loads.iter().map(|load| load.node))
-            .chain(frozen.tracks.iter().filter_map(|track| track.node))
-            .collect();
+        let watched = frozen.watched();
+        // What a rigid contact holds is carried rigidly too.
+        let held = (frozen.chains.iter())
+            .filter(|chain| chain.contact.restitution().is_some())
+            .map(|chain| frozen.laws[chain.law].driver);
         let carrying: Vec<usize> = (frozen.rigids.iter())
             .map(|rigid| frozen.laws[rigid.law].driver)
+            .chain(held)
             .collect();
         for chain in &mut frozen.chains {
             chain.watched = watched.iter().any(|node| chain.nodes().contains(node));
@@ -27,20 +25,21 @@ impl Frozen {
         }
     }
 
+    /// Nodes whose displacement or speed somebody asks for.
+    fn watched(&self) -> Vec<usize> {
+        (self.laws.iter().map(|law| law.driver))
+            .chain(self.constraints.iter().flat_map(|one| one.drivers.clone()))
+            .chain(self.loads.iter().map(|load| load.node))
+            .chain(self.written().flat_map(Written::nodes))
+            .chain(self.tracks.iter().filter_map(|track| track.node))
+            .collect()
+    }
+
     /// Outputs of linkages that are only looked at from outside: the equations
     /// of motion need not know where they are.
     fn idle_outputs(&self) -> Vec<usize> {
         let frozen = self;
-        let watched: Vec<usize> = (frozen.laws.iter().map(|law| law.driver))
-            .chain(
-                frozen
-                    .constraints
-                    .iter()
-                    .flat_map(|one| one.drivers.clone()),
-            )
-            .chain(frozen.loads.iter().map(|load| load.node))
-            .chain(frozen.tracks.iter().filter_map(|track| track.node))
-            .collect();
+        let watched = frozen.watched();
         let idle = |rigid: &&Rigid| {
             frozen.laws[rigid.law].output.is_some()
                 && frozen.constant_force[rigid.node] == 0.0
@@ -90,7 +89,8 @@ impl Frozen {
             let alone = match step {
                 Step::Chain(index) => {
                     let chain = frozen.chains[*index];
-                    let drive = drive_of(&chain).filter(|_| !chain.watched);
+                    let alone = !chain.watched && chain.contact.restitution().is_none();
+                    let drive = drive_of(&chain).filter(|_| alone);
                     drive.map(|drive| Branch {
                         drive,
                         law: frozen.laws[chain.law].clone(),
@@ -117,5 +117,6 @@ impl Frozen {
         frozen.branches = branches;
         frozen.coupled = coupled;
         frozen.trains = trains(frozen);
+        frozen.direct = direct(frozen);
     }
 }

@@ -43,7 +43,7 @@ impl System {
     fn place(&self) -> Result<InitialState, Vec<Fault>> {
         let mut warnings = Vec::new();
         let mut modes = self.frozen.no_modes();
-        let y = match &self.model.start {
+        let mut y = match &self.model.start {
             Start::OnLaw => self.explicit_state(&[], &mut modes)?,
             Start::Explicit(starts) => self.explicit_state(starts, &mut modes)?,
             Start::Static => {
@@ -54,6 +54,10 @@ impl System {
             Start::Kinetostatic => self.kinetostatic(&mut modes)?,
         };
         self.check_start(&y, &modes)?;
+        if self.frozen.impacts {
+            let noise = self.start_noise(&y, &modes);
+            self.settle_rigid(&mut y, &noise, &mut modes)?;
+        }
         Ok(InitialState {
             y,
             modes: Modes(modes),
@@ -66,6 +70,10 @@ impl System {
         let mut modes = self.frozen.no_modes();
         self.frozen.locate_tracks(y, &mut modes);
         let noise: Vec<f64> = y.iter().map(|entry| entry.abs()).collect();
+        if self.frozen.impacts {
+            // (Of a state on the way, which stands within no flank but by rounding.)
+            let _ = self.settle_rigid(&mut y.to_vec(), &noise, &mut modes);
+        }
         self.settle_pairs(y, &noise, &mut modes);
         self.frozen.locate_tracks(y, &mut modes);
         Modes(modes)

@@ -75,12 +75,22 @@ impl FrozenStop {
     }
 
     /// What it is doing.
-    pub(super) fn observe(&self, modes: &[i64], work: &Work<f64>, out: &mut ObjectState) {
+    /// `held`: the force of a rigid one that holds its mass.
+    pub(super) fn observe(
+        &self,
+        modes: &[i64],
+        held: f64,
+        work: &Work<f64>,
+        out: &mut ObjectState,
+    ) {
         let (displacement, speed) = (work.displacement[self.node], work.speed[self.node]);
         let (x, mode) = (self.deformation(displacement), modes[self.component]);
         out.deformation = x;
         out.deformation_speed = speed;
-        out.reaction = self.force(mode, displacement, speed);
+        out.reaction = match self.contact.holds(mode) {
+            true => held,
+            false => self.force(mode, displacement, speed),
+        };
         // At a switch located to rounding the force may be a rounding below 0.
         out.contact_force = (-mode as f64 * out.reaction).max(0.0);
         if mode == OPEN {
@@ -122,14 +132,27 @@ impl Frozen {
         self.motion(0.0, &balanced.state, before, Extent::Full, &mut work);
         for (index, chain) in self.chains.iter().enumerate() {
             let rested = self.rests(index, before);
+            let mut lands = false;
             for stop in self.stops_of(index) {
                 let x = stop.deformation(work.displacement[stop.node]);
                 let (depth, _) = stop.contact.penetration(stop.side(), x, 0.0);
-                modes[stop.component] = if depth > 0.0 { stop.side() } else { OPEN };
+                // (What lies on a rigid stop touches it, but for rounding.)
+                let lies = rested && stop.contact.holds(before[stop.component]);
+                modes[stop.component] = if depth > 0.0 || lies {
+                    stop.side()
+                } else {
+                    OPEN
+                };
+                lands |= depth > 0.0 && !rested && stop.contact.restitution().is_some();
             }
             let Some(component) = chain.component else {
                 continue;
             };
+            if lands {
+                // What would stand within a rigid stop lies on it.
+                modes[component] = OPEN;
+                continue;
+            }
             let reaction = balanced.reactions[index];
             if rested {
                 let x = balanced.state[chain.first_coordinate];

@@ -1,8 +1,9 @@
 //! Discrete state: pairs and tracks, what to watch, what a switch does.
 
 use super::System;
-use super::frozen::Frozen;
-use crate::dynamics::integrate::{EventFunction, Guard, Modes, PhysicalStop, Singularity};
+use super::frozen::{Frozen, FrozenTrack};
+use super::passes::Work;
+use crate::dynamics::integrate::{EventFunction, Guard, Impact, Modes, PhysicalStop, Singularity};
 use crate::dynamics::model::{Coordinate, NodeMotion};
 use crate::kinematics::linkage::{Cause, Reach};
 use crate::units::shown;
@@ -127,10 +128,21 @@ impl System {
         y: &mut [f64],
         watch: &EventFunction,
         modes: &mut Modes,
-    ) -> Result<(), PhysicalStop> {
+    ) -> Result<Option<Impact>, PhysicalStop> {
         let frozen = &self.frozen;
+        if watch.component >= frozen.first_guard() {
+            let passed = self.pass_guard(time, y, watch, &mut modes.0);
+            return passed.map(|()| None);
+        }
         if watch.component >= frozen.contacts() + frozen.tracks.len() {
-            return self.pass_direction(time, y, watch.component, watch.target, modes);
+            let passed = self.pass_direction(time, y, watch.component, watch.target, modes);
+            return passed.map(|()| None);
+        }
+        if frozen.is_rigid(watch.component) {
+            let impact = self.pass_rigid(time, y, watch, modes)?;
+            frozen.settle_points(y, &modes.0);
+            frozen.settle_sides(time, y, &mut modes.0);
+            return Ok(impact);
         }
         // (A stop has one flank and no gap: it opens where it is left.)
         if watch.component >= frozen.pairs.len() {
@@ -140,7 +152,7 @@ impl System {
             frozen.settle_points(y, &modes.0);
         }
         frozen.settle_sides(time, y, &mut modes.0);
-        Ok(())
+        Ok(None)
     }
 
     /// A pair comes into contact or leaves it.
@@ -159,6 +171,9 @@ impl System {
     /// The end of a run at an edge: a dead position, or the end of a travel.
     pub(super) fn end_of_reach(&self, time: f64, edge: &Singularity) -> PhysicalStop {
         let track = &self.frozen.tracks[edge.component - self.frozen.contacts()];
+        if let Some(stop) = self.end_at_distance(time, track) {
+            return stop;
+        }
         let part = &self.model.objects[track.object];
         let driver = part.driver().map(|driver| &self.model.objects[driver]);
         let place = match driver.map(|driver| driver.coordinate) {
@@ -195,6 +210,41 @@ impl System {
             object: id.clone(),
             message,
         }
+    }
+
+    /// The end of a run in a singular position of a linkage of several inputs.
+    fn end_at_distance(&self, time: f64, track: &FrozenTrack) -> Option<PhysicalStop> {
+        let (linkage, group) = self.frozen.distance_of(track.node?)?;
+        let linkage = &self.frozen.multi[linkage].linkage;
+        let id = &self.model.objects[track.object].id;
+        let group = linkage.structure().describe(group);
+        Some(PhysicalStop {
+            name: "dead_position",
+            object: id.clone(),
+            message: format!(
+                "{id} comes to a singular position of {group}, reached at t = {} s: its inputs do \
+                 not tell how it goes on",
+                shown(time, 9)
+            ),
+        })
+    }
+
+    /// What a linkage of several inputs that could not be assembled at the last evaluation
+    /// has come to.
+    pub(super) fn singular_obstacle(&self, work: &Work<f64>) -> Option<PhysicalStop> {
+        let (object, group) = self.frozen.unassembled(work)?;
+        let id = &self.model.objects[object].id;
+        let mut bodies = self.model.multi_linkages.iter();
+        let body = bodies.find(|body| body.object == object)?;
+        let group = body.linkage.structure().describe(group);
+        Some(PhysicalStop {
+            name: "dead_position",
+            object: id.clone(),
+            message: format!(
+                "{id} cannot be assembled beyond: a singular position of {group}, where its inputs \
+                 do not tell how it goes on"
+            ),
+        })
     }
 
     /// Why a linkage goes no further than where its driver has a displacement,

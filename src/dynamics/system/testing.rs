@@ -147,6 +147,7 @@ fn add_part(
         contact: None,
         driven_end: None,
         rigid_pair: None,
+        pressing: None,
     });
     model.objects.len() - 1
 }

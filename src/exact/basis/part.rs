@@ -17,6 +17,11 @@ pub(super) fn parts(problem: &TreeProblem, states: &[PairState]) -> Vec<Part> {
     let mut place: Vec<(usize, usize)> = Vec::new();
     for (i, mass) in problem.masses.iter().enumerate() {
         let engaged = mass.pair.flanks().1 == 0 || states[i].engaged();
+        if engaged && mass.restitution.is_some() {
+            // It is held, and has no motion of its own.
+            place.push((usize::MAX, 0));
+            continue;
+        }
         let host = mass.parent.filter(|_| engaged).map(|p| place[p]);
         let on = if engaged { 1.0 } else { 0.0 };
         let node = Node {

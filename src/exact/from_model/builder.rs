@@ -10,7 +10,7 @@ use crate::dynamics::model::{
     TrackSource,
 };
 use crate::dynamics::system::System;
-use crate::exact::{Law, Refusal, TreeMass, TreeObject, TreePair, TreeProblem};
+use crate::exact::{Law, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem};
 
 /// Role of a node in exact propagation.
 #[derive(Clone, Debug)]
@@ -63,6 +63,11 @@ pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
             builder.refuse(body.object, reason);
         }
     }
+    for body in &model.multi_linkages {
+        let reason = "it has several inputs, which it couples and loads by its own inertia: what \
+                      drives it is integrated with it";
+        builder.refuse(body.object, reason);
+    }
     if !builder.refusals.is_empty() {
         return builder.finish();
     }
@@ -74,6 +79,7 @@ pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
     for load in &model.loads {
         builder.load(load);
     }
+    builder.look_at_rigid_pairs();
     builder.look_at_tracks();
     builder.look_at_laws();
     builder.finish()
@@ -248,6 +254,9 @@ impl<'m> Builder<'m> {
             let (mut linear, mut nonlinear) = (true, "");
             if let LinkBase::Law { pair } = &link.base {
                 (mass.pair, linear) = tree_pair(pair);
+                if let DampingLaw::Restitution { coefficient } = pair.law {
+                    mass.restitution = Some(coefficient);
+                }
                 nonlinear = match pair.law {
                     DampingLaw::Hertz { .. } => "its contact force is not linear (Hertz)",
                     _ => "its contact force is not linear (Hunt–Crossley)",
@@ -280,6 +289,34 @@ impl<'m> Builder<'m> {
         added.objects.push(object);
         if let Some(component) = self.system.pair_component(object) {
             added.pairs.push((first, component));
+        }
+    }
+
+    /// What is held by a rigid pair is propagated alone, under loads that are constant.
+    fn look_at_rigid_pairs(&mut self) {
+        for tree in 0..self.trees.len() {
+            let Part {
+                problem, objects, ..
+            } = &self.trees[tree];
+            let rigid = |mass: &TreeMass| mass.restitution.is_some();
+            let Some(own) = problem.masses.iter().position(rigid) else {
+                continue;
+            };
+            let mass = &problem.masses[own];
+            let constant = |load: &TimeLoad| matches!(load, TimeLoad::Constant(_));
+            let reason = if problem.masses.len() > 1 {
+                "its contact is rigid, and another object moves elastically on it or carries it"
+            } else if !mass.loads.iter().all(constant) {
+                "its contact is rigid, under a load that is not constant"
+            } else if mass.ground_damping != 0.0 {
+                "its contact is rigid, under a load that depends on its speed"
+            } else {
+                continue;
+            };
+            for object in objects.clone() {
+                self.refuse(object, reason);
+            }
+            self.spoiled[tree] = true;
         }
     }
 
@@ -367,7 +404,10 @@ fn follow<'m>(course: &PrescribedMotion, laws: &[&'m ModelLaw], law: &'m ModelLa
 
 /// The pair, and whether its force is linear while it is engaged.
 fn tree_pair(pair: &Pair) -> (TreePair, bool) {
-    let linear = pair.law == DampingLaw::KelvinVoigt;
+    let linear = matches!(
+        pair.law,
+        DampingLaw::KelvinVoigt | DampingLaw::Restitution { .. }
+    );
     match pair.closure {
         Closure::Bilateral => (TreePair::Bilateral, true),
         Closure::Force => (TreePair::Force { opens: pair.opens }, linear),

@@ -121,7 +121,7 @@ impl PrescribedMotion {
     }
 
     /// Speed and displacement at t = 0 of a motion of constant speed.
-    fn line(&self) -> Option<(f64, f64)> {
+    pub(crate) fn line(&self) -> Option<(f64, f64)> {
         let Some(&DriveMotion::Constant { speed, angle }) = self.drive() else {
             return None;
         };

@@ -3,8 +3,8 @@
 use super::{Holder, Parts};
 use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::model::{
-    Law, Link, LinkBase, LinkageBody, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion,
-    ObjectPart, Reduced, Start, StopPart, TrackSource,
+    Law, Link, LinkBase, LinkageBody, Load, LoadLaw, LoadVariable, Model, Node, NodeIndex,
+    NodeMotion, ObjectPart, Reduced, Start, StopPart, TrackSource,
 };
 use crate::dynamics::system::{InitialState, System};
 
@@ -105,6 +105,15 @@ pub(super) fn kept(model: &Model, parts: &Parts) -> Option<Vec<usize>> {
             && !free(holds(source)?)
         {
             return None;
+        }
+        if let LoadLaw::Written(written) = &load.law
+            && free(holds(load.node)?)
+        {
+            for source in written.nodes() {
+                if !free(holds(source)?) {
+                    return None;
+                }
+            }
         }
     }
     Some(kept)
@@ -288,6 +297,18 @@ impl Numbers {
         if let LoadLaw::Pieces { track, .. } = &mut copy.law {
             *track = self.tracks[*track]?;
         }
+        if let LoadLaw::Written(written) = &mut copy.law {
+            for (index, variable) in written.variables.iter_mut().enumerate() {
+                let read = written.expression.program().reads(index);
+                if let LoadVariable::Displacement(node) | LoadVariable::Speed(node) = variable {
+                    // (What does not count may be anywhere.)
+                    *node = match read {
+                        true => self.nodes[*node]?,
+                        false => copy.node,
+                    };
+                }
+            }
+        }
         Some(copy)
     }
 
@@ -374,6 +395,24 @@ impl Places<'_> {
             }
         }
         places.extend(tracks.iter().map(|track| whole + track));
+        // Guards of expressions stand last, load by load.
+        let mut guards = self.system.guards_of_loads();
+        let kept_loads = self.own.model().loads.iter();
+        for (name, node) in kept_loads.map(|load| (&load.name, load.node)) {
+            let own = self.own.model().objects.iter();
+            let owner = own.clone().position(|part| part.nodes.contains(&node));
+            let place = owner.and_then(|part| {
+                let nodes = &self.own.model().objects[part].nodes;
+                let mass = nodes.iter().position(|&one| one == node)?;
+                self.system.model().objects[kept[part]].nodes.get(mass)
+            });
+            let found = guards
+                .iter()
+                .position(|(load, _)| load.name == *name && Some(&load.node) == place);
+            if let Some(found) = found {
+                places.extend(guards.remove(found).1);
+            }
+        }
         Some(places)
     }
 }

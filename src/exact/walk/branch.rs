@@ -1,10 +1,13 @@
 //! One tree in the system's coordinates.
 
 use crate::dynamics::energy::EnergyAudit;
-use crate::dynamics::integrate::Modes;
+use crate::dynamics::integrate::{Impact, Modes};
 use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
 use crate::exact::from_model::Part;
 use crate::exact::{Ahead, Cursor, End, ExactTree, Refusal, Request};
+
+/// An impact, and the coordinate whose speed jumps.
+pub(super) type Struck = (Impact, usize);
 
 /// A tree on its way: its present phase is a segment, whose objects are those of the
 /// tree.
@@ -45,12 +48,20 @@ impl<'a> Branch<'a> {
         }
     }
 
-    /// The component and the mode after the switch that ended the present phase.
-    pub(super) fn switched(&self) -> Option<(usize, i64)> {
+    /// The component and the mode after the switch that ended the present phase, and the
+    /// impact that it is, with the coordinate that jumps.
+    pub(super) fn switched(&self) -> Option<(usize, i64, Option<Struck>)> {
         let switch = self.cursor.switch()?;
         let own = |&&(mass, _): &&(usize, usize)| mass == switch.mass;
         let &(mass, component) = self.part.pairs.iter().find(own)?;
-        Some((component, self.part.mode(mass, switch.after)))
+        let impact = switch.impact.map(|impact| {
+            let impact = Impact {
+                component,
+                ..impact
+            };
+            (impact, self.part.masses[mass].coordinate)
+        });
+        Some((component, self.part.mode(mass, switch.after), impact))
     }
 
     /// Puts the tree's part of the state at the end of the present phase.
@@ -104,8 +115,8 @@ impl Segment for Branch<'_> {
             Signal::Reaction => (times.peak_reaction, figures.peak_reaction),
             Signal::ContactForce if opens => (times.peak_reaction, figures.peak_reaction),
             Signal::Clearance => (times.max_lift, figures.max_lift),
-            // (No tree has a massless point.)
-            Signal::ContactForce | Signal::Indentation => return,
+            // (No tree has a massless point, and no pressure is linear.)
+            Signal::ContactForce | Signal::Indentation | Signal::Pressure => return,
         };
         peak.see(time, value);
     }

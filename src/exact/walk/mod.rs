@@ -14,7 +14,9 @@ mod paces;
 mod tracks;
 
 use super::{ExactTree, Parts, Refusal, Request};
-use crate::dynamics::integrate::{Dynamics, Method, Modes, Outcome, Statistics, Stop, SwitchEvent};
+use crate::dynamics::integrate::{
+    Dynamics, Impact, Method, Modes, Outcome, Statistics, Stop, SwitchEvent,
+};
 use crate::dynamics::system::{InitialState, System};
 use paces::Paces;
 use tracks::Tracks;
@@ -298,10 +300,10 @@ impl<'a> Walk<'a> {
         given: Option<&Given<'_>>,
         listener: &mut dyn Listener,
     ) {
-        let Some((component, mode)) = self.branches[index].switched() else {
+        let Some((component, mode, impact)) = self.branches[index].switched() else {
             return;
         };
-        if self.modes.0[component] == mode {
+        if self.modes.0[component] == mode && impact.is_none() {
             return;
         }
         if self.branches.len() > 1 || given.is_some() {
@@ -309,7 +311,32 @@ impl<'a> Walk<'a> {
         }
         self.branches[index].end_state(&mut self.y);
         self.switches += 1;
-        self.change(component, mode, listener);
+        match impact {
+            None => self.change(component, mode, listener),
+            Some((impact, coordinate)) => self.strike(mode, &impact, coordinate, listener),
+        }
+    }
+
+    /// Tells an impact, after which a mode is in force; the state is that after it.
+    fn strike(
+        &mut self,
+        mode: i64,
+        impact: &Impact,
+        coordinate: usize,
+        listener: &mut dyn Listener,
+    ) {
+        self.before.0.copy_from_slice(&self.modes.0);
+        self.modes.0[impact.component] = mode;
+        let mut before = self.y.clone();
+        before[self.y.len() / 2 + coordinate] = impact.side as f64 * impact.approach;
+        listener.switch(&SwitchEvent {
+            time: self.time,
+            y: &self.y,
+            watch: None,
+            before: &self.before,
+            after: &self.modes,
+            impact: Some((impact, &before)),
+        });
     }
 
     fn pass_tracks(&mut self, given: Option<&Given<'_>>, listener: &mut dyn Listener) {
@@ -331,6 +358,7 @@ impl<'a> Walk<'a> {
             watch: None,
             before: &self.before,
             after: &self.modes,
+            impact: None,
         });
     }
 

@@ -41,6 +41,11 @@ impl Drive {
         Self::prescribed("table", points)
     }
 
+    /// A displacement (rad or m) as an expression of `t` (s): `"0.1*sin(2*pi*t)"`.
+    pub fn expression(text: impl Into<Node>) -> Self {
+        Self::prescribed("expression", text)
+    }
+
     /// A plan of motion over time: its stations, ascending.
     pub fn plan(stations: impl Into<Node>) -> Self {
         Self::prescribed("plan", only("stations", stations))
@@ -79,6 +84,11 @@ impl Drive {
             Some(_) => self.set("motor.speed", speed),
             None => self.set("motion.start_speed", speed),
         }
+    }
+
+    /// Unit of the value of a motion by an expression: `"deg"`.
+    pub fn unit(self, unit: impl Into<Node>) -> Self {
+        self.set("motion.unit", unit)
     }
 
     /// Law of a run-up.
@@ -142,6 +152,25 @@ impl Torque {
     pub fn table(points: impl Into<Node>) -> Self {
         Self(only("table", points))
     }
+
+    /// An expression over `t`, `phi` and `phi_dot` of the rotor, in s and rad:
+    /// `"30*(1 - phi_dot/150)"`.
+    pub fn expression(text: impl Into<Node>) -> Self {
+        Self(only("expression", text))
+    }
+
+    /// Unit of the value of an expression: `"kN m"`.
+    pub fn unit(mut self, unit: impl Into<Node>) -> Self {
+        self.0.put("unit", unit);
+        self
+    }
+
+    /// Another object, or an output, whose motion an expression looks at as `over_phi` and
+    /// `over_phi_dot`.
+    pub fn over(mut self, output: impl Into<Node>) -> Self {
+        self.0.put("over", output);
+        self
+    }
 }
 
 impl From<Torque> for Node {
@@ -170,6 +199,24 @@ impl Force {
     /// Points [speed, force], linear between them.
     pub fn table(points: impl Into<Node>) -> Self {
         Self(only("table", points))
+    }
+
+    /// An expression over `t`, `phi` and `phi_dot` of the slide, in s and m.
+    pub fn expression(text: impl Into<Node>) -> Self {
+        Self(only("expression", text))
+    }
+
+    /// Unit of the value of an expression: `"kN"`.
+    pub fn unit(mut self, unit: impl Into<Node>) -> Self {
+        self.0.put("unit", unit);
+        self
+    }
+
+    /// Another object, or an output, whose motion an expression looks at as `over_phi` and
+    /// `over_phi_dot`.
+    pub fn over(mut self, output: impl Into<Node>) -> Self {
+        self.0.put("over", output);
+        self
     }
 }
 

@@ -1,11 +1,11 @@
 //! Linkages: links with named points, pairs that say which points coincide.
 
-use super::{builder, only};
+use super::{Load, builder, only};
 use crate::frontend::read::Node;
 
 builder! {
-    /// A planar linkage of rigid links with one degree of freedom. Points are named
-    /// `link.point`, `ground.O`, `rod.origin`.
+    /// A planar linkage of rigid links, with one degree of freedom or several. Points are
+    /// named `link.point`, `ground.O`, `rod.origin`.
     Linkage {
         /// Remarks for people.
         description;
@@ -28,6 +28,16 @@ impl Linkage {
     /// A linkage driven by an object, or by an output of one.
     pub fn on(input: &str) -> Self {
         Self(super::of_kind("linkage")).set("input", input)
+    }
+
+    /// A linkage of several inputs, which are still to be added.
+    pub fn of_inputs() -> Self {
+        Self(super::of_kind("linkage"))
+    }
+
+    /// Adds an input to a linkage of several: one of its independent coordinates.
+    pub fn input(self, name: &str, input: LinkageInput) -> Self {
+        self.entry("inputs", name, input)
     }
 
     /// Copies a linkage of the catalogue, `linkage/toggle-press`.
@@ -72,6 +82,50 @@ impl Linkage {
 
     fn entry(mut self, group: &str, name: &str, value: impl Into<Node>) -> Self {
         self.0.property(group).put(name, value);
+        self
+    }
+}
+
+builder! {
+    /// An input of a linkage of several. It is free unless an object moves it.
+    LinkageInput {
+        /// Id of the object that moves it, or one of its outputs.
+        object;
+        /// With an object: input coordinate over the displacement of that; default 1.
+        ratio;
+        /// With an object: input coordinate where that is at zero; default 0.
+        offset;
+        /// Value at which the assembly holds; a free input starts there (rad or m).
+        start;
+        /// Speed at the start of a free input (rad/s or m/s).
+        speed;
+    }
+}
+
+impl LinkageInput {
+    /// The coordinate of a pair.
+    pub fn pair(pair: &str) -> Self {
+        Self(only("pair", pair))
+    }
+
+    /// x of the origin of a link that floats.
+    pub fn x(link: &str) -> Self {
+        Self(only("x", link))
+    }
+
+    /// y of the origin of a link that floats.
+    pub fn y(link: &str) -> Self {
+        Self(only("y", link))
+    }
+
+    /// The angle of a link that floats.
+    pub fn angle(link: &str) -> Self {
+        Self(only("angle", link))
+    }
+
+    /// Adds a load on the input.
+    pub fn load(mut self, name: &str, load: Load) -> Self {
+        self.0.property("loads").put(name, load);
         self
     }
 }

@@ -25,6 +25,12 @@ impl Load {
         ("viscous", &[]),
         ("weight", &["inclination"]),
         ("friction", &["force", "width"]),
+        ("expression", &[]),
+        (
+            "harmonic",
+            &["amplitude", "frequency", "order", "phase", "mean"],
+        ),
+        ("indicator", &["points", "area", "ambient", "period"]),
     ];
 
     fn of(law: &'static str, value: impl Into<Node>) -> Self {
@@ -78,6 +84,36 @@ impl Load {
         Self::of("friction", friction)
     }
 
+    /// An expression over `t`, `phi` and `phi_dot` of the mass, `driver_phi` and
+    /// `driver_phi_dot`, in s, rad or m: `"120*sin(2*pi*5*t)"`; with a [`Self::unit`], and
+    /// [`Self::over`] another object.
+    pub fn expression(text: impl Into<Node>) -> Self {
+        Self::of("expression", text)
+    }
+
+    /// amplitude·sin(2π·frequency·t + phase) + mean (N or N·m, Hz).
+    pub fn harmonic(amplitude: impl Into<Node>, frequency: impl Into<Node>) -> Self {
+        let mut harmonic = only("amplitude", amplitude);
+        harmonic.put("frequency", frequency);
+        Self::of("harmonic", harmonic)
+    }
+
+    /// amplitude·sin(order·φ + phase) + mean, φ of the driver (N or N·m).
+    pub fn harmonic_of_order(amplitude: impl Into<Node>, order: impl Into<Node>) -> Self {
+        let mut harmonic = only("amplitude", amplitude);
+        harmonic.put("order", order);
+        Self::of("harmonic", harmonic)
+    }
+
+    /// Points [driver's displacement, pressure (Pa)] on a piston of an area (m²), positive
+    /// where it is pushed towards positive displacement; repeats with every turn, or with
+    /// a [`Self::period`].
+    pub fn indicator(points: impl Into<Node>, area: impl Into<Node>) -> Self {
+        let mut indicator = only("points", points);
+        indicator.put("area", area);
+        Self::of("indicator", indicator)
+    }
+
     /// A force of your own over displacement and speed of the mass.
     pub fn own(function: impl LoadFunction + 'static) -> Self {
         Self::of(OWN, Own::new(CustomLoad(Arc::new(function))))
@@ -90,12 +126,40 @@ impl Load {
         self
     }
 
+    /// Unit of the value of an expression: `"kN"`.
+    pub fn unit(mut self, unit: impl Into<Node>) -> Self {
+        self.node.put("unit", unit);
+        self
+    }
+
+    /// Another object, or an output, whose motion an expression looks at as `over_phi` and
+    /// `over_phi_dot`.
+    pub fn over(mut self, output: impl Into<Node>) -> Self {
+        self.node.put("over", output);
+        self
+    }
+
+    /// Angle (rad) of a harmonic load at its start.
+    pub fn phase(self, angle: impl Into<Node>) -> Self {
+        self.option("phase", angle)
+    }
+
+    /// Constant part of a harmonic load.
+    pub fn mean(self, force: impl Into<Node>) -> Self {
+        self.option("mean", force)
+    }
+
+    /// Pressure (Pa) on the other side of a piston; default that of the atmosphere.
+    pub fn ambient(self, pressure: impl Into<Node>) -> Self {
+        self.option("ambient", pressure)
+    }
+
     /// Force of a spring at φ = 0, positive towards negative displacement.
     pub fn preload(self, force: impl Into<Node>) -> Self {
         self.option("preload", force)
     }
 
-    /// A position table or window repeats after this much of the driver's displacement.
+    /// A position table, window or indicator diagram repeats after this much of the driver's displacement.
     pub fn period(self, period: impl Into<Node>) -> Self {
         self.option("period", period)
     }

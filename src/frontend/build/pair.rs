@@ -23,12 +23,15 @@ builder! {
     Contact {
         /// Stiffness k (N/m or N·m/rad), or K of Hertz (N/m^(3/2) or N·m/rad^(3/2)).
         stiffness;
-        /// `"elastic"` (default), `"kelvin_voigt"`, `"hunt_crossley"`, `"hertz"`.
+        /// `"elastic"` (default), `"kelvin_voigt"`, `"hunt_crossley"`, `"hertz"`,
+        /// `"restitution"`.
         law;
         /// Damping of Kelvin–Voigt (N·s/m or N·m·s/rad).
         damping;
         /// χ of Hunt–Crossley and Hertz, seconds per unit of indentation.
         dissipation;
+        /// e of a rigid contact: the speed after an impact over that before it.
+        restitution;
     }
 }
 
@@ -125,7 +128,32 @@ impl PointContact {
     }
 }
 
+builder! {
+    /// The contact of a follower on its own cam, from which its stiffness follows: radii,
+    /// width and moduli are those of the cam and its material.
+    CamContact {
+        /// Angle of the cam (rad); default: where its profile is most sharply convex.
+        at;
+        /// Depth below a flat face from which its approach counts (m).
+        depth;
+        /// Depth below the cam's surface, where that is flat or hollow (m).
+        cam_depth;
+    }
+}
+
+impl CamContact {
+    /// Under a load along the normal (N), at which the stiffness is the secant.
+    pub fn new(load: impl Into<Node>) -> Self {
+        Self(only("load", load))
+    }
+}
+
 impl Contact {
+    /// N = k·p, k from the object's own cam.
+    pub fn on_cam(cam: impl Into<Node>) -> Self {
+        Self(only("from", only("cam", cam)))
+    }
+
     /// N = k·p, k from the geometry of a contact along a line.
     pub fn line(line: impl Into<Node>) -> Self {
         Self(only("from", only("line", line)))
@@ -153,6 +181,11 @@ impl Contact {
         Self::elastic(stiffness)
             .law("hunt_crossley")
             .dissipation(dissipation)
+    }
+
+    /// Rigid, with a coefficient of restitution between 0 and 1.
+    pub fn rigid(restitution: impl Into<Node>) -> Self {
+        Self(only("restitution", restitution))
     }
 
     /// N = K·p^(3/2), contact in a point.

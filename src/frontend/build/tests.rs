@@ -79,8 +79,16 @@ fn every_property_of_every_kind_can_be_built() {
         "assembly",
         "forces",
         "outputs",
+        "inputs",
     ];
     same(&schema, &["linkage"], Linkage::PROPERTIES, &of_linkages);
+    let of_inputs = ["pair", "x", "y", "angle", "loads"];
+    same(
+        &schema,
+        &["linkage_input"],
+        LinkageInput::PROPERTIES,
+        &of_inputs,
+    );
     same(
         &schema,
         &["linkage_link"],
@@ -105,13 +113,15 @@ fn every_property_of_every_kind_can_be_built() {
     let [line, point] = ["line", "point"].map(|shape| [&from[..], &[shape]].concat());
     same(&schema, &line, LineContact::PROPERTIES, &[]);
     same(&schema, &point, PointContact::PROPERTIES, &[]);
+    let on_cam = [&from[..], &["cam"]].concat();
+    same(&schema, &on_cam, CamContact::PROPERTIES, &["load"]);
 }
 
 #[test]
 fn every_law_and_option_of_loads_can_be_built() {
     let schema = schema(&Registry::standard());
     let laws: Vec<&str> = Load::LAWS.iter().map(|law| law.0).collect();
-    same(&schema, &["load"], &laws, &["mass"]);
+    same(&schema, &["load"], &laws, &["mass", "unit", "over"]);
     for (law, options) in Load::LAWS.iter().filter(|law| !law.1.is_empty()) {
         same(&schema, &["load", law], options, &[]);
     }

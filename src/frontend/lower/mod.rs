@@ -79,6 +79,7 @@ fn parts(graph: &MechanismGraph<'_>) -> Vec<ObjectPart> {
         links: Vec::new(),
         contact: None,
         rigid_pair: None,
+        pressing: None,
     };
     let mut parts = Vec::new();
     for vertex in graph.objects() {

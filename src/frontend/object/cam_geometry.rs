@@ -34,8 +34,8 @@ pub(super) fn read(
         Some(Coordinate::Turning) => "turning_cam",
         _ => "disc_cam",
     };
-    let doc = "Geometry of the disc cam that realises the position function; used by `dam cam` \
-               only, not by the dynamics.";
+    let doc = "Geometry of the disc cam that realises the position function: for `dam cam`, and \
+               with a `material` for the pressure of a run; not for the dynamics.";
     let found = fields.maybe("cam", doc, |slot| {
         slot.defined(definition, |slot| geometry(slot, follower))
     });
@@ -123,9 +123,12 @@ fn material(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Option<
                 slot.quantity(q::LENGTH, Bounds::POSITIVE)
             });
             let bodies = materials(fields);
+            let (thickness, bodies) = (thickness?, bodies?);
             Some(CamMaterial {
-                thickness: thickness?,
-                contact_modulus: contact_modulus(bodies?),
+                thickness,
+                contact_modulus: contact_modulus(bodies),
+                moduli: bodies.map(|body| body.modulus),
+                poisson_ratios: bodies.map(|body| body.poisson_ratio),
             })
         })
     });

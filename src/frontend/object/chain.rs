@@ -16,8 +16,8 @@ use super::measures::Measures;
 use super::pair;
 use super::position;
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
-use super::stop;
 use super::{Context, INPUT, Inputs, Kind, ModelBuilder, Object, Place, Ports};
+use super::{cam_contact, stop};
 use crate::dynamics::model::{Closure, Coordinate, DampingLaw};
 use crate::frontend::read::{Bounds, Fields};
 use crate::kinematics::cam::CamGeometry;
@@ -55,6 +55,9 @@ impl Object for ChainObject {
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
         into.chain(at, at.input(INPUT), &self.chain);
+        if let Some(cam) = self.cam.as_ref().filter(|cam| cam.material.is_some()) {
+            into.pressing(at, &self.chain, cam);
+        }
     }
 
     fn chain(&self) -> Option<&ChainSpec> {
@@ -129,7 +132,8 @@ pub fn object(
         true => cam_geometry::read(fields, rules.coordinate, context),
         false => Some(None),
     };
-    let (chain, cam) = (chain?, cam?);
+    let (mut chain, cam) = (chain?, cam?);
+    cam_contact::settle(fields, &mut chain, cam.as_ref())?;
     Some(Box::new(ChainObject { kind, chain, cam }))
 }
 

@@ -1,8 +1,8 @@
 //! Contact elements.
 
-use super::contact_geometry::{self, Touching};
+use super::contact_geometry::{self, Follows, Touching};
 use super::measures::Measures;
-use super::spec::ContactSpec;
+use super::spec::{ContactSpec, OnCamSpec};
 use crate::dynamics::model::ContactLaw;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use serde_json::json;
@@ -14,23 +14,30 @@ enum Name {
     KelvinVoigt,
     HuntCrossley,
     Hertz,
+    Restitution,
 }
 
-const LAWS: [(&str, Name); 4] = [
+const LAWS: [(&str, Name); 5] = [
     ("elastic", Name::Elastic),
     ("kelvin_voigt", Name::KelvinVoigt),
     ("hunt_crossley", Name::HuntCrossley),
     ("hertz", Name::Hertz),
+    ("restitution", Name::Restitution),
 ];
 
 /// Reads a contact element.
 pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
     slot.record(|fields| {
+        let unsaid = match fields.has("restitution") {
+            true => "restitution",
+            false => "elastic",
+        };
         let law = fields.or(
             "law",
             "N over the indentation p and its rate: `elastic` k·p; `kelvin_voigt` k·p + damping·ṗ; \
-             `hunt_crossley` k·p·(1 + dissipation·ṗ); `hertz` K·p^(3/2)·(1 + dissipation·ṗ).",
-            json!("elastic"),
+             `hunt_crossley` k·p·(1 + dissipation·ṗ); `hertz` K·p^(3/2)·(1 + dissipation·ṗ); \
+             `restitution` rigid, with impacts, which is the default where that is given.",
+            json!(unsaid),
             |slot| slot.choice(&LAWS),
         );
         let from = fields.maybe(
@@ -40,7 +47,8 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
         );
         let stiffness = fields.maybe(
             "stiffness",
-            "Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N m/rad^(3/2)",
+            "Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N m/rad^(3/2); \
+             none of `restitution`",
             |slot| match law {
                 // (Units have whole exponents.)
                 Some(Name::Hertz) => slot.number(Bounds::POSITIVE),
@@ -55,11 +63,19 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
             "χ of `hunt_crossley` and `hertz`, seconds per unit of indentation",
             |slot| slot.quantity(own.time_per_displacement(), Bounds::NOT_NEGATIVE),
         );
+        let restitution = fields.maybe(
+            "restitution",
+            "Coefficient of restitution e of a rigid contact: the speed after an impact over \
+             that before it",
+            |slot| slot.number(Bounds::between(0.0, 1.0)),
+        );
         let stiffness = stiffness_of(fields, law?, from?, stiffness?);
-        let law = of_name(fields, law?, damping?, dissipation?);
+        let law = of_name(fields, law?, [damping?, dissipation?, restitution?]);
+        let (stiffness, on_cam) = stiffness?;
         Some(ContactSpec {
-            stiffness: stiffness?,
+            stiffness,
             law: law?,
+            on_cam,
         })
     })
 }
@@ -68,9 +84,9 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
 fn stiffness_of(
     fields: &mut Fields<'_>,
     law: Name,
-    from: Option<(Touching, f64)>,
+    from: Option<Follows>,
     given: Option<f64>,
-) -> Option<f64> {
+) -> Option<(f64, Option<OnCamSpec>)> {
     if fields.clash(
         "stiffness",
         "from",
@@ -78,12 +94,29 @@ fn stiffness_of(
     ) {
         return None;
     }
-    let Some((touching, stiffness)) = from else {
+    if law == Name::Restitution {
+        let mut sound = true;
+        for (name, is_given) in [("stiffness", given.is_some()), ("from", from.is_some())] {
+            if is_given {
+                sound = false;
+                let message = format!("`{name}` has no meaning for a rigid contact");
+                let fault = fields.refuse(name, "contradiction", message);
+                let hint = format!("remove `{name}`, or `restitution`");
+                fault.hints.push(hint);
+            }
+        }
+        return sound.then_some((0.0, None));
+    }
+    let Some(from) = from else {
         if given.is_none() {
             let hint = "give it, or the geometry that it follows from, `from`";
             fields.lack("stiffness", Some(hint.to_owned()));
         }
-        return given;
+        return given.map(|stiffness| (stiffness, None));
+    };
+    let (touching, found) = match from {
+        Follows::Here(touching, stiffness) => (touching, (stiffness, None)),
+        Follows::OnCam(on_cam) => (Touching::Line, (f64::NAN, Some(on_cam))),
     };
     let (fits, message, hint) = match touching {
         Touching::Point => (
@@ -102,15 +135,14 @@ fn stiffness_of(
         fault.hints.push(hint.to_owned());
         return None;
     }
-    Some(stiffness)
+    Some(found)
 }
 
 /// The law with its loss; each takes only one sort.
 fn of_name(
     fields: &mut Fields<'_>,
     law: Name,
-    damping: Option<f64>,
-    dissipation: Option<f64>,
+    [damping, dissipation, restitution]: [Option<f64>; 3],
 ) -> Option<ContactLaw> {
     let named = LAWS.iter().find(|(_, name)| *name == law);
     let named = named.map_or("", |(name, _)| name);
@@ -122,6 +154,12 @@ fn of_name(
             dissipation,
             matches!(law, Name::HuntCrossley | Name::Hertz),
             "hunt_crossley",
+        ),
+        (
+            "restitution",
+            restitution,
+            law == Name::Restitution,
+            "restitution",
         ),
     ];
     for (name, value, taken, other) in wanted {
@@ -136,6 +174,7 @@ fn of_name(
     let needed = match law {
         Name::KelvinVoigt if damping.is_none() => Some("damping"),
         Name::HuntCrossley if dissipation.is_none() => Some("dissipation"),
+        Name::Restitution if restitution.is_none() => Some("restitution"),
         _ => None,
     };
     if let Some(needed) = needed {
@@ -152,6 +191,9 @@ fn of_name(
         },
         Name::Hertz => ContactLaw::Hertz {
             dissipation: dissipation.unwrap_or(0.0),
+        },
+        Name::Restitution => ContactLaw::Restitution {
+            coefficient: restitution.unwrap_or(0.0),
         },
     })
 }

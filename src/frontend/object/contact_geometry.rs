@@ -1,6 +1,7 @@
 //! Stiffness of a contact from the geometry of its bodies.
 
 use super::measures::Measures;
+use super::spec::OnCamSpec;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::hertzian::{
@@ -18,21 +19,62 @@ pub(super) enum Touching {
     Point,
 }
 
+/// A stiffness that follows from geometry.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Follows {
+    /// From what is given beside it.
+    Here(Touching, f64),
+    /// From the object's own cam.
+    OnCam(OnCamSpec),
+}
+
 /// Reads `from`: the stiffness along or about the object's own coordinate.
-pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<(Touching, f64)> {
+pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<Follows> {
     slot.record(|fields| {
         let mut shape = fields.one_of("the shape of its contact");
         shape.case(
             "line",
             "Contact along a line (roller, flat face): k is the secant N/p at a stated load.",
-            |slot| Some((Touching::Line, slot.record(|fields| line(fields, own))?)),
+            |slot| {
+                let stiffness = slot.record(|fields| line(fields, own))?;
+                Some(Follows::Here(Touching::Line, stiffness))
+            },
         );
         shape.case(
             "point",
             "Contact in a point, by Hertz: K; the law is `hertz`.",
-            |slot| Some((Touching::Point, slot.record(|fields| point(fields, own))?)),
+            |slot| {
+                let stiffness = slot.record(|fields| point(fields, own))?;
+                Some(Follows::Here(Touching::Point, stiffness))
+            },
+        );
+        shape.case(
+            "cam",
+            "Contact along a line with the object's own `cam`, of its `material`: radii, width and moduli are \
+             those, k is the secant N/p at a stated load.",
+            |slot| Some(Follows::OnCam(slot.record(on_cam)?)),
         );
         shape.finish()
+    })
+}
+
+fn on_cam(fields: &mut Fields<'_>) -> Option<OnCamSpec> {
+    let load = fields.need(
+        "load",
+        "Contact force along the normal at which k is the secant N/p",
+        |slot| slot.quantity(q::FORCE, Bounds::POSITIVE),
+    );
+    let doc =
+        "Angle of the cam at which they touch; absent: where its profile is most sharply convex";
+    let angle = fields.maybe("at", doc, |slot| slot.quantity(q::ANGLE, Bounds::ANY));
+    let doc = "Depth below a flat face from which its approach is counted";
+    let depth = positive_length(fields, "depth", doc);
+    let doc = "Depth below the cam's surface from which its approach is counted, where that is flat or hollow";
+    let cam_depth = positive_length(fields, "cam_depth", doc);
+    Some(OnCamSpec {
+        load: load?,
+        angle: angle?,
+        depths: [depth?, cam_depth?],
     })
 }
 

@@ -61,6 +61,31 @@ impl<'a> Context<'a> {
         Some(())
     }
 
+    /// Describes the property `input` of an object that may have several instead.
+    pub(crate) fn maybe_input(&self, fields: &mut Fields<'_>) {
+        let ids = self.objects.keys().map(String::as_str);
+        fields.maybe(INPUT, REFERENCE, |slot| slot.text_like(ids));
+    }
+
+    /// Reads a property that may name the output which an input `port` hangs on:
+    /// `Some(None)` where it is not there, else whether that output turns or slides.
+    pub fn connect_if_given(
+        &self,
+        fields: &mut Fields<'_>,
+        property: &'static str,
+        port: &str,
+    ) -> Option<Option<Option<Coordinate>>> {
+        if fields.describing() {
+            let ids = self.objects.keys().map(String::as_str);
+            fields.maybe(property, REFERENCE, |slot| slot.text_like(ids));
+            return None;
+        }
+        match fields.has(property) {
+            true => self.connect(fields, property, port).map(Some),
+            false => Some(None),
+        }
+    }
+
     /// Reads a property that names the output which an input `port` hangs on; it must
     /// exist. Returns whether it turns or slides, `Some(None)` where that is not known.
     pub fn connect(

@@ -6,6 +6,7 @@ use super::measures::Measures;
 use super::motor;
 use super::plan;
 use super::spec::{DriveMotionSpec, DriveSpec};
+use super::written;
 use super::{Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Node, Slot};
@@ -143,13 +144,31 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
                 Some(DriveMotionSpec::Table { points })
             },
         );
+        motion.case(
+            "expression",
+            "Displacement as an expression of t in s: \"0.1*sin(2*pi*t)\"; speed, acceleration and jerk follow from it.",
+            |slot| {
+                let expression = written::expression(slot, &[("t", 0)])?;
+                Some(DriveMotionSpec::Written {
+                    expression,
+                    factor: 1.0,
+                })
+            },
+        );
         let motion = motion.finish();
+        let unit = written::unit(fields, own.displacement());
+        if written::forbid_beside(fields, &["expression"]) {
+            return None;
+        }
         let start = start(fields, own);
         let doc = "Speed at t = 0, with `acceleration`; default 0";
         let start_speed = fields.maybe("start_speed", doc, |slot| {
             slot.quantity(own.speed(), Bounds::ANY)
         });
-        let (motion, start, start_speed) = (motion?, start?, start_speed?);
+        let (mut motion, start, start_speed) = (motion?, start?, start_speed?);
+        if let DriveMotionSpec::Written { factor, .. } = &mut motion {
+            *factor = unit?.unwrap_or(1.0);
+        }
         place(fields, motion, start, start_speed)
     })
 }

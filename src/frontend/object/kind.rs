@@ -18,6 +18,9 @@ pub enum Inputs {
     /// `object` names what the input hangs on. The kind reads them itself, with
     /// [`Context::connect`].
     Several,
+    /// One other object, named by `input`, or several, as above, where the property
+    /// `inputs` is given; of these some may hang on nothing.
+    OneOrSeveral,
 }
 
 /// A kind of object: how it is read from a scene.
@@ -47,11 +50,30 @@ impl Kind {
 }
 
 impl Inputs {
+    /// True when the motion of an object, as its text has it, may come from itself: nothing
+    /// drives it, or not all of its inputs.
+    pub(crate) fn is_source(self, node: &Node) -> bool {
+        match self {
+            Self::None => true,
+            Self::One | Self::Several => false,
+            Self::OneOrSeveral => {
+                let inputs = node.get("inputs").map_or(&[][..], Node::members);
+                inputs
+                    .iter()
+                    .any(|input| input.value.get("object").is_none())
+            }
+        }
+    }
+
     /// The outputs that the inputs of an object hang on, by its ports, as its text has
     /// them.
     pub(crate) fn references(self, node: &Node) -> Vec<(&str, &str)> {
         match self {
             Self::None => Vec::new(),
+            Self::OneOrSeveral => match node.get("inputs") {
+                Some(_) => Self::Several.references(node),
+                None => Self::One.references(node),
+            },
             Self::One => {
                 let input = node.get(super::INPUT).and_then(Node::text);
                 input

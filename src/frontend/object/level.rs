@@ -110,6 +110,18 @@ pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
         fault.hints.push(hint.to_owned());
         return None;
     }
+    let rigid = chain
+        .pair
+        .contact
+        .is_some_and(|contact| contact.law.is_rigid());
+    if rigid && !matches!(chain.body, BodySpec::Rigid { .. }) {
+        let message = "before an elastic object a rigid contact would set a single fragment going, \
+                       the more lightly the more masses there are";
+        let fault = fields.refuse("pair", "contradiction", message);
+        let hint = "give `masses: 0`, or the contact a `stiffness`";
+        fault.hints.push(hint.to_owned());
+        return None;
+    }
     if chain.has_driven_end() && chain.pair.closure != Closure::Bilateral {
         let closure = match chain.pair.closure {
             Closure::Force => "force",

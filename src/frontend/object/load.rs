@@ -1,7 +1,10 @@
 //! Loads.
 
+mod written_laws;
+
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
+use super::written;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
@@ -23,15 +26,15 @@ pub(super) enum On {
     },
     /// The rotor of a motor, or the slide of a linear one.
     Rotor(Measures),
-    /// An output of a linkage.
-    Output(Measures),
+    /// An output of a linkage, driven by its input coordinate.
+    Output { own: Measures, driver: Measures },
 }
 
 impl On {
     fn own(self) -> Measures {
         match self {
             Self::Chain { own, .. } => own,
-            Self::Rotor(own) | Self::Output(own) => own,
+            Self::Rotor(own) | Self::Output { own, .. } => own,
         }
     }
 }
@@ -42,7 +45,7 @@ pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>>
     fields.or("loads", doc, json!({}), |slot| {
         slot.names(|name, slot| match on {
             On::Rotor(_) => slot.defined("rotor_load", |slot| read(slot, name, on)),
-            On::Output(_) => slot.defined("output_load", |slot| read(slot, name, on)),
+            On::Output { .. } => slot.defined("output_load", |slot| read(slot, name, on)),
             On::Chain { own, .. } => {
                 let definition = match own.0 {
                     Some(Coordinate::Turning) => "turning_load",
@@ -58,7 +61,7 @@ pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>>
 fn read(slot: Slot<'_>, name: &str, on: On) -> Option<LoadSpec> {
     slot.record(|fields| {
         let mass = match on {
-            On::Rotor(_) | On::Output(_) => Some(MassChoice::Last),
+            On::Rotor(_) | On::Output { .. } => Some(MassChoice::Last),
             On::Chain { masses, .. } => chosen_mass(fields, masses),
         };
         let law = law(fields, on);
@@ -114,6 +117,7 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
     }
     let own = on.own();
     let force = own.force();
+    let has_over = fields.has("over");
     let any = |wanted: Wanted| move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
     let mut law = fields.one_of("its law");
     law.case("constant", "Constant force W", |slot| {
@@ -124,7 +128,7 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
         "List of [time, force]: linear between the points, constant outside.",
         |slot| points(slot, q::TIME.into(), force, 1).map(LoadLawSpec::TimeTable),
     );
-    if let On::Chain { driver, .. } = on {
+    if let On::Chain { driver, .. } | On::Output { driver, .. } = on {
         law.case(
             "position_table",
             "Force over the driver's displacement.",
@@ -144,7 +148,7 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
         damping.map(LoadLawSpec::Viscous)
     });
     // An output has no mass of its own.
-    if own.0 != Some(Coordinate::Turning) && !matches!(on, On::Output(_)) {
+    if own.0 != Some(Coordinate::Turning) && !matches!(on, On::Output { .. }) {
         law.case("weight", "Weight: W = −m·g·sin(inclination).", weight);
     }
     law.case(
@@ -152,7 +156,21 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
         "Coulomb friction, regularised: W = −force·tanh(φ̇/width).",
         |slot| friction(slot, own),
     );
-    law.finish()
+    written_laws::add(&mut law, on, has_over);
+    let law = law.finish();
+    let factor = written::unit(fields, force);
+    let over = written::over(fields);
+    if written::forbid_beside(fields, &["expression"]) {
+        return None;
+    }
+    match (law?, factor?, over?) {
+        (LoadLawSpec::Written(mut spec), factor, over) => {
+            spec.factor = factor.unwrap_or(1.0);
+            spec.over = over;
+            Some(LoadLawSpec::Written(spec))
+        }
+        (law, _, _) => Some(law),
+    }
 }
 
 /// Reads `[[x, y], …]` with x strictly ascending.

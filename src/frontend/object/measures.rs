@@ -38,6 +38,11 @@ impl Measures {
         self.pick(q::MOMENT, q::FORCE)
     }
 
+    /// Moment or force, times time.
+    pub fn impulse(self) -> Wanted {
+        self.pick(q::ANGULAR_IMPULSE, q::IMPULSE)
+    }
+
     /// Moment of inertia or mass.
     pub fn inertia(self) -> Wanted {
         self.pick(q::INERTIA, q::MASS)

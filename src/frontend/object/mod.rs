@@ -8,6 +8,7 @@
 
 mod body;
 mod cam;
+mod cam_contact;
 mod cam_follower;
 mod cam_geometry;
 pub mod chain;
@@ -35,10 +36,11 @@ mod rocker;
 mod shaft;
 mod slider;
 mod stop;
+mod written;
 
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::cam::CamGeometry;
-use spec::{ChainSpec, DrivenLinkage};
+use spec::{ChainSpec, DrivenLinkage, DrivenMultiLinkage};
 use std::fmt;
 
 pub use crate::dynamics::builder::{ModelBuilder, Place, spec};
@@ -89,6 +91,11 @@ pub trait Object: fmt::Debug + Send + Sync {
 
     /// The linkage of rigid links that it is; `None`: something else.
     fn linkage(&self) -> Option<&DrivenLinkage> {
+        None
+    }
+
+    /// The linkage of several inputs that it is; `None`: something else.
+    fn multi_linkage(&self) -> Option<&DrivenMultiLinkage> {
         None
     }
 

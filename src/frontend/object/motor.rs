@@ -2,7 +2,9 @@
 
 use super::load::points;
 use super::measures::Measures;
-use super::spec::{MotorSpec, TorqueSpec};
+use super::spec::{MotorSpec, TorqueSpec, WrittenSpec};
+use super::written;
+use crate::dynamics::builder::written as builder;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::units::quantities as q;
@@ -80,6 +82,7 @@ const SLIDING: Kind = Kind {
 
 fn law(fields: &mut Fields<'_>, kind: Kind) -> Option<TorqueSpec> {
     let turns = kind.own.0 == Some(Coordinate::Turning);
+    let fields_have_over = fields.has("over");
     let mut law = fields.one_of(if turns { "the torque" } else { "the force" });
     let doc = if turns {
         "Constant torque"
@@ -107,7 +110,33 @@ fn law(fields: &mut Fields<'_>, kind: Kind) -> Option<TorqueSpec> {
     law.case("table", doc, |slot| {
         points(slot, kind.own.speed(), kind.own.force(), 2).map(TorqueSpec::Table)
     });
-    law.finish()
+    let names = written::with_over(builder::OWN.to_vec(), fields_have_over);
+    law.case(
+        "expression",
+        "Expression over t, phi and phi_dot of the drive, in s, rad or m: \"30*(1 - phi_dot/150)\".",
+        |slot| {
+            let expression = written::expression(slot, &names)?;
+            Some(TorqueSpec::Written(WrittenSpec {
+                expression,
+                factor: 1.0,
+                over: None,
+            }))
+        },
+    );
+    let law = law.finish();
+    let factor = written::unit(fields, kind.own.force());
+    let over = written::over(fields);
+    if written::forbid_beside(fields, &["expression"]) {
+        return None;
+    }
+    match (law?, factor?, over?) {
+        (TorqueSpec::Written(mut spec), factor, over) => {
+            spec.factor = factor.unwrap_or(1.0);
+            spec.over = over;
+            Some(TorqueSpec::Written(spec))
+        }
+        (law, _, _) => Some(law),
+    }
 }
 
 fn linear(slot: Slot<'_>, kind: Kind) -> Option<TorqueSpec> {

@@ -6,7 +6,7 @@ use crate::frontend::read::{Fields, Node, OWN, Value};
 use crate::kinematics::cam::CamGeometry;
 use std::sync::Arc;
 
-use super::spec::{ChainSpec, DrivenLinkage};
+use super::spec::{ChainSpec, DrivenLinkage, DrivenMultiLinkage};
 
 /// An object made in code, as the tree of a scene holds it.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ impl OwnObject {
         let connected = match own.inputs() {
             Inputs::None => Some(()),
             Inputs::One => context.input(fields),
-            Inputs::Several => own.connect_all(fields, context),
+            Inputs::Several | Inputs::OneOrSeveral => own.connect_all(fields, context),
         };
         connected.map(|()| Box::new(own) as Box<dyn Object>)
     }
@@ -102,6 +102,10 @@ impl Object for OwnObject {
 
     fn linkage(&self) -> Option<&DrivenLinkage> {
         self.0.linkage()
+    }
+
+    fn multi_linkage(&self) -> Option<&DrivenMultiLinkage> {
+        self.0.multi_linkage()
     }
 
     fn cam(&self) -> Option<&CamGeometry> {

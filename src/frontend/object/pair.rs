@@ -121,5 +121,13 @@ fn check(fields: &mut Fields<'_>, pair: &PairSpec) -> Option<PairSpec> {
         let hint = "set `closure` to \"force\" or \"form\", or give another law";
         fault.hints.push(hint.to_owned());
     }
+    let rigid = pair.contact.is_some_and(|contact| contact.law.is_rigid());
+    if rigid && pair.closure == Closure::Form && pair.gap == 0.0 {
+        sound = false;
+        let message = "without a gap a rigid pair never comes apart, and nothing strikes";
+        let fault = fields.refuse("contact", "contradiction", message);
+        let hint = "give a `gap`, or the closure \"bilateral\" without a contact";
+        fault.hints.push(hint.to_owned());
+    }
     sound.then(|| pair.clone())
 }

@@ -30,6 +30,13 @@ fn read(slot: Slot<'_>, name: &str, own: Measures) -> Option<StopSpec> {
         let doc = "`-`: it holds the mass from going below `at`; `+`: from going above.";
         let side = fields.need("side", doc, |slot| slot.choice(&[("+", 1.0), ("-", -1.0)]));
         let contact = fields.need("contact", "Its contact.", |slot| contact::read(slot, own));
+        if contact.is_some_and(|contact| contact.on_cam.is_some()) {
+            let message = "a stop is no cam: the stiffness of its contact does not follow from one";
+            let fault = fields.refuse("contact", "contradiction", message);
+            let hint = "give a `line` or a `point` with its radii, or the `stiffness`";
+            fault.hints.push(hint.to_owned());
+            return None;
+        }
         Some(StopSpec {
             name: name.to_owned(),
             at: at?,

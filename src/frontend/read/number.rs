@@ -89,6 +89,35 @@ impl Slot<'_> {
         Some(value as u64)
     }
 
+    /// Reads a unit, without a number: the factor to SI units.
+    pub fn unit(mut self, wanted: impl Into<Wanted>) -> Option<f64> {
+        let wanted = wanted.into();
+        if self.describing() {
+            let units: Vec<&str> = wanted
+                .quantities()
+                .flat_map(|one| one.units)
+                .copied()
+                .collect();
+            *self.out = json!({
+                "description": format!("({})", wanted.words()),
+                "type": "string",
+                "minLength": 1,
+                "examples": units,
+            });
+            return None;
+        }
+        let text = self.look(|slot| slot.text())?;
+        let begins = text.starts_with(|c: char| c.is_alphabetic() || c == '%' || c == '°');
+        let measure = parse(&format!("1 {text}")).ok().filter(|_| begins);
+        let value = measure.and_then(|measure| wanted.accept(measure).ok());
+        if value.is_none() {
+            let message = format!("\"{}\" is no unit of what is wanted here", shorten(&text));
+            let hint = wanted.words();
+            self.refuse("unknown-unit", message).hints.push(hint);
+        }
+        value
+    }
+
     fn within(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
         let name = last_name(&self.path);
         if !value.is_finite() {

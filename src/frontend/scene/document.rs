@@ -219,6 +219,13 @@ impl Document {
         Known::new(&self.registry).offering(Some(&tree), catalogue)
     }
 
+    /// Its tree with catalogue objects copied in, as far as there are any.
+    #[cfg(feature = "studio")]
+    pub(super) fn copied(&self, catalogue: &dyn Catalogue) -> Node {
+        let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
+        self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults)
+    }
+
     /// The tree to be decoded.
     fn tree(
         &self,

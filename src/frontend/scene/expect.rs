@@ -8,9 +8,10 @@ use crate::frontend::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean,
 use crate::units::{Quantity, quantities as q};
 
 /// Reasons for which a run may be expected to stop.
-const STOPS: [&str; 11] = [
+const STOPS: [&str; 12] = [
     "dead_position",
     "end_of_travel",
+    "jammed",
     "not_explored",
     "self_locking",
     "several_solutions",
@@ -44,8 +45,13 @@ const OBJECT_FIGURES: &[Figure] = &[
     ("pair.max_approach_speed", Measures::speed),
     ("pair.max_contact_force", Measures::force),
     ("pair.max_indentation", Measures::displacement),
+    ("pair.impacts.count", |_| q::NUMBER.into()),
+    ("pair.impacts.max_impulse", Measures::impulse),
+    ("pair.impacts.loss", |_| q::MOMENT.into()),
     ("pair.margin", Measures::force),
     ("pair.in_working_order", |_| q::NUMBER.into()),
+    ("pressing.max_pressure", |_| q::MODULUS.into()),
+    ("pressing.time", |_| q::TIME.into()),
     ("friction_loss", |_| q::MOMENT.into()),
     ("standstills", |_| q::NUMBER.into()),
     ("time_at_rest", |_| q::TIME.into()),
@@ -58,6 +64,9 @@ const STOP_FIGURES: &[Figure] = &[
     ("stop.max_approach_speed", Measures::speed),
     ("stop.max_contact_force", Measures::force),
     ("stop.max_indentation", Measures::displacement),
+    ("stop.impacts.count", |_| q::NUMBER.into()),
+    ("stop.impacts.max_impulse", Measures::impulse),
+    ("stop.impacts.loss", |_| q::MOMENT.into()),
     ("peak_speed", Measures::speed),
     ("peak_acceleration", Measures::acceleration),
     ("peak_reaction", Measures::force),

@@ -10,6 +10,8 @@ mod folder;
 mod levels;
 mod numbers;
 mod objects;
+#[cfg(feature = "studio")]
+mod outline;
 mod overrides;
 mod root;
 mod run;

@@ -151,6 +151,12 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<
                 (!fields.forbid("input", message, hint)).then_some(())
             }
             Inputs::One => only_input(fields, &mut context, kind.name),
+            Inputs::OneOrSeveral if fields.has("inputs") => {
+                let message = "its `inputs` name what drives it";
+                let hint = "remove `input`, or give `input` and `driver` in place of `inputs`";
+                (!fields.forbid("input", message, hint)).then_some(())
+            }
+            Inputs::OneOrSeveral => only_input(fields, &mut context, kind.name),
             Inputs::Several => Some(()),
         };
         let object = (kind.read)(fields, &context);
@@ -231,7 +237,7 @@ fn check_graph(slot: &mut Slot<'_>, node: &Node, known: &Known) -> bool {
         _ if OwnObject::of(node).is_some() => known.inputs_of(node) == Some(Inputs::None),
         Some(name) => {
             let kind = known.registry.kind(name);
-            kind.is_none_or(|kind| kind.inputs == Inputs::None)
+            kind.is_none_or(|kind| kind.inputs.is_source(node))
         }
         // Without a kind it may yet become one.
         None => true,
@@ -254,6 +260,7 @@ fn report_cycle(slot: &mut Slot<'_>, node: &Node, known: &Known, cycle: &[&str])
         let object = node.get(id)?;
         let input = match known.inputs_of(object) {
             Some(Inputs::Several) => "inputs",
+            Some(Inputs::OneOrSeveral) if object.get("inputs").is_some() => "inputs",
             _ => "input",
         };
         Some(object.get(input)?.place.clone())
@@ -333,6 +340,9 @@ fn describe_kind(slot: Slot<'_>, kind: &Kind, known: &Known) -> Option<()> {
         let mut context = Context::among(&known.objects);
         if kind.inputs == Inputs::One {
             context.input(fields);
+        }
+        if kind.inputs == Inputs::OneOrSeveral {
+            context.maybe_input(fields);
         }
         (kind.read)(fields, &context);
         None

@@ -20,7 +20,7 @@ mod curve;
 mod disc;
 mod findings;
 mod motion;
-mod pressing;
+pub(crate) mod pressing;
 pub(crate) mod search;
 pub mod sizing;
 mod spec;

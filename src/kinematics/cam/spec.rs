@@ -37,6 +37,10 @@ pub struct CamMaterial {
     pub thickness: f64,
     /// E* (Pa), > 0: 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂.
     pub contact_modulus: f64,
+    /// Young's moduli E of follower and cam (Pa), > 0.
+    pub moduli: [f64; 2],
+    /// Poisson's ratios ν of follower and cam.
+    pub poisson_ratios: [f64; 2],
 }
 
 /// Guide of a follower.

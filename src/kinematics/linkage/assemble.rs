@@ -36,10 +36,26 @@ pub(super) fn assemble(
 ) -> Result<Vec<Branch>, Vec<Fault>> {
     drive::<1>(plan, state, spec.start);
     placed_by_the_driver(spec, plan, state)?;
+    self::groups(spec, plan, groups, state, &mut |_, _| {})
+}
+
+/// Chooses the branches of all groups, what the inputs place being in its place; `before`
+/// is told of each group (its index) before it is put together.
+///
+/// # Errors
+/// A group cannot be assembled at the start, or it is not said how.
+pub(super) fn groups(
+    spec: &LinkageSpec,
+    plan: &Plan,
+    groups: &[Group],
+    state: &mut State,
+    before: &mut dyn FnMut(usize, &mut State),
+) -> Result<Vec<Branch>, Vec<Fault>> {
     let mut branches = Vec::new();
     // Of each choice how far the link would be in the other assembly of its group.
     let mut in_other = vec![0.0; spec.assembly.len()];
     for (index, step) in plan.steps.iter().enumerate() {
+        before(index, state);
         let (places, choices): (Vec<usize>, Vec<&AssemblySpec>) = spec
             .assembly
             .iter()

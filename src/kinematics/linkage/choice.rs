@@ -49,8 +49,12 @@ pub(super) fn names(spec: &LinkageSpec, bodies: &[Body]) -> String {
     names.join(" and ")
 }
 
-/// The input at the start with its unit.
+/// The input at the start with its unit; "given" where it is no number, because there are
+/// several.
 pub(super) fn start_in_words(spec: &LinkageSpec) -> String {
+    if spec.start.is_nan() {
+        return "given".to_owned();
+    }
     match spec.pairs[spec.driver].slides() {
         true => format!("{} m", short(spec.start)),
         false => format!("{} deg", short(spec.start.to_degrees())),

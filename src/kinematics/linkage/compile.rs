@@ -15,9 +15,9 @@ use crate::fault::{Fault, Faults};
 use misfit::misfit;
 
 /// The bodies that the driver does not place, and the body of every link.
-struct Bodies {
-    list: Vec<Body>,
-    of_link: Vec<Option<usize>>,
+pub(super) struct Bodies {
+    pub(super) list: Vec<Body>,
+    pub(super) of_link: Vec<Option<usize>>,
 }
 
 /// Structure and plan of a linkage whose numbers are right; dyads by iteration
@@ -97,7 +97,7 @@ fn driver_group(spec: &LinkageSpec) -> Group {
 }
 
 /// A pair belongs to the group that comes last of those it touches.
-fn is_last(edge: &Edge, group: &[usize], groups: &[Vec<usize>]) -> bool {
+pub(super) fn is_last(edge: &Edge, group: &[usize], groups: &[Vec<usize>]) -> bool {
     let place = |body: usize| groups.iter().position(|group| group.contains(&body));
     let here = group.first().and_then(|&body| place(body));
     edge.iter().flatten().all(|&body| place(body) <= here)
@@ -160,7 +160,7 @@ fn sliding_loops(spec: &LinkageSpec, faults: &mut Faults) {
 }
 
 /// A group that is solved by iteration.
-fn larger_group(
+pub(super) fn larger_group(
     spec: &LinkageSpec,
     bodies: &Bodies,
     group: &[usize],
@@ -188,7 +188,7 @@ fn larger_group(
     (Some(Step::Newton(newton)), GroupKind::Newton { links })
 }
 
-fn dyad(
+pub(super) fn dyad(
     spec: &LinkageSpec,
     bodies: &Bodies,
     group: [usize; 2],

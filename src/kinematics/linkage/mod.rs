@@ -31,6 +31,7 @@ mod examine;
 mod forces;
 mod guesses;
 pub mod kinetostatics;
+pub mod multi;
 mod newton;
 mod plan;
 mod range;

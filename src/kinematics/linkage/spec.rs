@@ -84,6 +84,14 @@ impl PairSpec {
     pub fn slides(&self) -> bool {
         matches!(self.kind, PairKind::Sliding { .. })
     }
+
+    /// Direction of the guide in the frame of link i, (cos ψ, sin ψ); `None` of a pin.
+    pub(crate) fn direction(&self) -> Option<[f64; 2]> {
+        match self.kind {
+            PairKind::Revolute { .. } => None,
+            PairKind::Sliding { direction, .. } => Some([direction.cos(), direction.sin()]),
+        }
+    }
 }
 
 /// Turning or sliding.

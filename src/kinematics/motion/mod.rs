@@ -6,12 +6,14 @@ mod run_up;
 mod spec;
 mod spline;
 pub mod stroke;
+mod written;
 
 pub use cycle::{Cycle, CycleSpec};
 pub use law::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
 pub use run_up::LawRunUp;
 pub use spec::DriveMotionSpec;
 pub use spline::Spline;
+pub use written::WrittenMotion;
 
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
@@ -57,6 +59,8 @@ pub enum DriveMotion {
     /// first and after the last point the drive turns on with the speed it has
     /// there: the acceleration jumps at both.
     Table(Spline),
+    /// φ as an expression of time.
+    Written(Box<WrittenMotion>),
 }
 
 impl DriveMotion {
@@ -120,6 +124,13 @@ impl DriveMotion {
                     Err(Vec::new())
                 }
             },
+            DriveMotionSpec::Written {
+                ref expression,
+                factor,
+            } => {
+                let motion = WrittenMotion::new(expression, factor)?;
+                Ok(Self::Written(Box::new(motion)))
+            }
             DriveMotionSpec::Table { ref points } => {
                 faults.points("table", points, 3);
                 faults.check()?;
@@ -176,6 +187,7 @@ impl DriveMotion {
             }
             Self::Plan(cycle) => cycle.jet(segment, time),
             Self::LawRunUp(run_up) => run_up.jet(segment, time),
+            Self::Written(written) => written.jet(segment, time),
             Self::Table(spline) => {
                 let (first, last) = spline.ends();
                 match segment {
@@ -195,6 +207,7 @@ impl DriveMotion {
             Self::RunUp { time, .. } => vec![*time],
             Self::Plan(cycle) => cycle.breaks().points.clone(),
             Self::LawRunUp(run_up) => run_up.breaks(),
+            Self::Written(written) => written.breaks().points.clone(),
             Self::Table(spline) => spline.knots().to_vec(),
         }
     }
@@ -205,6 +218,7 @@ impl DriveMotion {
             Self::Constant { .. } | Self::Accelerated { .. } => Vec::new(),
             Self::RunUp { time, .. } => vec![*time],
             Self::Plan(cycle) => return cycle.breaks().clone(),
+            Self::Written(written) => return written.breaks().clone(),
             Self::LawRunUp(run_up) => run_up.breaks(),
             Self::Table(spline) => {
                 let (first, last) = spline.ends();

@@ -3,6 +3,7 @@
 
 use super::cycle::CycleSpec;
 use super::law::RunLawSpec;
+use crate::math::expression::Expression;
 
 /// Prescribed motion of a drive.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +40,13 @@ pub enum DriveMotionSpec {
     /// `{ "plan": { "stations", "period", "advance" = 0, "phase" = 0 } }`:
     /// moves by laws of motion and dwells.
     Plan(CycleSpec),
+    /// `{ "expression": "0.1*sin(2*pi*t)", "unit" }` of the time `t` in s.
+    Written {
+        /// The expression, of variable 0.
+        expression: Expression,
+        /// Factor on its value, which is then in rad or m.
+        factor: f64,
+    },
     /// `{ "table": [[t, φ], …] }`: a smooth spline through at least three points.
     Table {
         /// (t, φ), t strictly ascending.

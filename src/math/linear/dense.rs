@@ -131,9 +131,61 @@ fn subtract<N: Number>(row: &mut [N], factor: N, above: &[N]) {
     }
 }
 
+/// Factorises a symmetric positive n × n matrix, given by rows of which the lower triangle
+/// is looked at, to L·D·Lᵀ: L (with ones) below the diagonal, 1/D on it. No roots are taken
+/// and no rows exchanged. Returns the least pivot over the entry that it began as: where it
+/// is not well above rounding, the matrix is not positive, and what is solved with it means
+/// nothing.
+pub(crate) fn factorise_symmetric<N: Number>(matrix: &mut [N], n: usize) -> f64 {
+    let mut least = f64::INFINITY;
+    for i in 0..n {
+        let (before, rest) = matrix.split_at_mut(i * n);
+        let row = &mut rest[..n];
+        for j in 0..i {
+            let mut sum = row[j];
+            for (&own, &other) in row[..j].iter().zip(&before[j * n..]) {
+                sum -= own * other;
+            }
+            row[j] = sum;
+        }
+        let mut pivot = row[i];
+        let size = pivot.value().abs();
+        for (j, entry) in row[..i].iter_mut().enumerate() {
+            let factor = *entry * before[j * n + j];
+            pivot -= factor * *entry;
+            *entry = factor;
+        }
+        row[i] = N::from(1.0) / pivot;
+        // Not a number counts as zero.
+        let ratio = pivot.value() / size;
+        least = least.min(if ratio.is_finite() { ratio } else { 0.0 });
+    }
+    least
+}
+
+/// Solves A·x = r in place with the factors of [`factorise_symmetric`].
+pub(crate) fn solve_symmetric<N: Number>(factors: &[N], right: &mut [N]) {
+    let n = right.len();
+    for i in 1..n {
+        let (known, rest) = right.split_at_mut(i);
+        for (&factor, &value) in factors[i * n..i * n + i].iter().zip(known.iter()) {
+            rest[0] -= factor * value;
+        }
+    }
+    for (i, value) in right.iter_mut().enumerate() {
+        *value = *value * factors[i * n + i];
+    }
+    for i in (1..n).rev() {
+        let (rest, known) = right.split_at_mut(i);
+        for (value, &factor) in rest.iter_mut().zip(&factors[i * n..i * n + i]) {
+            *value -= factor * known[0];
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{factorise, solve};
+    use super::{factorise, factorise_symmetric, solve, solve_symmetric};
     use crate::math::number::Dual;
 
     #[test]
@@ -157,6 +209,30 @@ mod tests {
         }
         // By cofactors along the third row: 4·det[2 1 0; 0 0 3; 0 2 1] − 1·det[0 1 0; 1 0 3; 0 2 1].
         approx::assert_relative_eq!(determinant, 4.0 * -12.0 + 1.0, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn a_symmetric_matrix_needs_its_lower_triangle_alone() {
+        // B·Bᵀ with B = [2 0 0 0; 1 3 0 0; −1 2 1 0; 0.5 0 −2 4]; above the diagonal nothing.
+        let matrix = [
+            4.0, 9.0, 9.0, 9.0, //
+            2.0, 10.0, 9.0, 9.0, //
+            -2.0, 5.0, 6.0, 9.0, //
+            1.0, 0.5, -2.5, 20.25,
+        ];
+        let wanted = [1.0, -2.0, 3.0, 0.5];
+        let entry = |i: usize, k: usize| matrix[i.max(k) * 4 + i.min(k)];
+        let mut right = [0, 1, 2, 3].map(|i| (0..4).map(|k| entry(i, k) * wanted[k]).sum());
+        let mut factors = matrix;
+        // Pivots 4, 9, 1, 16 of the entries 4, 10, 6, 20.25.
+        let least = factorise_symmetric(&mut factors, 4);
+        approx::assert_relative_eq!(least, 1.0 / 6.0, max_relative = 1e-14);
+        solve_symmetric(&factors, &mut right);
+        for (found, wanted) in right.iter().zip(wanted) {
+            approx::assert_relative_eq!(*found, wanted, max_relative = 1e-13);
+        }
+        assert!(factorise_symmetric(&mut [1.0, 0.0, 2.0, 4.0], 2) <= 0.0);
+        assert_eq!(factorise_symmetric(&mut [0.0], 1), 0.0);
     }
 
     #[test]

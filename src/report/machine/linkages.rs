@@ -1,8 +1,9 @@
 //! Linkages of the machine: to scale, over their input coordinate.
 
 use super::way::{Picture, Way};
-use crate::dynamics::model::{Model, NodeMotion, ObjectPart};
-use crate::kinematics::linkage::Linkage;
+use crate::dynamics::model::{Model, MultiLinkageBody, NodeMotion, ObjectPart};
+use crate::dynamics::record::{Column, Quantity, Record};
+use crate::kinematics::linkage::{Linkage, Pose};
 use crate::report::html::player::{Body, Shown};
 use crate::report::mechanism::{Axis, Drawing, Placement, View};
 
@@ -24,6 +25,70 @@ pub(super) fn picture(
     };
     let body = model.linkages.iter().find(|body| own(body.object))?;
     Some(drawn(&body.linkage, way, column))
+}
+
+/// The picture of an object that is a linkage of several inputs, over the rows of the record.
+pub(super) fn several(model: &Model, part: &ObjectPart, record: &Record) -> Option<Picture> {
+    let own = |body: &&MultiLinkageBody| model.objects[body.object].id == part.id;
+    let body = model.multi_linkages.iter().find(own)?;
+    let linkage = &body.linkage;
+    let columns: Vec<&Column> = (linkage.inputs().iter())
+        .map(|input| {
+            record.column(
+                &format!("{}.{}", part.id, input.name),
+                Quantity::Displacement,
+            )
+        })
+        .collect::<Option<_>>()?;
+    let still = vec![0.0; columns.len()];
+    let mut space = linkage.workspace::<f64>();
+    let spec = &linkage.spec().linkage;
+    let frame = |row: usize| {
+        let inputs: Vec<f64> = columns.iter().map(|column| column.values[row]).collect();
+        match space.solve(&inputs, &still) {
+            Ok(()) => (0..spec.links.len())
+                .map(|link| placement(space.pose(link)))
+                .collect(),
+            Err(_) => vec![NOWHERE; spec.links.len()],
+        }
+    };
+    let drawing = Drawing {
+        spec,
+        frames: (0..record.times.len()).map(frame).collect(),
+        axis: Axis {
+            name: String::new(),
+            unit: String::new(),
+            times: Vec::new(),
+            values: record.times.clone(),
+            closed: false,
+        },
+        paths: Vec::new(),
+        arrows: Vec::new(),
+    };
+    let view = View::of(&drawing);
+    let bodies = (0..spec.links.len()).map(|link| Body::Rows {
+        table: drawing.table(&view, link),
+    });
+    Some(Picture {
+        bodies: bodies.collect(),
+        drawn: drawing.parts(&view, 0),
+        size: [view.width, view.height],
+        // Its links are rigid.
+        pixels: 0.0,
+    })
+}
+
+/// A place that is no number.
+const NOWHERE: Placement = Placement {
+    at: [f64::NAN; 2],
+    turn: [1.0, 0.0],
+};
+
+fn placement(pose: Pose) -> Placement {
+    Placement {
+        at: [pose.x, pose.y],
+        turn: [pose.cos, pose.sin],
+    }
 }
 
 /// The linkage that an object's law is the short form of; `way` and `column` are those
@@ -96,22 +161,8 @@ fn frames(linkage: &Linkage, inputs: &[f64]) -> Vec<Vec<Placement>> {
     let mut work = linkage.workspace();
     let links = linkage.spec().links.len();
     let frame = |&input: &f64| match linkage.solve(input, 0, &mut work) {
-        Ok(()) => (0..links)
-            .map(|link| {
-                let pose = work.pose(link);
-                Placement {
-                    at: [pose.x, pose.y],
-                    turn: [pose.cos, pose.sin],
-                }
-            })
-            .collect(),
-        Err(_) => vec![
-            Placement {
-                at: [f64::NAN; 2],
-                turn: [1.0, 0.0],
-            };
-            links
-        ],
+        Ok(()) => (0..links).map(|link| placement(work.pose(link))).collect(),
+        Err(_) => vec![NOWHERE; links],
     };
     inputs.iter().map(frame).collect()
 }

@@ -59,6 +59,7 @@ impl Station {
             drawn.iter().position(|one| one.id == *id)
         });
         let geometry = linkages::picture(machine.model, part, &own, column)
+            .or_else(|| linkages::several(machine.model, part, record))
             .or_else(|| cams::picture(machine, part, &own, [driver?, column], elastic));
         let law = || linkages::law(machine.model, part, &way(drawn[driver?])?, driver?);
         let diagram = || match part.coordinate {

@@ -4,6 +4,8 @@
 //! they cannot say different things.
 
 mod latex;
+#[cfg(feature = "studio")]
+mod mathml;
 mod unicode;
 
 pub use latex::escape as latex_text;
@@ -220,6 +222,12 @@ impl Expr {
     /// As LaTeX for math mode.
     pub fn latex(&self) -> String {
         latex::write(self)
+    }
+
+    /// As MathML, for inside of `<math>`.
+    #[cfg(feature = "studio")]
+    pub fn mathml(&self) -> String {
+        mathml::write(self)
     }
 
     /// True when the formula must be bracketed as a factor.

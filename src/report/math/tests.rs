@@ -50,3 +50,81 @@ fn brackets_stand_where_they_must() {
     assert_eq!(Expr::Number(-2.0).times(a).unicode(), "(−2)a");
     assert_eq!(Expr::Number(1.5e-7).latex(), r"1.5 \cdot 10^{-7}");
 }
+
+/// Whether all elements are closed in their order.
+#[cfg(feature = "studio")]
+fn is_well_formed(text: &str) -> bool {
+    let mut open = Vec::new();
+    for part in text.split('<').skip(1) {
+        let Some((tag, _)) = part.split_once('>') else {
+            return false;
+        };
+        match tag.strip_prefix('/') {
+            Some(name) if open.pop() != Some(name) => return false,
+            Some(_) => {}
+            None if tag.ends_with('/') => {}
+            None => open.push(tag.split(' ').next().unwrap_or(tag)),
+        }
+    }
+    open.is_empty()
+}
+
+#[cfg(feature = "studio")]
+#[test]
+fn mathml_says_what_the_text_says() {
+    let inertia = symbol("J", Index::Mass(1)).expr();
+    let speed = symbol("φ", Index::Word("left_rocker".into())).rate().expr();
+    let equation = inertia.times(speed.clone()).compare(
+        Relation::Equal,
+        Expr::sum(vec![
+            symbol("F", Index::None).expr().negative(),
+            Expr::Number(-2.5),
+        ]),
+    );
+    assert_eq!(
+        equation.mathml(),
+        "<msub><mi>J</mi><mn>1</mn></msub><mspace width=\"0.17em\"/>\
+         <mrow data-of=\"left_rocker\"><msub><mover><mi>φ</mi><mo>˙</mo></mover><mtext>left_rocker</mtext></msub></mrow>\
+         <mo>=</mo><mo form=\"prefix\">−</mo><mi>F</mi><mo>−</mo><mn>2.5</mn>"
+    );
+    assert_eq!(
+        Expr::Number(-1.5e-7).mathml(),
+        "<mo form=\"prefix\">−</mo><mn>1.5</mn><mo>·</mo><msup><mn>10</mn><mn>−7</mn></msup>"
+    );
+    // All that there is, nested; what is read of it is the text without its signs of layout.
+    let word = |text: &str| Expr::Words(text.to_owned());
+    let all = Expr::Cases(vec![
+        (
+            Expr::Absolute(Box::new(speed.clone().squared()))
+                .over(Expr::Root(Box::new(phi(Index::Any(-1))))),
+            Expr::All(vec![
+                phi(Index::Mass(2)).compare(Relation::Less, Expr::Angle(PI / 3.0)),
+                speed.compare(Relation::Unequal, Expr::Number(0.0)),
+            ]),
+        ),
+        (
+            Expr::Greater(
+                Box::new(Expr::At(
+                    symbol("U", Index::WordMass("a<b".into(), 3)).prime(),
+                    Box::new(phi(Index::None)),
+                )),
+                Box::new(Expr::Function(
+                    "sin",
+                    Box::new(phi(Index::None).minus(Expr::Number(1.0))),
+                )),
+            ),
+            word("otherwise & <else>"),
+        ),
+    ]);
+    let mathml = all.mathml();
+    assert!(is_well_formed(&mathml), "{mathml}");
+    let read: String = mathml
+        .split('<')
+        .skip(1)
+        .filter_map(|part| Some(part.split_once('>')?.1))
+        .collect();
+    assert_eq!(
+        read.replace('\u{a0}', " "),
+        "{|φ˙left_rocker2|φm−1while φ2&lt;π3 and φ˙left_rocker≠0max(Ua&lt;b,3′(φ),sin(φ−1))otherwise &amp; &lt;else&gt;"
+    );
+}

@@ -8,6 +8,8 @@ mod guides;
 mod parts;
 mod section;
 mod shape;
+#[cfg(feature = "studio")]
+pub(in crate::report) mod sketch;
 mod view;
 
 pub(in crate::report) use section::STYLE;

@@ -115,6 +115,27 @@ const live = (() => {
     parent.appendChild(node);
     return node;
   }
+  // Writes an attribute where it is another one: the browser draws anew whatever is written.
+  function put(node, name, value) {
+    const text = String(value);
+    if (node.getAttribute(name) !== text) node.setAttribute(name, text);
+  }
+  function word(node, text) { if (node.textContent !== text) node.textContent = text; }
+  // Makes the children of a group from the one numbered `first` on those listed: name, attributes,
+  // text. What is there is used again.
+  function renew(parent, first, list) {
+    // White space between what the program wrote.
+    if (parent.childNodes.length !== parent.children.length) parent.replaceChildren(...parent.children);
+    list.forEach(([name, attributes, text = ""], index) => {
+      const there = parent.children[first + index];
+      const alike = there && there.nodeName === name && there.getAttributeNames().join() === Object.keys(attributes).join();
+      const node = alike ? there : document.createElementNS(SVG, name);
+      if (!alike && there) there.replaceWith(node); else if (!alike) parent.appendChild(node);
+      for (const key in attributes) put(node, key, attributes[key]);
+      word(node, text);
+    });
+    while (parent.children.length > first + list.length) parent.lastElementChild.remove();
+  }
   const fixed = (value) => +value.toFixed(2);
   const widthOf = (text) => 6.8 * text.length;
 
@@ -241,7 +262,8 @@ const live = (() => {
     }
 
     // -- drawing
-    room() { return this.svg.parentNode.clientWidth; }
+    // Width that there is; asked of the page only where it has not told of it.
+    room() { return this.width ?? this.svg.parentNode.clientWidth; }
     fit(room) {
       if (this.fluid) {
         const total = Math.max(280, printing ? Math.min(700, this.size[0]) : room);
@@ -249,7 +271,7 @@ const live = (() => {
         for (const entry of this.entries) {
           const room = +entry.dataset.room;
           if (x > this.drawn.left && x + room - 12 > total - RIGHT) { x = this.drawn.left; row++; }
-          entry.setAttribute("transform", `translate(${x} ${36 + 18 * row})`);
+          put(entry, "transform", `translate(${x} ${36 + 18 * row})`);
           x += room;
         }
         const lane = this.group.querySelector(".lane") ? LANE : 0;
@@ -257,7 +279,7 @@ const live = (() => {
         this.frame.width = Math.max(60, total - this.drawn.left - RIGHT);
         this.frame.height = this.drawn.height;
         const height = this.frame.top + this.frame.height + this.below;
-        this.svg.setAttribute("viewBox", `0 0 ${fixed(total)} ${fixed(height)}`);
+        put(this.svg, "viewBox", `0 0 ${fixed(total)} ${fixed(height)}`);
         if (this.data.plane) {
           const whole = !this.zoomed();
           if (whole) this.range = { x: this.data.x.ends, y: this.data.y.ends };
@@ -266,11 +288,11 @@ const live = (() => {
         }
       }
       const { left, top, width, height } = this.frame;
-      if (this.border) this.border.setAttribute("d", `M${left} ${top}h${width}v${height}h${-width}z`);
+      if (this.border) put(this.border, "d", `M${left} ${top}h${width}v${height}h${-width}z`);
       for (const node of [this.pad, this.clip]) {
-        node.setAttribute("x", this.frame.left); node.setAttribute("y", this.frame.top);
-        node.setAttribute("width", this.frame.width);
-        node.setAttribute("height", this.frame.height + (node === this.pad && this.data.field && this.data.field.strip ? 20 : 0));
+        put(node, "x", this.frame.left); put(node, "y", this.frame.top);
+        put(node, "width", this.frame.width);
+        put(node, "height", this.frame.height + (node === this.pad && this.data.field && this.data.field.strip ? 20 : 0));
       }
     }
 
@@ -305,7 +327,7 @@ const live = (() => {
 
     zoomed() { return ["x", "y"].some((axis) => (axis === "x" || this.data.both) && this.range[axis].some((end, i) => end !== this.whole[axis][i])); }
 
-    draw(room = this.room()) {
+    draw(room = this.fluid ? this.room() : 0) {
       this.stale = false;
       this.fit(room);
       this.level();
@@ -328,7 +350,7 @@ const live = (() => {
       this.data.series.forEach((series, index) => this.drawSeries(series, index));
       if (this.chosen) this.placeCell(this.kept, this.chosen);
       if (this.here) this.mark(...this.here);
-      this.cell.setAttribute("visibility", "hidden");
+      put(this.cell, "visibility", "hidden");
       if (instant !== null && instant.axis === this.axis) this.pointAt(instant.value); else this.quiet();
     }
 
@@ -342,38 +364,39 @@ const live = (() => {
       const { left, top, width, height } = this.frame, grid = this.grid, { x: xs, y: ys, field } = this.data;
       const solid = field && !field.strip, strip = field && field.strip ? 20 : 0, lane = this.group.querySelector(".lane");
       const name = grid.querySelector(".lane + text");
-      grid.replaceChildren();
+      const list = [];
       if (lane) {
-        lane.setAttribute("x", left); lane.setAttribute("y", top - LANE); lane.setAttribute("width", width);
-        name.setAttribute("y", top - LANE / 2 + 4);
-        grid.append(lane, name);
+        put(lane, "x", left); put(lane, "y", top - LANE); put(lane, "width", width);
+        put(name, "y", top - LANE / 2 + 4);
+        if (grid.firstElementChild !== lane) grid.prepend(lane, name);
       }
       for (const [place, label, kind] of marksOf(ys, this.range.y, height, PITCH_Y)) {
         const y = fixed(this.at("y", place));
         if (!this.inside(left, y)) continue;
-        if (!solid) add(grid, "path", { class: kind, d: `M${left} ${y}h${width}` });
-        if (label) add(grid, "text", { x: left - 7, y, dy: 4, "text-anchor": "end" }, label);
+        if (!solid) list.push(["path", { class: kind, d: `M${left} ${y}h${width}` }]);
+        if (label) list.push(["text", { x: left - 7, y, dy: 4, "text-anchor": "end" }, label]);
       }
       let end = -Infinity;
       for (const [place, label, kind] of marksOf(xs, this.range.x, width, PITCH_X).map((mark) => [this.at("x", mark[0]), mark[1], mark[2]]).sort((a, b) => a[0] - b[0])) {
         const x = fixed(place);
         if (!this.inside(x, top)) continue;
-        add(grid, "path", solid ? { class: "axis", d: `M${x} ${top + height}v4` } : { class: kind, d: `M${x} ${top}v${height}` });
+        list.push(["path", solid ? { class: "axis", d: `M${x} ${top + height}v4` } : { class: kind, d: `M${x} ${top}v${height}` }]);
         const half = widthOf(label) / 2;
         if (!label || x - half < end + 8) continue;
         end = x + half;
-        add(grid, "text", { x: Math.min(x, left + width + 18 - half), y: top + height + strip + 17, "text-anchor": "middle" }, label);
+        list.push(["text", { x: Math.min(x, left + width + 18 - half), y: top + height + strip + 17, "text-anchor": "middle" }, label]);
       }
-      if (!solid) add(grid, "path", { class: "axis", d: `M${left} ${top}v${height}h${width}` });
+      if (!solid) list.push(["path", { class: "axis", d: `M${left} ${top}v${height}h${width}` }]);
       const titled = (axis) => [axis.name, shown(axis, this.range[axis === xs ? "x" : "y"]).unit].filter(Boolean).join(", ");
-      add(grid, "text", { class: "x-name", x: left + width / 2, y: top + height + strip + 35, "text-anchor": "middle" }, titled(xs));
+      list.push(["text", { class: "x-name", x: left + width / 2, y: top + height + strip + 35, "text-anchor": "middle" }, titled(xs)]);
       if (ys.name) {
         const at = Math.max(Math.min(14, left - 40), left - 62);
-        add(grid, "text", { transform: `translate(${at} ${top + height / 2}) rotate(-90)`, "text-anchor": "middle" }, titled(ys));
+        list.push(["text", { transform: `translate(${at} ${top + height / 2}) rotate(-90)`, "text-anchor": "middle" }, titled(ys)]);
       } else {
-        const unit = this.group.querySelector(".title .unit"), text = shown(ys, this.range.y).unit;
-        if (unit) unit.textContent = text ? `, ${text}` : "";
+        const unit = this.group.querySelector(".title .unit"), { unit: text } = shown(ys, this.range.y);
+        if (unit) word(unit, text ? `, ${text}` : "");
       }
+      renew(grid, lane ? 2 : 0, list);
     }
 
     // Rings and directions about the origin.
@@ -384,24 +407,25 @@ const live = (() => {
       const whole = !this.zoomed(), reach = whole ? 0.5 * Math.min(width, height) / pixels - 20 / pixels : far;
       const angle = this.data.plane * Math.PI / 180, visible = (x, y) => this.inside(x, y);
       const clip = this.clip.parentNode.id;
-      grid.replaceChildren();
+      const list = [];
       const step = whole ? reach : Math.min(width, height) / pixels / 2;
       const first = ticks(0, step / factor, 4), gap = first.length > 1 ? first[1][0] - first[0][0] : step / factor;
       const least = this.inside(cx, cy) ? 0 : Math.max(0, Math.hypot(Math.max(left - cx, 0, cx - left - width), Math.max(top - cy, 0, cy - top - height)) / pixels / factor);
       const decimals = first.length > 1 ? (first[1][1].split(".")[1] || "").length : 0;
       for (let ring = Math.max(1, Math.floor(least / gap)), count = 0; ring * gap * factor <= reach * (1 + 1e-6) && count < 40; ring++, count++) {
         const r = ring * gap * factor * pixels;
-        add(grid, "circle", { class: "gridline", cx, cy, r, fill: "none", "clip-path": `url(#${clip})` });
+        list.push(["circle", { class: "gridline", cx, cy, r, fill: "none", "clip-path": `url(#${clip})` }]);
         const x = cx + r * Math.cos(angle), y = cy - r * Math.sin(angle);
-        if (visible(x, y)) add(grid, "text", { x, y, dy: 4, "text-anchor": "middle" }, (ring * gap).toFixed(decimals));
+        if (visible(x, y)) list.push(["text", { x, y, dy: 4, "text-anchor": "middle" }, (ring * gap).toFixed(decimals)]);
       }
       for (let spoke = 0; spoke < 12; spoke++) {
         const [cos, sin] = [Math.cos(spoke * Math.PI / 6), Math.sin(spoke * Math.PI / 6)], r = reach * pixels;
-        add(grid, "path", { class: spoke % 3 ? "gridline" : "zero", d: `M${cx} ${cy}L${cx + r * cos} ${cy - r * sin}`, "clip-path": `url(#${clip})` });
-        if (whole && spoke % 3 === 0) add(grid, "text", { x: cx + (r + 13) * cos, y: cy - (r + 11) * sin, dy: 4, "text-anchor": "middle" }, `${30 * spoke}°`);
+        list.push(["path", { class: spoke % 3 ? "gridline" : "zero", d: `M${cx} ${cy}L${cx + r * cos} ${cy - r * sin}`, "clip-path": `url(#${clip})` }]);
+        if (whole && spoke % 3 === 0) list.push(["text", { x: cx + (r + 13) * cos, y: cy - (r + 11) * sin, dy: 4, "text-anchor": "middle" }, `${30 * spoke}°`]);
       }
       const title = this.group.querySelector(".title .unit");
-      if (title) title.textContent = unit ? `, ${unit}` : "";
+      if (title) word(title, unit ? `, ${unit}` : "");
+      renew(grid, 0, list);
     }
 
     // Shaded parts and lines across the frame.
@@ -422,17 +446,17 @@ const live = (() => {
           flush(); from = l; to = r;
         }
         flush();
-        node.setAttribute("d", d);
+        put(node, "d", d);
       });
       const rules = this.paths.filter(({ node }) => node.matches(".rule"));
       rules.forEach(({ node }, index) => {
         const [at, upright] = this.data.rules[index];
-        node.setAttribute("d", upright ? `M${fixed(this.px(at))} ${top}v${height}` : `M${left} ${fixed(this.py(at))}h${width}`);
+        put(node, "d", upright ? `M${fixed(this.px(at))} ${top}v${height}` : `M${left} ${fixed(this.py(at))}h${width}`);
       });
       const below = this.paths.find(({ node }) => node.matches(".below"));
       if (below) {
         const y = Math.min(Math.max(this.py(this.data.below), top), top + height);
-        below.node.setAttribute("d", `M${left} ${y}h${width}V${top + height}h${-width}z`);
+        put(below.node, "d", `M${left} ${y}h${width}V${top + height}h${-width}z`);
       }
     }
 
@@ -471,7 +495,7 @@ const live = (() => {
             i = end + 1;
           }
         }
-        curve.setAttribute("d", parts.join(""));
+        put(curve, "d", parts.join(""));
       }
       if (!set) return;
       const marks = [...set.children];
@@ -480,8 +504,8 @@ const live = (() => {
       marks.forEach((mark, k) => {
         const [x, y, beside] = spot(places[k]);
         const visible = !off && isFinite(x) && isFinite(y) && (beside ? x >= left - 0.6 && x <= left + width + 0.6 : this.inside(x, y));
-        mark.setAttribute("visibility", visible ? "inherit" : "hidden");
-        if (visible) mark.setAttribute("transform", `translate(${fixed(x)} ${fixed(y)})`);
+        put(mark, "visibility", visible ? "inherit" : "hidden");
+        if (visible) put(mark, "transform", `translate(${fixed(x)} ${fixed(y)})`);
       });
     }
 
@@ -535,9 +559,9 @@ const live = (() => {
     }
 
     quiet() {
-      this.cursor.setAttribute("visibility", "hidden");
-      this.dots.forEach((dot) => dot.setAttribute("visibility", "hidden"));
-      this.reading.textContent = "";
+      put(this.cursor, "visibility", "hidden");
+      this.dots.forEach((dot) => put(dot, "visibility", "hidden"));
+      word(this.reading, "");
     }
 
     // The point nearest to the pointer, of charts whose values belong to points.
@@ -753,25 +777,37 @@ const live = (() => {
 
   // ---- setting up ----------------------------------------------------------
   // The charts within an element, drawn already, with their numbers.
+  const rooms = new ResizeObserver((entries) => {
+    for (const { target } of entries) {
+      const width = target.clientWidth;
+      for (const chart of charts) {
+        if (chart.svg.parentNode !== target || chart.width === width) continue;
+        const first = chart.width === undefined;
+        chart.width = width;
+        if (!first && chart.fluid && width > 0) chart.draw();
+      }
+    }
+  });
   function make(root, source) {
     const made = [...root.querySelectorAll("svg.dam-plot g.plot")].map((group) => new Chart(group, source));
     charts.push(...made);
     root.querySelectorAll(".bar[data-zoom]").forEach(buttons);
-    made.forEach((chart) => chart.draw());
+    made.forEach((chart) => { chart.draw(); rooms.observe(chart.svg.parentNode); });
     return made;
   }
 
   // Other numbers for charts that are the same otherwise; those that are not seen are drawn later.
   function update(made, source, visible = () => true) {
-    const drawn = made.filter(visible), rooms = drawn.map((chart) => chart.room());
+    const drawn = made.filter(visible), widths = drawn.map((chart) => chart.fluid ? chart.room() : 0);
     // Nothing is asked of the page once something was changed: it would be laid out anew each time.
     for (const chart of made) { chart.take(source); chart.stale = true; }
-    drawn.forEach((chart, index) => chart.draw(rooms[index]));
+    drawn.forEach((chart, index) => chart.draw(widths[index]));
   }
 
   // Forgets charts that are about to go.
   function drop(made) {
     const gone = new Set(made);
+    for (const chart of made) rooms.unobserve(chart.svg.parentNode);
     charts.splice(0, charts.length, ...charts.filter((chart) => !gone.has(chart)));
   }
 
@@ -801,8 +837,6 @@ const live = (() => {
   }
   const drawAll = () => charts.forEach((chart) => chart.draw());
   make(document, page);
-  let pending = 0;
-  window.addEventListener("resize", () => { clearTimeout(pending); pending = setTimeout(drawAll, 120); });
   window.addEventListener("beforeprint", () => { printing = true; drawAll(); });
   window.addEventListener("afterprint", () => { printing = false; drawAll(); });
   return { make, update, drop };

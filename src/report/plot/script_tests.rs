@@ -8,39 +8,22 @@ use super::page::SCRIPT;
 use super::scale::{Scale, Tick};
 use crate::report::quantity::{significant, with_unit};
 use serde_json::{Value, json};
-use std::process::Command;
 
-fn browser() -> Option<String> {
-    if let Ok(name) = std::env::var("DAM_BROWSER") {
-        return Some(name);
-    }
-    let names = ["chromium", "chromium-browser", "google-chrome"];
-    let works = |name: &&str| Command::new(name).arg("--version").output().is_ok();
-    names.into_iter().find(works).map(str::to_owned)
-}
+#[path = "../../../tests/program/browser.rs"]
+mod page_in;
+
+use page_in::{browser, dom};
 
 /// What an expression over `cases` comes to behind the numbers of the script.
 fn told(browser: &str, cases: &Value, expression: &str) -> Value {
     let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("page.html");
     let numbers = SCRIPT.split("// Words beside").next().unwrap();
     let page = format!(
         "<!DOCTYPE html><meta charset=\"utf-8\"><pre id=\"answer\"></pre>\
          <script id=\"data\" type=\"application/json\">{cases}</script>\n<script>{numbers}\n\
          document.getElementById(\"answer\").textContent = JSON.stringify({expression});</script>"
     );
-    std::fs::write(&path, page).unwrap();
-    let output = Command::new(browser)
-        .args(["--headless", "--no-sandbox", "--disable-gpu", "--dump-dom"])
-        .args(["--no-first-run", "--disable-background-networking"])
-        .arg(format!(
-            "--user-data-dir={}",
-            folder.path().join("profile").display()
-        ))
-        .arg(format!("file://{}", path.display()))
-        .output()
-        .unwrap();
-    let dom = String::from_utf8(output.stdout).unwrap();
+    let dom = dom(browser, &page, folder.path());
     let answer = dom.split("<pre id=\"answer\">").nth(1).expect("an answer");
     serde_json::from_str(answer.split("</pre>").next().unwrap()).expect(answer)
 }

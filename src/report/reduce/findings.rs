@@ -70,7 +70,7 @@ fn steps(reduction: &Reduction) -> Table {
         ]
     };
     let steps = reduction.removed().chain(reduction.kept());
-    Table::new(["object", "made simpler", "verdict", "because it"]).rows(steps.map(row))
+    Table::new(["object", "made simpler", "verdict", "~because it"]).rows(steps.map(row))
 }
 
 /// The scene as given beside the reduced one.

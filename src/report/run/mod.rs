@@ -97,6 +97,8 @@ pub(in crate::report) fn objects<'a>(figures: &Figures, samples: usize) -> Vec<S
             .table(tables::pairs(figures))
             .legend(window(figures)),
         Section::new("Stops").table(tables::stops(figures)),
+        Section::new("Impacts").table(tables::impacts(figures)),
+        Section::new("Pressure on the cam").table(tables::pressing(figures)),
         Section::new("Joint friction").table(tables::joints(figures)),
     ];
     sections.retain(has_rows);

@@ -139,6 +139,33 @@ pub(super) fn stops(figures: &Figures) -> Table {
     })
 }
 
+/// Pressure on the cams of known material.
+pub(super) fn pressing(figures: &Figures) -> Table {
+    let heads = [">greatest pressure", ">at"];
+    table(heads, figures, |object, _| {
+        let pressing = object.pressing?;
+        Some(vec![
+            value(pressing.max_pressure, "Pa"),
+            value(pressing.time, "s"),
+        ])
+    })
+}
+
+/// Impacts of every rigid contact.
+pub(super) fn impacts(figures: &Figures) -> Table {
+    let heads = [">impacts", ">greatest impulse", ">energy lost"];
+    table(heads, figures, |object, units| {
+        let pair = object.pair.as_ref().and_then(|pair| pair.impacts);
+        let stop = object.stop.as_ref().and_then(|stop| stop.impacts);
+        let impacts = pair.or(stop)?;
+        Some(vec![
+            impacts.count.to_string().into(),
+            value(impacts.max_impulse, &format!("{} s", units.force)),
+            value(impacts.loss, "J"),
+        ])
+    })
+}
+
 /// Figures of every linkage whose joints have friction.
 pub(super) fn joints(figures: &Figures) -> Table {
     let heads = [">standstills", ">time at rest", ">energy lost"];

@@ -31,6 +31,9 @@ pub(super) fn summary_of(law: ContactLaw, stiffness: f64, coordinate: Coordinate
         chi => format!(", χ = {} s/{}", number(chi), unit.displacement),
     };
     match law {
+        ContactLaw::Restitution { coefficient } => {
+            format!("contact, rigid, e = {}", number(coefficient))
+        }
         ContactLaw::Elastic => format!("contact, elastic, {stiffness}"),
         ContactLaw::KelvinVoigt { damping } => format!(
             "contact, Kelvin–Voigt, {stiffness}, b = {} {}",

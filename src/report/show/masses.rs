@@ -2,7 +2,8 @@
 
 use super::{contact, equations, load_word, units};
 use crate::dynamics::model::{
-    Closure, Coordinate, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair, STOP,
+    Closure, Coordinate, DampingLaw, LinkBase, Model, MultiLinkageBody, NodeMotion, OUTPUT,
+    ObjectPart, Pair, STOP,
 };
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::report::diagram::pair;
@@ -27,6 +28,7 @@ pub fn text(model: &Model, frequencies: &Frequencies) -> String {
     section(&mut out, "Links", &links(model));
     section(&mut out, "Reduced to modes", &super::reduced::table(model));
     out.push_str(&linkages(model));
+    out.push_str(&multi_linkages(model));
     section(&mut out, "Driving pairs", &pairs(model));
     section(&mut out, "Loads", &loads(model));
     section(
@@ -35,6 +37,29 @@ pub fn text(model: &Model, frequencies: &Frequencies) -> String {
         &table_of(frequencies),
     );
     out
+}
+
+/// The same as tables of a page.
+#[cfg(feature = "studio")]
+pub(in crate::report) fn html(model: &Model, frequencies: &Frequencies) -> String {
+    use crate::report::quantity::escape;
+    let tables = [
+        ("Natural frequencies, undamped", table_of(frequencies)),
+        ("Masses", masses(model)),
+        ("Links", links(model)),
+        ("Reduced to modes", super::reduced::table(model)),
+        ("Driving pairs", pairs(model)),
+        ("Loads", loads(model)),
+    ];
+    let tables = tables.iter().map(|(title, table)| match table.html() {
+        none if none.is_empty() => none,
+        table => format!("<h2>{title}</h2>\n{table}"),
+    });
+    let tables: String = tables.collect();
+    match linkages(model).trim() {
+        "" => tables,
+        words => format!("{tables}<h2>Linkages</h2>\n<pre>{}</pre>\n", escape(words)),
+    }
 }
 
 fn section(out: &mut String, title: &str, table: &Table) {
@@ -63,6 +88,8 @@ fn masses(model: &Model) -> Table {
         let drivers = drivers.join(" and ");
         for (place, &index) in object.nodes.iter().enumerate() {
             let node = &model.nodes[index];
+            let mut several = model.multi_linkages.iter();
+            let several = several.find(|body| body.node == index);
             let (mass, motion) = match &node.motion {
                 NodeMotion::Prescribed { .. } => ("–".to_owned(), "prescribed".to_owned()),
                 NodeMotion::Rotor { .. } => {
@@ -73,9 +100,18 @@ fn masses(model: &Model) -> Table {
                     ("–".to_owned(), format!("rigid, follows {drivers}"))
                 }
             };
+            let motion = match several {
+                None => motion,
+                Some(body) => {
+                    let inputs = body.linkage.inputs().iter();
+                    let inputs: Vec<&str> = inputs.map(|input| input.name.as_str()).collect();
+                    format!("rigid, by its inputs {}", inputs.join(", "))
+                }
+            };
             let reduced = model.linkages.iter().any(|body| body.node == index);
             let inertia = match reduced {
                 true => "J(φ)".to_owned(),
+                false if several.is_some() => "M(q)".to_owned(),
                 false => significant(node.inertia, 6),
             };
             table.push(vec![
@@ -119,6 +155,59 @@ fn linkages(model: &Model) -> String {
         }
     }
     out
+}
+
+/// Mobility, groups and branches of every linkage of several inputs, and what moves each
+/// input.
+fn multi_linkages(model: &Model) -> String {
+    let mut out = String::new();
+    for body in &model.multi_linkages {
+        let linkage = &body.linkage;
+        out.push_str(&format!("\nLinkage {}\n", model.objects[body.object].id));
+        for line in linkage.structure().to_string().lines() {
+            out.push_str(&format!("  {line}\n"));
+        }
+        for (input, what) in linkage.inputs().iter().zip(moved_by(model, body)) {
+            let coordinate = linkage.describe(input);
+            out.push_str(&format!("  input {}: {coordinate}, {what}\n", input.name));
+        }
+        let outputs = body.outputs.iter().filter_map(|node| {
+            let one = model
+                .objects
+                .iter()
+                .find(|part| part.nodes.contains(node))?;
+            Some(format!(
+                "{} ({})",
+                one.id,
+                units(one.coordinate).displacement
+            ))
+        });
+        let outputs: Vec<String> = outputs.collect();
+        if !outputs.is_empty() {
+            out.push_str(&format!("  outputs {}\n", outputs.join(", ")));
+        }
+    }
+    out
+}
+
+/// What moves each input of a linkage of several, in words.
+pub fn moved_by<'m>(
+    model: &'m Model,
+    body: &'m MultiLinkageBody,
+) -> impl Iterator<Item = String> + 'm {
+    body.inputs
+        .iter()
+        .map(|&node| match &model.nodes[node].motion {
+            NodeMotion::Rigid { law } => {
+                let mut parts = model.objects.iter();
+                let driver = parts.find(|part| part.nodes.last() == Some(&law.driver));
+                format!(
+                    "moved by {}",
+                    driver.map_or("its driver", |part| part.id.as_str())
+                )
+            }
+            _ => "free".to_owned(),
+        })
 }
 
 /// The pairs with friction, each with its numbers.
@@ -182,7 +271,10 @@ fn pairs(model: &Model) -> Table {
     let mut table = Table::new(["object", "closure", ">gap", "opens", "contact law"]);
     let linkage = |object: &ObjectPart| {
         let mut bodies = model.linkages.iter();
-        object.kind == OUTPUT || bodies.any(|body| object.nodes.contains(&body.node))
+        let mut several = model.multi_linkages.iter();
+        object.kind == OUTPUT
+            || bodies.any(|body| object.nodes.contains(&body.node))
+            || several.any(|body| object.nodes.contains(&body.node))
     };
     for object in objects(model).filter(|one| !one.is_drive() && one.kind != STOP && !linkage(one))
     {
@@ -218,6 +310,7 @@ fn pairs(model: &Model) -> Table {
                 "Hunt–Crossley, κ from b and the static load".to_owned()
             }
             (DampingLaw::Hertz { .. }, _) => "Hertz".to_owned(),
+            (DampingLaw::Restitution { .. }, _) => "rigid".to_owned(),
         };
         table.push(vec![
             object.id.clone(),

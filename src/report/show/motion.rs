@@ -61,6 +61,13 @@ pub fn formula(motion: &DriveMotion, coordinate: Coordinate) -> Expr {
             significant(run_up.time, 6),
             run_up.spec.words()
         )),
+        DriveMotion::Written(written) => {
+            let text = written.text().to_owned();
+            match written.factor() {
+                1.0 => Expr::Words(text),
+                factor => Expr::Number(factor).times(Expr::Words(format!("({text})"))),
+            }
+        }
         DriveMotion::Table(spline) => {
             let (from, to) = spline.ends();
             Expr::Words(format!(
@@ -94,6 +101,7 @@ pub fn summary(motion: &DriveMotion, coordinate: Coordinate) -> String {
             with_unit(run_up.time, "s", 4)
         ),
         DriveMotion::Table(_) => "table over time".into(),
+        DriveMotion::Written(written) => written.text().to_owned(),
     }
 }
 

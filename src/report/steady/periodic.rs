@@ -184,7 +184,7 @@ pub fn periodic_findings<'a>(
     };
     let state = answer.state_names.iter().zip(&answer.state);
     let state = state.map(|(name, value)| vec![name.as_str().into(), Value::new(*value, "", 14)]);
-    let state = Table::new(["coordinate", ">value"]).rows(state);
+    let state = Table::new(["coordinate", ">value, SI"]).rows(state);
     sections.push(Section::new(start).item(Item::Folded("all coordinates".into(), state)));
     let subtitle = match &answer.drive {
         Some(drive) => format!(
@@ -225,7 +225,7 @@ fn verdict(parts: &[PartMotion]) -> Verdict {
 fn circle(part: &PartMotion) -> Plot {
     let points = (0..=180).map(|i| (f64::from(i) * 2.0f64.to_radians()).sin_cos());
     let mark = |note: String| Mark {
-        shape: Shape::Cross,
+        shape: Shape::Good,
         note,
     };
     let multipliers = &part.multipliers;
@@ -248,6 +248,7 @@ fn circle(part: &PartMotion) -> Plot {
     };
     Plot {
         title: format!("Floquet multipliers of {}", part.objects.join(", ")),
+        x: Axis::default(),
         plane: true,
         series: vec![
             found,

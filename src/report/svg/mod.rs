@@ -1,3 +1,5 @@
-//! The object graph as a picture. Charts are drawn by [`crate::report::plot`].
+//! The object graph and the dynamic model as pictures. Charts are drawn by [`crate::report::plot`].
 
 pub mod graph;
+#[cfg(feature = "studio")]
+pub(in crate::report) mod masses;

@@ -5,10 +5,12 @@ mod elastic;
 mod force;
 mod reduction;
 mod result;
+mod speed_search;
 
 pub use elastic::{Steady, steady_contact};
 pub use force::{CamForce, ForceFigures, Reserve, SpringAnswer};
 pub use result::{Answer, CamFigures, FaceFigures, Question, Radii, figures};
+pub use speed_search::SpeedSearch;
 
 use crate::dynamics::model::{Closure, Model, NodeMotion};
 use crate::fault::{Fault, Faults};

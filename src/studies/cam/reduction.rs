@@ -116,7 +116,7 @@ impl<'m> Reduction<'m> {
                         load.name
                     ));
                 }
-                LoadLaw::Custom { .. } => {
+                LoadLaw::Custom { .. } | LoadLaw::Written(_) => {
                     return Err(format!("{} is no load that this study knows", load.name));
                 }
                 LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {

@@ -116,6 +116,7 @@ impl<'a> Beside<'a> {
         self.take_to(event.time);
         let before = std::mem::replace(&mut self.modes, modes);
         self.figured.switch(&SwitchEvent {
+            impact: None,
             y: &[],
             before: &before,
             after: &self.modes,

@@ -6,15 +6,20 @@ use crate::dynamics::system::ObjectState;
 use crate::exact::walk::{Motion, Way as Route};
 
 /// What is looked at in a tree: rigid objects that its masses carry, sums of modes, and
-/// elastic objects with inertia at their driven end, for the force there.
+/// elastic objects with inertia at their driven end, for the force there; what presses on a
+/// cam, for the pressure.
 pub(super) fn carried(route: Route<'_>, window: Option<[f64; 2]>) -> Vec<(usize, usize, Tally)> {
     let Route { system, parts, .. } = route;
     let objects = 0..system.model().objects.len();
     let own = |object: usize| {
-        let tree = parts.tree_of(object)?;
+        let part = &system.model().objects[object];
+        // What presses on its cam may be rigid, with trees behind it.
+        let pressing = part.pressing.is_some();
+        let behind = pressing && !parts.trees.is_empty();
+        let tree = parts.tree_of(object).or(behind.then_some(0))?;
         let elastic = parts.trees[tree].objects.contains(&object);
-        let end = system.model().objects[object].driven_end.is_some();
-        (!elastic || end).then(|| (tree, object, Tally::new(system, object, window)))
+        (!elastic || part.driven_end.is_some() || pressing)
+            .then(|| (tree, object, Tally::new(system, object, window)))
     };
     objects.filter_map(own).collect()
 }

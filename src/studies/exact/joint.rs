@@ -155,8 +155,11 @@ impl<'a> Joint<'a> {
     fn look_at_carried(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
         let [from, to] = span;
         let model = self.route.system.model();
-        let summed = |object: usize| model.objects[object].combination.is_some();
-        // The sum of modes is in several trees.
+        let summed = |object: usize| {
+            let part = &model.objects[object];
+            part.combination.is_some() || part.pressing.is_some()
+        };
+        // The sum of modes is in several trees, and several may press on one cam.
         let all = self.carried.iter().any(|carried| summed(carried.1));
         let trees = self.carried.iter().map(|carried| carried.0);
         let trees = trees.chain(0..if all { motion.branches.len() } else { 0 });
@@ -216,10 +219,17 @@ impl<'a> Joint<'a> {
             }
         }
         for (tree, object, tally) in self.carried {
+            let part = &system.model().objects[object];
+            if part.pressing.is_some() {
+                tallies[object].replace_pressure(&tally);
+            }
             match self.route.parts.trees[tree].objects.contains(&object) {
                 // All but what its driven end adds is known in closed form.
-                true => tallies[object].replace_forces(&tally),
-                false => tallies[object] = tally,
+                true if part.driven_end.is_some() => tallies[object].replace_forces(&tally),
+                true => {}
+                false if self.route.parts.tree_of(object).is_some() => tallies[object] = tally,
+                // It is prescribed, and looked at with all that is.
+                false => {}
             }
         }
         let last = self.log.observe(time, y, modes);

@@ -218,6 +218,18 @@ pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageB
             part.id
         ));
     }
+    let mut several = model.multi_linkages.iter();
+    let several = several.find(|body| {
+        let own = &model.objects[body.object].id;
+        id.is_none_or(|id| id == own)
+    });
+    if let Some(body) = several {
+        return Err(format!(
+            "`{}` has several inputs: kinematics and forces are worked out for linkages of one; \
+             `dam run` moves it",
+            model.objects[body.object].id
+        ));
+    }
     let names = model.linkages.iter().map(name);
     Err(match (id, model.linkages.is_empty()) {
         (_, true) => "the scene has no object of kind `linkage`, and none whose `position` is the \

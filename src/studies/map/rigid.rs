@@ -249,6 +249,7 @@ impl Path {
             LoadLaw::Stop(_) => 0.0,
             LoadLaw::Viscous(damping) => -damping * speed,
             LoadLaw::Friction { force, width } => -force * (speed / width).tanh(),
+            LoadLaw::Written(written) => written.force(self.times[instant], at),
             LoadLaw::Custom { function, factor } => {
                 factor * function.force(displacement, speed).value
             }
@@ -285,8 +286,10 @@ fn places(model: &Model) -> (Vec<usize>, Vec<NodeIndex>) {
 /// Time for which the rigid mechanism is followed (s): a cycle, if all of it repeats.
 fn span(model: &Model, duration: f64) -> f64 {
     let over_time = |track: &Track| track.source == TrackSource::Time;
+    let written = |load: &Load| matches!(&load.law, LoadLaw::Written(own) if own.needs_time());
+    let timed = model.tracks.iter().any(over_time) || model.loads.iter().any(written);
     match drive_cycle(model) {
-        Ok(cycle) if cycle <= duration && !model.tracks.iter().any(over_time) => cycle,
+        Ok(cycle) if cycle <= duration && !timed => cycle,
         _ => duration,
     }
 }

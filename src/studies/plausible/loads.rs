@@ -76,6 +76,7 @@ fn is_zero(law: &LoadLaw) -> bool {
         } => *breakdown_torque == 0.0,
         LoadLaw::SpeedTable(points) => points.iter().all(|point| point.1 == 0.0),
         LoadLaw::Stop(_) => false,
+        LoadLaw::Written(written) => written.factor == 0.0,
         LoadLaw::Custom { factor, .. } => *factor == 0.0,
     }
 }

@@ -1,6 +1,8 @@
 //! After which angle of its drives a machine repeats: its ratios tell.
 
-use crate::dynamics::model::{Load, LoadLaw, Model, NodeIndex, NodeMotion, TrackSource};
+use crate::dynamics::model::{
+    Load, LoadLaw, Model, NodeIndex, NodeMotion, TrackSource, WrittenLoad,
+};
 use crate::dynamics::steady::MOST_TURNS;
 use crate::exact::{PrescribedMotion, Rhythm};
 use crate::fault::Fault;
@@ -61,6 +63,36 @@ fn over(course: &PrescribedMotion, period: f64) -> Rhythm {
 }
 
 /// True when a displacement goes on and on.
+/// Least number of turns of a node after which an expression repeats, tried at places
+/// spread over its variables; `None`: none up to [`MOST_REPEATED`].
+fn turns_of(written: &WrittenLoad, node: NodeIndex) -> Option<f64> {
+    let at = |place: usize, shift: f64| {
+        // Shares without a common period.
+        let share = |root: f64| (0.37 + place as f64 * root.sqrt()).fract();
+        written.force(10.0 * share(2.0), |other| {
+            let own = if other == node { shift } else { 0.0 };
+            let root = 3.0 + other as f64;
+            (
+                TAU * (6.0 * share(root) - 3.0) + own,
+                4.0 * share(root + 0.5) - 2.0,
+            )
+        })
+    };
+    let repeats = |turns: &f64| {
+        (0..PLACES).all(|place| {
+            let (one, other) = (at(place, 0.0), at(place, TAU * turns));
+            (one - other).abs() <= 1e-9 * (one.abs() + other.abs() + written.factor.abs())
+        })
+    };
+    (1..=MOST_REPEATED).map(f64::from).find(repeats)
+}
+
+/// Places at which an expression is tried.
+const PLACES: usize = 40;
+
+/// Most turns after which an expression may repeat.
+const MOST_REPEATED: u32 = 12;
+
 fn grows(rhythm: Rhythm) -> bool {
     match rhythm {
         Rhythm::Uniform(advance) | Rhythm::Periodic(_, advance) => advance != 0.0,
@@ -141,6 +173,22 @@ impl Rhythms {
                         }
                     }
                     (TrackSource::Time, None) => {}
+                }
+            }
+            LoadLaw::Written(written) => {
+                for node in written.nodes() {
+                    let Some(course) = known(node).filter(|course| grows(course.rhythm())) else {
+                        continue;
+                    };
+                    match turns_of(written, node) {
+                        Some(turns) => self.add(over(course, TAU * turns)),
+                        None => {
+                            let what = "an expression that does not repeat with whole turns, over \
+                                        a displacement that grows with every turn";
+                            let hint = "sin(phi), or phi % (2*pi)";
+                            self.growing.push(never(what, hint));
+                        }
+                    }
                 }
             }
             LoadLaw::Spring { rate, .. }

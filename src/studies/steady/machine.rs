@@ -57,6 +57,7 @@ pub(super) fn several_inputs(model: &Model, moved: &[bool]) -> Vec<Fault> {
 pub(super) fn over_time(model: &Model, moved: &[bool]) -> Vec<Fault> {
     let timed = |load: &&Load| match load.law {
         LoadLaw::Pieces { track, .. } => model.tracks[track].source == TrackSource::Time,
+        LoadLaw::Written(ref written) => written.needs_time(),
         _ => false,
     };
     let loads = model.loads.iter().filter(|load| moved[load.node]);

@@ -94,6 +94,14 @@ fn found(
     if !rubs.is_empty() {
         return Err(rubs);
     }
+    if let Some(body) = model.multi_linkages.first() {
+        let id = &model.objects[body.object].id;
+        return Err(vec![Fault::new(
+            id.clone(),
+            "it has several inputs: a steady motion is found of machines with one degree of freedom",
+            "`dam run` runs it from its start on",
+        )]);
+    }
     // Where every drive is prescribed, all that is elastic moves with them.
     let is_free = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
     let is_mass = |node: &Node| matches!(node.motion, NodeMotion::Mass { .. });

@@ -2,6 +2,8 @@
 
 mod closed_forms;
 mod impacts;
+mod pressing;
+mod restitution;
 mod rod;
 mod stops;
 

@@ -109,9 +109,12 @@ macro_rules! plain_system {
             _: &mut [f64],
             watch: &EventFunction,
             modes: &mut Modes,
-        ) -> Result<(), crate::dynamics::integrate::PhysicalStop> {
+        ) -> Result<
+            Option<crate::dynamics::integrate::Impact>,
+            crate::dynamics::integrate::PhysicalStop,
+        > {
             modes.0[watch.component] = watch.target;
-            Ok(())
+            Ok(None)
         }
 
         fn is_pair(&self, _: usize) -> bool {

@@ -2,7 +2,7 @@
 //! that ends, a mechanism that stops, a signal that is no coordinate.
 
 use super::{Forced, plain_system, watch};
-use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Modes, PhysicalStop};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Impact, Modes, PhysicalStop};
 
 /// u″ jumps at given times: piece k holds from `breaks[k−1]` to `breaks[k]`.
 pub(crate) struct Stepped {
@@ -221,7 +221,7 @@ impl Dynamics for Swinging {
         _: &mut [f64],
         _: &EventFunction,
         _: &mut Modes,
-    ) -> Result<(), PhysicalStop> {
+    ) -> Result<Option<Impact>, PhysicalStop> {
         Err(PhysicalStop {
             name: "dead_position",
             object: "swing".to_owned(),

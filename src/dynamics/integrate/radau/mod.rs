@@ -134,7 +134,7 @@ impl<const S: usize, const L: usize> Radau<S, L> {
 
     fn leg<D: Dynamics>(&mut self, run: &mut Run<'_, D>) {
         let mut wanted = run.first_length(2 * S as i32 - 1);
-        let longest = run.settings.step.unwrap_or(f64::INFINITY);
+        let longest = run.longest_step();
         self.last = None;
         self.stages.forget();
         loop {

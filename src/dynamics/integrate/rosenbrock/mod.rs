@@ -75,7 +75,7 @@ impl Stepper {
 
     fn leg<D: Dynamics>(&mut self, run: &mut Run<'_, D>) {
         let mut wanted = run.first_length(ORDER);
-        let longest = run.settings.step.unwrap_or(f64::INFINITY);
+        let longest = run.longest_step();
         self.last = None;
         loop {
             let (time, target) = (run.from.time, run.target);

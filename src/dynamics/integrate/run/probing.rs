@@ -10,6 +10,19 @@ use crate::math::roots::{BISECTIONS, bisect};
 /// A probe may differ from a parabola by this part of its change.
 const UNLIKE: f64 = 0.25;
 
+/// A switch that changes nothing.
+const NOTHING: EventFunction = EventFunction {
+    guards: [Guard {
+        signal: 0,
+        offset: 0.0,
+        displacement: 0.0,
+        speed: 0.0,
+    }; 2],
+    rising: true,
+    component: 0,
+    target: 0,
+};
+
 impl<D: Dynamics> Run<'_, D> {
     /// The watch that was found; one made up for a probe.
     pub(super) fn watch(&self, found: Located) -> EventFunction {
@@ -17,7 +30,9 @@ impl<D: Dynamics> Run<'_, D> {
         if found.watch < event_functions {
             return self.event_functions[found.watch];
         }
-        let probe = self.probes[found.watch - event_functions];
+        let Some(probe) = self.probes.get(found.watch - event_functions) else {
+            return self.crossed.unwrap_or(NOTHING);
+        };
         EventFunction {
             guards: [Guard::default(); 2],
             rising: true,
@@ -28,9 +43,6 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// The earliest of a switch found and those that the probes tell.
     pub(super) fn probe_before(&mut self, found: Option<Located>) -> Option<Located> {
-        if self.probes.is_empty() {
-            return found;
-        }
         let mut best = found;
         let mut y = std::mem::take(&mut self.probed);
         for index in 0..self.probes.len() {
@@ -45,7 +57,28 @@ impl<D: Dynamics> Run<'_, D> {
             }
         }
         self.probed = y;
-        best
+        self.crossing_before(best)
+    }
+
+    /// The earliest of a switch found and what else the system tells.
+    fn crossing_before(&mut self, found: Option<Located>) -> Option<Located> {
+        let dynamics = self.evaluator.dynamics;
+        if !dynamics.has_crossings() {
+            return found;
+        }
+        let end = found.map_or(1.0, |found| found.s);
+        let step = self.output.step(1.0);
+        let modes = self.evaluator.modes.borrow();
+        let Some((s, watch)) = dynamics.crossing(&step, &modes, end, self.fresh) else {
+            return found;
+        };
+        if found.is_some_and(|found| found.s <= s) {
+            return found;
+        }
+        drop(modes);
+        self.crossed = Some(watch);
+        let watch = self.event_functions.len() + self.probes.len();
+        Some(Located { s, watch })
     }
 
     /// Where a probe becomes positive first, up to `end`.

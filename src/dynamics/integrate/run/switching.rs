@@ -2,10 +2,17 @@
 
 use super::{Run, Verdict};
 use crate::dynamics::integrate::locate::{Located, Stretch};
-use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Modes, Stop, SwitchEvent};
+use crate::dynamics::integrate::{
+    Dynamics, EventFunction, Guard, Impact, Modes, Stop, SwitchEvent,
+};
 
 /// Switches at one and the same instant after which a run is given up.
 const MOST_AT_ONCE: u32 = 64;
+
+/// Switches of loads by expressions after which a run is asked for its progress, and the
+/// least share of the rest that it must have gone.
+const MOST_CROSSINGS: u32 = 1000;
+const LEAST_PROGRESS: f64 = 1e-6;
 
 /// Switches within so many roundings of the clock are at one instant.
 const AT_ONCE: f64 = 4.0;
@@ -49,10 +56,14 @@ impl<D: Dynamics> Run<'_, D> {
         } else {
             self.switches_at_once + 1
         };
+        let crossing = found.watch >= self.event_functions.len() + self.probes.len();
         let verdict = self.switch(time, &mut y, &watch);
         self.to.y = y;
         if verdict == Verdict::Stop {
             return verdict;
+        }
+        if let Some(stop) = crossing.then(|| self.count_crossing(time)).flatten() {
+            return self.end(stop);
         }
         match self.check_limits() {
             Verdict::Continue => Verdict::Restart,
@@ -60,16 +71,47 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
+    /// Counts a switch that [`Dynamics::crossing`] found; the stop of a run that does
+    /// not get on for them.
+    fn count_crossing(&mut self, time: f64) -> Option<Stop> {
+        let (count, since) = self.crossings;
+        if count + 1 < MOST_CROSSINGS {
+            self.crossings.0 += 1;
+            return None;
+        }
+        self.crossings = (0, time);
+        let progress = time - since;
+        (progress < LEAST_PROGRESS * (self.target - since)).then(|| Stop::Method {
+            method: self.settings.method,
+            reason: format!(
+                "a load jumps or bends {MOST_CROSSINGS} times within {progress:e} s, up to \
+                 t = {time} s: its pieces become shorter and shorter"
+            ),
+        })
+    }
+
     fn switch(&mut self, time: f64, y: &mut [f64], watch: &EventFunction) -> Verdict {
         self.remember_length();
         let before = self.evaluator.modes.borrow().clone();
         let mut after = before.clone();
         let dynamics = self.evaluator.dynamics;
+        let struck = y.to_vec();
         let result = dynamics.switch(time, y, watch, &mut after);
         if dynamics.is_pair(watch.component) && result.is_ok() {
             self.switches += 1;
         }
-        self.enter(time, y, before, after, Some(watch));
+        let impact = result.as_ref().ok().copied().flatten();
+        let impact = impact.as_ref().map(|impact| (impact, struck.as_slice()));
+        let apart = |function: &EventFunction| {
+            let (c, open) = (function.component, after.0[function.component] == 0);
+            open && before.0[c] == function.target && dynamics.is_rigid_contact(c)
+        };
+        let mut functions = Vec::new();
+        dynamics.event_functions(&after, &mut functions);
+        let touching = functions.iter().filter(|function| apart(function));
+        self.zero_at_start
+            .extend(touching.map(|function| function.guards[0]));
+        self.enter(time, y, (before, after), Some(watch), impact);
         if let Err(stop) = result {
             return self.end(Stop::Physical(stop));
         }
@@ -92,7 +134,7 @@ impl<D: Dynamics> Run<'_, D> {
         let time = self.from.time;
         self.evaluator.dynamics.pass_break(time, &mut after);
         let y = self.from.y.clone();
-        self.enter(time, &y, before, after, None);
+        self.enter(time, &y, (before, after), None, None);
     }
 
     /// Puts new modes in force at (`time`, `y`) and tells the sink.
@@ -100,9 +142,9 @@ impl<D: Dynamics> Run<'_, D> {
         &mut self,
         time: f64,
         y: &[f64],
-        before: Modes,
-        after: Modes,
+        (before, after): (Modes, Modes),
         watch: Option<&EventFunction>,
+        impact: Option<(&Impact, &[f64])>,
     ) {
         self.fresh = true;
         *self.evaluator.modes.borrow_mut() = after.clone();
@@ -118,6 +160,7 @@ impl<D: Dynamics> Run<'_, D> {
             watch,
             before: &before,
             after: &after,
+            impact,
         });
     }
 }

@@ -77,6 +77,7 @@ impl LoadSeries {
             LoadLaw::Constant(_)
             | LoadLaw::SpeedTable(_)
             | LoadLaw::Custom { .. }
+            | LoadLaw::Written(_)
             | LoadLaw::Stop(_) => 0.0,
             LoadLaw::Pieces { .. } => pieces,
             LoadLaw::Spring { rate, .. } => -rate * displacement[order],

@@ -17,6 +17,7 @@ mod loads;
 mod points;
 #[cfg(test)]
 mod tests;
+mod written;
 
 pub(crate) use law::HIGHEST;
 pub(super) use law::way as way_of_law;
@@ -26,6 +27,7 @@ use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::pairs::OPEN;
 use super::passes::Work;
 use super::stops::FrozenStop;
+use super::written::WrittenSeries;
 use crate::dynamics::model::{Closure, LoadLaw};
 use crate::kinematics::position::Position;
 use law::{LawSeries, Series, against, product};
@@ -48,8 +50,9 @@ pub(super) struct Taylor {
     mass: Vec<Series>,
     /// F of each chain's link 1.
     reaction: Vec<Series>,
-    /// Mode of each chain's pair.
+    /// Mode of each chain's pair, and of each stop.
     modes: Vec<i64>,
+    stop_modes: Vec<i64>,
     /// Of each law that a rigid object follows: U″φ̇², φ̇² of its driver, U′·M and
     /// F − M·U″φ̇².
     bias: Vec<Series>,
@@ -58,6 +61,8 @@ pub(super) struct Taylor {
     rest: Vec<Series>,
     laws: Vec<LawSeries>,
     loads: Vec<LoadSeries>,
+    /// Of each load by an expression its series, and the force as one.
+    written: Vec<Option<(WrittenSeries, Series)>>,
     /// u and u̇ of the coordinates (n).
     u: Vec<Series>,
     v: Vec<Series>,
@@ -79,12 +84,16 @@ impl Taylor {
             mass: series(nodes),
             reaction: series(frozen.chains.len()),
             modes: vec![OPEN; frozen.chains.len()],
+            stop_modes: vec![OPEN; frozen.stops.len()],
             bias: series(laws),
             square: series(laws),
             slope: series(laws),
             rest: series(laws),
             laws: vec![LawSeries::default(); laws],
             loads: vec![LoadSeries::default(); frozen.loads.len()],
+            written: (frozen.loads.iter())
+                .map(|load| Some((load.written.as_ref()?.series(), ZERO)))
+                .collect(),
             u: series(frozen.coordinates),
             v: series(frozen.coordinates),
             length: 1.0,
@@ -129,7 +138,7 @@ impl Frozen {
             .all(|chain| chain.contact.hertz().is_none());
         let smooth = smooth && !self.stops.iter().any(|stop| stop.contact.hertz().is_some());
         let known = self.loads.iter().all(|load| known(&load.law));
-        sums && smooth && self.linkages.is_empty() && known
+        sums && smooth && self.linkages.is_empty() && self.multi.is_empty() && known
     }
 
     /// Series to the power `degree` over the time `length`: coefficients of all
@@ -169,12 +178,19 @@ impl Frozen {
             let speed = &taylor.speed[load.node];
             1.0 / series.reliable(&load.law, speed, degree - 1)
         });
-        ways.chain(shares).fold(
-            0.0,
-            |greatest: f64, one| {
-                if one.is_nan() { one } else { greatest.max(one) }
-            },
-        )
+        let written = self.loads.iter().zip(&taylor.written);
+        let written = written.filter_map(|(load, series)| {
+            let (own, (_, force)) = (load.written.as_ref()?, series.as_ref()?);
+            Some(1.0 / self.reliable(own, force, start, degree - 2, taylor))
+        });
+        ways.chain(shares)
+            .chain(written)
+            .fold(
+                0.0,
+                |greatest: f64, one| {
+                    if one.is_nan() { one } else { greatest.max(one) }
+                },
+            )
     }
 
     /// Loads and reactions of an order.
@@ -182,8 +198,15 @@ impl Frozen {
         for (force, &constant) in taylor.force.iter_mut().zip(&self.constant_force) {
             force[order] = if order == 0 { constant } else { 0.0 };
         }
+        if order == 0 {
+            for (mode, stop) in taylor.stop_modes.iter_mut().zip(&self.stops) {
+                *mode = start.modes[stop.component];
+            }
+        }
         for (index, load) in self.loads.iter().enumerate() {
-            let force = if order == 0 {
+            let force = if let Some(written) = &load.written {
+                self.written_of_order(index, written, start, order, taylor)
+            } else if order == 0 {
                 let place = [load.node].map(|node| taylor.speed[node][0]);
                 taylor.loads[index].begin(&load.law, place[0]);
                 self.load(index, start.time, start.modes, work)
@@ -224,7 +247,7 @@ impl Frozen {
         if contact.closure == Closure::Bilateral {
             return c * x[order] + b * v[order];
         }
-        if mode == OPEN {
+        if mode == OPEN || contact.restitution().is_some() {
             return 0.0;
         }
         let side = mode as f64;
@@ -247,7 +270,7 @@ impl Frozen {
         taylor: &Taylor,
     ) -> f64 {
         let mode = modes[stop.component];
-        if mode == OPEN {
+        if mode == OPEN || stop.contact.restitution().is_some() {
             return 0.0;
         }
         let (x, v) = (&taylor.displacement[stop.node], &taylor.speed[stop.node]);
@@ -262,13 +285,13 @@ impl Frozen {
 
     /// Rigid nodes hand inertia and forces of an order to their drivers.
     fn reduce_of(&self, order: usize, taylor: &mut Taylor) {
-        if self.rigids.is_empty() && self.constraints.is_empty() {
+        if self.rigids.is_empty() && self.constraints.is_empty() && !self.impacts {
             return;
         }
         for (mass, &inertia) in taylor.mass.iter_mut().zip(&self.inertia) {
             mass[order] = if order == 0 { inertia } else { 0.0 };
         }
-        if self.constraints.is_empty() {
+        if self.constraints.is_empty() && !self.impacts {
             for rigid in self.rigids.iter().rev() {
                 self.reduce_rigid_of(rigid, order, taylor);
             }
@@ -277,6 +300,13 @@ impl Frozen {
         for step in self.steps.iter().rev() {
             match *step {
                 Step::Rigid(index) => self.reduce_rigid_of(&self.rigids[index], order, taylor),
+                Step::Chain(index) => {
+                    let chain = &self.chains[index];
+                    if chain.contact.holds(taylor.modes[index]) {
+                        let (node, law) = (chain.first_node, chain.law);
+                        self.reduce_rigid_of(&Rigid { node, law }, order, taylor);
+                    }
+                }
                 Step::Constrained(index) => {
                     let own = &self.constraints[index];
                     let force = taylor.force[own.node][order];
@@ -338,10 +368,16 @@ impl Frozen {
         }
     }
 
+    /// True of a mass that a rigid stop holds.
+    fn grounded_of(&self, node: usize, taylor: &Taylor) -> bool {
+        let mut stops = self.stops.iter().zip(&taylor.stop_modes);
+        stops.any(|(stop, &mode)| stop.node == node && stop.contact.holds(mode))
+    }
+
     /// Coefficient `order` of φ̈ of a node from its forces and the links'.
     fn quotient(&self, node: usize, links: f64, order: usize, taylor: &Taylor) -> f64 {
         let force = taylor.force[node][order] + links;
-        if self.rigids.is_empty() && self.constraints.is_empty() {
+        if self.rigids.is_empty() && self.constraints.is_empty() && !self.impacts {
             return force / self.inertia[node];
         }
         let (mass, known) = (&taylor.mass[node], &taylor.acceleration[node]);
@@ -361,6 +397,14 @@ impl Frozen {
         let base = self.advance_law(chain.law, order, taylor);
         let twice = taylor.twice(order);
         let rate = (order + 2) as f64 / taylor.length;
+        if chain.contact.holds(taylor.modes[index]) {
+            let (node, own) = (chain.first_node, chain.first_coordinate);
+            taylor.acceleration[node][order] = base / twice;
+            taylor.place(node, order + 2, base);
+            taylor.u[own][order + 2] = 0.0;
+            taylor.v[own][order + 1] = 0.0;
+            return;
+        }
         let mut below = taylor.reaction[index][order];
         let last = chain.coordinates().end - 1;
         let masses = chain.nodes().zip(chain.coordinates()).skip(chain.points());
@@ -372,7 +416,10 @@ impl Frozen {
             } else {
                 0.0
             };
-            let acceleration = self.quotient(node, above - below, order, taylor);
+            let acceleration = match self.impacts && self.grounded_of(node, taylor) {
+                true => 0.0,
+                false => self.quotient(node, above - below, order, taylor),
+            };
             below = above;
             let place = twice * acceleration;
             taylor.acceleration[node][order] = acceleration;

@@ -1,9 +1,17 @@
 //! Loads on the masses of the trees.
 
 use super::{Builder, Moved, Role, load};
-use crate::dynamics::model::{Load, LoadLaw, ObjectPart, TrackSource};
+use crate::dynamics::model::{
+    LinearPiece, Load, LoadLaw, LoadVariable, ObjectPart, TrackSource, WrittenLoad,
+};
 use crate::exact::from_model::prescribed::PrescribedMotion;
 use crate::exact::{TimeLoad, TreeMass};
+use crate::kinematics::breaks::Breaks;
+use crate::kinematics::motion::{DriveMotion, WrittenMotion};
+use crate::math::expression::{Expression, Program};
+
+/// Places at which the pieces of a load over time end that are found beforehand.
+const FOLLOWED: usize = 1000;
 
 impl<'m> Builder<'m> {
     /// Adds a load to the mass that it acts on.
@@ -50,11 +58,94 @@ impl<'m> Builder<'m> {
             LoadLaw::Stop(_) => {
                 self.refuse_load(load, on, "presses on one side alone, at a place of its own");
             }
+            LoadLaw::Written(written) => self.written(load, on, written),
             LoadLaw::Custom { .. } => self.refuse_load(load, on, "is not known to be linear"),
             LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
                 self.refuse_load(load, on, "is a motor's torque over its speed");
             }
         }
+    }
+
+    /// An expression: what of it is linear in the motion of its own mass is a spring and
+    /// a damper, the rest a load over time.
+    fn written(&mut self, load: &'m Load, on: Moved, written: &WrittenLoad) {
+        let expression = &written.expression;
+        let own = |wanted: LoadVariable| -> Vec<usize> {
+            let variables = written.variables.iter().enumerate();
+            let read = variables.filter(|(index, variable)| {
+                **variable == wanted && expression.program().reads(*index)
+            });
+            read.map(|(index, _)| index).collect()
+        };
+        let [places, speeds] = [
+            own(LoadVariable::Displacement(load.node)),
+            own(LoadVariable::Speed(load.node)),
+        ];
+        let both: Vec<usize> = places.iter().chain(&speeds).copied().collect();
+        let Some(linear) = expression.affine_in(&both) else {
+            return self.refuse_load(
+                load,
+                on,
+                "is an expression that is not linear in its motion",
+            );
+        };
+        let (by_place, by_speed) = linear.factors.split_at(places.len());
+        let [rate, damping] =
+            [by_place, by_speed].map(|factors| -written.factor * factors.iter().sum::<f64>());
+        if rate < 0.0 || damping < 0.0 {
+            return self.refuse_load(load, on, "pushes away from rest, or drives what moves");
+        }
+        let r = on.ratio;
+        let over_time = match linear.rest.value.constant() {
+            Some(value) => Some(TimeLoad::Constant(r * written.factor * value)),
+            None => self.over_time(written, &linear.rest, r),
+        };
+        let Some(over_time) = over_time else {
+            let reason = "depends on a displacement that is not prescribed at constant speed";
+            return self.refuse_load(load, on, reason);
+        };
+        let mass = &mut self.trees[on.tree].problem.masses[on.mass];
+        mass.ground_stiffness += r * r * rate;
+        mass.ground_damping += r * r * damping;
+        // The mass's own offset is in its spring's force already.
+        add_constant(mass, -r * rate * on.offset);
+        match over_time {
+            TimeLoad::Constant(value) => add_constant(mass, value),
+            other => mass.loads.push(other),
+        }
+    }
+
+    /// What depends on time, and on what turns or slides at constant speed.
+    fn over_time(&self, written: &WrittenLoad, rest: &Program, ratio: f64) -> Option<TimeLoad> {
+        let line = |variable: &LoadVariable| match *variable {
+            LoadVariable::Time => Some([1.0, 0.0]),
+            LoadVariable::Displacement(node) | LoadVariable::Speed(node) => {
+                let Role::Prescribed(course, _) = &self.roles[node] else {
+                    return None;
+                };
+                let (speed, angle) = course.line()?;
+                match variable {
+                    LoadVariable::Displacement(_) => Some([speed, angle]),
+                    _ => Some([0.0, speed]),
+                }
+            }
+        };
+        let lines: Vec<Option<[f64; 2]>> = written.variables.iter().map(line).collect();
+        let function = Expression::along_a_line(rest, &lines)?;
+        let factor = ratio * written.factor;
+        if let Some(value) = function.value.constant() {
+            return Some(TimeLoad::Constant(factor * value));
+        }
+        // (Beyond so many places pieces are found as they are reached.)
+        let text = written.expression.text();
+        let (motion, _) = WrittenMotion::of(&function, text, 1.0, FOLLOWED);
+        let course = PrescribedMotion::new(&DriveMotion::Written(Box::new(motion)));
+        let whole = LinearPiece {
+            start: 0.0,
+            value: 0.0,
+            slope: 1.0,
+        };
+        Some(load::load(course, &Breaks::NONE, &[whole], factor))
     }
 
     fn refuse_load(&mut self, load: &Load, on: Moved, reason: &str) {

@@ -1,6 +1,7 @@
-//! Linkages: any planar mechanism of rigid links with one degree of freedom.
+//! Linkages: any planar mechanism of rigid links, with one degree of freedom or several.
 
 mod forces;
+mod inputs;
 mod links;
 mod names;
 mod outputs;
@@ -8,15 +9,16 @@ mod pairs;
 
 use super::measures::Ends;
 use super::position;
-use super::spec::DrivenLinkage;
-use super::{INPUT, Inputs, Kind, Measures, ModelBuilder, Object, Place, Port, Ports};
+use super::spec::{DrivenLinkage, DrivenMultiLinkage};
+use super::{Context, INPUT, Inputs, Kind, Measures, ModelBuilder, Object, Place, Port, Ports};
 use crate::frontend::read::{Bounds, Fields, Slot, Value};
 use crate::kinematics::linkage::spec::LinkageSpec;
+use crate::kinematics::position::PositionSpec;
 use names::Names;
 use serde_json::json;
 
 /// A planar linkage of rigid links, pins and guides, with one degree of
-/// freedom.
+/// freedom or several.
 ///
 /// ```text
 ///            rod          x to the right, y up, angles counterclockwise;
@@ -36,19 +38,38 @@ use serde_json::json;
 /// reduced to q; with `joint_friction` also the friction of the pairs, which
 /// follows from their reactions, these from q, q̇ and q̈. Limits: links do not
 /// bend, pairs have no play; a run ends in dead positions of the driver.
+///
+/// With `inputs` in place of `driver` there are several coordinates q₁, …, qₘ, as many as its
+/// mobility: of pairs, or x, y and angle of a link that floats; each is moved by an object,
+/// or free. Equation: M(q)·q̈ = Q(q, q̇) + what drives the inputs. Limits: no friction of the
+/// joints, no tables over an input; a run ends in singular positions.
 #[derive(Debug)]
 pub struct Linkage {
-    spec: DrivenLinkage,
+    spec: Driven,
+}
+
+/// How it is driven.
+#[derive(Debug)]
+enum Driven {
+    One(DrivenLinkage),
+    Several(DrivenMultiLinkage),
 }
 
 pub(super) const KIND: Kind = Kind {
     name: "linkage",
-    doc: "A planar linkage of rigid links with one degree of freedom.",
-    inputs: Inputs::One,
-    outputs: outputs::in_text,
-    coordinate: |node| outputs::of_pair(node, node.get("driver")?.text()?),
+    doc: "A planar linkage of rigid links, with one degree of freedom or several.",
+    inputs: Inputs::OneOrSeveral,
+    outputs: |node| {
+        let mut outputs = outputs::in_text(node);
+        outputs.extend(inputs::in_text(node));
+        outputs
+    },
+    coordinate: |node| match node.get("inputs") {
+        None => outputs::of_pair(node, node.get("driver")?.text()?),
+        Some(_) => inputs::first_in_text(node),
+    },
     read: |fields, context| {
-        let spec = read(fields, Measures(context.driver))?;
+        let spec = read(fields, context)?;
         Some(Box::new(Linkage { spec }))
     },
 };
@@ -59,9 +80,12 @@ impl Object for Linkage {
     }
 
     fn ports(&self) -> Ports {
-        let mut ports = Ports::driven(self.spec.coordinate);
-        let further = self.spec.linkage.outputs.iter().map(|output| {
-            let coordinate = outputs::coordinate(&output.kind, &self.spec.linkage.pairs);
+        let (mut ports, linkage) = match &self.spec {
+            Driven::One(spec) => (Ports::driven(spec.coordinate), &spec.linkage),
+            Driven::Several(spec) => (inputs::ports(spec), &spec.linkage.linkage),
+        };
+        let further = linkage.outputs.iter().map(|output| {
+            let coordinate = outputs::coordinate(&output.kind, &linkage.pairs);
             Port::output(output.name.clone(), coordinate)
         });
         ports.outputs.extend(further);
@@ -69,11 +93,24 @@ impl Object for Linkage {
     }
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
-        into.linkage(at, at.input(INPUT), &self.spec);
+        match &self.spec {
+            Driven::One(spec) => into.linkage(at, at.input(INPUT), spec),
+            Driven::Several(spec) => into.multi_linkage(at, spec),
+        }
     }
 
     fn linkage(&self) -> Option<&DrivenLinkage> {
-        Some(&self.spec)
+        match &self.spec {
+            Driven::One(spec) => Some(spec),
+            Driven::Several(_) => None,
+        }
+    }
+
+    fn multi_linkage(&self) -> Option<&DrivenMultiLinkage> {
+        match &self.spec {
+            Driven::One(_) => None,
+            Driven::Several(spec) => Some(spec),
+        }
     }
 }
 
@@ -84,28 +121,111 @@ fn driven_pair(mut slot: Slot<'_>, names: &Names) -> Option<usize> {
         return names.pair(slot);
     };
     let message = format!(
-        "a linkage takes one input: it is driven at one pair, found {} in `driver`",
+        "a linkage with a `driver` takes one input: it is driven at one pair, found {} in `driver`",
         list.len()
     );
     let fault = slot.refuse("wrong-type", message);
-    let hint = "name one pair, \"driver\": \"O\"; a `differential` sums several motions to the one \
-                that drives it";
+    let hint = "name one pair, \"driver\": \"O\"; or give each input a name, \"inputs\": { \"left\": \
+                { \"pair\": \"O\", \"object\": \"motor\" }, \"right\": { \"pair\": \"P\" } }";
     fault.hints.push(hint.to_owned());
     None
 }
 
-fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
+/// What moves a linkage.
+enum Way {
+    /// The pair of its one input.
+    Driver(usize),
+    /// Its inputs by name.
+    Inputs(Vec<inputs::Written>),
+}
+
+fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
+    let several = fields.has("inputs");
+    let driver = Measures(context.driver);
     let doc = "Named numbers, to which the others refer: \"rod\", \"-rod\", \"rod/2\", \"rod*0.4\". Those of a catalogue object are replaced one by one.";
     fields.dimensions(doc);
     let mut names = Names::new(fields.node());
     let parts = links::read(fields, &mut names);
     let pairs = pairs::read(fields, &names);
+    let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
-    let driven = fields.need("driver", doc, |slot| driven_pair(slot, &names));
+    way.case("driver", doc, |slot| {
+        driven_pair(slot, &names).map(Way::Driver)
+    });
+    let doc = "In place of `input`, `driver`, `position`, `start` and `travel`: its independent coordinates by name, as many as its mobility. Each is an output too, `press.left`.";
+    way.case("inputs", doc, |slot| {
+        inputs::read(slot, &names, pairs.as_deref(), context).map(Way::Inputs)
+    });
+    let way = way.finish();
+    let driven = match way {
+        Some(Way::Driver(pair)) => Some(pair),
+        _ => None,
+    };
     let kind = driven
         .zip(pairs.as_ref())
         .and_then(|(at, pairs)| pairs.get(at).map(|pair| pairs::coordinate(&pair.kind)));
     let input = Measures(kind);
+    let of_one = match several {
+        true => not_of_one(fields).then_some(OneInput::default()),
+        false => one_input(fields, input, driver),
+    };
+    let assembly = pairs::assembly(fields, &names);
+    let gravity = forces::gravity(fields);
+    let forces = forces::read(fields, &names, pairs.as_deref(), input);
+    let outputs = outputs::read(fields, &names, pairs.as_deref(), input);
+    let (ground, links) = parts?;
+    let (outputs, loads) = outputs?;
+    let of_one = of_one?;
+    let linkage = LinkageSpec {
+        links,
+        ground,
+        pairs: pairs?,
+        driver: driven.unwrap_or_default(),
+        assembly: assembly?,
+        start: of_one.start,
+        travel: of_one.travel,
+        gravity: gravity?,
+        forces: forces?,
+        outputs,
+    };
+    match way? {
+        Way::Inputs(written) => {
+            let spec = inputs::driven(fields, written, linkage, loads)?;
+            Some(Driven::Several(spec))
+        }
+        Way::Driver(_) => Some(Driven::One(DrivenLinkage {
+            coordinate: kind?,
+            position: of_one.position,
+            joint_friction: of_one.joint_friction,
+            linkage,
+            loads,
+        })),
+    }
+}
+
+/// What is said of a linkage of one input alone.
+struct OneInput {
+    position: PositionSpec,
+    start: f64,
+    travel: Option<[f64; 2]>,
+    joint_friction: bool,
+}
+
+impl Default for OneInput {
+    fn default() -> Self {
+        Self {
+            position: PositionSpec::Ratio {
+                ratio: 1.0,
+                offset: 0.0,
+            },
+            start: 0.0,
+            travel: None,
+            joint_friction: false,
+        }
+    }
+}
+
+fn one_input(fields: &mut Fields<'_>, input: Measures, driver: Measures) -> Option<OneInput> {
     let ends = Ends {
         output: input,
         driver,
@@ -114,38 +234,34 @@ fn read(fields: &mut Fields<'_>, driver: Measures) -> Option<DrivenLinkage> {
     let position = fields.or("position", doc, json!({ "ratio": 1.0 }), |slot| {
         position::read(slot, ends, &["ratio"])
     });
-    let assembly = pairs::assembly(fields, &names);
     let doc = "Input coordinate at which `assembly` holds: the linkage is put together there";
     let start = fields.or("start", doc, json!(0.0), |slot| {
         slot.quantity(input.displacement(), Bounds::ANY)
     });
     let doc = "Least and greatest input coordinate: the stroke of a cylinder; default as far as the links allow.";
     let travel = fields.maybe("travel", doc, |slot| travel(slot, input));
-    let gravity = forces::gravity(fields);
-    let forces = forces::read(fields, &names, pairs.as_deref(), input);
-    let outputs = outputs::read(fields, &names, pairs.as_deref());
     let doc = "True: the friction of the pairs acts on the motion in `dam run`, and the linkage may come to rest by it; false: it counts in `dam forces` only.";
     let joint_friction = fields.or("joint_friction", doc, json!(false), |slot| slot.flag());
-    let (ground, links) = parts?;
-    let (outputs, loads) = outputs?;
-    Some(DrivenLinkage {
-        coordinate: kind?,
+    Some(OneInput {
         position: position?,
+        start: start?,
+        travel: travel?,
         joint_friction: joint_friction?,
-        linkage: LinkageSpec {
-            links,
-            ground,
-            pairs: pairs?,
-            driver: driven?,
-            assembly: assembly?,
-            start: start?,
-            travel: travel?,
-            gravity: gravity?,
-            forces: forces?,
-            outputs,
-        },
-        loads,
     })
+}
+
+/// Refuses what belongs to a linkage of one input; true when there is nothing of it.
+fn not_of_one(fields: &mut Fields<'_>) -> bool {
+    let mut found = false;
+    for property in ["position", "start", "travel"] {
+        let message = format!("`{property}` belongs to a linkage of one input");
+        let hint = "leave it out: each of the `inputs` has its own `ratio`, `offset` and `start`";
+        found |= fields.forbid(property, &message, hint);
+    }
+    let message = "friction of the joints is found for one input alone";
+    let hint = "leave it out: the pairs of a linkage of several inputs move freely";
+    found |= fields.forbid("joint_friction", message, hint);
+    !found
 }
 
 fn travel(mut slot: Slot<'_>, input: Measures) -> Option<[f64; 2]> {

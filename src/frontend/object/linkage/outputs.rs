@@ -13,7 +13,7 @@ use crate::units::quantities as q;
 use serde_json::json;
 
 /// Names that the figures of the linkage itself have.
-const TAKEN: [&str; 12] = [
+pub(super) const TAKEN: [&str; 12] = [
     "delta_abs",
     "delta_max",
     "delta_min",
@@ -74,6 +74,7 @@ pub(super) fn read(
     fields: &mut Fields<'_>,
     names: &Names,
     pairs: Option<&[PairSpec]>,
+    input: Measures,
 ) -> Option<OutputsAndLoads> {
     let doc = "Outputs by name: other objects take them as `input`, as in `press.ram`, and they are recorded.";
     let outputs = fields.or("outputs", doc, json!({}), |slot| {
@@ -86,7 +87,9 @@ pub(super) fn read(
                 fault.place = Some(place);
                 fault.hints.push("choose another name".to_owned());
             }
-            let output = slot.defined("linkage_output", |slot| output(slot, name, names, pairs));
+            let output = slot.defined("linkage_output", |slot| {
+                output(slot, name, names, pairs, input)
+            });
             output.filter(|_| free)
         })
     });
@@ -98,6 +101,7 @@ fn output(
     name: &str,
     names: &Names,
     pairs: Option<&[PairSpec]>,
+    input: Measures,
 ) -> Option<(OutputSpec, Vec<LoadSpec>)> {
     slot.record(|fields| {
         let mut kind = fields.one_of("what it is");
@@ -126,7 +130,11 @@ fn output(
         // Read, and so described in the schema, whatever becomes of the rest.
         let own = kind.as_ref().zip(pairs);
         let own = own.map(|(kind, pairs)| coordinate(kind, pairs));
-        let loads = load::read_all(fields, On::Output(Measures(own)));
+        let on = On::Output {
+            own: Measures(own),
+            driver: Measures(input.0.or(own)),
+        };
+        let loads = load::read_all(fields, on);
         let kind = match (kind?, direction?) {
             (OutputKind::Point { point, .. }, direction) => OutputKind::Point {
                 point,

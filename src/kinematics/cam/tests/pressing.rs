@@ -9,6 +9,8 @@ use std::f64::consts::PI;
 const MATERIAL: CamMaterial = CamMaterial {
     thickness: 0.02,
     contact_modulus: 1.1e11,
+    moduli: [2e11; 2],
+    poisson_ratios: [0.3; 2],
 };
 
 fn moved(lift: f64) -> Position {

@@ -34,8 +34,8 @@ pub(super) fn misfit(
         let hint = match count {
             ..=0 => "leave out pairs or add links until one degree of freedom is left",
             2 => {
-                "a linkage has one driver: tie a second input to the first by further links and \
-                 pairs, or leave the loose links out"
+                "name both coordinates as `inputs` in place of `driver`; or tie a second input to the first \
+                 by further links and pairs, or leave the loose links out"
             }
             _ => "join the loose links with further pairs, or leave them out",
         };

@@ -133,6 +133,7 @@ fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
     };
     if let Some((own, shape)) = &own {
         section.line(symbol("F", Index::None), force, "pull of the contact");
+        contact::impact(own, section);
         if let contact::Shape::Point = shape {
             contact::balance(own, section);
         }

@@ -69,6 +69,7 @@ pub(super) fn pull(contact: &ContactElement, shape: &Shape, depth: Expr, x: &Sym
         Expr::Greater(Box::new(Expr::Number(0.0)), Box::new(factor))
     };
     match contact.law {
+        ContactLaw::Restitution { .. } => Expr::Words("what holds it on the flank".into()),
         ContactLaw::Elastic => stiffness().times(depth),
         ContactLaw::KelvinVoigt { .. } => Expr::sum(vec![
             stiffness().times(depth),
@@ -88,6 +89,26 @@ pub(super) fn pull(contact: &ContactElement, shape: &Shape, depth: Expr, x: &Sym
 
 fn damping() -> Symbol {
     symbol("b", Index::Word("contact".into()))
+}
+
+/// What a rigid contact does in an impact; nothing of any other.
+pub(super) fn impact(contact: &ContactElement, section: &mut Section) {
+    if contact.law.is_rigid() {
+        section.line(after(), rebound(), "at an impact");
+    }
+}
+
+/// ẋ just after an impact.
+fn after() -> Expr {
+    let after = Index::Word("after".into());
+    symbol("x", after).rate().expr()
+}
+
+/// −e·ẋ just before it.
+fn rebound() -> Expr {
+    let before = symbol("x", Index::Word("before".into())).rate();
+    let e = symbol("e", Index::None).expr();
+    e.times(before).negative()
 }
 
 /// The balance of the massless point.
@@ -120,6 +141,10 @@ pub(super) fn legend(part: &ObjectPart, pair: &Pair, section: &mut Section) {
     let k = symbol("k", Index::None);
     let meaning = "stiffness of the contact";
     match contact.law {
+        ContactLaw::Restitution { coefficient } => {
+            let e = symbol("e", Index::None);
+            section.entry(e, coefficient, "", "coefficient of restitution");
+        }
         ContactLaw::Hertz { .. } => section.entry(k, contact.stiffness, of_point, meaning),
         _ => section.entry(k, contact.stiffness, unit.stiffness, meaning),
     }

@@ -3,7 +3,7 @@
 use super::{Section, of_mass, of_object};
 use crate::dynamics::model::{
     ContactLaw, Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop,
-    TrackSource,
+    TrackSource, WrittenLoad,
 };
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::quantity::{significant, with_unit};
@@ -136,6 +136,7 @@ impl OneLoad<'_> {
             }
             LoadLaw::Stop(stop) => return self.stop(*stop, phi, section),
             LoadLaw::Custom { function, .. } => Expr::Words(function.description()),
+            LoadLaw::Written(written) => self.written(written, section),
             motor => self.motor(motor, rate, section),
         };
         let remark = match self.track_period() {
@@ -143,6 +144,24 @@ impl OneLoad<'_> {
             None => self.remark.clone(),
         };
         section.line(self.letter("W"), law, remark);
+    }
+
+    /// An expression as it was written, with what its names stand for.
+    fn written(&self, written: &WrittenLoad, section: &mut Section) -> Expr {
+        let text = written.expression.text();
+        if written.factor == 1.0 {
+            return Expr::Words(text.to_owned());
+        }
+        let text = Expr::Words(format!("({text})"));
+        let unit = units(self.part().coordinate);
+        let factor = self.letter("f");
+        section.entry(
+            factor.clone(),
+            written.factor,
+            unit.force,
+            "unit of the expression",
+        );
+        factor.expr().times(text)
     }
 
     /// A stop: its indentation, and what it pushes with.
@@ -157,12 +176,14 @@ impl OneLoad<'_> {
             (ContactLaw::Hertz { .. }, false) => "N m/rad^(3/2)",
             _ => unit.stiffness,
         };
-        section.entry(
-            k.clone(),
-            stop.stiffness,
-            of_contact,
-            "stiffness of the stop",
-        );
+        if !stop.law.is_rigid() {
+            section.entry(
+                k.clone(),
+                stop.stiffness,
+                of_contact,
+                "stiffness of the stop",
+            );
+        }
         let depth = match stop.side > 0.0 {
             true => phi.expr().minus(at),
             false => at.expr().minus(phi),
@@ -179,6 +200,14 @@ impl OneLoad<'_> {
             force.times(Expr::Number(1.0).plus(chi.expr().times(rate)))
         };
         let force = match stop.law {
+            ContactLaw::Restitution { coefficient } => {
+                let e = self.letter("e");
+                section.entry(e.clone(), coefficient, "", "coefficient of restitution");
+                let speed = |word: &str| symbol("p", Index::Word(word.into())).rate();
+                let rebound = e.expr().times(speed("before")).negative();
+                section.line(speed("after"), rebound, "at an impact");
+                Expr::Words("what holds it on the stop".into())
+            }
             ContactLaw::Elastic => linear,
             ContactLaw::KelvinVoigt { damping } => {
                 let b = self.letter("b");
@@ -359,6 +388,7 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
             contact_summary(stop.law, stop.stiffness, coordinate)
         ),
         LoadLaw::Custom { function, .. } => function.description(),
+        LoadLaw::Written(written) => format!("expression: {}", written.expression.text()),
     }
 }
 

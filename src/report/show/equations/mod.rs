@@ -11,12 +11,17 @@ mod inputs;
 mod latex;
 mod linkage;
 mod loads;
+#[cfg(feature = "studio")]
+mod mathml;
+mod several;
 mod sources;
 mod text;
 
 pub(crate) use inputs::summary as inputs_summary;
 pub use latex::latex;
 pub use loads::{stop_words, summary as load_summary};
+#[cfg(feature = "studio")]
+pub(in crate::report) use mathml::mathml;
 pub use text::text;
 
 use crate::dynamics::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT, STOP};
@@ -117,9 +122,15 @@ impl Section {
 pub fn equations(model: &Model) -> Equations {
     let objects = drivers_first(model).into_iter();
     // (A stop is a load on the mass that it stops.)
-    let shown = objects
-        .filter(|&object| !only_looked_at(model, object) && model.objects[object].kind != STOP);
+    // (What is a linkage of several inputs stands in its own equations.)
+    let shown = objects.filter(|&object| {
+        let hidden = only_looked_at(model, object) || several::is_part(model, object);
+        !hidden && model.objects[object].kind != STOP
+    });
     let sections = shown.map(|object| {
+        if let Some(body) = several::of(model, object) {
+            return several::section(model, object, body);
+        }
         let first = model.objects[object].nodes.first();
         match first.map(|&node| &model.nodes[node].motion) {
             Some(NodeMotion::Mass { .. }) => chain::section(model, object),

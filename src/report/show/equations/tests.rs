@@ -113,6 +113,7 @@ fn rigid_chain() -> Model {
             links: vec![],
             contact: None,
             rigid_pair: None,
+            pressing: None,
         });
     }
     model

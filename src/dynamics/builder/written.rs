@@ -1,0 +1,151 @@
+//! Loads that are written as expressions: what their names stand for, and what of them
+//! is one of the other laws.
+
+use super::ModelBuilder;
+use crate::dynamics::model::{Load, LoadLaw, LoadVariable, NodeIndex, WrittenLoad};
+use crate::math::expression::Expression;
+use std::sync::Arc;
+
+/// Names with the index of the variable that each means.
+pub(crate) type Names = [(&'static str, usize)];
+
+/// Names of time and of the own motion.
+pub(crate) const OWN: [(&str, usize); 5] = [
+    ("t", 0),
+    ("phi", 1),
+    ("phi_dot", 2),
+    ("φ", 1),
+    ("φ\u{307}", 2),
+];
+
+/// Names of the driver's motion.
+pub(crate) const DRIVER: [(&str, usize); 2] = [("driver_phi", 3), ("driver_phi_dot", 4)];
+
+/// Names of the motion of another object.
+pub(crate) const OVER: [(&str, usize); 2] = [("over_phi", 5), ("over_phi_dot", 6)];
+
+/// Indices of the own motion among the variables.
+const PHI: usize = 1;
+const PHI_DOT: usize = 2;
+
+/// A force written as an expression.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrittenSpec {
+    /// The expression over `t`, `phi`, `phi_dot` of the mass, `driver_phi` and
+    /// `driver_phi_dot`, and with `over` `over_phi` and `over_phi_dot`, in SI units.
+    pub expression: Expression,
+    /// Factor on its value, which is then in N or N·m.
+    pub factor: f64,
+    /// Another object or output whose motion it looks at.
+    pub over: Option<String>,
+}
+
+/// A load on an object that is lowered after the one that it acts on.
+#[derive(Clone, Debug)]
+pub(super) struct Waiting {
+    /// Index into [`Model::loads`](crate::dynamics::model::Model::loads).
+    load: usize,
+    over: String,
+    path: String,
+}
+
+impl ModelBuilder {
+    /// The law of an expression on a node behind a driver.
+    pub(super) fn written(
+        &mut self,
+        path: &str,
+        spec: &WrittenSpec,
+        node: NodeIndex,
+        driver: NodeIndex,
+    ) -> Option<LoadLaw> {
+        if !spec.factor.is_finite() {
+            self.faults
+                .add(format!("{path}.unit"), "a factor that is not finite", "");
+            return None;
+        }
+        let program = spec.expression.program();
+        if let Some(value) = program.value.constant() {
+            let force = value * spec.factor;
+            if !force.is_finite() {
+                let message = format!("\"{}\" has no finite value", spec.expression.text());
+                self.faults.add(format!("{path}.expression"), message, "");
+                return None;
+            }
+            return Some(LoadLaw::Constant(force));
+        }
+        if let Some(law) = simple(spec) {
+            return Some(law);
+        }
+        let at = [node, node, driver, driver, node, node];
+        let [
+            phi,
+            phi_dot,
+            driver_phi,
+            driver_phi_dot,
+            over_phi,
+            over_phi_dot,
+        ] = at;
+        Some(LoadLaw::Written(WrittenLoad {
+            expression: Arc::new(spec.expression.clone()),
+            factor: spec.factor,
+            variables: vec![
+                LoadVariable::Time,
+                LoadVariable::Displacement(phi),
+                LoadVariable::Speed(phi_dot),
+                LoadVariable::Displacement(driver_phi),
+                LoadVariable::Speed(driver_phi_dot),
+                // (Another object may not have its node yet.)
+                LoadVariable::Displacement(over_phi),
+                LoadVariable::Speed(over_phi_dot),
+            ],
+        }))
+    }
+
+    /// Remembers that the load added last looks at another object.
+    pub(super) fn wait_for(&mut self, path: &str, over: Option<&String>) {
+        let is_written = |load: &Load| matches!(load.law, LoadLaw::Written(_));
+        let last = self.model.loads.len().checked_sub(1);
+        if let (Some(over), Some(load)) = (over, last)
+            && is_written(&self.model.loads[load])
+        {
+            self.waiting.push(Waiting {
+                load,
+                over: over.clone(),
+                path: format!("{path}.over"),
+            });
+        }
+    }
+
+    /// Connects the loads that look at other objects, now that all have their nodes.
+    pub(super) fn connect_waiting(&mut self) {
+        for waiting in std::mem::take(&mut self.waiting) {
+            let Some(&node) = self.outputs.get(&waiting.over) else {
+                let known: Vec<&str> = self.outputs.keys().map(String::as_str).collect();
+                let message = format!("unknown object `{}`", waiting.over);
+                let hint = format!("the objects are {}", known.join(", "));
+                self.faults.add(waiting.path, message, &hint);
+                continue;
+            };
+            if let LoadLaw::Written(written) = &mut self.model.loads[waiting.load].law {
+                written.variables[OVER[0].1] = LoadVariable::Displacement(node);
+                written.variables[OVER[1].1] = LoadVariable::Speed(node);
+            }
+        }
+    }
+}
+
+/// The law of an expression that is a spring or a damper.
+fn simple(spec: &WrittenSpec) -> Option<LoadLaw> {
+    let linear = spec.expression.affine_in(&[PHI, PHI_DOT])?;
+    let rest = spec.factor * linear.rest.value.constant()?;
+    let [rate, damping] = [0, 1].map(|k| -spec.factor * linear.factors[k]);
+    let finite = rest.is_finite() && rate.is_finite() && damping.is_finite();
+    match finite {
+        true if rate > 0.0 && damping == 0.0 => Some(LoadLaw::Spring {
+            rate,
+            preload: -rest,
+        }),
+        true if damping > 0.0 && rate == 0.0 && rest == 0.0 => Some(LoadLaw::Viscous(damping)),
+        _ => None,
+    }
+}

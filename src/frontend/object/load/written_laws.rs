@@ -1,0 +1,135 @@
+//! Loads that are expressions, or are made of one: harmonic loads, indicator diagrams.
+
+use super::{On, period, points};
+use crate::dynamics::builder::written as builder;
+use crate::dynamics::model::Coordinate;
+use crate::frontend::object::measures::Measures;
+use crate::frontend::object::spec::{LoadLawSpec, WrittenSpec};
+use crate::frontend::object::written;
+use crate::frontend::read::{Bounds, OneOf, Slot};
+use crate::math::expression::Expression;
+use crate::units::quantities as q;
+use serde_json::json;
+use std::f64::consts::TAU;
+
+/// Pressure of the atmosphere (Pa).
+const AMBIENT: f64 = 101_325.0;
+
+/// Laws that are expressions, or are made of one.
+pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, over: bool) {
+    let own = on.own();
+    let mut names = builder::OWN.to_vec();
+    if !matches!(on, On::Rotor(_)) {
+        names.extend(builder::DRIVER);
+    }
+    let names = written::with_over(names, over);
+    let of = |expression| {
+        LoadLawSpec::Written(WrittenSpec {
+            expression,
+            factor: 1.0,
+            over: None,
+        })
+    };
+    law.case(
+        "expression",
+        "Expression over t, phi and phi_dot of the mass, driver_phi and driver_phi_dot, in s, rad or m: \"120*sin(2*pi*5*t)\".",
+        |slot| written::expression(slot, &names).map(of),
+    );
+    let driver = match on {
+        On::Rotor(_) => None,
+        On::Chain { driver, .. } | On::Output { driver, .. } => Some(driver),
+    };
+    law.case(
+        "harmonic",
+        "Sine over time, or over the driver's displacement.",
+        |slot| harmonic(slot, own, driver).map(of),
+    );
+    if let Some(driver) = driver.filter(|_| own.0 != Some(Coordinate::Turning)) {
+        law.case(
+            "indicator",
+            "Pressure on a piston over the driver's displacement: the indicator diagram of an engine or a compressor.",
+            |slot| indicator(slot, driver),
+        );
+    }
+}
+
+/// mean + amplitude·sin(2π·frequency·t + phase), or of order·φ of the driver.
+fn harmonic(slot: Slot<'_>, own: Measures, driver: Option<Measures>) -> Option<Expression> {
+    slot.record(|fields| {
+        let amplitude = fields.need("amplitude", "Amplitude", |slot| {
+            slot.quantity(own.force(), Bounds::ANY)
+        });
+        let mut rate = fields.one_of("what it follows");
+        rate.case("frequency", "Periods per second", |slot| {
+            let frequency = slot.quantity(q::FREQUENCY, Bounds::NOT_NEGATIVE)?;
+            Some(format!("2*pi*{frequency:?}*t"))
+        });
+        if driver.is_some_and(|driver| driver.0 != Some(Coordinate::Sliding)) {
+            rate.case("order", "Periods per turn of the driver", |slot| {
+                let order = slot.number(Bounds::ANY)?;
+                Some(format!("{order:?}*driver_phi"))
+            });
+        }
+        let rate = rate.finish();
+        let phase = fields.or(
+            "phase",
+            "Angle of the sine at its start",
+            json!(0.0),
+            |slot| slot.quantity(q::ANGLE, Bounds::ANY),
+        );
+        let mean = fields.or("mean", "Constant part", json!(0.0), |slot| {
+            slot.quantity(own.force(), Bounds::ANY)
+        });
+        let (amplitude, rate, phase, mean) = (amplitude?, rate?, phase?, mean?);
+        let mut text = format!("{amplitude:?}*sin({rate}");
+        if phase != 0.0 {
+            text += &format!(" + {phase:?}");
+        }
+        text += ")";
+        if mean != 0.0 {
+            text = format!("{mean:?} + {text}");
+        }
+        let names = [("t", 0), ("driver_phi", 3)];
+        Expression::over(&text, &names).ok()
+    })
+}
+
+/// Pressure over the driver's displacement, times the area of the piston.
+fn indicator(slot: Slot<'_>, driver: Measures) -> Option<LoadLawSpec> {
+    slot.record(|fields| {
+        let points = fields.need(
+            "points",
+            "List of [driver's displacement, pressure]: linear between the points.",
+            |slot| points(slot, driver.displacement(), q::PRESSURE.into(), 2),
+        );
+        let doc = "Area of the piston; positive: the pressure pushes towards positive displacement";
+        let area = fields.need("area", doc, |slot| slot.quantity(q::AREA, Bounds::NOT_ZERO));
+        let doc = "Pressure on the other side of the piston";
+        let ambient = fields.or("ambient", doc, json!(AMBIENT), |slot| {
+            slot.quantity(q::PRESSURE, Bounds::ANY)
+        });
+        let doc = "Repeats after this much of the driver's displacement: 360 deg of a two-stroke, 720 deg of a four-stroke engine; default one turn of a turning driver";
+        let period = period(fields, driver, doc);
+        let (mut points, area, ambient, period) = (points?, area?, ambient?, period?);
+        let turn = (driver.0 == Some(Coordinate::Turning)).then_some(TAU);
+        let period = period.or(turn);
+        if let Some(period) = period {
+            fields.fill_in("period", json!(period));
+            let length = points[points.len() - 1].0 - points[0].0;
+            let closes = points[0].1 == points[points.len() - 1].1;
+            if length > period * (1.0 + 1e-12) || length >= period * (1.0 - 1e-12) && !closes {
+                let message = format!("the points span {length}, the period is {period}");
+                fields.refuse("points", "out-of-range", message).hints.push(
+                    "all points must lie within one period, and end with the pressure that \
+                     they begin with if they fill it"
+                        .to_owned(),
+                );
+                return None;
+            }
+        }
+        for (_, pressure) in &mut points {
+            *pressure = (*pressure - ambient) * area;
+        }
+        Some(LoadLawSpec::PositionTable { points, period })
+    })
+}

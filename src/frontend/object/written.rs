@@ -1,0 +1,72 @@
+//! Expressions in scenes: the text, its unit, and mistakes with their place in it.
+
+use crate::dynamics::builder::written::{Names, OVER};
+use crate::frontend::read::{Fields, Slot, Wanted};
+use crate::math::expression::{Expression, Mistake};
+
+/// Reads an expression whose kinks and jumps can be located.
+pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
+    let text = slot.look(|slot| slot.text())?;
+    let read = Expression::over(&text, names);
+    let sound = read.and_then(|expression| expression.switches().map(|()| expression));
+    match sound {
+        Ok(expression) => Some(expression),
+        Err(mistake) => {
+            refuse(&mut slot, mistake);
+            None
+        }
+    }
+}
+
+fn refuse(slot: &mut Slot<'_>, mistake: Mistake) {
+    // The text's own bytes follow its opening quote.
+    let (start, end) = (
+        mistake.place.start + 1,
+        mistake.place.end.max(mistake.place.start + 1) + 1,
+    );
+    let place = slot.place().within(start..end);
+    let fault = slot.refuse("bad-expression", mistake.message);
+    fault.place = Some(place);
+    fault.hints.push(match mistake.hint.is_empty() {
+        true => "for example \"120*sin(2*pi*5*t)\", \"t < 2 ? 3*t : 6\"".to_owned(),
+        false => mistake.hint,
+    });
+}
+
+/// Reads `unit`, what the value of an expression is in: the factor to SI units.
+pub(super) fn unit(fields: &mut Fields<'_>, wanted: Wanted) -> Option<Option<f64>> {
+    let doc = "Unit of the value of `expression`; default SI";
+    fields.maybe("unit", doc, |slot| slot.unit(wanted))
+}
+
+/// Reads `over`, the object whose motion an expression looks at besides.
+pub(super) fn over(fields: &mut Fields<'_>) -> Option<Option<String>> {
+    let doc = "Another object (or output) whose motion `expression` looks at as over_phi and \
+               over_phi_dot: `press`, `press.ram`.";
+    fields.maybe("over", doc, |slot| slot.text())
+}
+
+/// The names that an expression may use, with those of another object where one is given.
+pub(super) fn with_over(
+    mut names: Vec<(&'static str, usize)>,
+    over: bool,
+) -> Vec<(&'static str, usize)> {
+    if over {
+        names.extend(OVER);
+    }
+    names
+}
+
+/// Notes that `unit` and `over` stand beside an expression only.
+pub(super) fn forbid_beside(fields: &mut Fields<'_>, expressions: &[&str]) -> bool {
+    if fields.describing() || expressions.iter().any(|name| fields.has(name)) {
+        return false;
+    }
+    let mut wrong = false;
+    for name in ["unit", "over"] {
+        let message = format!("`{name}` stands beside `expression` only");
+        wrong |= fields.has(name)
+            && fields.forbid(name, &message, "write the unit with the number: \"3 kN\"");
+    }
+    wrong
+}

@@ -1,0 +1,532 @@
+//! Velocities of all bodies by each input, and their accelerations without those of the
+//! inputs, as screws about one point.
+//!
+//! A velocity is (ω, vₓ, v_y): the angular velocity and the velocity of the point of the
+//! body that lies at the reference point. All velocities of a body chain add up, and a pair
+//! contributes its rate times its screw: of a pin at P (1, P_y, −Pₓ), of a guide along u
+//! (0, u). A dyad is one linear system of three equations for the rates of its pairs, the
+//! closing of the loop through it; a larger group has two equations a pair. Nothing here
+//! looks at angles. The screw of a pair that a body carries changes by t × S with the velocity
+//! t of that body, which gives the accelerations that no acceleration of an input makes.
+//!
+//! Source: R. Featherstone, Rigid Body Dynamics Algorithms, Springer, 2008, chapters 2 and
+//! 3, in the plane.
+
+use super::plan::{Group, MultiPlan, Screw};
+use crate::kinematics::linkage::state::State;
+use crate::math::linear::dense;
+use crate::math::number::Number;
+
+/// A velocity, an acceleration or a screw in the plane: (rotation, x, y).
+pub(super) type Twist<N> = [N; 3];
+
+/// A frame: origin, cos θ and sin θ.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pose<N> {
+    pub(super) x: N,
+    pub(super) y: N,
+    pub(super) cos: N,
+    pub(super) sin: N,
+}
+
+impl<N: Number> Pose<N> {
+    /// A point given in this frame.
+    #[inline(always)]
+    pub(super) fn place(&self, [x, y]: [f64; 2]) -> [N; 2] {
+        [
+            self.x + self.cos.scale(x) - self.sin.scale(y),
+            self.y + self.sin.scale(x) + self.cos.scale(y),
+        ]
+    }
+
+    /// A direction given in this frame.
+    #[inline(always)]
+    pub(super) fn turn(&self, [x, y]: [f64; 2]) -> [N; 2] {
+        [
+            self.cos.scale(x) - self.sin.scale(y),
+            self.sin.scale(x) + self.cos.scale(y),
+        ]
+    }
+}
+
+/// Velocity of the point of a body that lies at `place`.
+#[inline(always)]
+pub(super) fn at<N: Number>(twist: &Twist<N>, place: [N; 2]) -> [N; 2] {
+    [
+        twist[1] - twist[0] * place[1],
+        twist[2] + twist[0] * place[0],
+    ]
+}
+
+#[inline(always)]
+pub(super) fn plus<N: Number>(a: Twist<N>, b: Twist<N>) -> Twist<N> {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+#[inline(always)]
+pub(super) fn minus<N: Number>(a: Twist<N>, b: Twist<N>) -> Twist<N> {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+pub(super) fn times<N: Number>(a: Twist<N>, factor: N) -> Twist<N> {
+    [a[0] * factor, a[1] * factor, a[2] * factor]
+}
+
+/// Σ aᵢ·bᵢ: the power of a wrench (moment, force) along a velocity.
+#[inline(always)]
+pub(super) fn dot<N: Number>(a: &Twist<N>, b: &Twist<N>) -> N {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// t × S: the change of a screw that a body of velocity t carries.
+#[inline(always)]
+pub(super) fn carried<N: Number>(t: &Twist<N>, s: &Twist<N>) -> Twist<N> {
+    [
+        N::from(0.0),
+        s[0] * t[2] - t[0] * s[2],
+        t[0] * s[1] - s[0] * t[1],
+    ]
+}
+
+/// Velocities of a linkage at a position. b bodies, m inputs.
+#[derive(Clone, Debug)]
+pub(super) struct Columns<N> {
+    /// The reference point (m).
+    pub(super) reference: [f64; 2],
+    /// Frames of the bodies and of the ground, seen from the reference point (b + 1).
+    pub(super) poses: Vec<Pose<N>>,
+    /// Screw of each input's pair, from what comes before to what comes after (m).
+    pub(super) screws: Vec<Twist<N>>,
+    /// Velocity of every body that a group places by every input (b·m).
+    columns: Vec<Twist<N>>,
+    /// Velocities (b + 1).
+    pub(super) velocity: Vec<Twist<N>>,
+    /// Accelerations while those of all inputs are zero (b + 1).
+    pub(super) acceleration: Vec<Twist<N>>,
+    /// Of each dyad the screws of its pairs, and the inverse of its closing equations.
+    pub(super) dyads: Vec<[[Twist<N>; 3]; 2]>,
+    /// Factors of the equations of larger groups.
+    pub(super) matrices: Vec<N>,
+    pub(super) exchanged: Vec<usize>,
+    /// Determinants of the equations of larger groups.
+    pub(super) determinants: Vec<f64>,
+    /// Right sides.
+    right: Vec<N>,
+}
+
+impl<N: Number> Columns<N> {
+    pub(super) fn new(plan: &MultiPlan) -> Self {
+        let zero = N::from(0.0);
+        let none = [zero; 3];
+        let pose = Pose {
+            x: zero,
+            y: zero,
+            cos: N::from(1.0),
+            sin: zero,
+        };
+        let most = plan.groups.iter().map(|group| 3 * group.bases.len()).max();
+        Self {
+            reference: [0.0; 2],
+            poses: vec![pose; plan.bodies + 1],
+            screws: vec![none; plan.inputs],
+            columns: vec![none; plan.bodies * plan.inputs],
+            velocity: vec![none; plan.bodies + 1],
+            acceleration: vec![none; plan.bodies + 1],
+            dyads: vec![[[none; 3]; 2]; plan.groups.len()],
+            matrices: vec![zero; plan.matrices[0]],
+            exchanged: vec![0; plan.matrices[1]],
+            determinants: vec![0.0; plan.groups.len()],
+            right: vec![zero; most.unwrap_or(0) * plan.inputs.max(1)],
+        }
+    }
+
+    /// Takes over positions, as numbers without derivatives.
+    pub(super) fn load(&mut self, plan: &MultiPlan, state: &State) {
+        let first = &state.links[0].at;
+        let [x, y] = [first[0][0], first[1][0]];
+        self.reference = [x, y];
+        for (pose, motion) in self.poses.iter_mut().zip(&state.links) {
+            *pose = Pose {
+                x: N::from(motion.at[0][0] - x),
+                y: N::from(motion.at[1][0] - y),
+                cos: N::from(motion.direction[0][0]),
+                sin: N::from(motion.direction[1][0]),
+            };
+        }
+        let ground = &mut self.poses[plan.bodies];
+        (ground.x, ground.y) = (N::from(-x), N::from(-y));
+    }
+
+    /// Takes over positions with the derivatives that follow from those of the inputs:
+    /// those of the values are `known`.
+    pub(super) fn lift(&mut self, plan: &MultiPlan, known: &Columns<f64>, inputs: &[N]) {
+        self.reference = known.reference;
+        for body in 0..plan.bodies {
+            let pose = &known.poses[body];
+            let mut moved = [N::from(0.0); 3];
+            for (input, &q) in inputs.iter().enumerate() {
+                if plan.is_moved(body, input) {
+                    let change = q - N::from(q.value());
+                    let column = known.column(plan, body, input);
+                    let [x, y] = at(&column, [pose.x, pose.y]);
+                    moved[0] += change.scale(column[0]);
+                    moved[1] += change.scale(x);
+                    moved[2] += change.scale(y);
+                }
+            }
+            self.poses[body] = Pose {
+                x: N::from(pose.x) + moved[1],
+                y: N::from(pose.y) + moved[2],
+                cos: N::from(pose.cos) - moved[0].scale(pose.sin),
+                sin: N::from(pose.sin) + moved[0].scale(pose.cos),
+            };
+        }
+        let ground = known.poses[plan.bodies];
+        self.poses[plan.bodies].x = N::from(ground.x);
+        self.poses[plan.bodies].y = N::from(ground.y);
+    }
+
+    /// Velocity of a body by an input that moves it.
+    #[inline(always)]
+    pub(super) fn moved_column(&self, plan: &MultiPlan, body: usize, input: usize) -> Twist<N> {
+        match plan.placed[body] {
+            true => self.screws[input],
+            false => self.columns[body * plan.inputs + input],
+        }
+    }
+
+    /// Velocity of a body, or of the ground, by an input.
+    #[inline(always)]
+    pub(super) fn column(&self, plan: &MultiPlan, body: usize, input: usize) -> Twist<N> {
+        match plan.is_moved(body, input) {
+            true => self.moved_column(plan, body, input),
+            false => [N::from(0.0); 3],
+        }
+    }
+
+    /// A pair as a screw at the present position.
+    #[inline(always)]
+    fn screw(&self, slides: bool, owner: usize, point: [f64; 2], along: [f64; 2]) -> Twist<N> {
+        let pose = &self.poses[owner];
+        if slides {
+            let [x, y] = pose.turn(along);
+            return [N::from(0.0), x, y];
+        }
+        let [x, y] = pose.place(point);
+        [N::from(1.0), y, -x]
+    }
+
+    fn screw_of(&self, screw: &Screw) -> Twist<N> {
+        self.screw(screw.slides, screw.owner, screw.point, screw.along)
+    }
+
+    /// Screws of the inputs and the velocities of all bodies by each of them.
+    ///
+    /// False where a group is in a singular position.
+    pub(super) fn find(&mut self, plan: &MultiPlan) -> bool {
+        for joint in &plan.tree {
+            let element = &joint.driver.on;
+            let slides = joint.driver.sliding.is_some();
+            let screw = self.screw(slides, joint.owner(), element.point, element.along);
+            self.screws[joint.input] = match joint.reversed {
+                false => screw,
+                true => screw.map(|part| -part),
+            };
+        }
+        let mut regular = true;
+        for (index, group) in plan.groups.iter().enumerate() {
+            if let Some(inner) = &group.inner {
+                let element = &inner.driver.on;
+                let slides = inner.driver.sliding.is_some();
+                self.screws[inner.input] =
+                    self.screw(slides, inner.base, element.point, element.along);
+            }
+            regular &= match group.dyad {
+                true => self.find_dyad(plan, index, group),
+                false => self.find_group(plan, index, group),
+            };
+        }
+        regular
+    }
+
+    fn find_dyad(&mut self, plan: &MultiPlan, index: usize, group: &Group) -> bool {
+        let [a, b, c] = [0, 1, 2].map(|k| self.screw_of(&group.screws[k]));
+        // Rows of the inverse of the matrix with the columns a, b, −c.
+        let cross = |p: &Twist<N>, q: &Twist<N>| -> Twist<N> {
+            [
+                p[1] * q[2] - p[2] * q[1],
+                p[2] * q[0] - p[0] * q[2],
+                p[0] * q[1] - p[1] * q[0],
+            ]
+        };
+        let (bc, ca, ab) = (cross(&b, &c), cross(&c, &a), cross(&a, &b));
+        let determinant = dot(&a, &bc);
+        let inverse = N::from(1.0) / determinant;
+        let rows = [times(bc, inverse), times(ca, inverse), times(ab, -inverse)];
+        self.dyads[index] = [[a, b, c], rows];
+        for &input in &group.active {
+            let known = [group.screws[0].sides[0], group.screws[2].sides[0]]
+                .map(|side| self.column(plan, side, input));
+            let inner = group.inner.as_ref().filter(|inner| inner.input == input);
+            let own = inner.map(|_| self.screws[input]);
+            let [first, second] = self.close(index, group, known, own);
+            self.set_columns(plan, group, input, &[first, second], own);
+        }
+        determinant.value() != 0.0 && determinant.value().is_finite()
+    }
+
+    /// Velocities of the two bodies of a dyad: those of what it hangs on known, and that of
+    /// the driven link against the one that carries its body's frame.
+    #[inline(always)]
+    fn close(
+        &self,
+        index: usize,
+        group: &Group,
+        [one, other]: [Twist<N>; 2],
+        inner: Option<Twist<N>>,
+    ) -> [Twist<N>; 2] {
+        let [[a, _, c], rows] = &self.dyads[index];
+        let mut right = minus(other, one);
+        let (mut first, mut second) = (one, other);
+        if let (Some(own), Some(inner)) = (inner, &group.inner) {
+            let is = |screw: usize, side: usize| group.screws[screw].sides[side] == inner.driven;
+            // Sides of a, b and c that are on the driven link.
+            if is(0, 1) {
+                right = plus(right, own);
+                first = minus(first, own);
+            }
+            if is(1, 0) {
+                right = minus(right, own);
+            }
+            if is(1, 1) {
+                right = plus(right, own);
+            }
+            if is(2, 1) {
+                right = minus(right, own);
+                second = minus(second, own);
+            }
+        }
+        let (alpha, gamma) = (dot(&rows[0], &right), dot(&rows[2], &right));
+        [
+            plus(first, times(*a, alpha)),
+            plus(second, times(*c, gamma)),
+        ]
+    }
+
+    /// Notes the velocities of a group's bodies by an input.
+    fn set_columns(
+        &mut self,
+        plan: &MultiPlan,
+        group: &Group,
+        input: usize,
+        found: &[Twist<N>],
+        own: Option<Twist<N>>,
+    ) {
+        for (&body, twist) in group.bases.iter().zip(found) {
+            self.columns[body * plan.inputs + input] = *twist;
+        }
+        if let Some(inner) = &group.inner {
+            let base = self.columns[inner.base * plan.inputs + input];
+            let driven = own.map_or(base, |own| plus(base, own));
+            self.columns[inner.driven * plan.inputs + input] = driven;
+        }
+    }
+
+    fn find_group(&mut self, plan: &MultiPlan, index: usize, group: &Group) -> bool {
+        let n = 3 * group.bases.len();
+        let scale = plan.plan.size.recip();
+        let mut matrix = std::mem::take(&mut self.matrices);
+        let mut exchanged = std::mem::take(&mut self.exchanged);
+        let own = &mut matrix[group.matrix..group.matrix + n * n];
+        own.fill(N::from(0.0));
+        for (number, screw) in group.screws.iter().enumerate() {
+            for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                let Some(body) = group.body_of(screw.sides[side]) else {
+                    continue;
+                };
+                for (unknown, entry) in self.equations(screw, scale).into_iter().enumerate() {
+                    for (row, part) in entry.into_iter().enumerate() {
+                        own[(2 * number + row) * n + 3 * body + unknown] += part.scale(sign);
+                    }
+                }
+            }
+        }
+        let rows = &mut exchanged[group.exchanged..group.exchanged + n];
+        let pivots = dense::factorise(own, rows);
+        let regular = pivots.is_regular();
+        self.determinants[index] = pivots.determinant;
+        (self.matrices, self.exchanged) = (matrix, exchanged);
+        if regular {
+            for &input in &group.active {
+                let inner = group.inner.as_ref().filter(|inner| inner.input == input);
+                let own = inner.map(|_| self.screws[input]);
+                self.right[..n].fill(N::from(0.0));
+                for (number, screw) in group.screws.iter().enumerate() {
+                    let mut given = [N::from(0.0); 3];
+                    for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                        let part = match group.body_of(screw.sides[side]) {
+                            None => Some(self.column(plan, screw.sides[side], input)),
+                            Some(_) => own.filter(|_| group.is_driven(screw.sides[side])),
+                        };
+                        if let Some(part) = part {
+                            given = plus(given, part.map(|part| part.scale(sign)));
+                        }
+                    }
+                    self.balance(number, screw, scale, given);
+                }
+                let found = self.solve_group(group);
+                self.spread(plan, group, input, found, own);
+            }
+        }
+        regular
+    }
+
+    /// The two equations of a pair of a larger group: what each part of a relative
+    /// velocity (ω, v over the size) contributes to them.
+    #[inline]
+    fn equations(&self, screw: &Screw, scale: f64) -> [[N; 2]; 3] {
+        let pose = &self.poses[screw.owner];
+        let [x, y] = pose.place(screw.point).map(|part| part.scale(scale));
+        let (zero, one) = (N::from(0.0), N::from(1.0));
+        match screw.slides {
+            // No turning, and no velocity across the guide.
+            true => {
+                let [u, v] = pose.turn(screw.along);
+                [[one, u * x + v * y], [zero, -v], [zero, u]]
+            }
+            false => [[-y, x], [one, zero], [zero, one]],
+        }
+    }
+
+    /// Sets the right sides of a pair's equations, the relative velocity known in part.
+    #[inline]
+    fn balance(&mut self, number: usize, screw: &Screw, scale: f64, given: Twist<N>) {
+        let parts = self.equations(screw, scale);
+        let given = [given[0], given[1].scale(scale), given[2].scale(scale)];
+        for row in 0..2 {
+            let sum =
+                parts[0][row] * given[0] + parts[1][row] * given[1] + parts[2][row] * given[2];
+            self.right[2 * number + row] = -sum;
+        }
+    }
+
+    /// Solves for the velocities of a larger group's bodies; they are left in the right side.
+    fn solve_group(&mut self, group: &Group) -> usize {
+        let n = 3 * group.bases.len();
+        let factors = &self.matrices[group.matrix..group.matrix + n * n];
+        let exchanged = &self.exchanged[group.exchanged..group.exchanged + n];
+        dense::solve(factors, exchanged, &mut self.right[..n], 1);
+        n
+    }
+
+    /// Notes what was solved for as velocities by an input.
+    fn spread(
+        &mut self,
+        plan: &MultiPlan,
+        group: &Group,
+        input: usize,
+        n: usize,
+        own: Option<Twist<N>>,
+    ) {
+        let size = plan.plan.size;
+        for (number, &body) in group.bases.iter().enumerate() {
+            let part = &self.right[..n][3 * number..3 * number + 3];
+            let twist = [part[0], part[1].scale(size), part[2].scale(size)];
+            self.columns[body * plan.inputs + input] = twist;
+        }
+        self.set_columns(plan, group, input, &[], own);
+    }
+
+    /// Velocities of all bodies, and their accelerations while those of the inputs are
+    /// zero, at given rates of the inputs; needs [`Self::find`].
+    pub(super) fn go(&mut self, plan: &MultiPlan, rates: &[N]) {
+        for joint in &plan.tree {
+            let (screw, rate) = (self.screws[joint.input], rates[joint.input]);
+            let before = self.velocity[joint.parent];
+            let own = plus(before, times(screw, rate));
+            // A pin is fixed in both links; a guide goes with its own.
+            let owner = match joint.reversed && joint.driver.sliding.is_some() {
+                true => own,
+                false => before,
+            };
+            let change = times(carried(&owner, &screw), rate);
+            self.velocity[joint.body] = own;
+            self.acceleration[joint.body] = plus(self.acceleration[joint.parent], change);
+        }
+        for (index, group) in plan.groups.iter().enumerate() {
+            for &body in group
+                .bases
+                .iter()
+                .chain(&group.inner.as_ref().map(|own| own.driven))
+            {
+                let mut sum = [N::from(0.0); 3];
+                for &input in &group.active {
+                    let column = self.columns[body * plan.inputs + input];
+                    sum = plus(sum, times(column, rates[input]));
+                }
+                self.velocity[body] = sum;
+            }
+            let inner = group.inner.as_ref().map(|inner| {
+                let (screw, rate) = (self.screws[inner.input], rates[inner.input]);
+                times(carried(&self.velocity[inner.base], &screw), rate)
+            });
+            match group.dyad {
+                true => self.accelerate_dyad(index, group, inner),
+                false => self.accelerate_group(plan, group, inner),
+            }
+            if let (Some(own), Some(change)) = (&group.inner, inner) {
+                self.acceleration[own.driven] = plus(self.acceleration[own.base], change);
+            }
+        }
+    }
+
+    /// The change of a pair's screw times the pair's rate.
+    #[inline(always)]
+    fn change(&self, screw: &Screw, at: &Twist<N>) -> Twist<N> {
+        let [near, far] = screw.sides;
+        let relative = minus(self.velocity[far], self.velocity[near]);
+        let rate = match screw.slides {
+            true => at[1] * relative[1] + at[2] * relative[2],
+            false => relative[0],
+        };
+        times(carried(&self.velocity[screw.owner], at), rate)
+    }
+
+    fn accelerate_dyad(&mut self, index: usize, group: &Group, inner: Option<Twist<N>>) {
+        let [screws, _] = self.dyads[index];
+        let [a, b, c] = [0, 1, 2].map(|k| self.change(&group.screws[k], &screws[k]));
+        let known = [0, 2].map(|k| self.acceleration[group.screws[k].sides[0]]);
+        // What the rates make is taken for accelerations of what the dyad hangs on; that
+        // of the pair between the bodies is left to both sides of the loop.
+        let one = plus(plus(known[0], a), b);
+        let other = plus(known[1], c);
+        let [first, second] = self.close(index, group, [one, other], inner);
+        self.acceleration[group.bases[0]] = minus(first, b);
+        self.acceleration[group.bases[1]] = second;
+    }
+
+    fn accelerate_group(&mut self, plan: &MultiPlan, group: &Group, inner: Option<Twist<N>>) {
+        let n = 3 * group.bases.len();
+        let size = plan.plan.size;
+        for (number, screw) in group.screws.iter().enumerate() {
+            let at = self.screw_of(screw);
+            let mut given = self.change(screw, &at).map(|part| -part);
+            for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                let part = match group.body_of(screw.sides[side]) {
+                    None => Some(self.acceleration[screw.sides[side]]),
+                    Some(_) => inner.filter(|_| group.is_driven(screw.sides[side])),
+                };
+                if let Some(part) = part {
+                    given = plus(given, part.map(|part| part.scale(sign)));
+                }
+            }
+            self.balance(number, screw, size.recip(), given);
+        }
+        self.solve_group(group);
+        for (number, &body) in group.bases.iter().enumerate() {
+            let part = &self.right[..n][3 * number..3 * number + 3];
+            self.acceleration[body] = [part[0], part[1].scale(size), part[2].scale(size)];
+        }
+    }
+}

@@ -1,0 +1,466 @@
+//! From the plain numbers of a linkage of several inputs to the plan of its solution, or
+//! to what is wrong with its inputs and its structure.
+
+use super::misfit::misfit;
+use super::plan::{Group, InnerJoint, MultiPlan, Screw, TreeJoint, driver_of};
+use super::spec::{InputCoordinate, InputSpec, MultiSpec};
+use crate::fault::{Fault, Faults};
+use crate::kinematics::linkage::compile::{self, Bodies};
+use crate::kinematics::linkage::decompose::{Decomposition, Edge, decompose};
+use crate::kinematics::linkage::dyad::Form;
+use crate::kinematics::linkage::elements::{Body, Element, elements};
+use crate::kinematics::linkage::plan::{Driver, Plan, Step, size};
+use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, OutputKind, OutputSpec};
+use crate::kinematics::linkage::structure::{self, GroupKind};
+
+/// The inputs, sorted into those that lead outwards and those inside groups.
+struct Joints {
+    tree: Vec<TreeJoint>,
+    inner: Vec<InnerJoint>,
+    /// Of every link whether the tree places it.
+    placed: Vec<bool>,
+    /// Number of all bodies.
+    bodies: usize,
+}
+
+/// Structure and plan of a linkage whose numbers are right.
+pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Group>), Vec<Fault>> {
+    let mut faults = Faults::default();
+    let joints = joints(spec, &mut faults);
+    faults.check()?;
+    let linkage = &spec.linkage;
+    let bodies = bodies(&joints);
+    let driving: Vec<usize> = input_pairs(spec).collect();
+    let others: Vec<usize> = (0..linkage.pairs.len())
+        .filter(|pair| !driving.contains(pair))
+        .collect();
+    let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
+    let edges: Vec<Edge> = others
+        .iter()
+        .map(|&pair| elements(&linkage.pairs[pair]).each_ref().map(of))
+        .collect();
+    let groups = match decompose(bodies.list.len(), &edges) {
+        Decomposition::Groups(groups) => groups,
+        Decomposition::Unfit { held, free } => {
+            let further = |wanted| further(spec, wanted);
+            return Err(misfit(spec, &bodies, &others, &held, &free, &further));
+        }
+    };
+    let mut listed = vec![driving_group(spec, &joints, &driving)];
+    let mut steps = Vec::new();
+    let mut found = Vec::new();
+    for group in &groups {
+        let pairs: Vec<usize> = others
+            .iter()
+            .zip(&edges)
+            .filter(|(_, edge)| edge.iter().flatten().any(|body| group.contains(body)))
+            .filter(|(_, edge)| compile::is_last(edge, group, &groups))
+            .map(|(&pair, _)| pair)
+            .collect();
+        let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
+            ([one, other], [_, _, _]) => {
+                compile::dyad(linkage, &bodies, [*one, *other], &pairs, &mut faults)
+            }
+            _ => compile::larger_group(linkage, &bodies, group, &pairs),
+        };
+        let mut links: Vec<usize> = group
+            .iter()
+            .flat_map(|&body| bodies.list[body].links())
+            .collect();
+        links.sort_unstable();
+        if let Some(step) = step {
+            let inner = inner_of(spec, &joints, &links, &mut faults);
+            found.push(group_of(spec, &step, &pairs, inner, joints.bodies));
+            steps.push(step);
+        }
+        listed.push(structure::Group {
+            kind,
+            links,
+            pairs,
+            branch: None,
+        });
+    }
+    faults.check()?;
+    let first = driving.first().copied().unwrap_or(0);
+    let driver = match linkage.pairs.get(first) {
+        Some(_) => driver_of(linkage, first),
+        None => floating_driver([1.0, 0.0], true),
+    };
+    let plan = Plan {
+        driver,
+        steps,
+        links: joints.bodies,
+        size: size(linkage),
+    };
+    Ok((finish(spec, plan, joints, found), listed))
+}
+
+/// Pairs whose coordinates, taken as inputs one after the other, hold nothing more than
+/// once, until so many are found; none where that comes to no end.
+fn further(spec: &MultiSpec, wanted: usize) -> Vec<String> {
+    let mut tried = spec.clone();
+    let mut found = Vec::new();
+    for pair in 0..spec.linkage.pairs.len() {
+        if found.len() == wanted {
+            break;
+        }
+        tried.inputs.push(InputSpec {
+            name: String::new(),
+            coordinate: InputCoordinate::Pair(pair),
+            start: 0.0,
+        });
+        let known = input_pairs(spec).any(|own| own == pair);
+        match known || holds_more_than_once(&tried) {
+            true => drop(tried.inputs.pop()),
+            false => found.push(format!("`{}`", spec.linkage.pairs[pair].name)),
+        }
+    }
+    match found.len() == wanted {
+        true => found,
+        false => Vec::new(),
+    }
+}
+
+/// True when inputs, or they and the pairs, place something more than once.
+fn holds_more_than_once(spec: &MultiSpec) -> bool {
+    let mut faults = Faults::default();
+    let joints = joints(spec, &mut faults);
+    if faults.check().is_err() {
+        return true;
+    }
+    let bodies = bodies(&joints);
+    let driving: Vec<usize> = input_pairs(spec).collect();
+    let edges: Vec<Edge> = (spec.linkage.pairs.iter().enumerate())
+        .filter(|(pair, _)| !driving.contains(pair))
+        .map(|(_, pair)| {
+            let body = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
+            elements(pair).each_ref().map(body)
+        })
+        .collect();
+    match decompose(bodies.list.len(), &edges) {
+        Decomposition::Groups(_) => false,
+        Decomposition::Unfit { held, .. } => !held.is_empty(),
+    }
+}
+
+/// The pairs that are inputs.
+fn input_pairs(spec: &MultiSpec) -> impl Iterator<Item = usize> + '_ {
+    spec.inputs
+        .iter()
+        .filter_map(|input| match input.coordinate {
+            InputCoordinate::Pair(pair) => Some(pair),
+            _ => None,
+        })
+}
+
+/// A coordinate of a floating link as a pair: a guide along `along`, or a pin.
+fn floating_driver(along: [f64; 2], slides: bool) -> Driver {
+    let element = Element {
+        link: None,
+        point: [0.0; 2],
+        along,
+    };
+    Driver {
+        on: element,
+        link: element,
+        sliding: slides.then_some([1.0, 0.0]),
+    }
+}
+
+fn joints(spec: &MultiSpec, faults: &mut Faults) -> Joints {
+    let linkage = &spec.linkage;
+    let links = linkage.links.len();
+    let mut floating: Vec<usize> = (spec.inputs.iter())
+        .filter_map(|input| input.coordinate.floating_link())
+        .collect();
+    floating.sort_unstable();
+    floating.dedup();
+    let bodies = links + 2 * floating.len();
+    let mut placed = vec![false; links];
+    let mut tree = Vec::new();
+    for (number, &link) in floating.iter().enumerate() {
+        placed[link] = true;
+        let between = links + 2 * number;
+        let coordinates = [
+            InputCoordinate::X(link),
+            InputCoordinate::Y(link),
+            InputCoordinate::Angle(link),
+        ];
+        let parents = [bodies, between, between + 1];
+        let places = [between, between + 1, link];
+        let drivers = [
+            floating_driver([1.0, 0.0], true),
+            floating_driver([0.0, 1.0], true),
+            floating_driver([1.0, 0.0], false),
+        ];
+        for (k, driver) in drivers.into_iter().enumerate() {
+            let own = |input: &InputSpec| input.coordinate == coordinates[k];
+            // (Checked: a floating link has all three.)
+            let Some(input) = spec.inputs.iter().position(own) else {
+                continue;
+            };
+            tree.push(TreeJoint {
+                body: places[k],
+                parent: parents[k],
+                input,
+                driver,
+                reversed: false,
+            });
+        }
+    }
+    let mut open: Vec<(usize, usize)> = (spec.inputs.iter().enumerate())
+        .filter_map(|(input, own)| match own.coordinate {
+            InputCoordinate::Pair(pair) => Some((input, pair)),
+            _ => None,
+        })
+        .collect();
+    loop {
+        let stands = |link: Option<usize>| link.is_none_or(|link| placed[link]);
+        let outwards = open.iter().position(|&(_, pair)| {
+            let pair = &linkage.pairs[pair];
+            stands(pair.on.link) != stands(pair.link.link)
+        });
+        let Some(place) = outwards else {
+            break;
+        };
+        let (input, pair) = open.remove(place);
+        let driver = driver_of(linkage, pair);
+        let reversed = !stands(driver.on.link);
+        let (parent, body) = match reversed {
+            false => (driver.on.link, driver.link.link),
+            true => (driver.link.link, driver.on.link),
+        };
+        let Some(body) = body else { continue };
+        placed[body] = true;
+        tree.push(TreeJoint {
+            body,
+            parent: parent.unwrap_or(bodies),
+            input,
+            driver,
+            reversed,
+        });
+    }
+    let mut inner: Vec<InnerJoint> = Vec::new();
+    for (input, pair) in open {
+        let driver = driver_of(linkage, pair);
+        let path = format!("inputs.{}", spec.inputs[input].name);
+        let pair = &linkage.pairs[pair].name;
+        let taken = |link: usize| {
+            inner
+                .iter()
+                .any(|own| own.base == link || own.driven == link)
+        };
+        match (driver.on.link, driver.link.link) {
+            (Some(base), Some(driven)) if !placed[base] && !placed[driven] => {
+                if taken(base) || taken(driven) {
+                    let message = format!(
+                        "a link of `{pair}` belongs to another input that lies between moving links"
+                    );
+                    let hint = "choose pairs as inputs that lead from the ground outwards";
+                    faults.add(path, message, hint);
+                    continue;
+                }
+                inner.push(InnerJoint {
+                    base,
+                    driven,
+                    input,
+                    driver,
+                });
+            }
+            _ => {
+                let message =
+                    format!("the other inputs place both links of `{pair}`: it is no free choice");
+                let hint = "name another pair, or leave this input out";
+                faults.add(path, message, hint);
+            }
+        }
+    }
+    Joints {
+        tree,
+        inner,
+        placed,
+        bodies,
+    }
+}
+
+/// The bodies that groups place.
+fn bodies(joints: &Joints) -> Bodies {
+    let links = joints.placed.len();
+    let (mut list, mut of_link) = (Vec::new(), vec![None; links]);
+    for link in 0..links {
+        let own = |joint: &&InnerJoint| joint.base == link || joint.driven == link;
+        let inner = joints.inner.iter().find(own);
+        if joints.placed[link] || of_link[link].is_some() {
+            continue;
+        }
+        let body = match inner {
+            Some(joint) => Body {
+                base: joint.base,
+                driven: Some(joint.driven),
+            },
+            None => Body {
+                base: link,
+                driven: None,
+            },
+        };
+        for link in body.links() {
+            of_link[link] = Some(list.len());
+        }
+        list.push(body);
+    }
+    Bodies { list, of_link }
+}
+
+fn driving_group(spec: &MultiSpec, joints: &Joints, driving: &[usize]) -> structure::Group {
+    let mut links: Vec<usize> = (0..spec.linkage.links.len())
+        .filter(|&link| joints.placed[link])
+        .chain(joints.inner.iter().flat_map(|own| [own.base, own.driven]))
+        .collect();
+    links.sort_unstable();
+    structure::Group {
+        kind: GroupKind::Driver,
+        links,
+        pairs: driving.to_vec(),
+        branch: None,
+    }
+}
+
+/// The input inside a group; two of them are too many.
+fn inner_of(
+    spec: &MultiSpec,
+    joints: &Joints,
+    links: &[usize],
+    faults: &mut Faults,
+) -> Option<InnerJoint> {
+    let own = |joint: &&InnerJoint| links.contains(&joint.base);
+    let mut inner = joints.inner.iter().filter(own);
+    let first = inner.next()?;
+    if let Some(second) = inner.next() {
+        let [one, other] = [first, second].map(|joint| &spec.inputs[joint.input].name);
+        let message =
+            format!("`{other}` and `{one}` lie inside one group of links that are found together");
+        let hint = "choose another pair of these links as input, one that leads from the ground \
+                    outwards";
+        faults.add(format!("inputs.{other}"), message, hint);
+    }
+    Some(first.clone())
+}
+
+/// How the velocities of a group follow.
+fn group_of(
+    spec: &MultiSpec,
+    step: &Step,
+    pairs: &[usize],
+    inner: Option<InnerJoint>,
+    ground: usize,
+) -> Group {
+    let all = &spec.linkage.pairs;
+    let bodies = step.bodies();
+    let screws = match step {
+        Step::Newton(_) => pairs
+            .iter()
+            .map(|&pair| Screw::new(&all[pair], all[pair].on.link, ground))
+            .collect(),
+        Step::Dyad(_) => {
+            let in_body = |link: Option<usize>, k: usize| link.is_some_and(|l| bodies[k].has(l));
+            let touches = |pair: usize, k: usize| {
+                in_body(all[pair].on.link, k) || in_body(all[pair].link.link, k)
+            };
+            // The side of a pair that is not on body k, or that is.
+            let side = |pair: usize, k: usize, on_it: bool| match in_body(all[pair].on.link, k) {
+                own if own == on_it => all[pair].on.link,
+                _ => all[pair].link.link,
+            };
+            let outer = |k: usize| {
+                let own = pairs.iter().find(|&&p| touches(p, k) && !touches(p, 1 - k));
+                own.map(|&pair| Screw::new(&all[pair], side(pair, k, false), ground))
+            };
+            let between = pairs.iter().find(|&&p| touches(p, 0) && touches(p, 1));
+            let between = between.map(|&pair| Screw::new(&all[pair], side(pair, 0, true), ground));
+            [outer(0), between, outer(1)]
+                .into_iter()
+                .flatten()
+                .collect()
+        }
+    };
+    Group {
+        bases: bodies.iter().map(|body| body.base).collect(),
+        inner,
+        screws,
+        dyad: matches!(step, Step::Dyad(_)),
+        parallel: match step {
+            Step::Dyad(dyad) => matches!(dyad.form, Form::Prp | Form::Rpp),
+            Step::Newton(_) => false,
+        },
+        active: Vec::new(),
+        matrix: 0,
+        exchanged: 0,
+    }
+}
+
+/// Whether a force or an output asks for continuous angles.
+fn turning(spec: &LinkageSpec) -> bool {
+    let torsion = |force: &ForceSpec| matches!(force.law, ForceLaw::Torsion { .. });
+    let angle = |output: &OutputSpec| !matches!(output.kind, OutputKind::Point { .. });
+    spec.forces.iter().any(torsion) || spec.outputs.iter().any(angle)
+}
+
+/// Which input moves what, and where the numbers of larger groups lie.
+fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) -> MultiPlan {
+    let (inputs, bodies) = (spec.inputs.len(), joints.bodies);
+    let mut moves = vec![false; (bodies + 1) * inputs];
+    let mut placed = vec![false; bodies];
+    let mut joint_of = vec![usize::MAX; bodies];
+    for (place, joint) in joints.tree.iter().enumerate() {
+        for input in 0..inputs {
+            moves[joint.body * inputs + input] =
+                input == joint.input || moves[joint.parent * inputs + input];
+        }
+        placed[joint.body] = true;
+        joint_of[joint.body] = place;
+    }
+    let mut matrices = [0, 0];
+    for (group, step) in groups.iter_mut().zip(&plan.steps) {
+        let links: Vec<usize> = step.bodies().iter().flat_map(Body::links).collect();
+        let sides = group.screws.iter().flat_map(|screw| screw.sides);
+        let outside: Vec<usize> = sides.filter(|side| !links.contains(side)).collect();
+        let own = group.inner.as_ref().map(|inner| inner.input);
+        let active = |&input: &usize| {
+            Some(input) == own || outside.iter().any(|&side| moves[side * inputs + input])
+        };
+        group.active = (0..inputs).filter(active).collect();
+        for &link in &links {
+            for &input in &group.active {
+                moves[link * inputs + input] = true;
+            }
+        }
+        let n = 3 * group.bases.len();
+        (group.matrix, group.exchanged) = (matrices[0], matrices[1]);
+        if !group.dyad {
+            matrices = [matrices[0] + n * n, matrices[1] + n];
+        }
+    }
+    let weighs = |body: usize| {
+        let link = spec.linkage.links.get(body);
+        link.is_some_and(|link| link.mass > 0.0 || link.moment > 0.0)
+    };
+    let mut heavy: Vec<bool> = (0..bodies).map(weighs).collect();
+    for joint in joints.tree.iter().rev() {
+        if joint.parent < bodies && heavy[joint.body] {
+            heavy[joint.parent] = true;
+        }
+    }
+    MultiPlan {
+        plan,
+        inputs,
+        bodies,
+        tree: joints.tree,
+        groups,
+        moves,
+        placed,
+        heavy,
+        joint_of,
+        turning: turning(&spec.linkage),
+        matrices,
+    }
+}

@@ -1,0 +1,237 @@
+//! Where the links are: the inputs one after the other outwards, then group by group.
+
+use super::plan::MultiPlan;
+use crate::kinematics::linkage::course::nearest_turn;
+use crate::kinematics::linkage::dyad::Dyad;
+use crate::kinematics::linkage::elements::{Frame, inverse};
+use crate::kinematics::linkage::examine::tolerance;
+use crate::kinematics::linkage::newton::NewtonGroup;
+use crate::kinematics::linkage::plan::Step;
+use crate::kinematics::linkage::solve::around;
+use crate::kinematics::linkage::state::State;
+
+/// Parts into which the way to a far position may be cut.
+const MOST_PARTS: f64 = 4096.0;
+
+/// The inputs cannot be reached: the group (counted after the driver's) that cannot be
+/// assembled.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotAssembled {
+    /// Index into the groups of the structure.
+    pub group: usize,
+}
+
+/// Places what inputs alone place.
+pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
+    for joint in &plan.tree {
+        let relative = joint.driver.relative::<1>(inputs[joint.input]);
+        let relative = match joint.reversed {
+            false => relative,
+            true => inverse(&relative),
+        };
+        let frame = match joint.parent == plan.bodies {
+            true => relative,
+            false => {
+                let parent = state.frame::<1>(Some(joint.parent));
+                Frame {
+                    at: parent.at + parent.direction.turn(relative.at),
+                    direction: parent.direction.turn(relative.direction),
+                }
+            }
+        };
+        state.links[joint.body].set(&frame);
+    }
+}
+
+/// Sets the frame of the link that an input moves inside a group.
+pub(super) fn inside(plan: &MultiPlan, group: usize, inputs: &[f64], state: &mut State) {
+    if let Some(inner) = &plan.groups[group].inner {
+        let relative = inner.driver.relative::<1>(inputs[inner.input]);
+        state.relative.set(&relative);
+    }
+}
+
+/// Places all links at given inputs; larger groups from the position that `state` holds,
+/// on the side of their singular positions that `signs` tell.
+pub(super) fn place(
+    plan: &MultiPlan,
+    signs: &[f64],
+    inputs: &[f64],
+    state: &mut State,
+) -> Result<(), NotAssembled> {
+    outwards(plan, inputs, state);
+    for (index, step) in plan.plan.steps.iter().enumerate() {
+        inside(plan, index, inputs, state);
+        let placed = match step {
+            Step::Dyad(dyad) => dyad_on(plan, dyad, signs[index], state, index),
+            Step::Newton(group) => iterate(plan, group, signs[index], state, index),
+        };
+        if !placed {
+            return Err(NotAssembled { group: index + 1 });
+        }
+    }
+    Ok(())
+}
+
+#[inline]
+fn dyad_on(plan: &MultiPlan, dyad: &Dyad, sign: f64, state: &mut State, index: usize) -> bool {
+    let around = around::<1>(dyad, state);
+    let found = dyad.directions(&around, sign, plan.plan.size);
+    state.margins[index] = found.margin;
+    if !(found.margin.value > 0.0) {
+        return false;
+    }
+    let [one, other] = dyad.place(&around, found.of);
+    state.put(&dyad.bodies[0], &one);
+    state.put(&dyad.bodies[1], &other);
+    true
+}
+
+fn iterate(
+    plan: &MultiPlan,
+    group: &NewtonGroup,
+    sign: f64,
+    state: &mut State,
+    index: usize,
+) -> bool {
+    let mut scratch = std::mem::take(&mut state.scratch);
+    for (body, unknowns) in (group.bodies.iter()).zip(scratch.unknowns.chunks_exact_mut(3)) {
+        let motion = &state.links[body.base];
+        let values = [motion.at[0][0], motion.at[1][0], motion.angle()];
+        for (unknown, value) in unknowns.iter_mut().zip(values) {
+            unknown[0] = value;
+        }
+    }
+    let found = group.place::<1>(state, &mut scratch, plan.plan.size);
+    let placed = match found {
+        // Beyond a singular position the determinant has the other sign.
+        Ok(margin) => {
+            let value = sign * margin.value;
+            state.margins[index] = margin;
+            state.margins[index].value = value;
+            value > 0.0
+        }
+        Err(_) => false,
+    };
+    if placed {
+        for (body, frame) in group.bodies.iter().enumerate() {
+            state.put(frame, &NewtonGroup::frame::<1>(&scratch, body));
+        }
+    }
+    state.scratch = scratch;
+    placed
+}
+
+/// A position with its inputs, kept to start from.
+#[derive(Clone, Debug)]
+pub(super) struct Known {
+    pub(super) state: State,
+    pub(super) inputs: Vec<f64>,
+    /// The angles of all bodies, continuous.
+    pub(super) angles: Vec<f64>,
+    /// Memory for the way to another position.
+    between: Vec<f64>,
+    kept: State,
+}
+
+impl Known {
+    pub(super) fn new(state: State, inputs: Vec<f64>) -> Self {
+        Self {
+            angles: state.links.iter().map(|motion| motion.angle()).collect(),
+            between: inputs.clone(),
+            kept: state.clone(),
+            state,
+            inputs,
+        }
+    }
+
+    /// Goes to other inputs: at once, or along the straight way in parts where a larger
+    /// group does not find its position so. Where they cannot be reached, everything stays
+    /// where it was, but for the margins.
+    pub(super) fn go_to(
+        &mut self,
+        plan: &MultiPlan,
+        signs: &[f64],
+        inputs: &[f64],
+    ) -> Result<(), NotAssembled> {
+        let closed = plan.groups.iter().all(|group| group.dyad);
+        if closed {
+            place(plan, signs, inputs, &mut self.state)?;
+            self.arrive(plan, inputs);
+            return Ok(());
+        }
+        copy(&self.state, &mut self.kept);
+        let (mut done, mut part) = (0.0, 1.0);
+        while done < 1.0 {
+            let share = f64::min(1.0, done + part);
+            for ((between, from), to) in self.between.iter_mut().zip(&self.inputs).zip(inputs) {
+                *between = if share == 1.0 {
+                    *to
+                } else {
+                    from + share * (to - from)
+                };
+            }
+            match place(plan, signs, &self.between, &mut self.state) {
+                Ok(()) => {
+                    copy(&self.state, &mut self.kept);
+                    done = share;
+                }
+                Err(group) => {
+                    let margins = std::mem::take(&mut self.state.margins);
+                    copy(&self.kept, &mut self.state);
+                    self.state.margins = margins;
+                    part *= 0.25;
+                    if part * MOST_PARTS < 1.0 {
+                        return Err(group);
+                    }
+                }
+            }
+        }
+        self.arrive(plan, inputs);
+        Ok(())
+    }
+
+    /// Notes inputs of a position found, and where something asks for them the angles.
+    fn arrive(&mut self, plan: &MultiPlan, inputs: &[f64]) {
+        self.inputs.copy_from_slice(inputs);
+        if !plan.turning {
+            return;
+        }
+        for group in &plan.groups {
+            let driven = group.inner.as_ref().map(|inner| inner.driven);
+            for &body in group.bases.iter().chain(&driven) {
+                let angle = self.state.links[body].angle();
+                self.angles[body] = nearest_turn(angle, self.angles[body]);
+            }
+        }
+        for joint in &plan.tree {
+            let parent = match joint.parent == plan.bodies {
+                true => 0.0,
+                false => self.angles[joint.parent],
+            };
+            let own = match joint.driver.sliding {
+                None => inputs[joint.input],
+                Some([cos, sin]) => sin.atan2(cos),
+            };
+            self.angles[joint.body] = if joint.reversed {
+                parent - own
+            } else {
+                parent + own
+            };
+        }
+    }
+
+    /// The least margin of all groups, over its rounding: where it is not above zero,
+    /// nothing can be said.
+    pub(super) fn margin(&self) -> Option<(usize, f64)> {
+        let margins = self.state.margins.iter().enumerate();
+        let margins = margins.map(|(group, margin)| (group + 1, margin.value - tolerance(margin)));
+        margins.min_by(|one, other| one.1.total_cmp(&other.1))
+    }
+}
+
+/// Copies places alone, without allocating.
+fn copy(from: &State, to: &mut State) {
+    to.links.copy_from_slice(&from.links);
+    to.relative = from.relative;
+}

@@ -1,0 +1,113 @@
+//! A motion that is written as an expression of time.
+
+use crate::fault::{Fault, Faults};
+use crate::kinematics::breaks::Breaks;
+use crate::math::expression::{Expression, MOST, OfOne, Program, Third};
+use crate::math::jet::Jet;
+
+/// Jumps of a displacement or a speed below this share of its size are rounding.
+const JUMP: f64 = 1e-9;
+
+/// φ = factor·f(t), f an expression of the time in s.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WrittenMotion {
+    /// As it was written.
+    text: String,
+    factor: f64,
+    function: OfOne,
+    breaks: Breaks,
+}
+
+impl WrittenMotion {
+    /// A motion of a drive; its displacement and its speed must not jump.
+    ///
+    /// # Errors
+    /// Pieces that cannot be told, jumps, values that are not finite; paths relative to
+    /// `motion`.
+    pub fn new(expression: &Expression, factor: f64) -> Result<Self, Vec<Fault>> {
+        let mut faults = Faults::default();
+        let path = "expression";
+        let (motion, whole) = Self::of(expression.program(), expression.text(), factor, MOST);
+        if !whole {
+            let message = "its pieces change too often to be told";
+            let hint = "conditions that repeat, sin(2*pi*t) > 0, or of t itself, t < 2";
+            faults.add(path, message, hint);
+            faults.check()?;
+        }
+        let start = motion.jet(motion.breaks.locate(0.0, 1.0), 0.0);
+        if !start.is_finite() {
+            let message = format!(
+                "\"{}\" has no finite value, speed, acceleration and jerk at t = 0",
+                motion.text
+            );
+            faults.add(path, message, "");
+        }
+        motion.check_jumps(path, &mut faults);
+        faults.check()?;
+        Ok(motion)
+    }
+
+    /// A function of time, its pieces followed to so many places; whether that is all.
+    pub(crate) fn of(program: &Program, text: &str, factor: f64, most: usize) -> (Self, bool) {
+        let (function, whole) = OfOne::new(program, most);
+        let breaks = Breaks {
+            points: function.points.clone(),
+            period: function.period,
+        };
+        let motion = Self {
+            text: text.to_owned(),
+            factor,
+            function,
+            breaks,
+        };
+        (motion, whole)
+    }
+
+    fn check_jumps(&self, path: &str, faults: &mut Faults) {
+        let count = self.breaks.points.len() as i64;
+        let first = if self.breaks.period.is_some() { -1 } else { 0 };
+        for segment in first..first + count {
+            let at = self.breaks.edges(segment).1;
+            let (before, behind) = (self.jet(segment, at), self.jet(segment + 1, at));
+            for (what, a, b) in [
+                ("displacement", before.value, behind.value),
+                ("speed", before.first, behind.first),
+            ] {
+                if !((a - b).abs() <= JUMP * (a.abs().max(b.abs()) + self.factor.abs())) {
+                    let message =
+                        format!("the {what} jumps at t = {at} s, from {a} to {b} in SI units");
+                    let hint = "a motion goes on without a jump of displacement and speed; \
+                                for moves and dwells give a `plan`";
+                    faults.add(path, message, hint);
+                    return;
+                }
+            }
+        }
+    }
+
+    /// As it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Factor on the value of the expression.
+    pub fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// Displacement and its derivatives, by the formula of `segment`.
+    pub(super) fn jet(&self, segment: i64, time: f64) -> Jet {
+        let (piece, _) = self.breaks.piece(segment);
+        let turn = match self.breaks.period {
+            Some(_) => segment.div_euclid(self.breaks.points.len().max(1) as i64),
+            None => 0,
+        };
+        let jet = self.function.at(Third::variable(time), piece, turn).0;
+        jet.scaled(self.factor)
+    }
+
+    /// Times at which the formula changes.
+    pub(super) fn breaks(&self) -> &Breaks {
+        &self.breaks
+    }
+}

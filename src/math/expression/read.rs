@@ -1,0 +1,409 @@
+//! From the text of an expression to its program, by climbing precedences.
+
+use super::builder::Builder;
+use super::function::SMOOTH;
+use super::program::{Op, Program, Register, Rounding};
+use super::{CONSTANTS, Names};
+use std::ops::Range;
+
+/// How deep parentheses, calls and operators may nest.
+const DEEPEST: usize = 256;
+
+/// Kind of a mistake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wrong {
+    Character,
+    Token,
+    End,
+    Parenthesis,
+    Number,
+    Variable,
+    Function,
+    Arguments,
+    Factorial,
+    TooDeep,
+    TooLong,
+}
+
+/// A mistake and where it is, in bytes.
+pub(super) type Error = (Wrong, Range<usize>);
+
+/// What a text says.
+#[derive(Clone, Debug)]
+pub(super) struct Found {
+    pub(super) program: Program,
+    pub(super) builder: Builder,
+    pub(super) root: Register,
+    /// The first place where a value counts as true or false that changes without a jump.
+    pub(super) unlocated: Option<Range<usize>>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Token<'t> {
+    Number(&'t str),
+    Name(&'t str),
+    Symbol(&'static str),
+    End,
+}
+
+/// Symbols, the longer ones first.
+const SYMBOLS: [&str; 22] = [
+    "**", "<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "%", "^", "(", ")", ",", "<",
+    ">", "!", "?", ":", "·",
+];
+
+/// Precedence from the left and from the right of what stands between operands.
+fn precedence(symbol: &str) -> Option<(u8, u8)> {
+    Some(match symbol {
+        "?" => (2, 1),
+        "||" => (3, 4),
+        "&&" => (5, 6),
+        "==" | "!=" => (7, 8),
+        "<" | "<=" | ">" | ">=" => (9, 10),
+        "+" | "-" => (11, 12),
+        "*" | "/" | "%" | "·" => (13, 14),
+        "^" | "**" => (18, 17),
+        "!" => (19, 19),
+        _ => return None,
+    })
+}
+
+/// Precedence of a sign before an operand.
+const SIGN: u8 = 15;
+
+/// Reads a text.
+pub(super) fn read(text: &str, names: &Names<'_>) -> Result<Found, Error> {
+    let mut reader = Reader {
+        text,
+        names,
+        position: 0,
+        token: Token::End,
+        place: 0..0,
+        end: 0,
+        depth: 0,
+        builder: Builder::default(),
+        unlocated: None,
+        unknown: None,
+    };
+    reader.advance()?;
+    let root = reader.expression(0)?;
+    if reader.token != Token::End {
+        return Err((Wrong::Token, reader.place));
+    }
+    if let Some(unknown) = reader.unknown {
+        return Err(unknown);
+    }
+    if reader.builder.overflows {
+        return Err((Wrong::TooLong, 0..text.len()));
+    }
+    Ok(Found {
+        program: reader.builder.finish(root),
+        builder: reader.builder,
+        root,
+        unlocated: reader.unlocated,
+    })
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    names: &'t Names<'t>,
+    position: usize,
+    /// The token that comes next, and where it is.
+    token: Token<'t>,
+    place: Range<usize>,
+    /// End of the token before.
+    end: usize,
+    depth: usize,
+    builder: Builder,
+    unlocated: Option<Range<usize>>,
+    /// The first name that is not known: what is wrong with the syntax comes first.
+    unknown: Option<Error>,
+}
+
+fn is_letter(letter: char) -> bool {
+    // (The dot above a letter is a letter of its own.)
+    letter.is_alphabetic() || letter == '_' || letter == '\u{307}'
+}
+
+impl<'t> Reader<'t> {
+    fn advance(&mut self) -> Result<Token<'t>, Error> {
+        let before = self.token;
+        self.end = self.place.end;
+        let rest = &self.text[self.position..];
+        let blank = rest.len()
+            - rest
+                .trim_start_matches([' ', '\t', '\n', '\r', '\u{c}'])
+                .len();
+        let start = self.position + blank;
+        let rest = &self.text[start..];
+        let length = match rest.chars().next() {
+            None => {
+                self.token = Token::End;
+                0
+            }
+            Some('0'..='9' | '.') => {
+                let length = number_length(rest);
+                if length == 0 {
+                    return Err((Wrong::Character, start..start + 1));
+                }
+                self.token = Token::Number(&rest[..length]);
+                length
+            }
+            Some(letter) if is_letter(letter) => {
+                let other = |c: char| !(is_letter(c) || c.is_ascii_digit());
+                let length = rest.find(other).unwrap_or(rest.len());
+                self.token = match &rest[..length] {
+                    "mod" => Token::Symbol("%"),
+                    name => Token::Name(name),
+                };
+                length
+            }
+            Some(letter) => {
+                let Some(symbol) = SYMBOLS.iter().find(|symbol| rest.starts_with(**symbol)) else {
+                    return Err((Wrong::Character, start..start + letter.len_utf8()));
+                };
+                self.token = Token::Symbol(symbol);
+                symbol.len()
+            }
+        };
+        self.place = start..start + length;
+        self.position = start + length;
+        Ok(before)
+    }
+
+    fn expression(&mut self, least: u8) -> Result<Register, Error> {
+        if self.depth == DEEPEST {
+            return Err((Wrong::TooDeep, self.place.clone()));
+        }
+        self.depth += 1;
+        let start = self.place.start;
+        let mut left = self.operand()?;
+        while let Token::Symbol(symbol) = self.token
+            && let Some((before, after)) = precedence(symbol)
+            && before >= least
+        {
+            let place = self.place.clone();
+            self.advance()?;
+            left = match symbol {
+                "!" => self.factorial(left, start..self.end)?,
+                "?" => self.conditional(left, start..place.start)?,
+                _ => {
+                    let right = self.expression(after)?;
+                    self.binary(symbol, [left, right], place)
+                }
+            };
+        }
+        self.depth -= 1;
+        Ok(left)
+    }
+
+    fn conditional(&mut self, condition: Register, place: Range<usize>) -> Result<Register, Error> {
+        self.truth(condition, &place);
+        let a = self.expression(0)?;
+        match self.token {
+            Token::Symbol(":") => self.advance()?,
+            Token::End => return Err((Wrong::End, self.place.clone())),
+            _ => return Err((Wrong::Token, self.place.clone())),
+        };
+        let b = self.expression(1)?;
+        Ok(self.builder.select(condition, a, b))
+    }
+
+    fn factorial(&mut self, x: Register, place: Range<usize>) -> Result<Register, Error> {
+        let known = self.builder.known(x);
+        let whole = known.filter(|n| *n >= 0.0 && n.fract() == 0.0 && *n <= 170.0);
+        let Some(n) = whole else {
+            return Err((Wrong::Factorial, place));
+        };
+        let product = (1..=n as u32).map(f64::from).product();
+        Ok(self.builder.number(product))
+    }
+
+    fn operand(&mut self) -> Result<Register, Error> {
+        let place = self.place.clone();
+        let token = self.advance()?;
+        match token {
+            Token::Number(digits) => match digits.parse::<f64>() {
+                Ok(value) if value.is_finite() => Ok(self.builder.number(value)),
+                _ => Err((Wrong::Number, place)),
+            },
+            Token::Name(name) if self.token == Token::Symbol("(") => self.call(name, place),
+            Token::Name(name) => match self.named(name) {
+                Some(register) => Ok(register),
+                None => Ok(self.not_known((Wrong::Variable, place))),
+            },
+            Token::Symbol("(") => {
+                let value = self.expression(0)?;
+                self.close(place)?;
+                Ok(value)
+            }
+            Token::Symbol("-") => {
+                let x = self.expression(SIGN)?;
+                Ok(self.builder.affine(x, -1.0, 0.0))
+            }
+            Token::Symbol("+") => self.expression(SIGN),
+            Token::Symbol("!") => {
+                let x = self.expression(SIGN)?;
+                self.truth(x, &(place.end..self.end));
+                Ok(self.builder.plain(Op::Not(x)))
+            }
+            Token::End => Err((Wrong::End, place)),
+            Token::Symbol(_) => Err((Wrong::Token, place)),
+        }
+    }
+
+    fn not_known(&mut self, error: Error) -> Register {
+        self.unknown.get_or_insert(error);
+        self.builder.number(0.0)
+    }
+
+    fn named(&mut self, name: &str) -> Option<Register> {
+        if let Some((_, index)) = self.names.iter().find(|(known, _)| *known == name) {
+            return Some(self.builder.variable(*index));
+        }
+        let (_, value) = CONSTANTS.iter().find(|(known, _)| *known == name)?;
+        Some(self.builder.number(*value))
+    }
+
+    fn close(&mut self, opening: Range<usize>) -> Result<(), Error> {
+        match self.token {
+            Token::Symbol(")") => self.advance().map(drop),
+            Token::End => Err((Wrong::Parenthesis, opening)),
+            _ => Err((Wrong::Token, self.place.clone())),
+        }
+    }
+
+    fn call(&mut self, name: &str, place: Range<usize>) -> Result<Register, Error> {
+        let opening = self.place.clone();
+        self.advance()?;
+        let mut arguments = Vec::new();
+        if self.token != Token::Symbol(")") {
+            loop {
+                let start = self.place.start;
+                let value = self.expression(0)?;
+                if arguments.len() == 2 {
+                    return Err((Wrong::Arguments, start..self.end));
+                }
+                arguments.push(value);
+                if self.token != Token::Symbol(",") {
+                    break;
+                }
+                self.advance()?;
+            }
+        }
+        self.close(opening)?;
+        let whole = place.start..self.end;
+        match self.function(name, &arguments) {
+            Some(Some(value)) => Ok(value),
+            Some(None) => Ok(self.not_known((Wrong::Arguments, whole))),
+            None => Ok(self.not_known((Wrong::Function, place))),
+        }
+    }
+
+    /// A function of arguments; `None`: no such function, `Some(None)`: not of so many.
+    fn function(&mut self, name: &str, arguments: &[Register]) -> Option<Option<Register>> {
+        let builder = &mut self.builder;
+        let two = matches!(name, "atan2" | "min" | "max");
+        let smooth = SMOOTH.iter().find(|(known, _)| *known == name);
+        let one = smooth.is_some() || super::PIECES.contains(&name);
+        if !(one || two) {
+            return None;
+        }
+        Some(match (arguments, smooth) {
+            (&[x], Some(&(_, function))) => Some(builder.of(function, x)),
+            (&[x], None) if one => Some(match name {
+                "abs" => builder.abs(x),
+                "signum" | "sign" => builder.sign(x),
+                "floor" => builder.whole(x, Rounding::Floor),
+                "ceil" => builder.whole(x, Rounding::Ceil),
+                "round" => builder.whole(x, Rounding::Round),
+                "trunc" => builder.whole(x, Rounding::Trunc),
+                _ => {
+                    let whole = builder.whole(x, Rounding::Trunc);
+                    builder.sub(x, whole)
+                }
+            }),
+            (&[a, b], None) if two => Some(match name {
+                "atan2" => builder.atan2(a, b),
+                "min" => builder.min(a, b),
+                _ => builder.max(a, b),
+            }),
+            _ => None,
+        })
+    }
+
+    fn binary(&mut self, symbol: &str, [a, b]: [Register; 2], place: Range<usize>) -> Register {
+        let builder = &mut self.builder;
+        match symbol {
+            "+" => builder.add(a, b),
+            "-" => builder.sub(a, b),
+            "*" | "·" => builder.mul(a, b),
+            "/" => builder.div(a, b),
+            "%" => builder.remainder(a, b),
+            "^" | "**" => builder.power(a, b),
+            "<" => builder.less(a, b, false),
+            "<=" => builder.less(a, b, true),
+            ">" => builder.less(b, a, false),
+            ">=" => builder.less(b, a, true),
+            "&&" | "||" => {
+                self.truth(a, &place);
+                self.truth(b, &place);
+                self.builder.plain(match symbol {
+                    "&&" => Op::And(a, b),
+                    _ => Op::Or(a, b),
+                })
+            }
+            _ => {
+                if !(builder.steps(a) && builder.steps(b)) {
+                    self.note(place);
+                }
+                let equal = self.builder.plain(Op::Equal(a, b));
+                match symbol {
+                    "==" => equal,
+                    _ => self.builder.plain(Op::Not(equal)),
+                }
+            }
+        }
+    }
+
+    /// A value that counts as true or false.
+    fn truth(&mut self, x: Register, place: &Range<usize>) {
+        if !self.builder.steps(x) {
+            self.note(place.clone());
+        }
+    }
+
+    fn note(&mut self, place: Range<usize>) {
+        self.unlocated.get_or_insert(place);
+    }
+}
+
+/// Length of the number that a text begins with; 0 where it is none.
+fn number_length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let digits = |from: usize| {
+        bytes[from..]
+            .iter()
+            .take_while(|b| b.is_ascii_digit())
+            .count()
+    };
+    let mut length = digits(0);
+    let mut count = length;
+    if bytes.get(length) == Some(&b'.') {
+        length += 1;
+        let after = digits(length);
+        length += after;
+        count += after;
+    }
+    if count == 0 {
+        return 0;
+    }
+    if matches!(bytes.get(length), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(length + 1), Some(b'+' | b'-')));
+        if bytes.get(length + 1 + sign).is_some_and(u8::is_ascii_digit) {
+            length += 1 + sign;
+            length += digits(length);
+        }
+    }
+    length
+}

@@ -1,0 +1,73 @@
+//! The equations of a linkage of several inputs: one line an input.
+
+use super::{LONGEST_WRITTEN_OUT, Section};
+use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
+use crate::report::math::{Expr, Index, Symbol, symbol};
+use crate::report::show::units;
+
+/// The linkage of several inputs that an object is.
+pub(super) fn of(model: &Model, object: usize) -> Option<&MultiLinkageBody> {
+    let mut bodies = model.multi_linkages.iter();
+    bodies.find(|body| body.object == object)
+}
+
+/// True of an input or output of such a linkage.
+pub(super) fn is_part(model: &Model, object: usize) -> bool {
+    let part = &model.objects[object];
+    let own = |node| part.nodes.contains(node);
+    let mut bodies = model.multi_linkages.iter();
+    bodies.any(|body| body.object != object && body.inputs.iter().chain(&body.outputs).any(own))
+}
+
+/// What drives each input: Σ M·q̈ − Q.
+pub(super) fn section(model: &Model, object: usize, body: &MultiLinkageBody) -> Section {
+    let part = &model.objects[object];
+    let inputs = body.linkage.inputs();
+    let mut section = Section {
+        object: part.id.clone(),
+        heading: format!("{} of {} inputs, rigid", part.kind, inputs.len()),
+        ..Section::default()
+    };
+    let word = |letter, word: String| symbol(letter, Index::Word(word));
+    let coordinate = |k: usize| word("q", inputs[k].name.clone());
+    let mass = |k: usize, j: usize| word("M", format!("{},{}", inputs[k].name, inputs[j].name));
+    let many = inputs.len() > LONGEST_WRITTEN_OUT;
+    for k in 0..inputs.len() {
+        let term = |j: usize| mass(k, j).expr().times(coordinate(j).rate().rate());
+        let mut terms: Vec<Expr> = match many {
+            false => (0..inputs.len()).map(term).collect(),
+            true => vec![term(0), Expr::Words("…".to_owned()), term(inputs.len() - 1)],
+        };
+        terms.push(word("Q", inputs[k].name.clone()).expr().negative());
+        let remark = match k {
+            0 => {
+                "what drives the input, with the loads on it; Q, all other forces and what the speeds make"
+            }
+            _ => "",
+        };
+        section.line(word("T", inputs[k].name.clone()), Expr::sum(terms), remark);
+    }
+    entries(body, &mass, &mut section);
+    section
+}
+
+/// M on its diagonal where the linkage is put together.
+fn entries(body: &MultiLinkageBody, mass: &dyn Fn(usize, usize) -> Symbol, section: &mut Section) {
+    let linkage = &body.linkage;
+    let inputs = linkage.inputs();
+    let starts: Vec<f64> = inputs.iter().map(|input| input.start).collect();
+    let mut space = linkage.workspace::<f64>();
+    if space.solve(&starts, &vec![0.0; starts.len()]).is_err() {
+        return;
+    }
+    space.reduce(true);
+    for (k, input) in inputs.iter().enumerate() {
+        let coordinate = match input.coordinate.slides(&linkage.spec().linkage) {
+            true => Coordinate::Sliding,
+            false => Coordinate::Turning,
+        };
+        let value = space.reduced.mass[k * inputs.len() + k];
+        let meaning = "mass matrix, a function of all inputs; here where it is put together";
+        section.entry(mass(k, k), value, units(coordinate).inertia, meaning);
+    }
+}

@@ -1,0 +1,65 @@
+//! At which speed an elastic follower leaves its cam: what runs of its scene are asked.
+
+use super::force::CamForce;
+use crate::dynamics::model::{Closure, Model, NodeMotion};
+use crate::kinematics::motion::DriveMotion;
+
+/// A search over the speed of the drive behind a cam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpeedSearch {
+    /// Index of the follower in the model.
+    pub object: usize,
+    /// Speed of the cam from which the search goes (rad/s), > 0.
+    pub start: f64,
+    drive: String,
+    /// The scene's own speed of the drive (rad/s).
+    speed: f64,
+    /// The scene's own ratio from drive to cam: another speed scales both.
+    ratio: f64,
+}
+
+impl SpeedSearch {
+    /// For the object `id` under `force`, which has the speed to begin with.
+    ///
+    /// # Errors
+    /// In words: why no speed is searched for.
+    pub fn new(model: &Model, id: &str, force: Option<&CamForce<'_>>) -> Result<Self, String> {
+        let object = model.objects.iter().position(|part| part.id == id);
+        let object = object.ok_or("there is no such object")?;
+        let pair = model.pair(&model.objects[object]);
+        if pair.map(|pair| pair.closure) != Some(Closure::Force) {
+            return Err("only a pair that is closed by force lifts off".into());
+        }
+        let mut root = object;
+        while let Some(driver) = model.objects[root].driver() {
+            root = driver;
+        }
+        let drive = &model.objects[root];
+        if !drive.is_drive() {
+            let several = format!("`{}` has several inputs, not one drive", drive.id);
+            return Err(several);
+        }
+        let speed = match &model.nodes[drive.nodes[0]].motion {
+            NodeMotion::Prescribed {
+                motion: DriveMotion::Constant { speed, .. },
+                ..
+            } if *speed != 0.0 => *speed,
+            _ => return Err(format!("give the drive `{}` a constant speed", drive.id)),
+        };
+        let force = force.ok_or("the speed of the cam is not known")?;
+        let own = CamForce::new(model, object, force.cam(), None);
+        Ok(Self {
+            object,
+            start: force.speed().abs(),
+            drive: drive.id.clone(),
+            speed,
+            ratio: own.map_or(1.0, |own| own.speed() / speed).abs(),
+        })
+    }
+
+    /// Address and value (rad/s) with which the cam of the scene turns at this speed (rad/s).
+    pub fn setting(&self, cam_speed: f64) -> (String, f64) {
+        let address = format!("{}.motion.speed", self.drive);
+        (address, cam_speed / self.ratio * self.speed.signum())
+    }
+}

@@ -1,0 +1,90 @@
+//! What a document is at an instant, and what its windows are told of it.
+
+use super::answer::Answer;
+use super::disk::OnDisk;
+use super::messages::Asked;
+use super::text::Text;
+use super::window::Window;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// A document at an instant.
+#[derive(Debug)]
+pub(super) struct State {
+    pub(super) text: Text,
+    pub(super) disk: OnDisk,
+    pub(super) windows: BTreeMap<u64, Arc<Window>>,
+    /// The maps that windows ask for.
+    pub(super) asked: BTreeMap<u64, Asked>,
+    /// What was last told of faults, and of a run.
+    pub(super) checked: Option<Arc<str>>,
+    pub(super) answer: Option<Arc<Answer>>,
+    status: String,
+}
+
+impl State {
+    pub(super) fn new(text: Text, disk: OnDisk) -> Self {
+        Self {
+            text,
+            disk,
+            windows: BTreeMap::new(),
+            asked: BTreeMap::new(),
+            checked: None,
+            answer: None,
+            status: String::new(),
+        }
+    }
+
+    pub(super) fn tell(&self, message: &Arc<str>) {
+        for window in self.windows.values() {
+            window.send(message.clone());
+        }
+    }
+
+    /// Everything that a window begins with.
+    pub(super) fn opened(&self, name: &str) -> String {
+        json!({
+            "type": "opened",
+            "scene": name,
+            "version": self.text.version(),
+            "text": self.text.shown(),
+            "draft": self.disk.offered(),
+        })
+        .to_string()
+    }
+
+    /// Tells all windows of changes from a version on, and who made them.
+    pub(super) fn tell_changes(&self, version: u64, by: u64, changes: &[Value]) {
+        let message = json!({
+            "type": "updates",
+            "version": version,
+            "updates": changes.iter()
+                .map(|changes| json!({ "by": by.to_string(), "changes": changes }))
+                .collect::<Vec<_>>(),
+        });
+        self.tell(&message.to_string().into());
+    }
+
+    pub(super) fn told_status(&self) -> String {
+        let [undo, redo] = self.text.history();
+        json!({
+            "type": "status",
+            "saved": self.disk.holds(self.text.text()),
+            "undo": undo,
+            "redo": redo,
+            "disk": self.disk.word(),
+            "draft": self.disk.is_asking(),
+        })
+        .to_string()
+    }
+
+    /// Tells all windows how it stands with the document, where that is news.
+    pub(super) fn tell_status(&mut self) {
+        let status = self.told_status();
+        if status != self.status {
+            self.tell(&status.as_str().into());
+            self.status = status;
+        }
+    }
+}

@@ -1,0 +1,35 @@
+// What the tests do with a page of the studio.
+
+import { expect } from "@playwright/test";
+
+export async function opened(page, address, view = "Text") {
+  await page.goto(address);
+  await page.waitForSelector(".verdict");
+  await page.getByRole("tab", { name: view }).click();
+}
+// Nothing may be thrown, and nothing may break the content security policy.
+export function watched(page) {
+  const wrong = [];
+  page.on("pageerror", (error) => wrong.push(error.message));
+  page.on("console", (message) => { if (message.type() === "error" && !/WebSocket|ERR_CONNECTION/.test(message.text())) wrong.push(message.text()); });
+  return wrong;
+}
+export const slider = (page, address) => page.getByLabel(`${address}, slider`, { exact: true });
+// The text as the editor holds it, all of its lines.
+export const textOf = (page) => page.evaluate(() => document.querySelector(".cm-content").cmTile?.view?.state.doc.toString() ?? document.querySelector(".cm-content").cmView.view.state.doc.toString());
+export const deltaOf = (page, id = "rocker") => page.locator(".figures tbody tr", { has: page.locator(`a[href="#object-${id}"]`) }).first().locator("td span[title]").first().getAttribute("title").then((text) => text.split(" ")[0]);
+export const field = (page, address) => page.locator(`[id="field ${address}"]`);
+export const box = (page, id) => page.locator(`.object-box[data-id="${id}"]`);
+
+// The answer on the screen is that of the program to the same text, to the last digit.
+export async function agrees(page, server, id = "rocker") {
+  await expect(async () => {
+    const figures = server.run(await textOf(page)).objects[id];
+    expect(Number(await deltaOf(page, id))).toBe(figures.delta_abs);
+  }).toPass({ timeout: 30_000 });
+}
+// Numbers from a seed.
+export function random(seed) {
+  let state = seed;
+  return (most) => { state = (state * 1103515245 + 12345) % 2147483648; return Math.floor(state / 2147483648 * most); };
+}
