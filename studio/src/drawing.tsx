@@ -8,6 +8,9 @@ import type { Fault } from "./objects";
 import type { Change, Edits } from "./tree";
 
 interface Props { link: Link; scene: string; version: number; faults: Fault[]; edit: (make: (edits: Edits) => Change[], drag?: number) => boolean; drag: () => number }
+// A joint that is held, and the step of undo that its moves belong to.
+interface Grip { joint: string; drag: number }
+interface Move extends Grip { to: Point }
 interface Frame { left: number; bottom: number; scale: number; width: number; height: number }
 
 const WIDTH = 500, HEIGHT = 330, EDGE = 44;
@@ -31,8 +34,12 @@ export function Drawing({ link, scene, version, faults, edit, drag }: Props) {
   const [stale, setStale] = useState(false);
   const [told, setTold] = useState("");
   const frame = useRef<Frame | null>(null), svg = useRef<SVGSVGElement>(null);
-  const held = useRef<{ joint: string; drag: number } | null>(null), waiting = useRef<Point | null>(null);
+  const held = useRef<Grip | null>(null), waiting = useRef<Move | null>(null);
   const asking = useRef(false), wanted = useRef(version), shown = useRef(-1);
+  // The version that the drawing shows, and the one that the last move was made on: until another
+  // is drawn, further moves wait.
+  const [drawn, setDrawn] = useState(-1), behind = useRef<number | null>(null);
+  const [busy, setBusy] = useState(false);
   wanted.current = version;
   useEffect(() => {
     let gone = false;
@@ -48,6 +55,7 @@ export function Drawing({ link, scene, version, faults, edit, drag }: Props) {
       } catch { if (!gone) setStale(true); }
       shown.current = asked;
       asking.current = false;
+      if (!gone) setDrawn(asked);
       if (!gone && shown.current !== wanted.current) void ask();
     };
     void ask();
@@ -61,36 +69,37 @@ export function Drawing({ link, scene, version, faults, edit, drag }: Props) {
   const view = frame.current;
   const pixel = ([x, y]: Point): Point => [(x - view!.left) * view!.scale, view!.height - (y - view!.bottom) * view!.scale];
 
-  const pull = (to: Point) => {
-    if (!sketch || !pose || !held.current) return;
-    const joint = joints(sketch, pose).find((one) => one.names.includes(held.current!.joint));
+  const pull = ({ to, joint: name, drag: step }: Move) => {
+    const joint = sketch && pose && joints(sketch, pose).find((one) => one.names.includes(name));
     if (!joint) return;
-    edit((edits) => {
+    const changed = edit((edits) => {
       const done = dragged(edits, sketch, pose, joint, to, stepOf(1.5 / view!.scale));
       if (typeof done === "string") { setTold(done); return []; }
       setTold("");
       return done;
-    }, held.current.drag);
+    }, step);
+    if (changed) { behind.current = shown.current; setBusy(true); }
   };
+  const free = () => !asking.current && shown.current === wanted.current && behind.current === null;
+  const later = (next: Move) => { if (free()) pull(next); else { waiting.current = next; setBusy(true); } };
   // The next move is made on what the last one came to.
-  useEffect(() => { if (waiting.current) { const to = waiting.current; waiting.current = null; pull(to); } }, [all]);
+  useEffect(() => {
+    if (behind.current !== drawn) behind.current = null;
+    const next = waiting.current;
+    if (next && free()) { waiting.current = null; pull(next); }
+    setBusy(behind.current !== null || waiting.current !== null);
+  }, [drawn]);
   const place = (event: PointerEvent): Point => {
     const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.current!.getScreenCTM()!.inverse());
     return [view!.left + point.x / view!.scale, view!.bottom + (view!.height - point.y) / view!.scale];
   };
-  const move = (event: PointerEvent) => {
-    if (!held.current) return;
-    const to = place(event);
-    if (shown.current === wanted.current && !asking.current) pull(to); else waiting.current = to;
-  };
+  const move = (event: PointerEvent) => { if (held.current) later({ ...held.current, to: place(event) }); };
   const step = (joint: Joint, event: KeyboardEvent) => {
     const by = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, Point>)[event.key];
     if (!by || !view) return;
     event.preventDefault();
     const size = stepOf(1.5 / view.scale) * (event.shiftKey ? 10 : 1);
-    held.current = { joint: joint.names[0]!, drag: drag() };
-    pull([joint.at[0] + by[0] * size, joint.at[1] + by[1] * size]);
-    held.current = null;
+    later({ joint: joint.names[0]!, drag: drag(), to: [joint.at[0] + by[0] * size, joint.at[1] + by[1] * size] });
   };
 
   if (!sketch) return <p class="soft drawing">{stale ? "The scene has faults: they are told below." : "There is no linkage in this scene: add one from the list of objects."}</p>;
@@ -103,7 +112,7 @@ export function Drawing({ link, scene, version, faults, edit, drag }: Props) {
         <label class="wide">input <input type="range" aria-label="input of the linkage" min={0} max={sketch.inputs.length - 1} value={k} onInput={(event) => setAt(Number(event.currentTarget.value))} /></label>
         <output>{sketch.unit === "rad" ? `${numbers.withUnit(value * 180 / Math.PI, "°", 4)}` : numbers.withUnit(value, sketch.unit, 4)}</output>
       </div>
-      <svg class="sketch" ref={svg} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="group" aria-label={`linkage ${sketch.id}`} onPointerMove={move}
+      <svg class="sketch" ref={svg} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="group" aria-label={`linkage ${sketch.id}`} aria-busy={busy} onPointerMove={move}
         onPointerUp={(event) => { move(event); held.current = null; frame.current = null; setTold((before) => before); }} onPointerCancel={() => { held.current = null; }}>
         {pose && <Links sketch={sketch} pose={pose} pixel={pixel}/>}
         {pose && joints(sketch, pose).map((joint) => {

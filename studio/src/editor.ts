@@ -59,7 +59,7 @@ export class Editor {
   private locked = false;
   changed: () => void = () => {};
 
-  constructor(parent: Element, private readonly link: Link, private readonly by: () => string) {
+  constructor(private readonly parent: Element, private readonly link: Link, private readonly by: () => string) {
     this.state = this.own("", 0);
     this.view = new EditorView({ parent, state: this.fresh(""), dispatchTransactions: (made) => this.typed(made) });
     // Whatever is done in the view is done to the text as it is.
@@ -68,12 +68,16 @@ export class Editor {
     link.on("late", () => { this.pushing = false; this.push(); });
   }
 
+  // Says whether the view shows an older text.
+  private say(): void { this.parent.setAttribute("aria-busy", String(this.behind !== null)); }
+
   // Changes the text; the view comes after.
   private dispatch(spec: TransactionSpec): void {
     const made = this.state.update(spec);
     this.state = made.state;
     if (made.docChanged) {
       this.behind = this.behind ? this.behind.compose(made.changes) : made.changes;
+      this.say();
       this.push();
     }
     this.changed();
@@ -84,6 +88,7 @@ export class Editor {
     if (!this.behind || (!often && performance.now() - this.flushed < REST)) return;
     const changes = this.behind;
     this.behind = null;
+    this.say();
     this.flushed = performance.now();
     this.view.dispatch({ changes, annotations: [outside.of(true), Transaction.remote.of(true)] });
   }
@@ -153,6 +158,7 @@ export class Editor {
     this.schema = null;
     this.told = false;
     this.behind = null;
+    this.say();
     this.state = this.own(message.text, message.version);
     this.view.setState(this.fresh(message.text));
     this.lock(message.draft !== null);

@@ -15,8 +15,12 @@ export function watched(page) {
   return wrong;
 }
 export const slider = (page, address) => page.getByLabel(`${address}, slider`, { exact: true });
-// The text as the editor holds it, all of its lines.
-export const textOf = (page) => page.evaluate(() => document.querySelector(".cm-content").cmTile?.view?.state.doc.toString() ?? document.querySelector(".cm-content").cmView.view.state.doc.toString());
+// The text as the editor holds it, all of its lines, once what is dragged has come there.
+export const textOf = async (page) => {
+  await page.waitForFunction(() => !document.querySelector("[aria-busy=true]"));
+  return held(page);
+};
+const held = (page) => page.evaluate(() => document.querySelector(".cm-content").cmTile?.view?.state.doc.toString() ?? document.querySelector(".cm-content").cmView.view.state.doc.toString());
 export const deltaOf = (page, id = "rocker") => page.locator(".figures tbody tr", { has: page.locator(`a[href="#object-${id}"]`) }).first().locator("td span[title]").first().getAttribute("title").then((text) => text.split(" ")[0]);
 export const field = (page, address) => page.locator(`[id="field ${address}"]`);
 export const box = (page, id) => page.locator(`.object-box[data-id="${id}"]`);
