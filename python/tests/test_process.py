@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+import http.client
+import json
 import multiprocessing
 import os
 import re
@@ -185,6 +187,27 @@ def test_the_program_hears_signals(scenarios: Path, number: signal.Signals) -> N
     assert b"Traceback" not in err
 
 
+def test_the_program_has_the_studio(scenarios: Path) -> None:
+    command = [sys.executable, "-m", "dam", "studio", str(scenarios / "rocker"), "--no-open"]
+    process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
+    assert process.stderr is not None
+    try:
+        found = next(filter(None, (re.search(r"http://\S+", line) for line in process.stderr)))
+        address, token = found[0].rstrip(".").split("#")
+        host = address.removeprefix("http://").rstrip("/")
+        connection = http.client.HTTPConnection(host, timeout=20)
+        for headers, status in ({}, 401), ({"Authorization": f"Bearer {token}"}, 200):
+            connection.request("GET", "/api/scenes", headers=headers)
+            answer = connection.getresponse()
+            body = answer.read()
+            assert answer.status == status
+        assert "two_masses.json" in json.loads(body)["scenes"]
+    finally:
+        process.send_signal(signal.SIGINT)
+        process.stderr.read()
+        assert process.wait(20) in (0, 130)
+
+
 def test_the_program_bears_a_reader_that_goes(scenarios: Path) -> None:
     command = f"{sys.executable} -m dam schema | head -1"
     done = subprocess.run(["bash", "-o", "pipefail", "-c", command], capture_output=True)
@@ -192,8 +215,6 @@ def test_the_program_bears_a_reader_that_goes(scenarios: Path) -> None:
 
 
 def test_what_is_generated_is_not_stale() -> None:
-    import json
-
     root = Path(__file__).parents[1]
     done = subprocess.run([sys.executable, str(root / "generate.py"), "--check"])
     assert done.returncode == 0

@@ -142,32 +142,13 @@ pub(crate) struct Program {
 impl Op {
     /// The results that it takes.
     pub(super) fn operands(&self) -> impl Iterator<Item = Register> {
-        let none = Register::MAX;
-        let all = match *self {
-            Self::Number(_) | Self::Variable(_) => [none; 3],
-            Self::Affine { x, .. }
-            | Self::Power(x, _)
-            | Self::Of(_, x)
-            | Self::Abs { x, .. }
-            | Self::Sign { x, .. }
-            | Self::Whole { x, .. }
-            | Self::Not(x) => [x, none, none],
-            Self::Add(a, b)
-            | Self::Sub(a, b)
-            | Self::Mul(a, b)
-            | Self::Div(a, b)
-            | Self::PowerOf(a, b)
-            | Self::Equal(a, b)
-            | Self::And(a, b)
-            | Self::Or(a, b)
-            | Self::Atan2 { y: a, x: b, .. }
-            | Self::Remainder { x: a, y: b, .. }
-            | Self::Min { a, b, .. }
-            | Self::Max { a, b, .. }
-            | Self::Less { a, b, .. } => [a, b, none],
-            Self::Select { condition, a, b } => [condition, a, b],
-        };
-        all.into_iter().filter(move |&register| register != none)
+        let (mut all, mut count) = ([Register::MAX; 3], 0);
+        self.renumbered(|register| {
+            all[count] = register;
+            count += 1;
+            register
+        });
+        all.into_iter().take(count)
     }
 
     /// The same operation on other results.

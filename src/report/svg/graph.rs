@@ -38,8 +38,10 @@ pub fn svg(diagram: &Diagram, links: bool) -> String {
     let height = 2.0 * MARGIN + rows * ROW + BOX_HEIGHT;
     let mut out = String::new();
     for (index, one) in diagram.boxes.iter().enumerate() {
-        for input in &one.inputs {
-            out.push_str(&edge(one, &input.name, places[input.driver], places[index]));
+        for (k, input) in one.inputs.iter().enumerate() {
+            let arrival = Arrival::of(k, one.inputs.len());
+            let (from, to) = (places[input.driver], places[index]);
+            out.push_str(&edge(one, &input.name, from, to, arrival));
         }
     }
     for (one, place) in diagram.boxes.iter().zip(&places) {
@@ -104,15 +106,43 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
     }
 }
 
+/// Where the arrows of one input meet the box, from its upper edge: those of several inputs one
+/// below the other.
+#[derive(Clone, Copy)]
+struct Arrival {
+    forward: f64,
+    back: f64,
+}
+
+impl Arrival {
+    /// Of the arrows of a box with one input.
+    const ALONE: Self = Self {
+        forward: 28.0,
+        back: 48.0,
+    };
+
+    fn of(input: usize, inputs: usize) -> Self {
+        if inputs < 2 {
+            return Self::ALONE;
+        }
+        let share = BOX_HEIGHT / inputs as f64;
+        let top = share * input as f64;
+        Self {
+            forward: top + 0.35 * share,
+            back: top + 0.75 * share,
+        }
+    }
+}
+
 /// The two arrows between a driver and what it drives: motion forward, force back.
 /// `name`: what the connection is called; empty: by its position function.
-fn edge(one: &ObjectBox, name: &str, from: Place, to: Place) -> String {
+fn edge(one: &ObjectBox, name: &str, from: Place, to: Place, arrival: Arrival) -> String {
     let law = if name.is_empty() { &one.position } else { name };
     let (x1, y1) = corner(from);
     let (x2, y2) = corner(to);
     let (start, end) = (x1 + BOX_WIDTH, x2);
-    let (forward_from, forward_to) = (y1 + 28.0, y2 + 28.0);
-    let (back_from, back_to) = (y1 + 48.0, y2 + 48.0);
+    let (forward_from, forward_to) = (y1 + Arrival::ALONE.forward, y2 + arrival.forward);
+    let (back_from, back_to) = (y1 + Arrival::ALONE.back, y2 + arrival.back);
     let bend = start + 34.0;
     let path = |class: &str, from: f64, to: f64| {
         let (s, e) = (coordinate(start), coordinate(end));
@@ -133,10 +163,18 @@ fn edge(one: &ObjectBox, name: &str, from: Place, to: Place) -> String {
     };
     let label_x = (bend + 26.0 + end) / 2.0;
     let room = fits(COLUMN - BOX_WIDTH - 14.0, 12.0);
+    // Between the arrows of several inputs there is no room for it.
+    let ports = match name.is_empty() {
+        true => format!(
+            "<text class=\"port\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">φ, φ̇ →   ← Ω</text>",
+            coordinate(label_x),
+            coordinate(back_to - 6.0)
+        ),
+        false => String::new(),
+    };
     format!(
         "<g>{}{}{}{}<text class=\"law\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">\
-         <title>{}</title>{}</text><text class=\"port\" x=\"{}\" y=\"{}\" \
-         text-anchor=\"middle\">φ, φ̇ →   ← Ω</text>{}</g>\n",
+         <title>{}</title>{}</text>{ports}{}</g>\n",
         path("edge", forward_from, forward_to),
         path("back", back_from, back_to),
         arrow("head", end, forward_to, 1.0),
@@ -145,8 +183,6 @@ fn edge(one: &ObjectBox, name: &str, from: Place, to: Place) -> String {
         coordinate(forward_to - 9.0),
         escape(law),
         escape(&cut(law, room.min(26))),
-        coordinate(label_x),
-        coordinate(back_to - 6.0),
         pair_symbol(one, label_x - 40.0, back_to + 16.0),
     )
 }
