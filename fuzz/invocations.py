@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Mutated invocations of the real program, over all commands.
 
-    fuzz/invocations.py target/release/dam [--count 2000] [--seed 1] [--jobs 2]
+    fuzz/invocations.py target/release/dam [--count 2000] [--seed 1] [--jobs 2] [--limit 3]
 
 Every invocation must end by itself within 5 s of processor time and 1 GB of
-memory (they have a time limit of 3 s or less), with status 0, 1 or 2, without a
+memory (they have a time limit of --limit or less), with status 0, 1 or 2, without a
 panic, and what ends with status 0 must not show a number that is none. Scenes are those of scenarios/, with values
 exchanged, scaled, dropped, or broken as text; about two of three are accepted.
 Some invocations are told to stop on the way (SIGINT: 130, SIGTERM: 143).
@@ -143,7 +143,7 @@ def fitting(random_, scene):
     return everywhere + own + own
 
 
-def arguments(random_, scene, path, out):
+def arguments(random_, scene, path, out, limit):
     command = random_.choice(fitting(random_, scene))
     name, value = over(random_, scene)
     axis = f"{name}={value * 0.8}:{value * 1.2}:3"
@@ -186,7 +186,7 @@ def arguments(random_, scene, path, out):
     if random_.random() < 0.1:
         extra += ["--set", f"{name}={random_.choice(FACTORS) * value!r}"]
     # Wild scenes may have much to compute: the limit must be heard wherever that is.
-    extra += ["--time-limit", random_.choice(["0.01", "0.1", "1", *["3"] * 9])]
+    extra += ["--time-limit", random_.choice(["0.01", "0.1", "1", *[limit] * 9])]
     return [command, path, *extra]
 
 
@@ -227,7 +227,7 @@ def trouble(status, cpu, memory, out, err, told):
     return None
 
 
-def invoke(program, seed, number, keep=False):
+def invoke(program, seed, number, limit, keep=False):
     random_ = random.Random(f"{seed} {number}")
     source = random_.choice(SCENES)
     scene = json.loads(source.read_text())
@@ -239,7 +239,7 @@ def invoke(program, seed, number, keep=False):
         for beside in source.parent.iterdir():
             if beside.suffix != ".json" or beside.is_dir():
                 os.symlink(beside, os.path.join(folder, beside.name))
-        args = arguments(random_, scene, path, os.path.join(folder, "out"))
+        args = arguments(random_, scene, path, os.path.join(folder, "out"), limit)
         told = random_.choice([signal.SIGINT, signal.SIGTERM]) if random_.random() < 0.05 else None
         after = random_.random() * 0.05
         if keep:
@@ -283,15 +283,16 @@ def main():
     parser.add_argument("--count", type=int, default=2000)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--limit", default="3", help="time limit of most of them, s (default 3)")
     parser.add_argument("--only", type=int)
     options = parser.parse_args()
     program = os.path.abspath(options.program)
     if options.only is not None:
-        print(json.dumps(invoke(program, options.seed, options.only, keep=True), indent=1))
+        print(json.dumps(invoke(program, options.seed, options.only, options.limit, keep=True), indent=1))
         return 0
     counts, worst, failures = {}, [], 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        runs = pool.map(lambda n: invoke(program, options.seed, n), range(options.count))
+        runs = pool.map(lambda n: invoke(program, options.seed, n, options.limit), range(options.count))
         for result in runs:
             counts[result["status"]] = counts.get(result["status"], 0) + 1
             worst = sorted(worst + [(result["cpu"], result["number"])])[-5:]
