@@ -10,6 +10,8 @@ use std::fmt::Write as _;
 const WIDE: f64 = 1184.0;
 const HALF: [f64; 2] = [579.0, 300.0];
 const ROUND: [f64; 2] = [360.0, 370.0];
+/// A table of so many columns does not fit a narrow page: there its rows are lists.
+const MANY: usize = 7;
 
 impl Findings<'_> {
     /// The page.
@@ -175,6 +177,7 @@ impl Table {
             Some(column) if column.right => "",
             _ => "left ",
         };
+        let wide = self.columns.iter().filter(|one| !one.minor).count() >= MANY;
         let head = self.columns.iter().enumerate();
         let head: String = head
             .map(|(at, column)| {
@@ -205,15 +208,22 @@ impl Table {
                 true => format!("<a href=\"#object-{0}\">{0}</a>", value(&cell.value)),
                 false => value(&cell.value),
             };
-            format!("<{tag}{class}>{value}{note}</{tag}>")
+            let label = match self.columns.get(at) {
+                Some(column) if wide && at > 0 => {
+                    format!(" data-label=\"{}\"", escape(&column.name))
+                }
+                _ => String::new(),
+            };
+            format!("<{tag}{class}{label}>{value}{note}</{tag}>")
         };
         let row = |cells: &[Cell]| {
             let cells: String = cells.iter().enumerate().map(cell).collect();
             format!("<tr>{cells}</tr>\n")
         };
         let rows: String = self.rows.iter().map(|one| row(&one.cells)).collect();
+        let class = if wide { "wide" } else { "" };
         format!(
-            "<div class=\"scroll\"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\
+            "<div class=\"scroll\"><table class=\"{class}\">\n<thead><tr>{head}</tr></thead>\n<tbody>\n{rows}</tbody>\
              </table></div>\n"
         )
         .replace(" class=\"\"", "")
