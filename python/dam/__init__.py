@@ -8,7 +8,8 @@ it and answers.
     print(run.figures["rocker.delta_abs"])
 
 `Scene` describes, and answers `run`, `map`, `compare`, `methods`, `kinematics`, `forces`,
-`steady`, `cam`, `law`, `reduce`. `dam.kinds` has everything that a scene holds as classes,
+`steady`, `cam`, `law`, `compare_laws`, `reduce`; `law` and `stroke` ask of laws of motion
+by themselves. `dam.kinds` has everything that a scene holds as classes,
 `dam.own` takes Python functions into it.
 """
 
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
     from dam import distributed, kinds, own
     from dam.answers import Answer, Figure, Figures, Map, Record, Run, Verdict
     from dam.errors import DamError, Fault, InternalError, SceneError
-    from dam.scene import Scene, law, load, loads, schema
+    from dam.scene import Scene, law, load, loads, schema, stroke
 
 __all__ = [
     "Answer",
@@ -45,12 +46,13 @@ __all__ = [
     "loads",
     "own",
     "schema",
+    "stroke",
 ]
 
 _MODULES = {
     "answers": ("Answer", "Figure", "Figures", "Map", "Record", "Run", "Verdict"),
     "errors": ("DamError", "Fault", "InternalError", "SceneError"),
-    "scene": ("Scene", "law", "load", "loads", "schema"),
+    "scene": ("Scene", "law", "load", "loads", "schema", "stroke"),
 }
 
 

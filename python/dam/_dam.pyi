@@ -17,6 +17,7 @@ __all__ = [
     "position_jets",
     "program",
     "schema",
+    "stroke_of",
 ]
 
 VERSION: Final[str]
@@ -27,6 +28,13 @@ _Figure = tuple[str, float, str, float | None, str]
 def program(arguments: Sequence[str]) -> int: ...
 def schema() -> str: ...
 def law_of(law: str, run_up: bool, samples: int) -> Answer: ...
+def stroke_of(
+    laws: tuple[str, str | None],
+    sizes: tuple[str | None, str | None, str | None],
+    uniform: tuple[float | None, float | None, bool],
+    skewness: tuple[str, float],
+    samples: int,
+) -> Answer: ...
 def position(
     function: Callable[[float], float],
     period: float,
@@ -171,4 +179,7 @@ class Scene:
         lift_off: bool,
     ) -> tuple[Answer, str, str]: ...
     def law(self, object: str, samples: int) -> Answer: ...
+    def compare_laws(
+        self, at: str, laws: list[str], by: str, lift_off: bool, progress: _Progress | None
+    ) -> Answer: ...
     def reduce(self, progress: _Progress | None = None) -> tuple[Answer, Scene, bool]: ...

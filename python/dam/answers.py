@@ -26,12 +26,14 @@ __all__ = [
     "Json",
     "Kinematics",
     "Law",
+    "LawComparison",
     "Map",
     "Methods",
     "Record",
     "Reduction",
     "Run",
     "Steady",
+    "Stroke",
     "Verdict",
 ]
 
@@ -580,6 +582,16 @@ class Cam(Answer):
 
 class Law(Answer):
     """A law of motion: constants, shocks, samples."""
+
+    _over_first = True
+
+
+class LawComparison(Answer):
+    """Laws of motion ranked by what a mechanism makes of them."""
+
+
+class Stroke(Answer):
+    """A stroke of run-up, uniform section and run-out: figures, samples."""
 
     _over_first = True
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from typing import TYPE_CHECKING, Protocol, Union
+from typing import TYPE_CHECKING, Literal, Protocol, Union
 
 from dam import _dam, answers
 from dam._tree import Quantity, Value
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from dam.errors import Fault
     from dam.kinds import AnyKind, Run, Steady
 
-__all__ = ["Axis", "Progress", "Scene", "Tqdm", "law", "load", "loads", "schema"]
+__all__ = ["Axis", "Progress", "Scene", "Tqdm", "law", "load", "loads", "schema", "stroke"]
 
 
 class Tqdm(Protocol):
@@ -356,6 +356,24 @@ class Scene:
         shocks, and that many equal steps of it."""
         return answers.Law(self._core.law(object, samples))
 
+    def compare_laws(
+        self,
+        at: str,
+        laws: Sequence[str] = (),
+        *,
+        by: Literal[
+            "residual", "deviation", "contact_force", "driver_torque", "lift_off"
+        ] = "contact_force",
+        lift_off: bool = False,
+        progress: Progress | None = None,
+    ) -> answers.LawComparison:
+        """Laws of motion at a place of the scene (`"valve.position.cam.law"`), ranked by what
+        the mechanism makes of them: names, `"scca:B,D"` or JSON as in a scene, all named ones
+        if none. `lift_off`: also the speed of the drive (rad/s) at which the pair opens."""
+        wanted = lift_off or by == "lift_off"
+        found = self._core.compare_laws(at, list(laws), by, wanted, _told(progress))
+        return answers.LawComparison(found)
+
     def reduce(self, *, progress: Progress | None = None) -> answers.Reduction:
         """The smallest scene that gives figures within their accuracy: those of
         `run.accuracy`, else those that the scene expects."""
@@ -426,6 +444,48 @@ def law(law: str, *, run_up: bool = False, samples: int = 360) -> answers.Law:
     """A law of motion by itself: a name (`"modified_sine"`, `"3-4-5"`), `"scca:B,D"`,
     `"trapezoid:S1,S2"`, or JSON as in a scene; `run_up`: as the law of a run-up."""
     return answers.Law(_dam.law_of(law, run_up, samples))
+
+
+def stroke(
+    run_up: str,
+    *,
+    run_out: str | None = None,
+    stroke: str | None = None,
+    span: str | None = None,
+    peak_speed: str | None = None,
+    uniform_stroke: float | None = None,
+    uniform_span: float | None = None,
+    uniform_optimum: bool = False,
+    skewness: float | None = None,
+    acceleration_ratio: float | None = None,
+    least_acceleration: float | None = None,
+    least_torque: float | None = None,
+    samples: int = 360,
+) -> answers.Stroke:
+    """A stroke of run-up, uniform section and run-out, worked out. Three of `stroke`
+    (`"50 mm"`), `span` (`"120 deg"`), `peak_speed` (`"34 mm/rad"`) and uniform section (a share
+    of the stroke or of the span, or the one with the least torque) are given; the fourth
+    follows. Skewness, the angle of the run-out by that of the run-up, is given (default 1), or
+    follows from the ratio of the greatest accelerations, or makes greatest acceleration or
+    torque least, that of the run-out weighted."""
+    ways = {
+        "skewness": skewness,
+        "acceleration_ratio": acceleration_ratio,
+        "least_acceleration": least_acceleration,
+        "least_torque": least_torque,
+    }
+    given = [(name, value) for name, value in ways.items() if value is not None]
+    if len(given) > 1:
+        raise ValueError(f"{given[0][0]} and {given[1][0]} exclude each other")
+    return answers.Stroke(
+        _dam.stroke_of(
+            (run_up, run_out),
+            (stroke, span, peak_speed),
+            (uniform_stroke, uniform_span, uniform_optimum),
+            given[0] if given else ("skewness", 1.0),
+            samples,
+        )
+    )
 
 
 def schema() -> str:

@@ -22,7 +22,7 @@ mod _dam {
     #[pymodule_export]
     use super::program::program;
     #[pymodule_export]
-    use super::scene::{Scene, law_of, schema};
+    use super::scene::{Scene, law_of, schema, stroke_of};
 
     use super::*;
 

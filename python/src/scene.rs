@@ -5,8 +5,9 @@ use crate::fault;
 use crate::studies::{cam, compare, law, linkages, map, methods, reduce, run, steady};
 use crate::tree::node;
 use crate::work::{compute, directly};
-use dam::ask::{CamQuestion, Judging};
+use dam::ask::{CamQuestion, Judging, StrokeQuestion};
 use dam::diagnostics::{Diagnostic, Diagnostics};
+use dam::motion::stroke::{Criterion, Skewness};
 use dam::object::law::read_argument;
 use dam::read::{Bounds, Wanted};
 use dam::scene::{Document, Folder, schema as schema_of_kinds, schema_text};
@@ -471,6 +472,25 @@ impl Scene {
         Ok(Answer::with_columns(found, columns))
     }
 
+    #[pyo3(signature = (at, laws, by, lift_off, progress))]
+    fn compare_laws(
+        &self,
+        py: Python<'_>,
+        at: String,
+        laws: Vec<String>,
+        by: String,
+        lift_off: bool,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<Answer> {
+        let scene = self.asked();
+        let question = dam::ask::LawQuestion { at, laws, lift_off };
+        let found = compute(py, progress.as_ref(), move |watch| {
+            law::compare(scene, &question, &by, watch)
+        })?;
+        let columns = found.columns();
+        Ok(Answer::with_columns(found, columns))
+    }
+
     #[pyo3(signature = (progress=None))]
     fn reduce(
         &self,
@@ -596,6 +616,45 @@ pub(crate) fn law_of(
     sound_samples(samples)?;
     let found = directly(py, || law::ask(&law, run_up, samples))?;
     let columns = found.columns();
+    Ok(Answer::with_columns(found, columns))
+}
+
+/// A stroke of run-up, uniform section and run-out: laws of the run-up and run-out; stroke, span
+/// and greatest speed as texts; shares of the uniform section, and whether it is the best; what
+/// the skewness follows from, and its number.
+#[pyfunction]
+#[allow(
+    clippy::type_complexity,
+    reason = "these are what a stroke is asked by; the stub names them"
+)]
+pub(crate) fn stroke_of(
+    py: Python<'_>,
+    laws: (String, Option<String>),
+    sizes: (Option<String>, Option<String>, Option<String>),
+    uniform: (Option<f64>, Option<f64>, bool),
+    skewness: (String, f64),
+    samples: usize,
+) -> PyResult<Answer> {
+    sound_samples(samples)?;
+    let number = skewness.1;
+    let question = StrokeQuestion {
+        run_up: laws.0,
+        run_out: laws.1,
+        stroke: sizes.0,
+        span: sizes.1,
+        peak_speed: sizes.2,
+        uniform_stroke: uniform.0,
+        uniform_span: uniform.1,
+        uniform_optimum: uniform.2,
+        skewness: match skewness.0.as_str() {
+            "acceleration_ratio" => Skewness::AccelerationRatio(number),
+            "least_acceleration" => Skewness::Optimum(Criterion::Acceleration { weight: number }),
+            "least_torque" => Skewness::Optimum(Criterion::Product { weight: number }),
+            _ => Skewness::Given(number),
+        },
+    };
+    let found = directly(py, || law::stroke(&question))?;
+    let columns = found.columns(samples);
     Ok(Answer::with_columns(found, columns))
 }
 

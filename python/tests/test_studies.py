@@ -175,6 +175,37 @@ def test_a_law_has_its_constants() -> None:
         dam.law("3-4-5", samples=0)
 
 
+def test_laws_are_compared_in_a_scene(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "cams" / "flat_tappet.json")
+    at = "valve.position.cam.law"
+    found = scene.compare_laws(at, ["3-4-5", "modified_sine"], by="driver_torque")
+    laws = found.document["laws"]
+    assert found.document["by"] == "driver_torque" and isinstance(laws, list)
+    # The run of the scene with the law in place has the same figure.
+    for law, name in zip(laws, ["3-4-5", "modified_sine"], strict=True):
+        assert isinstance(law, dict) and isinstance(law["response"], dict)
+        force = scene.set(at, name).run().figures["valve.pair.max_contact_force"]
+        assert law["response"]["contact_force"] == pytest.approx(force, rel=1e-9)
+    assert "modified_sine" in found.text()
+    with pytest.raises(dam.SceneError, match="between 2 and"):
+        scene.compare_laws(at, ["3-4-5"])
+    with pytest.raises(dam.SceneError, match="ranked by"):
+        scene.compare_laws(at, by="beauty")  # type: ignore[arg-type]
+
+
+def test_a_stroke_is_worked_out() -> None:
+    found = dam.stroke("sine", stroke="50 mm", span="120 deg", uniform_stroke=0.3, samples=90)
+    figures = found.document["figures"]
+    assert isinstance(figures, dict)
+    # Between two sines the mean speed of run-up and run-out is half the greatest:
+    # 35 mm take 70 mm of uniform speed, 15 mm themselves.
+    assert figures["peak_speed"] == pytest.approx(0.085 / math.radians(120))
+    with pytest.raises(dam.SceneError):
+        dam.stroke("sine", stroke="50 mm")
+    with pytest.raises(ValueError, match="exclude"):
+        dam.stroke("sine", stroke="1", span="1", uniform_stroke=0, skewness=1, least_torque=1)
+
+
 def test_a_reduced_scene_keeps_its_figures(scenarios: Path) -> None:
     scene = dam.load(scenarios / "rocker" / "ten_masses_closed.json")
     found = scene.set("run.accuracy", "1 %").reduce()

@@ -14,12 +14,14 @@
 //! | [`forces`](Scene::forces) | which forces do its pairs carry | [`ForceStudy`](crate::studies::forces::ForceStudy) |
 //! | [`cam`](Mechanism::cam) | can its cam be made, and does it keep its follower | [`FoundCam`] |
 //! | [`law_cycle`](Mechanism::law_cycle) | what does an object follow over a cycle | [`FollowedCycle`] |
+//! | [`compare_laws`](Scene::compare_laws) | which law of motion suits it | [`LawComparison`] |
 //! | [`methods`](Mechanism::methods) | which method is soonest accurate | [`Study`](crate::studies::methods::Study) |
 //! | [`steady`](Scene::steady) | how evenly does the machine turn | [`Answer`](crate::studies::steady::Answer) |
 //!
 //! All fail with the one [`Error`](crate::Error).
 
 mod cam;
+mod law_comparison;
 mod laws;
 mod linkages;
 mod map;
@@ -28,13 +30,17 @@ mod methods;
 mod reduce;
 mod run;
 mod scene;
+mod synthesis;
 
 pub use cam::{CamQuestion, FoundCam};
+pub(crate) use law_comparison::compare as compare_laws;
+pub use law_comparison::{LawComparison, LawQuestion};
 pub use laws::FollowedCycle;
 pub use map::{Map, MapQuestion};
 pub use mechanism::{Judging, Mechanism};
 pub use run::RunOptions;
 pub use scene::Scene;
+pub use synthesis::{StrokeQuestion, Synthesis};
 
 #[doc(no_inline)]
 pub use crate::studies::run::RunResult;

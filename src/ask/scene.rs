@@ -126,6 +126,16 @@ impl Scene {
         self
     }
 
+    /// With further settings as the program takes them: `rocker.pair.gap="0.1 mm"`.
+    pub(super) fn with_arguments(&self, further: &[String]) -> Self {
+        let mut all = self.settings.arguments().to_vec();
+        all.extend_from_slice(further);
+        Self {
+            settings: Overrides::new(all),
+            ..self.clone()
+        }
+    }
+
     /// Simulated time (s).
     #[must_use]
     pub fn duration(self, duration: impl Into<Node>) -> Self {

@@ -170,6 +170,21 @@ fn at(model: &Model, node: NodeIndex, time: f64) -> Jet {
 /// The motion G(φ₁(t), …, φₖ(t)).
 fn combined(constraint: &Constraint, motions: &[Jet]) -> Jet {
     let places: Vec<f64> = motions.iter().map(|motion| motion.value).collect();
+    if let Constraint::Linear { ratios, .. } = constraint {
+        let sum = |part: fn(&Jet) -> f64| {
+            ratios
+                .iter()
+                .zip(motions)
+                .map(|(ratio, x)| ratio * part(x))
+                .sum()
+        };
+        return Jet {
+            value: constraint.value(&places),
+            first: sum(|x| x.first),
+            second: sum(|x| x.second),
+            third: sum(|x| x.third),
+        };
+    }
     let count = motions.len();
     let mut g = ConstraintJet::new(count);
     constraint.jet(&places, &mut g);
@@ -220,6 +235,20 @@ mod tests {
             let third = [-cos * y * y, aab, aab, abb, aab, abb, abb, 0.0];
             jet.third.copy_from_slice(&third);
         }
+    }
+
+    #[test]
+    fn motions_behind_a_sum_are_summed_however_many_they_are() {
+        let one = Jet {
+            value: 1.0,
+            first: 2.0,
+            second: 3.0,
+            third: 4.0,
+        };
+        let sum = Constraint::linear(vec![0.5; 100_000], 7.0).unwrap();
+        let found = combined(&sum, &vec![one; 100_000]);
+        let parts = [found.value, found.first, found.second, found.third];
+        assert_eq!(parts, [50_007.0, 100_000.0, 150_000.0, 200_000.0]);
     }
 
     #[test]

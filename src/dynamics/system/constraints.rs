@@ -82,11 +82,16 @@ pub(super) struct Coupling<N> {
 impl<N: Quantity> ConstraintValues<N> {
     pub(super) fn new(constrained: &Constrained) -> Self {
         let count = constrained.drivers.len();
+        // Linear ones, of hundreds of modes as it may be, need no room for k³ derivatives.
+        let curved = match constrained.constraint {
+            Constraint::Linear { .. } => 0,
+            Constraint::Custom(_) => count,
+        };
         Self {
             first: vec![N::from(0.0); count],
             bias: N::from(0.0),
             places: vec![0.0; count],
-            jet: ConstraintJet::new(count),
+            jet: ConstraintJet::new(curved),
         }
     }
 

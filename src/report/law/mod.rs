@@ -9,7 +9,7 @@ mod tests;
 
 pub use compare::{comparison_findings, comparison_rows};
 pub use cycle::{cycle_findings, cycle_rows};
-pub use stroke::{stroke_findings, stroke_rows};
+pub use stroke::{StrokeExtras, stroke_findings, stroke_rows};
 
 use super::csv::{Field, Rows};
 use super::findings::{Figure, Findings, Item, Section, Source, Table, Value};

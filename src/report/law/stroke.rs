@@ -8,14 +8,44 @@ use crate::report::findings::{Figure, Findings, Section, Source};
 use crate::report::plot::Axis;
 use crate::report::quantity::significant;
 use crate::report::verdict::{Sort, Verdict};
+use crate::units::shown;
+
+/// What stands behind the figures of a stroke.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct StrokeExtras {
+    /// What its uniform section changes of the greatest Π′, |Π″| and |Π′Π″| (shares).
+    pub against_none: Option<[f64; 3]>,
+    /// The criterion that its skewness makes least.
+    pub criterion: Option<f64>,
+}
+
+impl StrokeExtras {
+    fn sections(self) -> Vec<Section<'static>> {
+        let mut sections = Vec::new();
+        if let Some(changes) = self.against_none {
+            let names = ["greatest Π′", "greatest |Π″|", "greatest |Π′Π″|"];
+            let figure = |(name, change): (&str, f64)| {
+                let sign = if change < 0.0 { "" } else { "+" };
+                Figure::new(name, format!("{sign}{} %", shown(100.0 * change, 8)))
+            };
+            let figures = names.into_iter().zip(changes).map(figure).collect();
+            sections.push(Section::new("Against no uniform section").figures(figures));
+        }
+        if let Some(value) = self.criterion {
+            let figure = Figure::number("criterion", value, "", 10);
+            sections.push(Section::new("Skewness").figures(vec![figure]));
+        }
+        sections
+    }
+}
 
 /// Structure and criteria of a stroke, whose laws are named by `words`; `unit` is that of its
-/// displacement, `more` stands behind its own figures.
+/// displacement, `extras` stand behind its own figures.
 pub fn stroke_findings(
     words: &str,
     stroke: &Stroke,
     unit: &str,
-    more: Vec<Section<'static>>,
+    extras: StrokeExtras,
 ) -> Findings<'static> {
     let found = stroke.figures();
     let headline = format!(
@@ -33,7 +63,7 @@ pub fn stroke_findings(
         curve(stroke, unit).section(words),
         Section::new("Figures").figures(figures(stroke, unit)),
     ];
-    sections.extend(more);
+    sections.extend(extras.sections());
     Findings {
         title: words.to_owned(),
         subtitle: "a stroke of run-up, uniform section and run-out".to_owned(),
