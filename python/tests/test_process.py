@@ -125,11 +125,14 @@ def test_importing_is_quick() -> None:
         "print(time.perf_counter() - begun, 'numpy' in sys.modules)"
     )
     best = 1.0
-    for _ in range(5):
+    # On a machine that does other things some of them take long.
+    for _ in range(30):
         printed = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True)
         seconds, numpy = printed.stdout.split()
         assert numpy == b"False"
         best = min(best, float(seconds))
+        if best < 0.05:
+            break
     assert best < 0.05
 
 

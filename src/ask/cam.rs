@@ -1,5 +1,6 @@
 //! The cam of an object.
 
+use super::ended::Ended;
 use super::{Mechanism, Scene};
 use crate::Error;
 use crate::fault::Fault;
@@ -113,15 +114,27 @@ impl CamQuestion {
     }
 }
 
-/// Why a search ended early.
-enum Ended {
-    Interrupted,
-    Failed(Error),
-}
-
-impl From<Error> for Ended {
-    fn from(error: Error) -> Self {
-        Self::Failed(error)
+/// The speed of a cam (rad/s) at which its elastic follower begins to leave it; `None`: it was ended
+/// from outside. `prepare`: the scene made ready with a setting, at that speed of the cam.
+pub(crate) fn lift_off_by_runs<E: From<Error>>(
+    search: &SpeedSearch,
+    control: &Control<'_>,
+    mut prepare: impl FnMut(String, f64) -> Result<Mechanism, E>,
+) -> Result<Option<LiftOff>, E> {
+    let opens = |cam_speed: f64| -> Result<bool, Ended<E>> {
+        let (address, tried) = search.setting(cam_speed);
+        let one = prepare(format!("{address}={tried}"), cam_speed).map_err(Ended::Failed)?;
+        let found = steady_contact(&one.system, search.object, &one.settings, control);
+        match found.map_err(|faults| one.diagnose(&faults))? {
+            Steady::Closed => Ok(false),
+            Steady::Opens => Ok(true),
+            Steady::Interrupted => Err(Ended::Interrupted),
+        }
+    };
+    match lift_off(search.start, opens) {
+        Ok(found) => Ok(Some(found)),
+        Err(Ended::Interrupted) => Ok(None),
+        Err(Ended::Failed(error)) => Err(error),
     }
 }
 
@@ -142,22 +155,9 @@ impl Scene {
             SpeedSearch::new(ready.model(), found.object, found.force)
         })?;
         let search = search.map_err(Error::question)?;
-        let opens = |cam_speed: f64| -> Result<bool, Ended> {
-            let (address, speed) = search.setting(cam_speed);
-            let one = self.clone().set(&address, speed);
-            let one = one.prepare_within(control)?;
-            let found = steady_contact(&one.system, search.object, &one.settings, control);
-            match found.map_err(|faults| one.diagnose(&faults))? {
-                Steady::Closed => Ok(false),
-                Steady::Opens => Ok(true),
-                Steady::Interrupted => Err(Ended::Interrupted),
-            }
-        };
-        match lift_off(search.start, opens) {
-            Ok(found) => Ok(Some(found)),
-            Err(Ended::Interrupted) => Ok(None),
-            Err(Ended::Failed(error)) => Err(error),
-        }
+        lift_off_by_runs(&search, control, |setting, _| {
+            self.with_arguments(&[setting]).prepare_within(control)
+        })
     }
 }
 

@@ -1,5 +1,6 @@
 //! Laws of motion compared at a place of a scene: each takes the other's place, and the scene runs.
 
+use super::ended::Ended;
 use super::{Mechanism, Scene};
 use crate::Error;
 use crate::dynamics::model::{Model, NodeMotion};
@@ -158,18 +159,6 @@ fn quoted(law: &str) -> String {
         },
         (None, true) => text.to_owned(),
         (None, false) => json!(text).to_string(),
-    }
-}
-
-/// Why a law has no response.
-enum Ended<E> {
-    Interrupted,
-    Failed(E),
-}
-
-impl<E: From<Error>> From<Error> for Ended<E> {
-    fn from(error: Error) -> Self {
-        Self::Failed(error.into())
     }
 }
 

@@ -21,6 +21,7 @@
 //! All fail with the one [`Error`](crate::Error).
 
 mod cam;
+mod ended;
 mod law_comparison;
 mod laws;
 mod linkages;
@@ -32,6 +33,7 @@ mod run;
 mod scene;
 mod synthesis;
 
+pub(crate) use cam::lift_off_by_runs;
 pub use cam::{CamQuestion, FoundCam};
 pub(crate) use law_comparison::compare as compare_laws;
 pub use law_comparison::{LawComparison, LawQuestion};
