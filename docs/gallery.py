@@ -44,6 +44,7 @@ TITLES = {
     "kinetostatics": "Kinetostatics",
     "limits": "Limits of travel",
     "linkages": "Linkages",
+    "loads": "Loads",
     "packaging": "Packaging",
     "press": "Presses",
     "rigid": "Rigid mechanisms",
@@ -251,6 +252,8 @@ def main() -> None:
         for done in work:
             done.result()
     groups: dict[str, list[Scene]] = {}
+    if unnamed := {scene.group for scene in scenes} - TITLES.keys():
+        raise SystemExit(f"no title in docs/gallery.py for the folders of scenarios: {sorted(unnamed)}")
     for scene in sorted(scenes, key=lambda scene: TITLES[scene.group]):
         groups.setdefault(scene.group, []).append(scene)
     for group, members in groups.items():
