@@ -146,7 +146,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     fields.dimensions(doc);
     let mut names = Names::new(fields.node());
     let parts = links::read(fields, &mut names);
-    let pairs = pairs::read(fields, &names);
+    let pairs = pairs::read(fields, &names, several);
     let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
     way.case("driver", doc, |slot| {
@@ -258,9 +258,7 @@ fn not_of_one(fields: &mut Fields<'_>) -> bool {
         let hint = "leave it out: each of the `inputs` has its own `ratio`, `offset` and `start`";
         found |= fields.forbid(property, &message, hint);
     }
-    let message = "friction of the joints is found for one input alone";
-    let hint = "leave it out: the pairs of a linkage of several inputs move freely";
-    found |= fields.forbid("joint_friction", message, hint);
+    found |= fields.forbid("joint_friction", pairs::WITHOUT_FRICTION, pairs::FREE);
     !found
 }
 
