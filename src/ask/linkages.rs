@@ -8,7 +8,7 @@ use crate::studies::forces::{
     ForceSettings, ForceStudy, LinkagePositions, course_of, only_loaded_output, study,
 };
 use crate::studies::kinematics::{
-    Asked, Column, Kinematics, Quantity, Question, kinematics, linkage_of, whole_travel,
+    Asked, Column, Kinematics, Quantity, Question, kinematics_of, linkage_of, whole_travel,
 };
 
 impl Mechanism {
@@ -17,8 +17,7 @@ impl Mechanism {
     /// # Errors
     /// What cannot be answered.
     pub fn kinematics(&self, question: &Question) -> Result<Kinematics, Error> {
-        let asked = Asked::new(self.model(), &self.complete(question));
-        Ok(kinematics(&asked.map_err(Error::question)?))
+        kinematics_of(self.model(), &self.complete(question)).map_err(Error::question)
     }
 
     /// Which forces the pairs of a linkage carry, with friction, and which force drives

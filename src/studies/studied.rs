@@ -8,7 +8,7 @@ use super::expectations::{Verdict, did_you_mean, judged};
 use super::forces::{
     ForceSettings, ForceStudy, LinkagePositions, course_of, figures, only_loaded_output, study,
 };
-use super::kinematics::{Asked, Kinematics, Question, kinematics, linkage_of};
+use super::kinematics::{self, Asked, AskedSeveral, Kinematics, Question, linkage_of, several_of};
 use crate::dynamics::model::Model;
 use crate::fault::Fault;
 use crate::frontend::read::closest;
@@ -43,12 +43,8 @@ impl<'a> Address<'a> {
 fn question(object: &str, duration: f64) -> Question {
     Question {
         object: Some(object.to_owned()),
-        over: None,
-        positions: POSITIONS,
-        speed: None,
-        acceleration: None,
         duration,
-        also: None,
+        ..Question::default()
     }
 }
 
@@ -57,8 +53,7 @@ fn question(object: &str, duration: f64) -> Question {
 /// # Errors
 /// What cannot be answered, in words.
 pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinematics, String> {
-    let asked = Asked::new(model, &question(object, duration))?;
-    Ok(kinematics(&asked))
+    kinematics::kinematics_of(model, &question(object, duration))
 }
 
 /// Forces of a linkage as its scene has them.
@@ -207,5 +202,9 @@ fn names(model: &Model, at: Address<'_>) -> Result<Vec<String>, String> {
         let solver = Kinetostatics::new(spec).map_err(in_words)?;
         return Ok(figures(spec, only_loaded_output(&solver)));
     }
-    Ok(Asked::new(model, &question(at.object, 1.0))?.figures())
+    let question = question(at.object, 1.0);
+    Ok(match several_of(model, Some(at.object)) {
+        Some(body) => AskedSeveral::new(model, body, &question)?.figures(),
+        None => Asked::new(model, &question)?.figures(),
+    })
 }

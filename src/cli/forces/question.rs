@@ -139,7 +139,7 @@ fn question(
         speed,
         acceleration,
         duration: ready.settings.duration,
-        also: None,
+        ..Question::default()
     })
 }
 

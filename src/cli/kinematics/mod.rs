@@ -1,6 +1,8 @@
 //! `dam kinematics`: positions, transfer functions, speeds and accelerations of
 //! a linkage.
 
+mod several;
+
 use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::{CourseArgs, KinematicsArgs};
 use super::expected;
@@ -17,7 +19,8 @@ use crate::report::findings::Source;
 use crate::report::kinematics::{document, drawing, findings, picture, rows};
 use crate::studies::expectations::Verdict;
 use crate::studies::kinematics::{
-    Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
+    Asked, AskedSeveral, Kinematics, Over, Question, Subject, kinematics, several_kinematics,
+    several_of, whole_travel,
 };
 use crate::studies::studied::{POSITIONS, check_kinematics};
 use crate::units::quantities as q;
@@ -30,14 +33,28 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
-    let subject = Subject::of(model, args.course.object.as_deref())?;
-    let mut question = question(args, &ready, subject.input)?;
-    if let Some(at) = &args.svg {
-        place(&mut question, at, &subject.linkage, subject.input)?;
-    }
-    let asked = Asked::of(model, subject, &question)?;
+    let object = args.course.object.as_deref();
+    let (question, found) = match several_of(model, object) {
+        Some(body) => {
+            let question = several::question(args, &ready, &body.linkage)?;
+            let asked = AskedSeveral::new(model, body, &question)?;
+            (question, Study::Several(asked))
+        }
+        None => {
+            let subject = Subject::of(model, object)?;
+            let mut question = question(args, &ready, subject.input)?;
+            if let Some(at) = &args.svg {
+                place(&mut question, at, &subject.linkage, subject.input)?;
+            }
+            let asked = Asked::of(model, subject, &question)?;
+            (question, Study::One(asked))
+        }
+    };
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
-    let found = kinematics(&asked);
+    let found = match &found {
+        Study::One(asked) => kinematics(asked),
+        Study::Several(asked) => several_kinematics(asked),
+    };
     let verdicts = verdicts(args, &ready, &found);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
     let at = question.also;
@@ -75,6 +92,12 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     })
 }
 
+/// What is studied: a linkage of one input or of several.
+enum Study<'a> {
+    One(Asked<'a>),
+    Several(AskedSeveral<'a>),
+}
+
 /// Another mechanism than the scene's, or another question, has no expectations.
 fn verdicts(args: &KinematicsArgs, ready: &Ready, found: &Kinematics) -> Vec<Verdict> {
     let course = &args.course;
@@ -82,8 +105,9 @@ fn verdicts(args: &KinematicsArgs, ready: &Ready, found: &Kinematics) -> Vec<Ver
         && !course.turn
         && course.range.is_none()
         && course.time.is_none()
-        && args.speed.is_none()
-        && args.acceleration.is_none()
+        && args.inputs.is_empty()
+        && args.speed.is_empty()
+        && args.acceleration.is_empty()
         && args.svg.is_none()
         && args.positions as usize == POSITIONS;
     match as_scene {
@@ -119,9 +143,18 @@ pub(super) fn asked_over(
 fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Question, Failure> {
     let own = Measures(Some(input));
     let over = asked_over(&args.course, ready, own)?;
-    let read = |name: &str, text: &Option<String>, wanted: Wanted| {
-        let text = text.as_deref();
-        text.map(|text| quantity(name, text, wanted)).transpose()
+    if let Some(input) = args.inputs.first() {
+        return Err(Failure::Other(format!(
+            "--input {input}: the linkage has one input; give --range, --turn or --time"
+        )));
+    }
+    let read = |name: &str, texts: &[String], wanted: Wanted| match texts {
+        [] => Ok(None),
+        [text] => quantity(name, text, wanted).map(Some),
+        [_, again, ..] => {
+            let message = format!("{name} {again}: given twice, and the linkage has one input");
+            Err(Failure::Other(message))
+        }
     };
     Ok(Question {
         object: args.course.object.clone(),
@@ -130,7 +163,7 @@ fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Q
         speed: read("--speed", &args.speed, own.speed())?,
         acceleration: read("--acceleration", &args.acceleration, own.acceleration())?,
         duration: ready.settings.duration,
-        also: None,
+        ..Question::default()
     })
 }
 
