@@ -1,7 +1,7 @@
 //! `dam kinematics`: positions, transfer functions, speeds and accelerations of
 //! a linkage.
 
-mod several;
+pub(super) mod several;
 
 use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::{CourseArgs, KinematicsArgs};
@@ -36,7 +36,10 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let object = args.course.object.as_deref();
     let (question, found) = match several_of(model, object) {
         Some(body) => {
-            let question = several::question(args, &ready, &body.linkage)?;
+            let mut question = several::question(&said(args), &ready, &body.linkage)?;
+            if let Some(at) = &args.svg {
+                question.also = Some(several::place(&question, at, &body.linkage)?);
+            }
             let asked = AskedSeveral::new(model, body, &question)?;
             (question, Study::Several(asked))
         }
@@ -140,28 +143,26 @@ pub(super) fn asked_over(
     })
 }
 
+fn said(args: &KinematicsArgs) -> several::Said<'_> {
+    several::Said {
+        inputs: &args.inputs,
+        speed: &args.speed,
+        acceleration: &args.acceleration,
+        course: &args.course,
+        positions: args.positions,
+    }
+}
+
 fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Question, Failure> {
     let own = Measures(Some(input));
     let over = asked_over(&args.course, ready, own)?;
-    if let Some(input) = args.inputs.first() {
-        return Err(Failure::Other(format!(
-            "--input {input}: the linkage has one input; give --range, --turn or --time"
-        )));
-    }
-    let read = |name: &str, texts: &[String], wanted: Wanted| match texts {
-        [] => Ok(None),
-        [text] => quantity(name, text, wanted).map(Some),
-        [_, again, ..] => {
-            let message = format!("{name} {again}: given twice, and the linkage has one input");
-            Err(Failure::Other(message))
-        }
-    };
+    let [speed, acceleration] = said(args).of_one(own)?;
     Ok(Question {
         object: args.course.object.clone(),
         over,
         positions: args.positions as usize,
-        speed: read("--speed", &args.speed, own.speed())?,
-        acceleration: read("--acceleration", &args.acceleration, own.acceleration())?,
+        speed,
+        acceleration,
         duration: ready.settings.duration,
         ..Question::default()
     })

@@ -1,7 +1,7 @@
 //! What is asked of a linkage of several inputs.
 
 use super::{quantity, range_of};
-use crate::cli::args::KinematicsArgs;
+use crate::cli::args::CourseArgs;
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::dynamics::model::Coordinate;
@@ -12,14 +12,46 @@ use crate::kinematics::linkage::multi::MultiLinkage;
 use crate::studies::kinematics::{InputCourse, InputOver, Over, Question};
 use crate::units::quantities as q;
 
+/// What is said of the inputs of a linkage.
+pub(in crate::cli) struct Said<'a> {
+    pub(in crate::cli) inputs: &'a [String],
+    pub(in crate::cli) speed: &'a [String],
+    pub(in crate::cli) acceleration: &'a [String],
+    pub(in crate::cli) course: &'a CourseArgs,
+    pub(in crate::cli) positions: u32,
+}
+
+impl Said<'_> {
+    /// Refuses what belongs to several inputs; speed and acceleration of the one input.
+    pub(in crate::cli) fn of_one(&self, own: Measures) -> Result<[Option<f64>; 2], Failure> {
+        if let Some(input) = self.inputs.first() {
+            return Err(Failure::Other(format!(
+                "--input {input}: the linkage has one input; give --range, --turn or --time"
+            )));
+        }
+        let read = |name: &str, texts: &[String], wanted: Wanted| match texts {
+            [] => Ok(None),
+            [text] => quantity(name, text, wanted).map(Some),
+            [_, again, ..] => {
+                let message = format!("{name} {again}: given twice, and the linkage has one input");
+                Err(Failure::Other(message))
+            }
+        };
+        Ok([
+            read("--speed", self.speed, own.speed())?,
+            read("--acceleration", self.acceleration, own.acceleration())?,
+        ])
+    }
+}
+
 /// The question as it is put on the command line.
-pub(super) fn question(
-    args: &KinematicsArgs,
+pub(in crate::cli) fn question(
+    args: &Said<'_>,
     ready: &Ready,
     linkage: &MultiLinkage,
 ) -> Result<Question, Failure> {
     let mut inputs: Vec<InputCourse> = Vec::new();
-    for text in &args.inputs {
+    for text in args.inputs {
         let (name, over) = match text.split_once('=') {
             Some((name, value)) => (name, Some(value)),
             None => (text.as_str(), None),
@@ -40,11 +72,11 @@ pub(super) fn question(
             Some(value) => InputOver::At(quantity("--input", value, own.displacement())?),
         });
     }
-    for text in &args.speed {
+    for text in args.speed {
         let (name, value) = of_input(linkage, "--speed", text, Measures::speed)?;
         course(&mut inputs, &name).speed = Some(value);
     }
-    for text in &args.acceleration {
+    for text in args.acceleration {
         let (name, value) = of_input(linkage, "--acceleration", text, Measures::acceleration)?;
         course(&mut inputs, &name).acceleration = Some(value);
     }
@@ -68,18 +100,14 @@ pub(super) fn question(
         let first = linkage.inputs()[0].name.clone();
         course(&mut inputs, &first).over = Some(InputOver::Free);
     }
-    let mut question = Question {
+    Ok(Question {
         object: args.course.object.clone(),
         over,
         positions: args.positions as usize,
         duration: ready.settings.duration,
         inputs,
         ..Question::default()
-    };
-    if let Some(at) = &args.svg {
-        question.also = Some(place(&question, at, linkage)?);
-    }
-    Ok(question)
+    })
 }
 
 /// What is said of an input, or nothing yet.
@@ -138,7 +166,11 @@ fn measures(linkage: &MultiLinkage, option: &str, name: &str) -> Result<Measures
 
 /// The place of the picture: a time, the coordinate of the one input that moves, or of several
 /// the share of their way.
-fn place(question: &Question, text: &str, linkage: &MultiLinkage) -> Result<f64, Failure> {
+pub(super) fn place(
+    question: &Question,
+    text: &str,
+    linkage: &MultiLinkage,
+) -> Result<f64, Failure> {
     let moving = question
         .inputs
         .iter()

@@ -41,8 +41,8 @@ use serde_json::json;
 ///
 /// With `inputs` in place of `driver` there are several coordinates q₁, …, qₘ, as many as its
 /// mobility: of pairs, or x, y and angle of a link that floats; each is moved by an object,
-/// or free. Equation: M(q)·q̈ = Q(q, q̇) + what drives the inputs. Limits: no friction of the
-/// joints, no tables over an input; a run ends in singular positions.
+/// or free. Equation: M(q)·q̈ = Q(q, q̇) + what drives the inputs. Limits: friction of the
+/// joints in `dam forces` alone, no tables over an input; a run ends in singular positions.
 #[derive(Debug)]
 pub struct Linkage {
     spec: Driven,
@@ -146,7 +146,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     fields.dimensions(doc);
     let mut names = Names::new(fields.node());
     let parts = links::read(fields, &mut names);
-    let pairs = pairs::read(fields, &names, several);
+    let pairs = pairs::read(fields, &names);
     let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
     way.case("driver", doc, |slot| {
@@ -258,7 +258,10 @@ fn not_of_one(fields: &mut Fields<'_>) -> bool {
         let hint = "leave it out: each of the `inputs` has its own `ratio`, `offset` and `start`";
         found |= fields.forbid(property, &message, hint);
     }
-    found |= fields.forbid("joint_friction", pairs::WITHOUT_FRICTION, pairs::FREE);
+    let message = "in a run, friction of the joints is found for one input alone";
+    let hint = "leave it out: in `dam run` the pairs of a linkage of several inputs move freely; \
+                their `friction` counts in `dam forces`";
+    found |= fields.forbid("joint_friction", message, hint);
     !found
 }
 

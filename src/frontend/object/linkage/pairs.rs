@@ -10,11 +10,6 @@ use serde_json::json;
 /// Corners of a block of which nothing is said (m).
 const CORNERS: (f64, f64) = (0.01, -0.01);
 
-/// Why a linkage of several inputs has no friction in its pairs.
-pub(super) const WITHOUT_FRICTION: &str = "friction of the joints is found for one input alone";
-/// What to do then.
-pub(super) const FREE: &str = "leave it out: the pairs of a linkage of several inputs move freely";
-
 /// Whether a pair turns or slides.
 pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
     match kind {
@@ -23,17 +18,14 @@ pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
     }
 }
 
-/// Reads `pairs`, in the order of their names; `several`: those of a linkage of several
-/// inputs.
-pub(super) fn read(fields: &mut Fields<'_>, names: &Names, several: bool) -> Option<Vec<PairSpec>> {
+/// Reads `pairs`, in the order of their names.
+pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<PairSpec>> {
     fields.need("pairs", "The kinematic pairs by name.", |slot| {
-        slot.names(|name, slot| {
-            slot.defined("linkage_pair", |slot| pair(slot, name, names, several))
-        })
+        slot.names(|name, slot| slot.defined("linkage_pair", |slot| pair(slot, name, names)))
     })
 }
 
-fn pair(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<PairSpec> {
+fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
     slot.record(|fields| {
         let doc = "Coefficient of Coulomb friction μ; it counts in `dam forces`, and with `joint_friction` in the motion.";
         let friction = fields.or("friction", doc, json!(0.0), |slot| {
@@ -58,7 +50,6 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<Pair
         });
         let whole = fits_a_block(fields, friction.unwrap_or(0.0));
         let (friction, (on, link, mut kind), given) = (friction?, kind?, diameter?);
-        let rough = several && rough(fields, friction, given.unwrap_or(0.0));
         if let PairKind::Revolute { diameter } = &mut kind {
             *diameter = given.unwrap_or(0.0);
         }
@@ -67,7 +58,7 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<Pair
             fields.refuse("", "contradiction", message);
             return None;
         }
-        (whole && !rough).then_some(())?;
+        whole.then_some(())?;
         Some(PairSpec {
             name: name.to_owned(),
             on,
@@ -76,20 +67,6 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<Pair
             friction,
         })
     })
-}
-
-/// Refuses friction in a pair of a linkage of several inputs; true where there is any.
-fn rough(fields: &mut Fields<'_>, friction: f64, diameter: f64) -> bool {
-    let mut found = false;
-    for (property, value) in [("friction", friction), ("diameter", diameter)] {
-        if value > 0.0 {
-            let message = format!("`{property}` would do nothing: {WITHOUT_FRICTION}");
-            let fault = fields.refuse(property, "contradiction", message);
-            fault.hints.push(FREE.to_owned());
-            found = true;
-        }
-    }
-    found
 }
 
 /// Whether what is said of a pair beside its kind is enough for a block, and no more;

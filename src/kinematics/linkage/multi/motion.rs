@@ -3,7 +3,7 @@
 use super::columns::{Twist, at, minus, plus, times};
 use super::place::NotAssembled;
 use super::{MultiLinkage, MultiWorkspace};
-use crate::kinematics::linkage::kinetostatics::{LinkPosition, Positions};
+use crate::kinematics::linkage::kinetostatics::{InputMotion, LinkPosition, Positions};
 use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind, PairKind, PointOf};
 use crate::kinematics::linkage::workspace::Pose;
 use crate::math::jet::Jet;
@@ -155,6 +155,20 @@ impl MultiMotion {
         self.space.power()
     }
 
+    /// M(q)·q̈ − Q(q, q̇) on every input: the forces that drive the motion.
+    #[cfg(test)]
+    pub(super) fn required(&mut self) -> Vec<f64> {
+        self.space.reduce(true);
+        let (reduced, count) = (&self.space.reduced, self.inputs.len());
+        let of = |input: usize| -> f64 {
+            let row = &reduced.mass[input * count..(input + 1) * count];
+            let inertia = row.iter().zip(&self.inputs);
+            let inertia: f64 = inertia.map(|(m, q)| m * q.second).sum();
+            inertia - reduced.force[input]
+        };
+        (0..count).map(of).collect()
+    }
+
     fn column(&self, link: Option<usize>, input: usize) -> Twist<f64> {
         let plan = &self.space.core.plan;
         self.space.columns.column(plan, self.body(link), input)
@@ -201,5 +215,14 @@ impl Positions for MultiMotion {
 
     fn pair_coordinate(&self, index: usize) -> f64 {
         self.pair(index).value
+    }
+
+    fn inputs(&self) -> Vec<InputMotion> {
+        let motion = |input: &Jet| InputMotion {
+            coordinate: input.value,
+            speed: input.first,
+            acceleration: input.second,
+        };
+        self.inputs.iter().map(motion).collect()
     }
 }

@@ -5,8 +5,8 @@
 //! sides of the curve, also where the dyad cannot be assembled: its sign is looked at on a
 //! grid, and every change of sign along a line of the grid is a root that is found to
 //! rounding. A larger group is known on one side only: there the end of what can be assembled
-//! is bracketed, and the square of its determinant, which is smooth, is followed to zero from
-//! within. What is smaller than a mesh of the grid is not seen.
+//! is bracketed, and the square of its determinant, which goes with the distance there, is
+//! followed to zero from within. What is smaller than a mesh of the grid is not seen.
 
 use super::place::{Known, place};
 use super::{Core, MultiLinkage, MultiWorkspace};
@@ -259,27 +259,20 @@ impl<'a> Reached<'a> {
             .map(|(to, from)| to - from)
             .collect();
         let mut first = vec![0.0; along.len()];
-        // Estimates of the zero, and how far each was made from it: wrong by a square of that.
-        let mut last = (outside - inside, 0.5 * (inside + outside));
-        let mut found = last.1;
+        let mut found = 0.5 * (inside + outside);
         inside = (inside - BACK).max(0.0);
-        for step in 0..STEPS {
+        for _ in 0..STEPS {
             if space.solve(&inputs(inside), &self.rates).is_err() {
                 break;
             }
+            // Near the curve the square goes with the distance, but for its power 3/2.
             let [square, ..] = space.distance(group, &mut first);
             let slope: f64 = first.iter().zip(&along).map(|(a, b)| a * b).sum();
             let way = -square / slope;
             if !(way.is_finite() && way >= 0.0 && inside + way <= 1.0 + BACK) {
                 break;
             }
-            let own = (way, inside + way);
-            let curved = (own.1 - last.1) * own.0 * own.0 / (last.0 * last.0 - own.0 * own.0);
-            found = match step > 0 && curved.abs() < own.0 {
-                true => own.1 + curved,
-                false => own.1,
-            };
-            last = own;
+            found = inside + way;
             inside += CAUTION * way;
         }
         match reversed {

@@ -6,7 +6,7 @@ use super::super::subject::{of_outputs, start_of};
 use super::reach::{Reached, reach};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
 use crate::dynamics::trajectory::Trajectory;
-use crate::kinematics::linkage::multi::{MultiLinkage, NotAssembled};
+use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion, NotAssembled};
 use crate::math::jet::Jet;
 use crate::units::shown;
 
@@ -298,8 +298,8 @@ impl<'a> AskedSeveral<'a> {
 
     /// The first place must be one at which the linkage can be assembled.
     fn begins(&self) -> Result<(), String> {
-        let mut course = super::course::SeveralInputs::new(self);
-        course.go(self.span()[0]).map_err(|why| {
+        let mut motion = MultiMotion::new(&self.linkage);
+        motion.go(&self.inputs_at(self.span()[0])).map_err(|why| {
             format!(
                 "`{}` cannot be assembled where the way of its inputs begins: {}",
                 self.object,
@@ -320,6 +320,42 @@ impl<'a> AskedSeveral<'a> {
                 names.join(", ")
             )
         })
+    }
+
+    /// The linkage.
+    pub(in crate::studies) fn linkage(&self) -> &MultiLinkage {
+        &self.linkage
+    }
+
+    /// Number of intervals between rows.
+    pub(in crate::studies) fn positions(&self) -> usize {
+        self.positions
+    }
+
+    /// True: the one input that moves goes through a turn, after which everything is as before.
+    pub(in crate::studies) fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// True where every input has the speed of its way, and no acceleration.
+    pub(in crate::studies) fn goes_its_way(&self) -> bool {
+        match &self.way {
+            Way::Time { .. } => true,
+            Way::Path { rate, legs, .. } => {
+                (legs.iter()).all(|leg| leg.speed == rate * leg.slope && leg.acceleration == 0.0)
+            }
+        }
+    }
+
+    /// Name and SI unit of what leads from row to row.
+    pub(in crate::studies) fn axis(&self) -> (&'static str, &'static str) {
+        match self.way {
+            Way::Time { .. } => ("time", "s"),
+            Way::Path { along: Some(_), .. } => {
+                ("input coordinate", unit_of(self.first_coordinate()))
+            }
+            Way::Path { along: None, .. } => ("path", ""),
+        }
     }
 
     /// Name of an input.
@@ -344,7 +380,7 @@ impl<'a> AskedSeveral<'a> {
     }
 
     /// First and last place on the axis.
-    pub(super) fn span(&self) -> [f64; 2] {
+    pub(in crate::studies) fn span(&self) -> [f64; 2] {
         match self.way {
             Way::Time { to } => [0.0, to],
             Way::Path { span, .. } => span,
@@ -352,7 +388,7 @@ impl<'a> AskedSeveral<'a> {
     }
 
     /// Rate of the axis.
-    pub(super) fn rate_of_way(&self) -> f64 {
+    pub(in crate::studies) fn rate_of_way(&self) -> f64 {
         match self.way {
             Way::Time { .. } => 1.0,
             Way::Path { rate, .. } => rate,
@@ -389,7 +425,7 @@ impl<'a> AskedSeveral<'a> {
     }
 
     /// Motion of the inputs, in words.
-    pub(super) fn motion(&self) -> String {
+    pub(in crate::studies) fn motion(&self) -> String {
         let Way::Path { legs, along, .. } = &self.way else {
             return "by the scene's drives".to_owned();
         };

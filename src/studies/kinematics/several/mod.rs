@@ -69,7 +69,7 @@ impl AskedSeveral<'_> {
     }
 
     /// Why a group cannot be assembled, in words.
-    fn cause(&self, NotAssembled { group }: NotAssembled) -> String {
+    pub(in crate::studies) fn cause(&self, NotAssembled { group }: NotAssembled) -> String {
         format!(
             "singular position of {}",
             self.linkage.structure().describe(group)
@@ -78,11 +78,7 @@ impl AskedSeveral<'_> {
 }
 
 fn axis(asked: &AskedSeveral<'_>, values: Vec<f64>) -> Axis {
-    let (name, unit) = match asked.way {
-        Way::Time { .. } => ("time", "s"),
-        Way::Path { along: Some(_), .. } => ("input coordinate", unit_of(asked.first_coordinate())),
-        Way::Path { along: None, .. } => ("path", ""),
-    };
+    let (name, unit) = asked.axis();
     Axis { name, unit, values }
 }
 

@@ -1,6 +1,7 @@
 //! Kinematics and equations of motion against differences of positions alone.
 
 pub(super) mod examples;
+mod kinetostatics;
 mod motion;
 mod refusals;
 mod singular;

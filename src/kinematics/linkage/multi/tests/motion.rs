@@ -7,7 +7,7 @@ use crate::kinematics::linkage::spec::PointOf;
 use crate::math::jet::Jet;
 
 /// A smooth motion of all inputs about the start.
-fn at(starts: &[f64], t: f64) -> Vec<Jet> {
+pub(super) fn at(starts: &[f64], t: f64) -> Vec<Jet> {
     let one = |(k, start): (usize, &f64)| {
         let (rate, bend) = (0.7 - 0.4 * k as f64, 0.3 + 0.5 * k as f64);
         Jet {

@@ -66,7 +66,8 @@ fn neighbours_on_a_curve_are_neighbours_in_the_plane() {
 }
 
 /// Of a group that is solved by iteration the square of the determinant falls to nothing on
-/// the curve: linear in the distance, it is as small as the distance from which it is read.
+/// the curve, with the distance from it: a billionth of the way from the start away it tells
+/// where the curve is to a trillionth.
 #[test]
 fn the_curves_of_a_larger_group_end_what_can_be_assembled() {
     let spec = examples::platform();
@@ -94,10 +95,10 @@ fn the_curves_of_a_larger_group_end_what_can_be_assembled() {
             reached.then(|| space.distance(0, &mut first)[0])
         };
         let walked = (1..20).all(|k| go(f64::from(k) / 20.0).is_some());
-        let (near, nearer) = (go(1.0 - 1e-5), go(1.0 - 1e-7));
+        let (near, nearer) = (go(1.0 - 1e-8), go(1.0 - 1e-9));
         if let (true, Some(near), Some(nearer)) = (walked, near, nearer) {
             looked += 1;
-            approx::assert_relative_eq!(nearer, 0.01 * near, max_relative = 2e-3);
+            approx::assert_relative_eq!(nearer, 0.1 * near, max_relative = 1e-3);
         }
     }
     assert!(looked > 5, "{looked} of {}", points.len());
