@@ -5,10 +5,12 @@ use crate::Error;
 use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{Convention, Kinetostatics, Options};
 use crate::studies::forces::{
-    ForceSettings, ForceStudy, LinkagePositions, course_of, only_loaded_output, study,
+    ForceSettings, ForceStudy, LinkagePositions, course_of, only_loaded_output, several_forces,
+    study,
 };
 use crate::studies::kinematics::{
-    Asked, Column, Kinematics, Quantity, Question, kinematics, linkage_of, whole_travel,
+    Asked, AskedSeveral, Column, Kinematics, Quantity, Question, kinematics_of, linkage_of,
+    several_of, whole_travel,
 };
 
 impl Mechanism {
@@ -17,8 +19,7 @@ impl Mechanism {
     /// # Errors
     /// What cannot be answered.
     pub fn kinematics(&self, question: &Question) -> Result<Kinematics, Error> {
-        let asked = Asked::new(self.model(), &self.complete(question));
-        Ok(kinematics(&asked.map_err(Error::question)?))
+        kinematics_of(self.model(), &self.complete(question)).map_err(Error::question)
     }
 
     /// Which forces the pairs of a linkage carry, with friction, and which force drives
@@ -28,6 +29,12 @@ impl Mechanism {
     /// What cannot be answered; faults of the linkage's numbers.
     pub fn forces(&self, question: &Question) -> Result<ForceStudy, Error> {
         let model = self.model();
+        if let Some(body) = several_of(model, question.object.as_deref()) {
+            let asked = AskedSeveral::new(model, body, &self.complete(question));
+            let object = &model.objects[body.object].id;
+            return several_forces(&asked.map_err(Error::question)?, Options::default())
+                .map_err(|faults| self.diagnose(&placed(object, faults)));
+        }
         let body = linkage_of(model, question.object.as_deref()).map_err(Error::question)?;
         let object = &model.objects[body.object].id;
         let told = |faults| self.diagnose(&placed(object, faults));

@@ -6,14 +6,15 @@
 
 use super::expectations::{Verdict, did_you_mean, judged};
 use super::forces::{
-    ForceSettings, ForceStudy, LinkagePositions, course_of, figures, only_loaded_output, study,
+    ForceSettings, ForceStudy, LinkagePositions, course_of, figures, figures_of_inputs,
+    only_loaded_output, several_forces, study,
 };
-use super::kinematics::{Asked, Kinematics, Question, kinematics, linkage_of};
+use super::kinematics::{self, Asked, AskedSeveral, Kinematics, Question, linkage_of, several_of};
 use crate::dynamics::model::Model;
 use crate::fault::Fault;
 use crate::frontend::read::closest;
 use crate::frontend::scene::{Expectation, Expected};
-use crate::kinematics::linkage::kinetostatics::Kinetostatics;
+use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
 
 pub use super::kinematics::POSITIONS;
 
@@ -43,12 +44,8 @@ impl<'a> Address<'a> {
 fn question(object: &str, duration: f64) -> Question {
     Question {
         object: Some(object.to_owned()),
-        over: None,
-        positions: POSITIONS,
-        speed: None,
-        acceleration: None,
         duration,
-        also: None,
+        ..Question::default()
     }
 }
 
@@ -57,8 +54,7 @@ fn question(object: &str, duration: f64) -> Question {
 /// # Errors
 /// What cannot be answered, in words.
 pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinematics, String> {
-    let asked = Asked::new(model, &question(object, duration))?;
-    Ok(kinematics(&asked))
+    kinematics::kinematics_of(model, &question(object, duration))
 }
 
 /// Forces of a linkage as its scene has them.
@@ -66,6 +62,10 @@ pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinem
 /// # Errors
 /// What cannot be answered, in words.
 pub fn forces_of(model: &Model, object: &str, duration: f64) -> Result<ForceStudy, String> {
+    if let Some(body) = several_of(model, Some(object)) {
+        let asked = AskedSeveral::new(model, body, &question(object, duration))?;
+        return several_forces(&asked, Options::default()).map_err(in_words);
+    }
     let linkage = &linkage_of(model, Some(object))?.linkage;
     let asked = Asked::new(model, &question(object, duration))?;
     let course = course_of(&asked)?;
@@ -202,10 +202,18 @@ fn is_zone(figure: &str) -> bool {
 }
 
 fn names(model: &Model, at: Address<'_>) -> Result<Vec<String>, String> {
+    let several = several_of(model, Some(at.object));
     if at.study == "forces" {
+        if let Some(body) = several {
+            return Ok(figures_of_inputs(body.linkage.spec()));
+        }
         let spec = linkage_of(model, Some(at.object))?.linkage.spec();
         let solver = Kinetostatics::new(spec).map_err(in_words)?;
         return Ok(figures(spec, only_loaded_output(&solver)));
     }
-    Ok(Asked::new(model, &question(at.object, 1.0))?.figures())
+    let question = question(at.object, 1.0);
+    Ok(match several {
+        Some(body) => AskedSeveral::new(model, body, &question)?.figures(),
+        None => Asked::new(model, &question)?.figures(),
+    })
 }

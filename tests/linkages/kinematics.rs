@@ -36,7 +36,7 @@ fn question(over: Option<Over>, positions: usize) -> Question {
         speed: None,
         acceleration: None,
         duration: 2.0,
-        also: None,
+        ..Question::default()
     }
 }
 

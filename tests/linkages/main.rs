@@ -9,4 +9,5 @@ mod joint_friction;
 mod kinematics;
 mod scenes;
 mod several;
+mod several_kinematics;
 mod slide_crank;

@@ -6,7 +6,7 @@ use dam::model::Coordinate;
 use dam::report::findings::Findings;
 use dam::report::{forces as forces_report, kinematics as kinematics_report};
 use dam::studies::forces::{Course, ForceStudy};
-use dam::studies::kinematics::{Kinematics, Question, even_motion, linkage_of};
+use dam::studies::kinematics::{Kinematics, Question, even_motion, linkage_of, several_of};
 use dam::{Error, Scene};
 use serde_json::Value;
 use std::sync::Arc;
@@ -67,19 +67,13 @@ pub(crate) fn forces(scene: Arc<Scene>, question: &Question) -> Result<Carried, 
     let found = ready.forces(question)?;
     let model = ready.model();
     let fault = |what| Error::from(vec![dam::fault::Fault::new("", what, "")]);
-    let body = linkage_of(model, question.object.as_deref()).map_err(fault)?;
-    let part = &model.objects[body.object];
-    let unit = match part.coordinate {
-        Coordinate::Turning => "rad",
-        Coordinate::Sliding => "m",
-    };
-    let motion = match &found.course {
-        Course::Instants { .. } => "motion of the scene's drive".to_owned(),
-        Course::Even {
-            speed,
-            acceleration,
-            ..
-        } => even_motion([*speed, *acceleration], unit),
+    let id = question.object.as_deref();
+    let (part, motion) = match (several_of(model, id), &found.several) {
+        (Some(body), Some(several)) => (&model.objects[body.object], several.motion.clone()),
+        _ => {
+            let part = &model.objects[linkage_of(model, id).map_err(fault)?.object];
+            (part, of_one(part.coordinate, &found))
+        }
     };
     let (object, warnings) = (part.id.clone(), found.warnings());
     Ok(Carried {
@@ -89,6 +83,22 @@ pub(crate) fn forces(scene: Arc<Scene>, question: &Question) -> Result<Carried, 
         warnings,
         found,
     })
+}
+
+/// Motion of the one input, in words.
+fn of_one(input: Coordinate, found: &ForceStudy) -> String {
+    let unit = match input {
+        Coordinate::Turning => "rad",
+        Coordinate::Sliding => "m",
+    };
+    match &found.course {
+        Course::Instants { .. } => "motion of the scene's drive".to_owned(),
+        Course::Even {
+            speed,
+            acceleration,
+            ..
+        } => even_motion([*speed, *acceleration], unit),
+    }
 }
 
 impl Carried {

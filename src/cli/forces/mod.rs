@@ -10,14 +10,17 @@ use crate::cli::failure::Failure;
 use crate::cli::input::{Input, Ready};
 use crate::cli::output::OutputFolder;
 use crate::cli::status::Status;
-use crate::dynamics::model::{Model, ObjectPart};
+use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
 use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{ForceFailure, Kinetostatics};
 use crate::report::findings::Source;
 use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
 use crate::studies::expectations::Verdict;
-use crate::studies::forces::{Course, ForceStudy, LinkagePositions, compare_massless, study};
-use crate::studies::kinematics::linkage_of;
+use crate::studies::forces::{
+    Course, ForceStudy, LinkagePositions, MasslessComparison, compare_massless, several_forces,
+    study,
+};
+use crate::studies::kinematics::{linkage_of, several_of};
 use crate::studies::studied::{POSITIONS, check_forces};
 
 const FILES: [&str; 5] = [
@@ -33,35 +36,17 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
-    let body = linkage_of(model, args.course.object.as_deref())?;
-    let object = model.objects[body.object].id.as_str();
-    let told = |faults: Vec<Fault>| faults_of(&ready, object, faults);
-    let solver = Kinetostatics::new(body.linkage.spec()).map_err(told)?;
-    let settings = question::settings(args, &solver)?;
-    if let Some(value) = args
-        .compare_massless
-        .iter()
-        .find(|x| !(x.is_finite() && **x > 0.0))
-    {
-        let message = format!("--compare-massless: {value} is not a number above zero");
-        return Err(Failure::Other(message));
-    }
-    let (course, motion) = question::course(args, &ready, body)?;
-    let rests = matches!(course, Course::Even { speed, acceleration, .. } if speed == 0.0 && acceleration == 0.0);
-    if rests && solver.has_friction() && !args.frictionless && args.direction.is_none() {
-        return Err(Failure::Other(format!(
-            "{}: give --direction forwards or backwards, or --frictionless",
-            ForceFailure::NoDirection
-        )));
-    }
-    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
-    let mut source = LinkagePositions::new(&body.linkage);
-    let spec = body.linkage.spec();
-    let massless = match args.compare_massless.as_slice() {
-        [] => None,
-        list => Some(compare_massless(spec, &mut source, &course, &settings, list).map_err(told)?),
+    let Solved {
+        folder,
+        object,
+        found,
+        massless,
+        motion,
+    } = match several_of(model, args.course.object.as_deref()) {
+        Some(body) => of_several(args, &ready, body)?,
+        None => of_one(args, &ready)?,
     };
-    let found = study(spec, &mut source, course, settings).map_err(told)?;
+    let object = object.as_str();
     let warnings = warnings(args, &found, &behind(model, object));
     let report = ForcesReport {
         study: &found,
@@ -100,7 +85,7 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     };
     answer.deliver(folder.as_ref(), Shown::json_or(args.scene.json, form))?;
     if !args.scene.quiet {
-        if found.settings.output.is_none() {
+        if found.settings.output.is_none() && found.several.is_none() {
             console::talk("no transmission ratio: name the loaded output with --load");
         }
         expected::talk(&verdicts);
@@ -113,6 +98,75 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     })
 }
 
+/// A study with what belongs to it.
+struct Solved {
+    folder: Option<OutputFolder>,
+    object: String,
+    found: ForceStudy,
+    massless: Option<MasslessComparison>,
+    motion: String,
+}
+
+fn of_several(
+    args: &ForcesArgs,
+    ready: &Ready,
+    body: &MultiLinkageBody,
+) -> Result<Solved, Failure> {
+    let asked = question::of_several(args, ready, body)?;
+    let object = ready.system.model().objects[body.object].id.clone();
+    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let found = several_forces(&asked, question::options(args));
+    let found = found.map_err(|faults| faults_of(ready, &object, faults))?;
+    let motion = found.several.as_ref().map(|several| several.motion.clone());
+    Ok(Solved {
+        folder,
+        object,
+        found,
+        massless: None,
+        motion: motion.unwrap_or_default(),
+    })
+}
+
+fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
+    let model = ready.system.model();
+    let body = linkage_of(model, args.course.object.as_deref())?;
+    let object = model.objects[body.object].id.as_str();
+    let told = |faults: Vec<Fault>| faults_of(ready, object, faults);
+    let solver = Kinetostatics::new(body.linkage.spec()).map_err(told)?;
+    let settings = question::settings(args, &solver)?;
+    if let Some(value) = args
+        .compare_massless
+        .iter()
+        .find(|x| !(x.is_finite() && **x > 0.0))
+    {
+        let message = format!("--compare-massless: {value} is not a number above zero");
+        return Err(Failure::Other(message));
+    }
+    let (course, motion) = question::course(args, ready, body)?;
+    let rests = matches!(course, Course::Even { speed, acceleration, .. } if speed == 0.0 && acceleration == 0.0);
+    if rests && solver.has_friction() && !args.frictionless && args.direction.is_none() {
+        return Err(Failure::Other(format!(
+            "{}: give --direction forwards or backwards, or --frictionless",
+            ForceFailure::NoDirection
+        )));
+    }
+    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let mut source = LinkagePositions::new(&body.linkage);
+    let spec = body.linkage.spec();
+    let massless = match args.compare_massless.as_slice() {
+        [] => None,
+        list => Some(compare_massless(spec, &mut source, &course, &settings, list).map_err(told)?),
+    };
+    let found = study(spec, &mut source, course, settings).map_err(told)?;
+    Ok(Solved {
+        folder,
+        object: object.to_owned(),
+        found,
+        massless,
+        motion,
+    })
+}
+
 /// Another mechanism than the scene's, or another question, has no expectations.
 fn verdicts(args: &ForcesArgs, ready: &Ready, object: &str, found: &ForceStudy) -> Vec<Verdict> {
     let course = &args.course;
@@ -120,8 +174,9 @@ fn verdicts(args: &ForcesArgs, ready: &Ready, object: &str, found: &ForceStudy) 
         && course.range.is_none()
         && course.time.is_none()
         && args.record.is_none()
-        && args.speed.is_none()
-        && args.acceleration.is_none()
+        && args.inputs.is_empty()
+        && args.speed.is_empty()
+        && args.acceleration.is_empty()
         && args.compare_massless.is_empty()
         && args.positions as usize == POSITIONS;
     let same_forces = args.scene.set.is_empty()
@@ -177,9 +232,12 @@ fn warnings(args: &ForcesArgs, found: &ForceStudy, behind: &[&str]) -> Vec<Strin
     let mut warnings = found.warnings();
     if !behind.is_empty() && args.record.is_none() && !found.course.has_loads() {
         warnings.push(format!(
-            "the forces of what the linkage drives ({}) are not among its loads; take them from a \
-             run with --record",
-            behind.join(", ")
+            "the forces of what the linkage drives ({}) are not among its loads{}",
+            behind.join(", "),
+            match found.several {
+                None => "; take them from a run with --record",
+                Some(_) => "",
+            }
         ));
     }
     warnings

@@ -3,16 +3,61 @@
 use crate::cli::args::{ConventionName, Direction, ForcesArgs};
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
-use crate::cli::kinematics::{asked_over, quantity};
-use crate::dynamics::model::{Coordinate, LinkageBody};
+use crate::cli::kinematics::asked_over;
+use crate::cli::kinematics::several::{self, Said};
+use crate::dynamics::model::{Coordinate, LinkageBody, MultiLinkageBody};
 use crate::frontend::object::Measures;
 use crate::kinematics::linkage::Linkage;
 use crate::kinematics::linkage::kinetostatics::{Convention, Kinetostatics, Options};
 use crate::studies::forces::{
     Course, ForceSettings, course_of, course_of_record, only_loaded_output,
 };
-use crate::studies::kinematics::{Asked, Question, even_motion, whole_travel};
+use crate::studies::kinematics::{Asked, AskedSeveral, Question, even_motion, whole_travel};
 use std::path::Path;
+
+/// What is said of the inputs.
+fn said(args: &ForcesArgs) -> Said<'_> {
+    Said {
+        inputs: &args.inputs,
+        speed: &args.speed,
+        acceleration: &args.acceleration,
+        course: &args.course,
+        positions: args.positions,
+    }
+}
+
+/// A linkage of several inputs, and what is asked of it.
+pub(super) fn of_several<'m>(
+    args: &ForcesArgs,
+    ready: &'m Ready,
+    body: &MultiLinkageBody,
+) -> Result<AskedSeveral<'m>, Failure> {
+    let of_one = [
+        (args.record.is_some(), "--record"),
+        (args.load.is_some(), "--load"),
+        (!args.compare_massless.is_empty(), "--compare-massless"),
+        (args.direction.is_some(), "--direction"),
+    ];
+    if let Some((_, option)) = of_one.iter().find(|(given, _)| *given) {
+        let id = &ready.system.model().objects[body.object].id;
+        let message = format!("{option} belongs to a linkage of one input, and `{id}` has several");
+        return Err(Failure::Other(message));
+    }
+    let question = several::question(&said(args), ready, &body.linkage)?;
+    Ok(AskedSeveral::new(ready.system.model(), body, &question)?)
+}
+
+/// Options of the solution of each position.
+pub(super) fn options(args: &ForcesArgs) -> Options {
+    Options {
+        friction: !args.frictionless,
+        direction: args.direction.map(|direction| match direction {
+            Direction::Forwards => 1.0,
+            Direction::Backwards => -1.0,
+        }),
+        ..Options::default()
+    }
+}
 
 /// Friction, loads and the convention of χ.
 pub(super) fn settings(
@@ -24,14 +69,7 @@ pub(super) fn settings(
         Some(text) => load(text, solver)?,
     };
     Ok(ForceSettings {
-        options: Options {
-            friction: !args.frictionless,
-            direction: args.direction.map(|direction| match direction {
-                Direction::Forwards => 1.0,
-                Direction::Backwards => -1.0,
-            }),
-            ..Options::default()
-        },
+        options: options(args),
         output,
         loads,
         convention: match args.convention {
@@ -120,14 +158,7 @@ fn question(
     input: Coordinate,
 ) -> Result<Question, Failure> {
     let own = Measures(Some(input));
-    let speed = args.speed.as_deref();
-    let speed = speed
-        .map(|text| quantity("--speed", text, own.speed()))
-        .transpose()?;
-    let acceleration = args.acceleration.as_deref();
-    let acceleration = acceleration
-        .map(|text| quantity("--acceleration", text, own.acceleration()))
-        .transpose()?;
+    let [speed, acceleration] = said(args).of_one(own)?;
     // A speed, or a comparison over speeds, is meant for the whole travel.
     let whole = speed.or(acceleration).is_some() || !args.compare_massless.is_empty();
     let over = asked_over(&args.course, ready, own)?;
@@ -139,7 +170,7 @@ fn question(
         speed,
         acceleration,
         duration: ready.settings.duration,
-        also: None,
+        ..Question::default()
     })
 }
 

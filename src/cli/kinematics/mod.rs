@@ -1,6 +1,8 @@
 //! `dam kinematics`: positions, transfer functions, speeds and accelerations of
 //! a linkage.
 
+pub(super) mod several;
+
 use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::{CourseArgs, KinematicsArgs};
 use super::expected;
@@ -17,7 +19,8 @@ use crate::report::findings::Source;
 use crate::report::kinematics::{document, drawing, findings, picture, rows};
 use crate::studies::expectations::Verdict;
 use crate::studies::kinematics::{
-    Asked, Kinematics, Over, Question, Subject, kinematics, whole_travel,
+    Asked, AskedSeveral, Kinematics, Over, Question, Subject, kinematics, several_kinematics,
+    several_of, whole_travel,
 };
 use crate::studies::studied::{POSITIONS, check_kinematics};
 use crate::units::quantities as q;
@@ -30,14 +33,31 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
-    let subject = Subject::of(model, args.course.object.as_deref())?;
-    let mut question = question(args, &ready, subject.input)?;
-    if let Some(at) = &args.svg {
-        place(&mut question, at, &subject.linkage, subject.input)?;
-    }
-    let asked = Asked::of(model, subject, &question)?;
+    let object = args.course.object.as_deref();
+    let (question, found) = match several_of(model, object) {
+        Some(body) => {
+            let mut question = several::question(&said(args), &ready, &body.linkage)?;
+            if let Some(at) = &args.svg {
+                question.also = Some(several::place(&question, at, &body.linkage)?);
+            }
+            let asked = AskedSeveral::new(model, body, &question)?;
+            (question, Study::Several(asked))
+        }
+        None => {
+            let subject = Subject::of(model, object)?;
+            let mut question = question(args, &ready, subject.input)?;
+            if let Some(at) = &args.svg {
+                place(&mut question, at, &subject.linkage, subject.input)?;
+            }
+            let asked = Asked::of(model, subject, &question)?;
+            (question, Study::One(asked))
+        }
+    };
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
-    let found = kinematics(&asked);
+    let found = match &found {
+        Study::One(asked) => kinematics(asked),
+        Study::Several(asked) => several_kinematics(asked),
+    };
     let verdicts = verdicts(args, &ready, &found);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
     let at = question.also;
@@ -75,6 +95,12 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
     })
 }
 
+/// What is studied: a linkage of one input or of several.
+enum Study<'a> {
+    One(Asked<'a>),
+    Several(AskedSeveral<'a>),
+}
+
 /// Another mechanism than the scene's, or another question, has no expectations.
 fn verdicts(args: &KinematicsArgs, ready: &Ready, found: &Kinematics) -> Vec<Verdict> {
     let course = &args.course;
@@ -82,8 +108,9 @@ fn verdicts(args: &KinematicsArgs, ready: &Ready, found: &Kinematics) -> Vec<Ver
         && !course.turn
         && course.range.is_none()
         && course.time.is_none()
-        && args.speed.is_none()
-        && args.acceleration.is_none()
+        && args.inputs.is_empty()
+        && args.speed.is_empty()
+        && args.acceleration.is_empty()
         && args.svg.is_none()
         && args.positions as usize == POSITIONS;
     match as_scene {
@@ -116,21 +143,28 @@ pub(super) fn asked_over(
     })
 }
 
+fn said(args: &KinematicsArgs) -> several::Said<'_> {
+    several::Said {
+        inputs: &args.inputs,
+        speed: &args.speed,
+        acceleration: &args.acceleration,
+        course: &args.course,
+        positions: args.positions,
+    }
+}
+
 fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Question, Failure> {
     let own = Measures(Some(input));
     let over = asked_over(&args.course, ready, own)?;
-    let read = |name: &str, text: &Option<String>, wanted: Wanted| {
-        let text = text.as_deref();
-        text.map(|text| quantity(name, text, wanted)).transpose()
-    };
+    let [speed, acceleration] = said(args).of_one(own)?;
     Ok(Question {
         object: args.course.object.clone(),
         over,
         positions: args.positions as usize,
-        speed: read("--speed", &args.speed, own.speed())?,
-        acceleration: read("--acceleration", &args.acceleration, own.acceleration())?,
+        speed,
+        acceleration,
         duration: ready.settings.duration,
-        also: None,
+        ..Question::default()
     })
 }
 

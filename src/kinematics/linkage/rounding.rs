@@ -20,11 +20,11 @@ use std::mem::discriminant;
 use std::sync::Arc;
 
 /// Number of copies.
-const COPIES: u64 = 6;
+pub(super) const COPIES: u64 = 6;
 /// Most that a coordinate is moved, in units of rounding of its size.
 const MOVED: f64 = 1.0;
 /// An error of a quantity over the greatest difference of a copy.
-const SAFETY: f64 = 3.0;
+pub(super) const SAFETY: f64 = 3.0;
 
 /// Copies of a linkage that differ from it by rounding.
 #[derive(Clone, Debug)]
@@ -161,7 +161,7 @@ pub(super) fn directions(
 }
 
 /// The numbers of a linkage with every coordinate of a pair moved by up to [`MOVED`] roundings.
-fn moved(spec: &LinkageSpec, size: f64, seed: u64) -> LinkageSpec {
+pub(super) fn moved(spec: &LinkageSpec, size: f64, seed: u64) -> LinkageSpec {
     let mut spec = spec.clone();
     let mut random = Random(seed);
     for pair in &mut spec.pairs {

@@ -4,12 +4,12 @@ use super::charts::massless_chart;
 use super::{ForcesReport, WIDE, value};
 use crate::report::findings::{Cell, Figure, Section, Table, Value};
 use crate::report::quantity::significant;
-use crate::studies::forces::{Column, MasslessComparison, NEGLIGIBLE, columns};
+use crate::studies::forces::{Column, MasslessComparison, NEGLIGIBLE};
 
 /// The greatest derivative of the driving force by each coefficient and mass.
 pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let study = report.study;
-    let all = columns(&study.linkage, study.settings.output);
+    let all = study.columns();
     let greatest = |column: &Column| {
         let values = study.rows.iter().enumerate();
         let values = values.filter_map(|(index, row)| Some((index, column.value(row)?)));
@@ -40,7 +40,7 @@ pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         return Section::default();
     };
     let study = report.study;
-    let columns = columns(&study.linkage, study.settings.output);
+    let columns = study.columns();
     let unit = |name: &str| {
         let column = columns.iter().find(|column| column.name == name);
         column.map_or("", |column| column.unit.as_str())

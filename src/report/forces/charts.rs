@@ -5,15 +5,30 @@ use crate::math::order::by_first;
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Band, Plot, Series};
 use crate::report::quantity::significant;
-use crate::studies::forces::{Column, columns};
+use crate::studies::forces::Column;
 
 /// All curves over the course.
 pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
     let study = report.study;
-    let all = columns(&study.linkage, study.settings.output);
+    let all = study.columns();
     let chart = |title: &str, names: &[(String, &str)]| over_course(report, &all, title, names);
     let one = |title: &str, name: &str| chart(title, &[(name.to_owned(), "")]);
-    let mut drive = vec![one("Driving force", "drive")];
+    let mut drive = match &study.several {
+        None => vec![one("Driving force", "drive")],
+        Some(several) => (several.spec.inputs.iter())
+            .map(|input| {
+                let name = format!("drive.{}", input.name);
+                one(&format!("Driving force at {}", input.name), &name)
+            })
+            .collect(),
+    };
+    if let Some(several) = &study.several {
+        let names = several.spec.inputs.iter();
+        let names: Vec<(String, &str)> = names
+            .map(|input| (format!("power.{}", input.name), input.name.as_str()))
+            .collect();
+        drive.push(chart("Power of the drivers", &names));
+    }
     drive.push(chart(
         "Power",
         &[
@@ -115,10 +130,7 @@ fn over_course(
         y: Axis::of(&unit),
         series: curves,
         bands: Band::plain(shaded(report)),
-        x: Axis::new(
-            if report.over_time() { "t" } else { "q" },
-            report.axis_unit(),
-        ),
+        x: Axis::new(report.axis_symbol(), report.axis_unit()),
         ..Plot::default()
     }
 }
@@ -164,7 +176,7 @@ pub(super) fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     ideal.push((0.0, 0.0));
     by_first(&mut ideal);
     let unit = |name: &str| {
-        let all = columns(&study.linkage, study.settings.output);
+        let all = study.columns();
         let column = all.into_iter().find(|column| column.name == name);
         column.map_or(String::new(), |column| column.unit)
     };
@@ -188,7 +200,7 @@ pub(super) fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
 pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let found = report.massless?;
     let study = report.study;
-    let all = columns(&study.linkage, study.settings.output);
+    let all = study.columns();
     let unit = all.into_iter().find(|column| column.name == "chi");
     let points = |chi: &[Option<f64>]| -> Vec<(f64, f64)> {
         let at = found.coordinates.iter().map(|q| report.axis_value(*q));

@@ -2,7 +2,7 @@
 
 use super::ForcesReport;
 use crate::studies::forces::{
-    Counterweight, CycleForces, Extreme, ForceStudy, MasslessComparison, NEGLIGIBLE, columns,
+    Counterweight, CycleForces, Extreme, ForceStudy, MasslessComparison, NEGLIGIBLE,
 };
 use serde_json::{Map, Value, json};
 
@@ -132,7 +132,7 @@ fn values(study: &ForceStudy) -> Value {
         let times = study.rows.iter().map(|row| row.time);
         object.insert("time".into(), list(times.collect(), "s"));
     }
-    for column in columns(&study.linkage, study.settings.output) {
+    for column in study.columns() {
         let values = study.rows.iter().map(|row| column.value(row));
         object.insert(column.name.clone(), list(values.collect(), &column.unit));
     }

@@ -66,12 +66,7 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
         spec: &study.linkage,
         frames: kept.iter().map(|(_, _, forces)| placed(forces)).collect(),
         axis: Axis {
-            name: if report.over_time() {
-                "time"
-            } else {
-                "input coordinate"
-            }
-            .to_owned(),
+            name: report.axis_name().to_owned(),
             unit: report.axis_unit().to_owned(),
             values: kept
                 .iter()

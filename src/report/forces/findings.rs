@@ -9,7 +9,7 @@ use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, T
 use crate::report::plot::{Plot, page::hodograph};
 use crate::report::quantity::{significant, with_unit};
 use crate::report::verdict::{Sort, Verdict};
-use crate::studies::forces::{Extreme, ForceStudy, columns};
+use crate::studies::forces::{Extreme, Extremes, ForceStudy};
 use std::fmt::Write as _;
 
 /// Most points of a hodograph.
@@ -72,17 +72,21 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
 /// Between what the driving force lies, and whether the balance of power closes.
 fn answer(report: &ForcesReport<'_>) -> Verdict {
     let study = report.study;
-    let drive = study.extremes.iter().find(|found| found.name == "drive");
-    let headline = match drive {
-        Some(drive) => {
-            let end = |end: &Extreme| match end.value.is_finite() {
-                true => with_unit(end.value, &drive.unit, DIGITS),
-                false => "unbounded".to_owned(),
-            };
-            let (least, greatest) = (end(&drive.least), end(&drive.greatest));
-            format!("Driving force from {least} to {greatest}.")
-        }
-        None => "No position has forces.".to_owned(),
+    let between = |drive: &Extremes| {
+        let end = |end: &Extreme| match end.value.is_finite() {
+            true => with_unit(end.value, &drive.unit, DIGITS),
+            false => "unbounded".to_owned(),
+        };
+        let at = drive.name.strip_prefix("drive.");
+        let at = at.map_or(String::new(), |input| format!("at {input} "));
+        format!("{at}from {} to {}", end(&drive.least), end(&drive.greatest))
+    };
+    let drives = (study.extremes.iter())
+        .filter(|found| found.name == "drive" || found.name.starts_with("drive."));
+    let drives: Vec<String> = drives.map(between).collect();
+    let headline = match drives.is_empty() {
+        false => format!("Driving force {}.", drives.join(", ")),
+        true => "No position has forces.".to_owned(),
     };
     let missing = study.rows.len().saturating_sub(study.solved().count());
     let balance = study.worst_balance();
@@ -153,8 +157,12 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
         figures.push(Figure::new(name, value(number, unit)));
     };
     if let Some(cycle) = &study.cycle {
-        let force = study.drive_unit();
-        add("work of the driver", cycle.drive_work, "J");
+        let force = study.several.is_none().then(|| study.drive_unit());
+        let drivers = match study.several {
+            None => "work of the driver",
+            Some(_) => "work of the drivers",
+        };
+        add(drivers, cycle.drive_work, "J");
         if study.settings.output.is_some() {
             add("work of the load", cycle.load_work, "J");
         }
@@ -166,8 +174,10 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
         if let Some(efficiency) = cycle.efficiency {
             add("efficiency", 100.0 * efficiency, "%");
         }
-        add("mean driving force", cycle.mean_drive, force);
-        add("its root mean square", cycle.rms_drive, force);
+        if let Some(force) = force {
+            add("mean driving force", cycle.mean_drive, force);
+            add("its root mean square", cycle.rms_drive, force);
+        }
     }
     if let Some(found) = &study.counterweight {
         let [before, after] = found.greatest;
@@ -189,7 +199,9 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
         ));
     };
     check("power balance", study.worst_balance());
-    check("influence coefficients", study.worst_influence());
+    if study.several.is_none() {
+        check("influence coefficients", study.worst_influence());
+    }
     figures
 }
 
@@ -212,7 +224,7 @@ fn extremes(report: &ForcesReport<'_>) -> Table {
 /// quantity has no value. χ stands with the name of its convention. The last column says why a
 /// position has no forces.
 pub fn rows(study: &ForceStudy) -> Rows {
-    let columns = columns(&study.linkage, study.settings.output);
+    let columns = study.columns();
     let timed = study.rows.iter().any(|row| row.time.is_some());
     let named = columns.iter().map(|column| {
         let name = match column.name.as_str() {
@@ -226,7 +238,11 @@ pub fn rows(study: &ForceStudy) -> Rows {
         }
     });
     let time = timed.then(|| "time [s]".to_owned());
-    let coordinate = format!("coordinate [{}]", study.coordinate_unit());
+    let coordinate = match study.several.as_ref().map(|several| several.axis) {
+        Some("time") => "time [s]".to_owned(),
+        Some("path") => "path".to_owned(),
+        _ => format!("coordinate [{}]", study.coordinate_unit()),
+    };
     let header = time.into_iter().chain([coordinate]).chain(named);
     let rows = study.rows.iter().map(|row| {
         let time = timed.then(|| row.time.into());

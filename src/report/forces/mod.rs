@@ -48,7 +48,27 @@ pub struct ForcesReport<'a> {
 impl ForcesReport<'_> {
     /// True when the course runs over time.
     fn over_time(&self) -> bool {
+        let several = self.study.several.as_ref();
         self.study.rows.iter().any(|row| row.time.is_some())
+            || several.is_some_and(|several| several.unit == "s")
+    }
+
+    /// Name of the course's parameter.
+    fn axis_name(&self) -> &'static str {
+        match (&self.study.several, self.over_time()) {
+            (Some(several), _) => several.axis,
+            (None, true) => "time",
+            (None, false) => "input coordinate",
+        }
+    }
+
+    /// Its symbol in charts.
+    fn axis_symbol(&self) -> &'static str {
+        match self.axis_name() {
+            "time" => "t",
+            "path" => "path",
+            _ => "q",
+        }
     }
 
     /// Unit of the course's parameter, angles in degrees.
@@ -70,11 +90,12 @@ impl ForcesReport<'_> {
 
     /// A place on the course for reading.
     fn place(&self, at: f64) -> String {
-        format!(
+        let place = format!(
             "{} {}",
             significant(self.axis_value(at), 6),
             self.axis_unit()
-        )
+        );
+        place.trim_end().to_owned()
     }
 }
 

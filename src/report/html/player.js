@@ -36,13 +36,16 @@ const machine = (() => {
     return [mixed[0], mixed[1], mixed[2] / size, mixed[3] / size];
   }
 
+  // A row of such a table as it is.
+  const exactly = (table, row) => (table[4 * row] === null ? null : [0, 1, 2, 3].map((k) => table[4 * row + k]));
+
   // Plays a figure: what moves in it, over the columns and charts of its page. It can be
   // given another motion, and other pictures of it, later.
   function player(figure, given, source) {
     let data, axis, key, values, times, closed, timed, count, columns, drawings, sets, words, cells, poses = [];
     let factor = given.magnify ? given.magnify.factor : 1;
     let place = 0, playing = false, last = null, clock = 0;
-    const controls = figure.querySelector(".controls");
+    const controls = figure.querySelector(".controls"), grid = given.sliders || null;
 
     function take(next, { columns: all, plots }) {
       data = next;
@@ -50,7 +53,7 @@ const machine = (() => {
       axis = data.axis || { name: "t", unit: "s", values: clockwork, times: clockwork, closed: false };
       // The charts whose horizontal axis this one is.
       const over = plots.map((plot) => plot.x).find((x) => x.unit === axis.unit);
-      key = over ? `${over.name} ${over.unit}` : null;
+      key = over && !grid ? `${over.name} ${over.unit}` : null;
       ({ values, times, closed } = axis);
       count = values.length;
       // Where the times say nothing, rows follow each other evenly.
@@ -90,7 +93,7 @@ const machine = (() => {
     }
 
     function placed(body, at) {
-      if (body.kind === "rows") return pose(body.table, at);
+      if (body.kind === "rows") return grid ? exactly(body.table, at) : pose(body.table, at);
       const q = coordinate(body, at);
       if (q === null || !isFinite(q)) return null;
       if (body.kind === "turn") {
@@ -139,6 +142,7 @@ const machine = (() => {
         cells[index].textContent = value === null ? "straight" : `${number(value)} ${reading.unit}`;
       });
       const value = between(values, at);
+      if (grid) { readings(); return value; }
       slider.value = data.axis ? at : clockAt(at);
       reading.textContent = minus(`${axis.name} ${data.axis ? +value.toPrecision(6) : number(value)} ${axis.unit}`);
       return value;
@@ -188,15 +192,33 @@ const machine = (() => {
       label.append(text, node);
       return node;
     };
-    const button = make("button", { type: "button", textContent: "play" });
-    button.addEventListener("click", toggle);
-    const slider = make("input", { type: "range", min: 0, max: data.axis ? count - 1 : 1, step: "any", value: 0 });
-    slider.setAttribute("aria-label", axis.name);
-    slider.addEventListener("input", () => { if (playing) toggle(); tell(show(data.axis ? +slider.value : rowAt(+slider.value))); });
-    const reading = make("output", {});
-    const pace = make("select", { title: "speed of playing" });
-    pace.setAttribute("aria-label", "speed of playing");
-    for (const [value, text] of [[0.1, "slowest"], [0.25, "slow"], [1, "normal"], [4, "fast"], [16, "fastest"]]) pace.add(new Option(text, value, value === 1, value === 1));
+    let button, slider, reading, pace, readings;
+    // A slider for each input of a grid; else one for the axis, and what plays it.
+    if (grid) {
+      let rest = data.start || 0;
+      const inputs = grid.map((input) => {
+        const last = input.values.length - 1, own = labelled("input", `${input.name} `, { type: "range", min: 0, max: last, step: 1, value: rest % (last + 1) });
+        rest = Math.floor(rest / (last + 1));
+        own.addEventListener("input", () => show(rowOfAll()));
+        return { own, input, told: make("output", {}) };
+      });
+      const rowOfAll = () => inputs.reduceRight((row, { own, input }) => row * input.values.length + +own.value, 0);
+      const state = make("output", {});
+      readings = () => {
+        for (const { own, input, told } of inputs) told.textContent = minus(`${number(input.values[+own.value])} ${input.unit}`);
+        state.textContent = poses.every((pose) => pose === null) ? "cannot be assembled" : "";
+      };
+    } else {
+      button = make("button", { type: "button", textContent: "play" });
+      button.addEventListener("click", toggle);
+      slider = make("input", { type: "range", min: 0, max: data.axis ? count - 1 : 1, step: "any", value: 0 });
+      slider.setAttribute("aria-label", axis.name);
+      slider.addEventListener("input", () => { if (playing) toggle(); tell(show(data.axis ? +slider.value : rowAt(+slider.value))); });
+      reading = make("output", {});
+      pace = make("select", { title: "speed of playing" });
+      pace.setAttribute("aria-label", "speed of playing");
+      for (const [value, text] of [[0.1, "slowest"], [0.25, "slow"], [1, "normal"], [4, "fast"], [16, "fastest"]]) pace.add(new Option(text, value, value === 1, value === 1));
+    }
     if (data.magnify) {
       const choice = labelled("select", "deflection δ ", { title: "factor by which the deflection is magnified" });
       for (const value of data.magnify.choices) choice.add(new Option(value === 1 ? "true to scale" : `× ${value}`, value, value === factor, value === factor));
@@ -234,7 +256,7 @@ const machine = (() => {
       pointed(event, lines);
     });
     figure.addEventListener("pointerleave", (event) => pointed(event, null));
-    show(0);
+    show(grid ? data.start || 0 : 0);
 
     // Another motion at the same instant; `pictures`: what it is drawn in now, where that is another.
     function update(next, source, pictures) {

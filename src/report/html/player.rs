@@ -13,6 +13,13 @@ pub(in crate::report) struct Player {
     /// Axis that leads from one row to the next; `None`: the time of the page's plots,
     /// whose cursors then go with it.
     pub(in crate::report) axis: Option<RowAxis>,
+    /// Inputs with sliders of their own, in place of the axis: the rows are a grid over them,
+    /// the first one fastest.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(in crate::report) sliders: Vec<Slider>,
+    /// Of a grid the row that is shown first.
+    #[serde(skip_serializing_if = "is_first")]
+    pub(in crate::report) start: usize,
     /// How long the whole axis is played at normal speed (s).
     pub(in crate::report) seconds: f64,
     /// Coordinates that parts follow.
@@ -49,6 +56,23 @@ pub(in crate::report) struct RowAxis {
     pub(in crate::report) times: Vec<Option<f64>>,
     /// True when the first row follows the last.
     pub(in crate::report) closed: bool,
+}
+
+/// An input with a slider of its own.
+#[derive(Clone, Debug, Serialize)]
+pub(in crate::report) struct Slider {
+    /// Name of the input.
+    pub(in crate::report) name: String,
+    /// The unit in which it is shown.
+    pub(in crate::report) unit: String,
+    /// Its values.
+    pub(in crate::report) values: Vec<Option<f64>>,
+}
+
+/// True of the row that is shown first unless another is told.
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "as serde asks for it")]
+fn is_first(row: &usize) -> bool {
+    *row == 0
 }
 
 /// A coordinate over the rows.

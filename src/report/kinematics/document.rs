@@ -1,6 +1,8 @@
 //! The kinematics as one JSON document.
 
-use crate::studies::kinematics::Kinematics;
+use crate::dynamics::model::Coordinate;
+use crate::kinematics::linkage::multi::SingularCurve;
+use crate::studies::kinematics::{Kinematics, Plane, PlaneInput};
 use serde_json::{Map, Value, json};
 
 /// Everything, in SI units: structure, summary, and every column.
@@ -24,7 +26,7 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
             }),
         );
     }
-    json!({
+    let mut document = json!({
         "dam": 1,
         "scene": scene,
         "hash": hash,
@@ -41,6 +43,33 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
         })),
         "warnings": found.warnings,
         "columns": columns,
+    });
+    if let (Some(plane), Some(own)) = (&found.plane, document.as_object_mut()) {
+        own.insert("singular_positions".to_owned(), singular(found, plane));
+    }
+    document
+}
+
+/// The singular positions over two inputs.
+fn singular(found: &Kinematics, plane: &Plane) -> Value {
+    let input = |input: &PlaneInput| {
+        let unit = match input.coordinate {
+            Coordinate::Turning => "rad",
+            Coordinate::Sliding => "m",
+        };
+        json!({ "name": input.name, "unit": unit, "from": input.range[0], "to": input.range[1] })
+    };
+    let structure = found.linkage.structure();
+    let curve = |curve: &SingularCurve| {
+        json!({
+            "group": structure.describe(curve.group),
+            "closed": curve.closed,
+            "points": curve.points,
+        })
+    };
+    json!({
+        "inputs": plane.inputs.each_ref().map(input),
+        "curves": plane.curves.iter().map(curve).collect::<Vec<_>>(),
     })
 }
 

@@ -1,12 +1,14 @@
 //! What the kinematics of a linkage comes to.
 
-use super::{drawing, input, place, plots};
+use super::{drawing, input, place, plots, several};
 use crate::dynamics::model::Coordinate;
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
 use crate::report::quantity::{significant, with_unit};
 use crate::report::verdict::{Sort, Verdict};
-use crate::studies::kinematics::{Column, Equilibrium, Extremes, Kinematics, Quantity, Stroke};
+use crate::studies::kinematics::{
+    AnyLinkage, Column, Equilibrium, Extremes, Kinematics, Quantity, Stroke,
+};
 use std::f64::consts::TAU;
 
 /// An error above this share of a quantity would be seen in its digits.
@@ -21,7 +23,9 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
     let [from, to] = ends.map(|end| end.map_or("–".to_owned(), |&at| place(found, at)));
     let mut sections = vec![
         Section::default().drawing(move |_| drawing(found).section("mechanism")),
+        several::machine(found),
         structure(found),
+        several::singular(found),
         Section::new("Strokes").table(strokes(found)),
         transmission(found),
     ];
@@ -71,12 +75,17 @@ fn answer(found: &Kinematics) -> Verdict {
 fn structure<'a>(found: &Kinematics) -> Section<'a> {
     let structure = found.linkage.structure();
     let groups = (0..structure.groups.len()).map(|group| structure.describe(group));
-    let turning = found.input == Coordinate::Turning;
-    let reach = found.linkage.range().describe(structure, turning);
+    let reach = match &found.linkage {
+        AnyLinkage::One(linkage) => {
+            let turning = found.input == Coordinate::Turning;
+            format!("Input: {}.", linkage.range().describe(structure, turning))
+        }
+        AnyLinkage::Several(linkage) => several::inputs(found, linkage),
+    };
     Section::new("Structure")
         .words(structure.explanation.clone())
         .item(Item::Notes(groups.collect()))
-        .words(format!("Input: {reach}."))
+        .words(reach)
 }
 
 /// A value and where it is.

@@ -4,6 +4,7 @@ mod document;
 mod drawing;
 mod findings;
 mod plots;
+mod several;
 
 pub use document::document;
 pub use drawing::{drawing, picture};
@@ -20,7 +21,12 @@ fn place(found: &Kinematics, at: f64) -> String {
 
 /// An input coordinate for reading.
 fn input(found: &Kinematics, at: f64) -> String {
-    let unit = match found.input {
+    coordinate(found.input, at)
+}
+
+/// A value of a coordinate for reading.
+fn coordinate(own: Coordinate, at: f64) -> String {
+    let unit = match own {
         Coordinate::Turning => "rad",
         Coordinate::Sliding => "m",
     };

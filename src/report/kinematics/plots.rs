@@ -86,12 +86,11 @@ fn names<T>(list: &[T], name: impl Fn(&T) -> String) -> Vec<String> {
 /// One chart a unit; what is zero throughout gets none.
 fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity) -> Vec<Plot> {
     let mut charts: Vec<Plot> = Vec::new();
-    for owner in owners {
-        let mut columns = found.columns.iter();
-        let column = columns.find(|column| &column.owner == owner && column.quantity == quantity);
-        let Some(column) = column.filter(|column| column.values.iter().any(|&v| v != 0.0)) else {
-            continue;
-        };
+    let own = owners.iter().flat_map(|owner| {
+        let columns = found.columns.iter();
+        columns.filter(move |column| &column.owner == owner && column.quantity == quantity)
+    });
+    for column in own.filter(|column| column.values.iter().any(|&v| v != 0.0)) {
         let curve = curve(found, column);
         let unit = if column.unit == "1" {
             ""
@@ -116,6 +115,7 @@ fn axis(found: &Kinematics) -> Axis {
     let (symbol, unit) = match found.axis.unit {
         "rad" => ("q", "deg"),
         "m" => ("q", "m"),
+        "" => ("path", ""),
         unit => ("t", unit),
     };
     Axis::new(symbol, unit)
@@ -126,7 +126,12 @@ fn curve(found: &Kinematics, column: &Column) -> Series {
     let place = |at: f64| if degrees { at.to_degrees() } else { at };
     let points = found.axis.values.iter().zip(&column.values);
     let points = points.map(|(&at, &value)| (place(at), value));
-    Series::line(short(&column.owner), points.collect())
+    let owner = short(&column.owner);
+    let label = match &column.by {
+        Some(input) => format!("{owner} by {input}"),
+        None => owner.to_owned(),
+    };
+    Series::line(&label, points.collect())
 }
 
 /// An owner without the word that says what it is: the heading says that.

@@ -2,7 +2,7 @@
 
 use super::looks::{ground, hatching, plain};
 use super::values::Values;
-use crate::report::plot::contour::contours;
+use crate::math::contour::contours;
 use crate::report::plot::palette::SHADES;
 use crate::report::plot::{
     Axis, Contour, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape,

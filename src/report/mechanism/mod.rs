@@ -58,8 +58,19 @@ pub struct Drawing<'a> {
     pub arrows: Vec<ArrowSet>,
 }
 
-/// Axis of a drawing: a quantity that leads from one position to the next.
+/// An input that has a slider of its own.
 #[derive(Clone, Debug)]
+pub struct GridAxis {
+    /// Name of the input.
+    pub name: String,
+    /// The unit in which it is shown.
+    pub unit: String,
+    /// Values, in that unit.
+    pub values: Vec<f64>,
+}
+
+/// Axis of a drawing: a quantity that leads from one position to the next.
+#[derive(Clone, Debug, Default)]
 pub struct Axis {
     /// Name: `crank angle`, `time`.
     pub name: String,

@@ -1,8 +1,8 @@
 //! The linkage as a stand-alone picture and as a moving part of a page.
 
 use super::view::View;
-use super::{Drawing, arrows, parts};
-use crate::report::html::player::{Arrows, Body, Player, RowAxis, short};
+use super::{Drawing, GridAxis, arrows, parts};
+use crate::report::html::player::{Arrows, Body, Player, RowAxis, Slider, short};
 use crate::report::plot::{coordinate, document};
 use crate::report::quantity::{escape, significant};
 
@@ -50,15 +50,40 @@ impl Drawing<'_> {
     /// several, told apart by `id`.
     pub fn section(&self, id: &str) -> String {
         let view = View::of(self);
+        let player = self.player(id, &view);
+        player.figure(&self.picture(&view, 0))
+    }
+
+    /// The picture with a slider for each input: the positions are those of a grid over them,
+    /// the first input fastest; `start` is shown first.
+    pub fn section_over(&self, id: &str, axes: &[GridAxis], start: usize) -> String {
+        let view = View::of(self);
+        let slider = |axis: &GridAxis| Slider {
+            name: axis.name.clone(),
+            unit: axis.unit.clone(),
+            values: axis.values.iter().map(|v| short(*v, 6)).collect(),
+        };
+        let player = Player {
+            axis: Some(RowAxis {
+                values: (0..self.frames.len()).map(|row| Some(row as f64)).collect(),
+                ..RowAxis::default()
+            }),
+            sliders: axes.iter().map(slider).collect(),
+            start,
+            ..self.player(id, &view)
+        };
+        player.figure(&self.picture(&view, start))
+    }
+
+    fn picture(&self, view: &View, frame: usize) -> String {
         let (w, h) = (coordinate(view.width), coordinate(view.height));
-        let picture = format!(
+        format!(
             "<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
              aria-label=\"the mechanism, to scale\">\n{markers}\n{parts}{layer}</svg>\n",
             markers = arrows::markers(self),
-            parts = parts::picture(self, &view, 0),
-            layer = arrows::layer(self, &view, 0),
-        );
-        self.player(id, &view).figure(&picture)
+            parts = parts::picture(self, view, frame),
+            layer = arrows::layer(self, view, frame),
+        )
     }
 
     /// The parts at a position, without arrows.

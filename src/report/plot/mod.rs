@@ -6,7 +6,6 @@
 //! * `frame`: where frame, title and legend stand; `draw`: the picture;
 //! * `palette`: all colours, light and dark; `page`: the data of a page for `plot.js`.
 
-pub(in crate::report) mod contour;
 mod draw;
 pub(in crate::report) mod field;
 mod frame;

@@ -1,6 +1,7 @@
 //! The quantities of a position by name: what tables, files and plots show.
 
 use super::row::{Forces, Row};
+use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind, PairKind};
 
 /// Reads a quantity from a position; `None` where it has no value.
@@ -77,10 +78,55 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
         let unit = over([force, of_kind(kind, linkage)[1]]);
         list.extend(of_ratio_changes(linkage, &unit));
     }
-    list.push(Column::new("solutions", "", false, |_, f| {
-        Some(f.solved.solutions as f64)
-    }));
+    list.push(solutions());
     list
+}
+
+/// All quantities of a linkage of several inputs, in the order of tables; `power.drive` is
+/// that of all drivers together.
+pub fn columns_of_inputs(spec: &MultiSpec) -> Vec<Column> {
+    let linkage = &spec.linkage;
+    let mut list = Vec::new();
+    for (index, input) in spec.inputs.iter().enumerate() {
+        let [coordinate, force] = match input.coordinate.slides(linkage) {
+            true => ["m", "N"],
+            false => ["rad", "N m"],
+        };
+        let mut add = |what: &str, unit: String, figure, read: fn(&Forces, usize) -> f64| {
+            let name = match what {
+                "drive" | "power" => format!("{what}.{}", input.name),
+                _ => format!("{}.{what}", input.name),
+            };
+            list.push(Column::new(name, &unit, figure, move |_, f| {
+                Some(read(f, index))
+            }));
+        };
+        let unit = |per: &str| format!("{coordinate}{per}");
+        add("displacement", unit(""), false, |f, k| {
+            f.inputs[k].coordinate
+        });
+        add("speed", unit("/s"), false, |f, k| f.inputs[k].speed);
+        add("acceleration", unit("/s^2"), false, |f, k| {
+            f.inputs[k].acceleration
+        });
+        add("drive", force.to_owned(), true, |f, k| f.drives[k]);
+        add("power", "W".to_owned(), true, |f, k| {
+            f.drives[k] * f.inputs[k].speed
+        });
+    }
+    for (index, pair) in linkage.pairs.iter().enumerate() {
+        list.extend(of_pair(index, &pair.name, &pair.kind));
+    }
+    list.extend(of_power());
+    list.extend(of_frame());
+    list.push(solutions());
+    list
+}
+
+fn solutions() -> Column {
+    Column::new("solutions", "", false, |_, f| {
+        Some(f.solved.solutions as f64)
+    })
 }
 
 /// Units of an output's displacement and load.

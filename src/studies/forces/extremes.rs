@@ -1,6 +1,6 @@
 //! Least and greatest values over what is free, between the positions too.
 
-use super::columns::{Column, columns};
+use super::columns::Column;
 use super::row::{Row, Solver};
 use super::zones::{Zone, ZoneKind, approach, free_sides, unbounded};
 use super::{Course, PositionSource};
@@ -42,8 +42,8 @@ pub(super) fn find<S: PositionSource>(
     course: &Course,
     rows: &[Row],
     zones: &[Zone],
+    all: &[Column],
 ) -> (Vec<Extremes>, Vec<(String, f64)>) {
-    let all = columns(solver.kinetostatics().spec(), solver.output());
     let samples = samples(solver, course, rows);
     let edges = edges(solver, course, zones);
     let mut seeker = Seeker {

@@ -1,6 +1,7 @@
 //! Figures of a study by name, as a scene's expectations address them.
 
-use super::{CycleForces, Extremes, ForceStudy, columns};
+use super::{Column, CycleForces, Extremes, ForceStudy, columns, columns_of_inputs};
+use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::studies::kinematics::ENDS;
 
@@ -28,15 +29,29 @@ const COUNTERWEIGHT: [&str; 6] = [
 /// Names of all figures that a study of this linkage can have, but those of its
 /// zones (`zones.0.from`), whose number is not known before.
 pub fn figures(linkage: &LinkageSpec, output: Option<usize>) -> Vec<String> {
-    let columns = columns(linkage, output).into_iter();
-    let columns = columns.filter(|column| column.figure);
+    let mut names = names(&columns(linkage, output), linkage, &CYCLE);
+    names.extend(COUNTERWEIGHT.map(|name| format!("counterweight.{name}")));
+    names
+}
+
+/// The same of a linkage of several inputs.
+pub fn figures_of_inputs(spec: &MultiSpec) -> Vec<String> {
+    // There is no one driving force whose mean could be told.
+    names(
+        &columns_of_inputs(spec),
+        &spec.linkage,
+        &CYCLE[..CYCLE.len() - 2],
+    )
+}
+
+fn names(columns: &[Column], linkage: &LinkageSpec, cycle: &[&str]) -> Vec<String> {
+    let columns = columns.iter().filter(|column| column.figure);
     let mut names: Vec<String> = columns
         .flat_map(|column| ENDS.map(|end| format!("{}.{end}", column.name)))
         .collect();
-    names.extend(CYCLE.map(|name| format!("cycle.{name}")));
+    names.extend(cycle.iter().map(|name| format!("cycle.{name}")));
     let pairs = linkage.pairs.iter();
     names.extend(pairs.map(|pair| format!("cycle.losses.{}", pair.name)));
-    names.extend(COUNTERWEIGHT.map(|name| format!("counterweight.{name}")));
     names.push("zones.count".to_owned());
     names
 }
@@ -103,8 +118,8 @@ impl ForceStudy {
             "applied_work" => Some(cycle.applied_work),
             "loss" => Some(cycle.loss),
             "efficiency" => cycle.efficiency,
-            "mean_drive" => Some(cycle.mean_drive),
-            "rms_drive" => Some(cycle.rms_drive),
+            "mean_drive" if self.several.is_none() => Some(cycle.mean_drive),
+            "rms_drive" if self.several.is_none() => Some(cycle.rms_drive),
             _ => None,
         }
     }

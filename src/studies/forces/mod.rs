@@ -12,17 +12,19 @@ mod loads;
 mod massless;
 mod row;
 mod scan;
+mod several;
 mod zones;
 
 pub use asked::{LinkagePositions, course_of, course_of_record, only_loaded_output};
-pub use columns::{Column, columns};
+pub use columns::{Column, columns, columns_of_inputs};
 pub use counterweight::Counterweight;
 pub use course::{Course, Instant, PositionSource};
 pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
-pub use figures::figures;
+pub use figures::{figures, figures_of_inputs};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
 pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
+pub use several::{SeveralDrives, several_forces};
 pub use zones::{Zone, ZoneKind};
 
 use crate::fault::Fault;
@@ -82,6 +84,8 @@ pub struct ForceStudy {
     pub zones: Vec<Zone>,
     /// The counterweight on the input link that reduces the shaking force most.
     pub counterweight: Option<Counterweight>,
+    /// Of a linkage of several inputs what belongs to these.
+    pub several: Option<SeveralDrives>,
 }
 
 /// Solves all positions of a course.
@@ -97,7 +101,22 @@ pub fn study<S: PositionSource>(
     settings: ForceSettings,
 ) -> Result<ForceStudy, Vec<Fault>> {
     let kinetostatics = Kinetostatics::new(linkage)?;
-    let mut solver = Solver::new(&kinetostatics, source, &settings);
+    let columns = columns(linkage, settings.output);
+    let mut study = solved(&kinetostatics, source, course, settings, &columns);
+    // The end of a turn counts once.
+    study.counterweight = counterweight::fit(linkage, &study.rows[..study.course.len()]);
+    Ok(study)
+}
+
+/// Solves all positions of a course, of one input or of several.
+fn solved<S: PositionSource>(
+    kinetostatics: &Kinetostatics,
+    source: &mut S,
+    course: Course,
+    settings: ForceSettings,
+    columns: &[Column],
+) -> ForceStudy {
+    let mut solver = Solver::new(kinetostatics, source, &settings);
     let rows: Vec<Row> = (0..course.rows())
         .map(|index| {
             let mut row = solver.row(&course.instant(index), true);
@@ -108,20 +127,20 @@ pub fn study<S: PositionSource>(
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
     let zones = zones::find(&mut solver, &course);
-    let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones);
+    let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones, columns);
     let cycle = cycle::sum(&mut solver, &course, positions);
-    let counterweight = counterweight::fit(linkage, positions);
-    Ok(ForceStudy {
+    ForceStudy {
         course,
         settings,
-        linkage: linkage.clone(),
+        linkage: kinetostatics.spec().clone(),
         rows,
         extremes,
         unbounded,
         cycle,
         zones,
-        counterweight,
-    })
+        counterweight: None,
+        several: None,
+    }
 }
 
 impl ForceStudy {
@@ -131,8 +150,20 @@ impl ForceStudy {
         rows.filter_map(|row| row.forces.as_ref().ok().map(|forces| (row, forces)))
     }
 
-    /// Unit of the input coordinate.
+    /// All quantities, in the order of tables.
+    pub fn columns(&self) -> Vec<Column> {
+        match &self.several {
+            Some(several) => columns_of_inputs(&several.spec),
+            None => columns(&self.linkage, self.settings.output),
+        }
+    }
+
+    /// Unit of what leads from row to row where that is not the time of a record: the input
+    /// coordinate, or of several inputs what these say.
     pub fn coordinate_unit(&self) -> &'static str {
+        if let Some(several) = &self.several {
+            return several.unit;
+        }
         match self.linkage.pairs[self.linkage.driver].kind {
             PairKind::Revolute { .. } => "rad",
             PairKind::Sliding { .. } => "m",

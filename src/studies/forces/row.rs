@@ -39,8 +39,13 @@ impl fmt::Display for Trouble {
 /// Forces at a position.
 #[derive(Clone, Debug)]
 pub struct Forces {
-    /// The driving moment or force M₁ (N·m or N).
+    /// The driving moment or force M₁ (N·m or N); of several inputs the power of all drivers
+    /// (W).
     pub drive: f64,
+    /// The driving force at every input (N·m or N): one, or those of several.
+    pub drives: Vec<f64>,
+    /// Motions of several inputs; none of one.
+    pub inputs: Vec<InputMotion>,
     /// Qualities of the solution.
     pub solved: Solved,
     /// Driving forces of further solutions.
@@ -140,11 +145,6 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         self.source.singular()
     }
 
-    /// The output asked for.
-    pub(super) fn output(&self) -> Option<usize> {
-        self.settings.output
-    }
-
     /// Solves a position; sensitivities and checks only in `full`.
     pub(super) fn row(&mut self, instant: &Instant, full: bool) -> Row {
         Row {
@@ -167,9 +167,17 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         if motion.acceleration == 0.0 {
             options.direction = options.direction.or(instant.direction);
         }
-        let solved = solver
-            .solve(positions, motion, &options, w)
-            .map_err(Trouble::Failure)?;
+        let inputs = positions.inputs();
+        let solved = match solver.is_over_time() {
+            true => {
+                let rates: Vec<f64> = inputs.iter().map(|input| input.speed).collect();
+                solver.solve_over_time(positions, &rates, &options, w)
+            }
+            false => solver.solve(positions, motion, &options, w),
+        };
+        let solved = solved.map_err(Trouble::Failure)?;
+        // Of several inputs there is no one force that changes, and no one ratio.
+        let full = full && !solver.is_over_time();
         let output = self.settings.output;
         let transmission =
             output.map(|output| solver.transmission(output, &self.loads, motion.coordinate, w));
@@ -183,6 +191,8 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         });
         Ok(Forces {
             drive: w.drive(),
+            drives: w.drives().to_vec(),
+            inputs,
             solved,
             others: w.other_drives().to_vec(),
             pairs: (0..solver.spec().pairs.len())

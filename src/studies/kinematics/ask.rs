@@ -54,6 +54,40 @@ pub struct Question {
     pub duration: f64,
     /// A place on the axis that shall have a row of its own.
     pub also: Option<f64>,
+    /// Of a linkage of several inputs: what is said of each. Those that nothing is said of
+    /// stay where the scene starts; where nothing is said of any, all follow the scene's
+    /// drives over time, or, where these are not known, the first goes as far as it can.
+    pub inputs: Vec<InputCourse>,
+}
+
+/// What one of several inputs does over a study.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InputCourse {
+    /// Name of the input.
+    pub name: String,
+    /// Where it goes; `None`: it stays where the scene starts.
+    pub over: Option<InputOver>,
+    /// Its speed at every position (rad/s or m/s); left out: that of the way, on which the
+    /// first input that moves has the speed of its uniform drive, else 1.
+    pub speed: Option<f64>,
+    /// Its acceleration at every position; left out: 0.
+    pub acceleration: Option<f64>,
+}
+
+/// Where one of several inputs goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum InputOver {
+    /// It is held at a value (rad or m).
+    At(f64),
+    /// It goes evenly from one value to another, all that move together.
+    Range {
+        /// From here.
+        from: f64,
+        /// To here.
+        to: f64,
+    },
+    /// A turn, or as far as it goes, the others held.
+    Free,
 }
 
 impl Default for Question {
@@ -67,6 +101,7 @@ impl Default for Question {
             acceleration: None,
             duration: 0.0,
             also: None,
+            inputs: Vec::new(),
         }
     }
 }
@@ -97,6 +132,12 @@ impl<'a> Asked<'a> {
     /// What cannot be answered, in words.
     pub fn new(model: &'a Model, question: &Question) -> Result<Self, String> {
         let subject = Subject::of(model, question.object.as_deref())?;
+        if let Some(input) = question.inputs.first() {
+            return Err(format!(
+                "`{}` has one input and none called `{}`: ask for a turn, a range or time",
+                subject.object, input.name
+            ));
+        }
         Self::of(model, subject, question)
     }
 

@@ -200,16 +200,27 @@ pub(super) fn unit_of(coordinate: Coordinate) -> &'static str {
     }
 }
 
+/// Name of a column.
+pub(super) fn name(owner: &str, quantity: Quantity, by: Option<&str>) -> String {
+    let name = format!("{owner}.{}", quantity.name());
+    match by {
+        Some(input) => format!("{name}.{input}"),
+        None => name,
+    }
+}
+
 /// A column without its values.
 pub(super) struct Heading {
     pub(super) owner: String,
     pub(super) quantity: Quantity,
+    /// Of a transfer function: the input, where there are several.
+    pub(super) by: Option<String>,
     pub(super) unit: String,
     /// True for an angle and its derivatives.
     pub(super) turning: bool,
 }
 
-fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
+pub(super) fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
     let unit = match quantity.shape() {
         Unit::Time(0) => own.to_owned(),
         Unit::Time(1) => format!("{own}/s"),
@@ -219,6 +230,7 @@ fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
     Heading {
         owner: owner.to_owned(),
         quantity,
+        by: None,
         unit,
         turning: own == "rad",
     }
@@ -234,7 +246,7 @@ fn transfer_unit(own: &str, input: &str, order: u8) -> String {
     }
 }
 
-const LINK: [Quantity; 6] = [
+pub(super) const LINK: [Quantity; 6] = [
     Quantity::Angle,
     Quantity::AngularSpeed,
     Quantity::AngularAcceleration,
@@ -242,8 +254,8 @@ const LINK: [Quantity; 6] = [
     Quantity::Second,
     Quantity::Third,
 ];
-const CENTRE: [Quantity; 2] = [Quantity::InstantCentreX, Quantity::InstantCentreY];
-const POINT: [Quantity; 17] = [
+pub(super) const CENTRE: [Quantity; 2] = [Quantity::InstantCentreX, Quantity::InstantCentreY];
+pub(super) const POINT: [Quantity; 17] = [
     Quantity::X,
     Quantity::Y,
     Quantity::SpeedX,
@@ -262,7 +274,7 @@ const POINT: [Quantity; 17] = [
     Quantity::AccelerationAcross,
     Quantity::CurvatureRadius,
 ];
-const OUTPUT: [Quantity; 6] = [
+pub(super) const OUTPUT: [Quantity; 6] = [
     Quantity::Displacement,
     Quantity::Speed,
     Quantity::Acceleration,
@@ -270,7 +282,7 @@ const OUTPUT: [Quantity; 6] = [
     Quantity::Second,
     Quantity::Third,
 ];
-const SLIDE: [Quantity; 12] = [
+pub(super) const SLIDE: [Quantity; 12] = [
     Quantity::Displacement,
     Quantity::RelativeSpeed,
     Quantity::RelativeAcceleration,

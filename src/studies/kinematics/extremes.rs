@@ -1,22 +1,19 @@
 //! Least and greatest values, located between the rows.
 
-use super::ask::Asked;
-use super::values;
 use super::{Column, Extremes};
-use crate::kinematics::linkage::Workspace;
 use crate::math::optimise::{Peak, brent};
 
 /// Part of the bracket to which an extreme is located: values nearer to it differ by rounding
 /// only.
 const LOCATED: f64 = 1e-9;
 
-/// Extremes of every column over the places of its rows.
-pub(super) fn extremes(asked: &Asked<'_>, places: &[f64], columns: &[Column]) -> Vec<Extremes> {
-    let mut seeker = Seeker {
-        asked,
-        work: asked.linkage.workspace(),
-        values: Vec::new(),
-    };
+/// Extremes of every column over the places of its rows; `at`: the value of a column at a
+/// place beside a row.
+pub(super) fn extremes(
+    places: &[f64],
+    columns: &[Column],
+    at: &mut dyn FnMut(f64, usize, usize) -> f64,
+) -> Vec<Extremes> {
     let mut all = Vec::with_capacity(columns.len());
     for (index, column) in columns.iter().enumerate() {
         let mut find = |sign: f64| {
@@ -26,7 +23,7 @@ pub(super) fn extremes(asked: &Asked<'_>, places: &[f64], columns: &[Column]) ->
                 if column.undetermined > 0 || is_level(column) {
                     return (places[row], column.values[row]);
                 }
-                let mut at = |place: f64| seeker.at(place, index);
+                let mut at = |place: f64| at(place, row, index);
                 located(places, &column.values, row, sign, &mut at)
             })
         };
@@ -59,29 +56,6 @@ pub(super) fn greatest_row(values: &[f64], sign: f64) -> Option<usize> {
         }
     }
     best
-}
-
-struct Seeker<'q, 'a> {
-    asked: &'q Asked<'a>,
-    work: Workspace,
-    values: Vec<f64>,
-}
-
-impl Seeker<'_, '_> {
-    /// The value of a column at a place.
-    fn at(&mut self, place: f64, column: usize) -> f64 {
-        let q = self.asked.input_at(place);
-        if self
-            .asked
-            .linkage
-            .solve(q.value, 3, &mut self.work)
-            .is_err()
-        {
-            return f64::NAN;
-        }
-        values::values(self.asked, &self.work, q, &mut self.values);
-        self.values[column]
-    }
 }
 
 /// The extreme of sign·value next to a row, between its neighbours, by Brent's method.

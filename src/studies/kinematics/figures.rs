@@ -1,7 +1,8 @@
 //! Figures of a study by name, as a scene's expectations address them.
 
-use super::columns::headings;
+use super::columns::{Heading, headings, name};
 use super::{Asked, Extremes, Kinematics};
+use crate::kinematics::linkage::spec::LinkageSpec;
 
 /// Ends of a quantity: value and place.
 pub(in crate::studies) const ENDS: [&str; 4] = ["least", "greatest", "least_at", "greatest_at"];
@@ -16,25 +17,29 @@ const STROKE: [&str; 4] = [
 impl Asked<'_> {
     /// Names of all figures that a study of this question can have.
     pub fn figures(&self) -> Vec<String> {
-        let mut names = Vec::new();
-        for heading in headings(self) {
-            let column = format!("{}.{}", heading.owner, heading.quantity.name());
-            names.extend(ENDS.map(|end| format!("{column}.{end}")));
-        }
-        let spec = self.linkage.spec();
-        let outputs = spec.outputs.iter().map(|output| output.name.clone());
-        let slides = spec.pairs.iter().filter(|pair| pair.slides());
-        let slides = slides.map(|pair| format!("pairs.{}", pair.name));
-        for owner in outputs.chain(slides) {
-            names.extend(STROKE.map(|what| format!("{owner}.{what}")));
-        }
-        for link in &spec.links {
-            let owner = format!("transmission_angles.{}", link.name);
-            names.extend(ENDS.map(|end| format!("{owner}.{end}")));
-        }
-        names.extend(["limits.lower".to_owned(), "limits.upper".to_owned()]);
-        names
+        names_of(&headings(self), self.linkage.spec())
     }
+}
+
+/// Names of all figures of a study with these columns.
+pub(super) fn names_of(headings: &[Heading], spec: &LinkageSpec) -> Vec<String> {
+    let mut names = Vec::new();
+    for heading in headings {
+        let column = name(&heading.owner, heading.quantity, heading.by.as_deref());
+        names.extend(ENDS.map(|end| format!("{column}.{end}")));
+    }
+    let outputs = spec.outputs.iter().map(|output| output.name.clone());
+    let slides = spec.pairs.iter().filter(|pair| pair.slides());
+    let slides = slides.map(|pair| format!("pairs.{}", pair.name));
+    for owner in outputs.chain(slides) {
+        names.extend(STROKE.map(|what| format!("{owner}.{what}")));
+    }
+    for link in &spec.links {
+        let owner = format!("transmission_angles.{}", link.name);
+        names.extend(ENDS.map(|end| format!("{owner}.{end}")));
+    }
+    names.extend(["limits.lower".to_owned(), "limits.upper".to_owned()]);
+    names
 }
 
 impl Kinematics {

@@ -7,20 +7,66 @@ mod columns;
 mod equilibria;
 mod extremes;
 mod figures;
+mod rows;
+mod several;
 mod study;
 mod subject;
 mod summary;
 mod values;
 
-pub use ask::{Asked, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel};
+pub use ask::{
+    Asked, InputCourse, InputOver, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel,
+};
 pub use columns::Quantity;
 pub use equilibria::Equilibrium;
 pub(in crate::studies) use figures::ENDS;
+pub use several::{AskedSeveral, several_kinematics};
 pub use study::{even_motion, kinematics};
-pub use subject::{Subject, linkage_of, reaches};
+pub use subject::{Subject, linkage_of, reaches, several_of};
 
-use crate::dynamics::model::Coordinate;
-use crate::kinematics::linkage::Linkage;
+use crate::dynamics::model::{Coordinate, Model};
+use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
+use crate::kinematics::linkage::spec::LinkageSpec;
+use crate::kinematics::linkage::{Linkage, Structure};
+
+/// Positions, speeds and accelerations of the linkage that a question names, of one input or
+/// of several.
+///
+/// # Errors
+/// What cannot be answered, in words.
+pub fn kinematics_of(model: &Model, question: &Question) -> Result<Kinematics, String> {
+    Ok(match several_of(model, question.object.as_deref()) {
+        Some(body) => several_kinematics(&AskedSeveral::new(model, body, question)?),
+        None => kinematics(&Asked::new(model, question)?),
+    })
+}
+
+/// A linkage of one input or of several.
+#[derive(Clone, Debug)]
+pub enum AnyLinkage {
+    /// One input.
+    One(Linkage),
+    /// Several inputs.
+    Several(MultiLinkage),
+}
+
+impl AnyLinkage {
+    /// Links, pairs, forces and outputs.
+    pub fn spec(&self) -> &LinkageSpec {
+        match self {
+            Self::One(linkage) => linkage.spec(),
+            Self::Several(linkage) => &linkage.spec().linkage,
+        }
+    }
+
+    /// Mobility and groups.
+    pub fn structure(&self) -> &Structure {
+        match self {
+            Self::One(linkage) => linkage.structure(),
+            Self::Several(linkage) => linkage.structure(),
+        }
+    }
+}
 
 /// Findings of a study of kinematics.
 #[derive(Clone, Debug)]
@@ -28,8 +74,8 @@ pub struct Kinematics {
     /// The object's id.
     pub object: String,
     /// The linkage.
-    pub linkage: Linkage,
-    /// Whether the input turns or slides.
+    pub linkage: AnyLinkage,
+    /// Whether the input turns or slides; of several the one along the axis.
     pub input: Coordinate,
     /// Axis that leads from row to row.
     pub axis: Axis,
@@ -57,14 +103,54 @@ pub struct Kinematics {
     pub limits: Vec<Limit>,
     /// Place and reason where the rows end before what was asked.
     pub stopped: Option<Stopped>,
+    /// Of several inputs: the singular positions over two of them.
+    pub plane: Option<Plane>,
+    /// Of several inputs: the positions of all links over their ranges.
+    pub grid: Option<Grid>,
     /// Warnings to the user.
     pub warnings: Vec<String>,
+}
+
+/// Singular positions over two inputs, the others held: where the determinant of a group
+/// vanishes, speeds and forces grow without bound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plane {
+    /// The two inputs: to the right and upwards.
+    pub inputs: [PlaneInput; 2],
+    /// The curves.
+    pub curves: Vec<SingularCurve>,
+    /// The way of the study through the plane.
+    pub path: Vec<[f64; 2]>,
+}
+
+/// An input of a plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlaneInput {
+    /// Name of the input.
+    pub name: String,
+    /// Whether it turns or slides.
+    pub coordinate: Coordinate,
+    /// The range looked at (rad or m).
+    pub range: [f64; 2],
+}
+
+/// Positions of all links on a grid over the inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grid {
+    /// The inputs that vary: name, whether it turns or slides, values.
+    pub axes: Vec<(String, Coordinate, Vec<f64>)>,
+    /// Frames of all links as in [`Kinematics::frames`], the first axis fastest; not numbers
+    /// where the linkage cannot be assembled.
+    pub frames: Vec<Vec<[f64; 4]>>,
+    /// Index into the frames of the position nearest to that of the study's beginning.
+    pub start: usize,
 }
 
 /// Axis: the quantity that leads from row to row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// `input coordinate` or `time`.
+    /// `input coordinate`, `time`, or of several inputs that move together `path`, from 0 to
+    /// 1.
     pub name: &'static str,
     /// SI unit.
     pub unit: &'static str,
@@ -80,6 +166,8 @@ pub struct Column {
     pub owner: String,
     /// Quantity of the column.
     pub quantity: Quantity,
+    /// Of a transfer function of a linkage of several inputs: the input.
+    pub by: Option<String>,
     /// SI unit.
     pub unit: String,
     /// A value a row; not a number where it is infinite or not determined.
@@ -92,9 +180,9 @@ pub struct Column {
 }
 
 impl Column {
-    /// `links.rod.P.speed_x`.
+    /// `links.rod.P.speed_x`; of several inputs `links.rod.first_transfer.left`.
     pub fn name(&self) -> String {
-        format!("{}.{}", self.owner, self.quantity.name())
+        columns::name(&self.owner, self.quantity, self.by.as_deref())
     }
 }
 

@@ -2,10 +2,10 @@
 //! function is the short form of one.
 
 use crate::dynamics::model::{
-    Coordinate, Law, LinkageBody, Model, NodeIndex, NodeMotion, ObjectPart,
+    Coordinate, Law, LinkageBody, Model, MultiLinkageBody, NodeIndex, NodeMotion, ObjectPart,
 };
 use crate::fault::Fault;
-use crate::kinematics::linkage::spec::{OutputKind, PairKind};
+use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind, PairKind};
 use crate::kinematics::linkage::{Linkage, Reach};
 use crate::kinematics::position::Position;
 
@@ -74,21 +74,43 @@ impl Subject {
 
     fn new(id: &str, linkage: Linkage, node: NodeIndex) -> Self {
         let spec = linkage.spec();
-        let of_pair = |pair: usize| match spec.pairs[pair].kind {
-            PairKind::Revolute { .. } => Coordinate::Turning,
-            PairKind::Sliding { .. } => Coordinate::Sliding,
-        };
-        let outputs = spec.outputs.iter().map(|output| match output.kind {
-            OutputKind::Angle { .. } => Coordinate::Turning,
-            OutputKind::Point { .. } => Coordinate::Sliding,
-            OutputKind::Pair { pair } => of_pair(pair),
-        });
         Self {
             object: id.to_owned(),
             node,
-            input: of_pair(spec.driver),
-            outputs: outputs.collect(),
+            input: of_pair(spec, spec.driver),
+            outputs: of_outputs(spec),
             linkage,
+        }
+    }
+}
+
+/// Whether a pair turns or slides.
+fn of_pair(spec: &LinkageSpec, pair: usize) -> Coordinate {
+    match spec.pairs[pair].kind {
+        PairKind::Revolute { .. } => Coordinate::Turning,
+        PairKind::Sliding { .. } => Coordinate::Sliding,
+    }
+}
+
+/// Whether each output turns or slides.
+pub(super) fn of_outputs(spec: &LinkageSpec) -> Vec<Coordinate> {
+    let outputs = spec.outputs.iter().map(|output| match output.kind {
+        OutputKind::Angle { .. } => Coordinate::Turning,
+        OutputKind::Point { .. } => Coordinate::Sliding,
+        OutputKind::Pair { pair } => of_pair(spec, pair),
+    });
+    outputs.collect()
+}
+
+/// The linkage of several inputs with this id; without one the only linkage, where that is
+/// one of several inputs.
+pub fn several_of<'m>(model: &'m Model, id: Option<&str>) -> Option<&'m MultiLinkageBody> {
+    let mut all = model.multi_linkages.iter();
+    match id {
+        Some(id) => all.find(|body| model.objects[body.object].id == id),
+        None => {
+            let only = model.multi_linkages.len() == 1 && model.linkages.is_empty();
+            all.next().filter(|_| only)
         }
     }
 }
@@ -137,7 +159,7 @@ fn law_of(model: &Model, node: NodeIndex) -> Option<&Law> {
 }
 
 /// Displacement of a node at the start, every mass on its law.
-fn start_of(model: &Model, node: NodeIndex) -> f64 {
+pub(super) fn start_of(model: &Model, node: NodeIndex) -> f64 {
     match &model.nodes[node].motion {
         NodeMotion::Prescribed { motion, .. } => {
             motion.jet(motion.breaks().locate(0.0, 1.0), 0.0).value
@@ -225,8 +247,8 @@ pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageB
     });
     if let Some(body) = several {
         return Err(format!(
-            "`{}` has several inputs: kinematics and forces are worked out for linkages of one; \
-             `dam run` moves it",
+            "`{}` has several inputs: forces are worked out for linkages of one; `dam run` moves \
+             it",
             model.objects[body.object].id
         ));
     }

@@ -5,8 +5,8 @@ use super::columns::unit_of;
 use super::extremes::{greatest_row, located};
 use super::{Stroke, Transmission};
 use crate::dynamics::model::Coordinate;
-use crate::kinematics::linkage::spec::{PairKind, PairSpec, PointOf};
-use crate::kinematics::linkage::{Group, GroupKind, Workspace};
+use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
+use crate::kinematics::linkage::{Group, GroupKind, Structure};
 use crate::math::roots::{bisect, middle};
 use std::f64::consts::FRAC_PI_2;
 
@@ -50,18 +50,28 @@ pub(super) fn strokes(asked: &Asked<'_>) -> Vec<Stroke> {
             };
             if value { jet.value } else { jet.first }
         };
-        stroke(&mut look, asked.first_input(), period.length).map(|(ends, rise_and_return)| {
-            let [rise, fall] = rise_and_return;
-            Stroke {
-                owner,
-                unit,
-                ends,
-                rise_and_return,
-                time_ratio: rise.max(fall) / rise.min(fall),
-            }
-        })
+        stroke_of(&mut look, asked.first_input(), period.length, (owner, unit))
     })
     .collect()
+}
+
+/// The stroke of something with a name and a unit that goes to and fro once in a period;
+/// `look`: its displacement, or its derivative, at a place.
+pub(super) fn stroke_of(
+    look: &mut dyn FnMut(f64, bool) -> f64,
+    from: f64,
+    period: f64,
+    (owner, unit): (String, &'static str),
+) -> Option<Stroke> {
+    let (ends, rise_and_return) = stroke(look, from, period)?;
+    let [rise, fall] = rise_and_return;
+    Some(Stroke {
+        owner,
+        unit,
+        ends,
+        rise_and_return,
+        time_ratio: rise.max(fall) / rise.min(fall),
+    })
 }
 
 #[derive(Clone, Copy)]
@@ -120,36 +130,57 @@ fn root(look: &mut dyn FnMut(f64, bool) -> f64, low: f64, high: f64, rises: bool
 /// Transmission angles of the dyads that have one, over the places.
 pub(super) fn transmission(asked: &Asked<'_>, places: &[f64]) -> Vec<Transmission> {
     let mut work = asked.linkage.workspace();
-    let groups = asked.linkage.structure().groups.iter();
-    groups
-        .filter_map(|group| {
-            let dyad = Dyad::of(asked, group)?;
-            let mut angle = |place: f64| {
-                let q = asked.input_at(place);
-                match asked.linkage.solve(q.value, 0, &mut work) {
-                    Ok(()) => dyad.angle(&work),
-                    Err(_) => f64::NAN,
-                }
-            };
-            let values: Vec<f64> = places.iter().map(|&place| angle(place)).collect();
-            let mut end = |sign: f64| {
-                let row = greatest_row(&values, sign)?;
-                Some(located(places, &values, row, sign, &mut angle))
-            };
-            let (least, greatest) = (end(-1.0)?, end(1.0)?);
-            let owner = |link: usize| asked.linkage.spec().links[link].name.clone();
-            let names: Vec<String> = group.links.iter().map(|&link| owner(link)).collect();
-            Some(Transmission {
-                owner: names.join(" and "),
-                least,
-                greatest,
-            })
-        })
-        .collect()
+    let linkage = &asked.linkage;
+    transmission_of(
+        linkage.spec(),
+        linkage.structure(),
+        places,
+        &mut |place, dyad| {
+            let q = asked.input_at(place);
+            match asked.linkage.solve(q.value, 0, &mut work) {
+                Ok(()) => dyad.angle(&|point| work.point(point).map(|jet| jet.value), &|link| {
+                    work.angle(link)
+                }),
+                Err(_) => f64::NAN,
+            }
+        },
+    )
+}
+
+/// Transmission angles of dyads; `angle`: that of one at a place.
+pub(super) fn transmission_of(
+    spec: &LinkageSpec,
+    structure: &Structure,
+    places: &[f64],
+    angle: &mut dyn FnMut(f64, &Dyad) -> f64,
+) -> Vec<Transmission> {
+    let mut found = Vec::new();
+    for group in &structure.groups {
+        let Some(dyad) = Dyad::of(spec, group) else {
+            continue;
+        };
+        let mut angle = |place: f64| angle(place, &dyad);
+        let values: Vec<f64> = places.iter().map(|&place| angle(place)).collect();
+        let mut end = |sign: f64| {
+            let row = greatest_row(&values, sign)?;
+            Some(located(places, &values, row, sign, &mut angle))
+        };
+        let (Some(least), Some(greatest)) = (end(-1.0), end(1.0)) else {
+            continue;
+        };
+        let owner = |link: usize| spec.links[link].name.clone();
+        let names: Vec<String> = group.links.iter().map(|&link| owner(link)).collect();
+        found.push(Transmission {
+            owner: names.join(" and "),
+            least,
+            greatest,
+        });
+    }
+    found
 }
 
 /// A dyad of which a transmission angle can be told.
-enum Dyad {
+pub(super) enum Dyad {
     /// Inner pin and the two outer ones.
     Pins([PointOf; 3]),
     /// Inner pin, outer pin, guide.
@@ -157,8 +188,7 @@ enum Dyad {
 }
 
 impl Dyad {
-    fn of(asked: &Asked<'_>, group: &Group) -> Option<Self> {
-        let spec = asked.linkage.spec();
+    fn of(spec: &LinkageSpec, group: &Group) -> Option<Self> {
         let within = |point: &PointOf| point.link.is_some_and(|link| group.links.contains(&link));
         let mut inner = None;
         let mut outer = Vec::new();
@@ -184,9 +214,12 @@ impl Dyad {
         }
     }
 
-    /// The angle (rad), between 0 and 90°.
-    fn angle(&self, work: &Workspace) -> f64 {
-        let at = |point: PointOf| work.point(point).map(|jet| jet.value);
+    /// The angle (rad), between 0 and 90°, from places of points and angles of links.
+    pub(super) fn angle(
+        &self,
+        at: &dyn Fn(PointOf) -> [f64; 2],
+        turned: &dyn Fn(usize) -> f64,
+    ) -> f64 {
         match self {
             Self::Pins([inner, one, other]) => {
                 let (inner, one, other) = (at(*inner), at(*one), at(*other));
@@ -196,7 +229,7 @@ impl Dyad {
                 let PairKind::Sliding { direction, .. } = guide.kind else {
                     return f64::NAN;
                 };
-                let direction = direction + guide.on.link.map_or(0.0, |link| work.angle(link));
+                let direction = direction + guide.on.link.map_or(0.0, turned);
                 let rod = minus(at(*one), at(*inner));
                 FRAC_PI_2 - acute(rod, [direction.cos(), direction.sin()])
             }

@@ -2,7 +2,7 @@
 
 use super::ask::Asked;
 use crate::kinematics::linkage::Workspace;
-use crate::kinematics::linkage::spec::{PairKind, PointOf};
+use crate::kinematics::linkage::spec::{PairKind, PairSpec, PointOf};
 use crate::math::jet::Jet;
 
 /// First transfer function, in parts of the second, at which something stands still, and sine
@@ -10,7 +10,7 @@ use crate::math::jet::Jet;
 const AT_REST: f64 = 1e-12;
 
 /// Derivatives over time of something with these transfer functions.
-fn moved(along: Jet, q: Jet) -> [f64; 2] {
+pub(super) fn moved(along: Jet, q: Jet) -> [f64; 2] {
     [
         along.first * q.first,
         along.second * q.first * q.first + along.first * q.second,
@@ -32,7 +32,8 @@ pub(super) fn values(asked: &Asked<'_>, work: &Workspace, q: Jet, out: &mut Vec<
         };
         let [speed, acceleration] = moved(angle, q);
         out.extend([angle.value, speed, acceleration, first, second, third]);
-        out.extend(instant_centre(work, index));
+        let pose = work.pose(index);
+        out.extend(instant_centre([pose.x, pose.y], work.transfer(index, 1)));
         for point in &link.points {
             let at = PointOf {
                 link: Some(index),
@@ -58,16 +59,19 @@ fn point_values([x, y]: [Jet; 2], q: Jet, out: &mut Vec<f64>) {
     let ([vx, ax], [vy, ay]) = (moved(x, q), moved(y, q));
     out.extend([x.value, y.value, vx, vy, vx.hypot(vy), ax, ay, ax.hypot(ay)]);
     out.extend([x.first, y.first, x.second, y.second, x.third, y.third]);
-    let [along, across] = path_acceleration([x, y], q);
-    out.extend([along, across, curvature_radius([x, y])]);
+    along_path([x, y], q, out);
+}
+
+/// Acceleration of a point along and across its path, and the radius of that.
+pub(super) fn along_path(point: [Jet; 2], q: Jet, out: &mut Vec<f64>) {
+    let [along, across] = path_acceleration(point, q);
+    out.extend([along, across, curvature_radius(point)]);
 }
 
 /// The point that a link turns about: its velocity is θ′ times the quarter turn of the
 /// distance from there. Not a number where θ′ = 0.
-fn instant_centre(work: &Workspace, link: usize) -> [f64; 2] {
-    let pose = work.pose(link);
-    let [x, y, turning] = work.transfer(link, 1);
-    [pose.x - y / turning, pose.y + x / turning].map(|place| match place.is_finite() {
+pub(super) fn instant_centre(origin: [f64; 2], [x, y, turning]: [f64; 3]) -> [f64; 2] {
+    [origin[0] - y / turning, origin[1] + x / turning].map(|place| match place.is_finite() {
         true => place,
         false => f64::NAN,
     })
@@ -115,50 +119,42 @@ fn slide_values(asked: &Asked<'_>, work: &Workspace, index: usize, q: Jet, out: 
     let [relative_speed, relative_acceleration] = moved(along, q);
     out.extend([along.value, relative_speed, relative_acceleration]);
     out.extend([along.first, along.second, along.third]);
-    let guide = match pair.on.link {
-        Some(link) => Guide::moving(work, link, direction, q),
-        None => Guide::fixed(direction),
-    };
-    // The point of the guide that lies under the block now.
-    let under = PointOf {
+    let guide = pair.on.link.map(|link| {
+        let under = work.point(under_block(pair, direction, along.value));
+        let turning = work.transfer(link, 1)[2] * q.first;
+        (work.angle(link), turning, under.map(|x| moved(x, q)))
+    });
+    transport(direction, relative_speed, guide, out);
+}
+
+/// The point of the guide that lies under the block now.
+pub(super) fn under_block(pair: &PairSpec, direction: f64, along: f64) -> PointOf {
+    PointOf {
         link: pair.on.link,
         at: [
-            pair.on.at[0] + along.value * direction.cos(),
-            pair.on.at[1] + along.value * direction.sin(),
+            pair.on.at[0] + along * direction.cos(),
+            pair.on.at[1] + along * direction.sin(),
         ],
-    };
-    let ([vx, ax], [vy, ay]) = match pair.on.link {
-        Some(_) => {
-            let [x, y] = work.point(under);
-            (moved(x, q), moved(y, q))
-        }
-        None => ([0.0; 2], [0.0; 2]),
-    };
-    let (c, s) = (guide.angle.cos(), guide.angle.sin());
-    out.push(guide.angle);
+    }
+}
+
+/// Angle and angular speed of a guide's link, and speed and acceleration of its point under
+/// the block along x and y.
+type Guide = (f64, f64, [[f64; 2]; 2]);
+
+/// Direction of a guide in the plane, speed and acceleration of its point under the block
+/// along and across it, Coriolis acceleration. `None`: the guide is fixed.
+pub(super) fn transport(
+    direction: f64,
+    relative_speed: f64,
+    guide: Option<Guide>,
+    out: &mut Vec<f64>,
+) {
+    let (angle, turning, [[vx, ax], [vy, ay]]) = guide.unwrap_or_default();
+    let angle = angle + direction;
+    let (c, s) = (angle.cos(), angle.sin());
+    out.push(angle);
     out.extend([c * vx + s * vy, c * vy - s * vx]);
     out.extend([c * ax + s * ay, c * ay - s * ax]);
-    out.push(2.0 * guide.speed * relative_speed);
-}
-
-/// Direction of a guide in the plane and its angular speed.
-struct Guide {
-    angle: f64,
-    speed: f64,
-}
-
-impl Guide {
-    fn moving(work: &Workspace, link: usize, direction: f64, q: Jet) -> Self {
-        Self {
-            angle: work.angle(link) + direction,
-            speed: work.transfer(link, 1)[2] * q.first,
-        }
-    }
-
-    fn fixed(direction: f64) -> Self {
-        Self {
-            angle: direction,
-            speed: 0.0,
-        }
-    }
+    out.push(2.0 * turning * relative_speed);
 }

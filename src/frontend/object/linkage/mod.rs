@@ -41,8 +41,8 @@ use serde_json::json;
 ///
 /// With `inputs` in place of `driver` there are several coordinates q₁, …, qₘ, as many as its
 /// mobility: of pairs, or x, y and angle of a link that floats; each is moved by an object,
-/// or free. Equation: M(q)·q̈ = Q(q, q̇) + what drives the inputs. Limits: no friction of the
-/// joints, no tables over an input; a run ends in singular positions.
+/// or free. Equation: M(q)·q̈ = Q(q, q̇) + what drives the inputs. Limits: friction of the
+/// joints in `dam forces` alone, no tables over an input; a run ends in singular positions.
 #[derive(Debug)]
 pub struct Linkage {
     spec: Driven,
@@ -258,8 +258,9 @@ fn not_of_one(fields: &mut Fields<'_>) -> bool {
         let hint = "leave it out: each of the `inputs` has its own `ratio`, `offset` and `start`";
         found |= fields.forbid(property, &message, hint);
     }
-    let message = "friction of the joints is found for one input alone";
-    let hint = "leave it out: the pairs of a linkage of several inputs move freely";
+    let message = "in a run, friction of the joints is found for one input alone";
+    let hint = "leave it out: in `dam run` the pairs of a linkage of several inputs move freely; \
+                their `friction` counts in `dam forces`";
     found |= fields.forbid("joint_friction", message, hint);
     !found
 }

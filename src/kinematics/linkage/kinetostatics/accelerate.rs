@@ -6,8 +6,9 @@
 //! the driver's force. They may have no solution (self-locking in motion) or
 //! several (Painlevé's paradox); both are reported, never resolved by choice.
 
+use super::positions::InputMotion;
 use super::positions::Positions;
-use super::solve::{ForceFailure, InputMotion, Options, Solved};
+use super::solve::{ForceFailure, Options, Solved};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
 

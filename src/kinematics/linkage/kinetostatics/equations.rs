@@ -7,9 +7,10 @@
 
 use super::external::{Input, Wrench, wrenches};
 use super::friction::{Law, Term};
-use super::positions::PointPosition;
+use super::positions::{LinkPosition, PointPosition};
 use super::workspace::{ForceWorkspace, PairPlace};
 use super::{Kinetostatics, Unknown};
+use crate::kinematics::linkage::multi::spec::InputCoordinate;
 use crate::kinematics::linkage::spec::PairKind;
 
 /// A force and a couple on the links joined by a pair: as given on j, opposite on i.
@@ -39,10 +40,13 @@ impl Kinetostatics {
         }
         match unknown {
             Unknown::Drive => {
-                let wrench = self.drive_wrench(&w.pairs[self.spec.driver]);
-                self.each_row(self.spec.driver, &wrench, &w.centres, |row, value| {
-                    w.factors.add(row, size - 1, value);
-                });
+                let first = size - self.drivers.len();
+                for (k, &driver) in self.drivers.iter().enumerate() {
+                    let places = (w.pairs.as_slice(), w.links.as_slice(), w.centres.as_slice());
+                    self.each_drive_row(driver, places, |row, value| {
+                        w.factors.add(row, first + k, value);
+                    });
+                }
             }
             Unknown::Acceleration => {
                 for row in 0..size {
@@ -80,21 +84,37 @@ impl Kinetostatics {
         }
     }
 
-    /// What a unit of the driver's force does: a couple of ℓ or a force along
-    /// the guide.
-    fn drive_wrench(&self, place: &PairPlace) -> PairWrench {
-        match self.spec.pairs[self.spec.driver].kind {
-            PairKind::Revolute { .. } => PairWrench {
-                at: place.point,
-                force: [0.0; 2],
-                couple: self.length,
-            },
-            PairKind::Sliding { .. } => PairWrench {
-                at: place.point,
-                force: place.tangent,
-                couple: 0.0,
-            },
-        }
+    /// Rows of a unit of a driver's force: a couple of ℓ or a force along the guide between
+    /// both links of its pair; of a link that floats, from the ground on its origin.
+    fn each_drive_row(
+        &self,
+        driver: InputCoordinate,
+        (pairs, links, centres): (&[PairPlace], &[LinkPosition], &[PointPosition]),
+        mut add: impl FnMut(usize, f64),
+    ) {
+        let (link, force, couple) = match driver {
+            InputCoordinate::Pair(pair) => {
+                let place = &pairs[pair];
+                let (force, couple) = match self.spec.pairs[pair].kind {
+                    PairKind::Revolute { .. } => ([0.0; 2], self.length),
+                    PairKind::Sliding { .. } => (place.tangent, 0.0),
+                };
+                let wrench = PairWrench {
+                    at: place.point,
+                    force,
+                    couple,
+                };
+                return self.each_row(pair, &wrench, centres, add);
+            }
+            InputCoordinate::X(link) => (link, [1.0, 0.0], 0.0),
+            InputCoordinate::Y(link) => (link, [0.0, 1.0], 0.0),
+            InputCoordinate::Angle(link) => (link, [0.0; 2], self.length),
+        };
+        let ([x, y], [cx, cy]) = (links[link].origin, centres[link].place);
+        add(3 * link, force[0]);
+        add(3 * link + 1, force[1]);
+        let moment = (x - cx) * force[1] - (y - cy) * force[0] + couple;
+        add(3 * link + 2, moment / self.length);
     }
 
     /// What a unit of each of the pair's frictions does: see [`mod@super::friction`].
@@ -285,10 +305,8 @@ impl Kinetostatics {
     /// Right side of the driver's force given: its rows per unit.
     pub(super) fn drive_rows(&self, w: &mut ForceWorkspace) {
         w.drive_rows.fill(0.0);
-        let wrench = self.drive_wrench(&w.pairs[self.spec.driver]);
         let rows = &mut w.drive_rows;
-        self.each_row(self.spec.driver, &wrench, &w.centres, |row, value| {
-            rows[row] += value;
-        });
+        let places = (w.pairs.as_slice(), w.links.as_slice(), w.centres.as_slice());
+        self.each_drive_row(self.drivers[0], places, |row, value| rows[row] += value);
     }
 }

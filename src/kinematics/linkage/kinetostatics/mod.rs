@@ -8,6 +8,9 @@
 //! equations with the driver's force given and the acceleration unknown
 //! ([`Kinetostatics::accelerate`]) are the motion under joint friction.
 //!
+//! A linkage of several inputs has a driving force at each, so that their number takes the place
+//! of one; time takes that of the input coordinate ([`Kinetostatics::solve_over_time`]).
+//!
 //! Conventions: a pair joins link i (`on`) to link j (`link`); its reactions act
 //! on j from i. The driver's force is a couple on j (opposite on i) or a force
 //! on j along the guide, positive along the input coordinate.
@@ -36,15 +39,16 @@ mod workspace;
 
 pub use accelerate::{Acceleration, Outcome};
 pub use iteration::{Convergence, Method};
-pub use positions::{LinkPosition, PointPosition, Positions};
+pub use positions::{InputMotion, LinkPosition, PointPosition, Positions};
 pub use ratio::{Convention, Transmission};
 pub use resistance::{Resistance, Resisted};
 pub use result::{Balance, Reaction, SlidingFriction};
 pub use reversals::Reversals;
 pub use sensitivity::Sensitivities;
-pub use solve::{BAD_CONDITION, ForceFailure, InputMotion, Options, Solved};
+pub use solve::{BAD_CONDITION, ForceFailure, Options, Solved};
 pub use workspace::ForceWorkspace;
 
+use super::multi::spec::{InputCoordinate, MultiSpec};
 use super::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::fault::{Fault, Faults};
 use friction::Law;
@@ -70,6 +74,10 @@ enum Unknown {
 #[derive(Clone, Debug)]
 pub struct Kinetostatics {
     spec: LinkageSpec,
+    /// Where driving forces act: one, or one for each of several inputs.
+    drivers: Vec<InputCoordinate>,
+    /// True of a linkage of several inputs: positions are over time.
+    over_time: bool,
     /// Length scale ℓ: the greatest distance of two points of a link in use (m).
     length: f64,
     /// Length that a unit of each pair's coordinate stands for (ℓ or 1).
@@ -93,13 +101,37 @@ impl Kinetostatics {
     /// friction, diameters or heights; a block without length; a number of
     /// pairs other than (3n − 1)/2.
     pub fn new(spec: &LinkageSpec) -> Result<Self, Vec<Fault>> {
-        check(spec)?;
+        check(spec, 1)?;
+        if spec.driver >= spec.pairs.len() {
+            return Err(vec![Fault::new("driver", "there is no such pair", "")]);
+        }
+        Ok(Self::driven(
+            spec,
+            vec![InputCoordinate::Pair(spec.driver)],
+            false,
+        ))
+    }
+
+    /// The same of a linkage of several inputs, for [`Self::solve_over_time`] alone.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Self::new`], with 3n = 2·pairs + inputs.
+    pub fn of_inputs(spec: &MultiSpec) -> Result<Self, Vec<Fault>> {
+        check(&spec.linkage, spec.inputs.len())?;
+        let drivers = spec.inputs.iter().map(|input| input.coordinate);
+        Ok(Self::driven(&spec.linkage, drivers.collect(), true))
+    }
+
+    fn driven(spec: &LinkageSpec, drivers: Vec<InputCoordinate>, over_time: bool) -> Self {
         let length = length_scale(spec);
         let inertia = spec.links.iter().fold(0.0f64, |most, link| {
             most.max(link.mass * length).max(link.moment / length)
         });
         let pairs = &spec.pairs;
-        Ok(Self {
+        Self {
+            drivers,
+            over_time,
             length,
             units: pairs.iter().map(|pair| unit(pair, length)).collect(),
             directions: pairs.iter().map(direction).collect(),
@@ -107,7 +139,7 @@ impl Kinetostatics {
             friction_factors: pairs.iter().map(|pair| friction(pair, length)).collect(),
             inertia_scale: if inertia > 0.0 { inertia } else { 1.0 },
             spec: spec.clone(),
-        })
+        }
     }
 
     /// Memory for this linkage.
@@ -141,11 +173,25 @@ impl Kinetostatics {
         3 * self.spec.links.len()
     }
 
+    /// True of a linkage of several inputs.
+    pub fn is_over_time(&self) -> bool {
+        self.over_time
+    }
+
     /// Force or moment of a unit of the driver's unknown.
     fn drive_unit(&self) -> f64 {
-        match self.spec.pairs[self.spec.driver].kind {
-            PairKind::Revolute { .. } => self.length,
-            PairKind::Sliding { .. } => 1.0,
+        self.unit_of(self.drivers[0])
+    }
+
+    /// Force or moment of a unit of a driver's unknown.
+    fn unit_of(&self, driver: InputCoordinate) -> f64 {
+        match driver {
+            InputCoordinate::Pair(pair) => match self.spec.pairs[pair].kind {
+                PairKind::Revolute { .. } => self.length,
+                PairKind::Sliding { .. } => 1.0,
+            },
+            InputCoordinate::X(_) | InputCoordinate::Y(_) => 1.0,
+            InputCoordinate::Angle(_) => self.length,
         }
     }
 }
@@ -209,7 +255,7 @@ fn length_scale(spec: &LinkageSpec) -> f64 {
 }
 
 /// All faults of the numbers that kinetostatics needs.
-fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
+fn check(spec: &LinkageSpec, inputs: usize) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
     for link in &spec.links {
         let path = format!("links.{}", link.name);
@@ -246,19 +292,17 @@ fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
         }
     }
     let (links, pairs) = (spec.links.len(), spec.pairs.len());
-    if 2 * pairs + 1 != 3 * links {
+    if 2 * pairs + inputs != 3 * links {
         let message = format!(
             "{pairs} pairs between {links} moving links give {} equations for {} unknowns",
             3 * links,
-            2 * pairs + 1
+            2 * pairs + inputs
         );
-        faults.add(
-            "pairs",
-            message,
-            "one degree of freedom and statically determinate reactions need 3n = 2·pairs + 1",
-        );
-    } else if spec.driver >= pairs {
-        faults.add("driver", "there is no such pair", "");
+        let hint = match inputs {
+            1 => "one degree of freedom and statically determinate reactions need 3n = 2·pairs + 1",
+            _ => "statically determinate reactions need 3n = 2·pairs + inputs",
+        };
+        faults.add("pairs", message, hint);
     }
     faults.check()
 }

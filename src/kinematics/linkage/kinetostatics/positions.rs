@@ -3,6 +3,17 @@
 use crate::kinematics::linkage::Workspace;
 use crate::kinematics::linkage::spec::PairKind;
 
+/// Motion of the input at a position.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InputMotion {
+    /// Coordinate (rad or m).
+    pub coordinate: f64,
+    /// Speed (rad/s or m/s).
+    pub speed: f64,
+    /// Acceleration (rad/s² or m/s²).
+    pub acceleration: f64,
+}
+
 /// Place of a link's frame and its first two derivatives by the input
 /// coordinate q.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,6 +50,10 @@ pub trait Positions {
     fn pair_rates(&self, index: usize) -> [f64; 3];
     /// Relative coordinate of a pair (rad or m).
     fn pair_coordinate(&self, index: usize) -> f64;
+    /// Motions of several inputs; where there are any, all derivatives are over time.
+    fn inputs(&self) -> Vec<InputMotion> {
+        Vec::new()
+    }
 }
 
 impl Positions for Workspace {

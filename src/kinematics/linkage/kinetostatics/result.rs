@@ -3,6 +3,7 @@
 use super::Kinetostatics;
 use super::friction::Law;
 use super::workspace::ForceWorkspace;
+use crate::kinematics::linkage::multi::spec::InputCoordinate;
 use crate::kinematics::linkage::spec::PairKind;
 
 /// Reaction of a pair: on link j from link i.
@@ -51,6 +52,12 @@ impl ForceWorkspace {
     /// The driver's force (N·m or N), positive along the input coordinate.
     pub fn drive(&self) -> f64 {
         self.drive
+    }
+
+    /// The force of every driver (N·m or N), positive along its coordinate: of several inputs
+    /// in their order.
+    pub fn drives(&self) -> &[f64] {
+        &self.drives
     }
 
     /// Driver's forces of further solutions at the same position.
@@ -165,7 +172,11 @@ impl Kinetostatics {
         let missing = parts.iter().sum::<f64>() - loss;
         // Power that the greatest force would have at the speed of the links:
         // where all parts vanish, they are rounding of this.
-        let size = w.scale() * self.drive_unit() * q.abs();
+        let pace = match self.over_time {
+            true => w.pace,
+            false => self.drive_unit() * q.abs(),
+        };
+        let size = w.scale() * pace;
         let scale = greatest.max(1e-6 * size);
         Balance {
             drive: parts[0],
@@ -227,10 +238,13 @@ impl Kinetostatics {
             sum[0] += sign * fx;
             sum[1] += sign * fy;
             sum[2] += sign * (x * fy - y * fx + self.couple(index, w));
-            if index == self.spec.driver {
-                self.add_drive(index, sign, w, &mut sum);
+            let here = InputCoordinate::Pair(index);
+            let mut drives = self.drivers.iter().zip(&w.drives);
+            if let Some((_, &drive)) = drives.find(|(driver, _)| **driver == here) {
+                self.add_drive(index, sign * drive, w, &mut sum);
             }
         }
+        self.add_floating_drives(w, &mut sum);
         sum
     }
 
@@ -249,15 +263,34 @@ impl Kinetostatics {
         rubbing + pressing
     }
 
-    /// The driver's force or couple, as a part of what acts on the frame.
-    fn add_drive(&self, pair: usize, sign: f64, w: &ForceWorkspace, sum: &mut [f64; 3]) {
+    /// A driver's force or couple, as a part of what acts on the frame.
+    fn add_drive(&self, pair: usize, drive: f64, w: &ForceWorkspace, sum: &mut [f64; 3]) {
         match self.spec.pairs[pair].kind {
-            PairKind::Revolute { .. } => sum[2] += sign * w.drive,
+            PairKind::Revolute { .. } => sum[2] += drive,
             PairKind::Sliding { .. } => {
                 let ([x, y], [tx, ty]) = (w.pairs[pair].point, w.pairs[pair].tangent);
-                sum[0] += sign * w.drive * tx;
-                sum[1] += sign * w.drive * ty;
-                sum[2] += sign * w.drive * (x * ty - y * tx);
+                sum[0] += drive * tx;
+                sum[1] += drive * ty;
+                sum[2] += drive * (x * ty - y * tx);
+            }
+        }
+    }
+
+    /// The forces that hold links that float, from the ground on their origins: on the frame
+    /// they act in the other sense.
+    fn add_floating_drives(&self, w: &ForceWorkspace, sum: &mut [f64; 3]) {
+        for (driver, drive) in self.drivers.iter().zip(&w.drives) {
+            match *driver {
+                InputCoordinate::Pair(_) => {}
+                InputCoordinate::X(link) => {
+                    sum[0] -= drive;
+                    sum[2] += drive * w.links[link].origin[1];
+                }
+                InputCoordinate::Y(link) => {
+                    sum[1] -= drive;
+                    sum[2] -= drive * w.links[link].origin[0];
+                }
+                InputCoordinate::Angle(_) => sum[2] -= drive,
             }
         }
     }

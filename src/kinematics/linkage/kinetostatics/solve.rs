@@ -3,7 +3,7 @@
 use super::external::Input;
 use super::iteration::TOO_GREAT;
 use super::iteration::{Convergence, Method};
-use super::positions::Positions;
+use super::positions::{InputMotion, Positions};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
 use crate::units::shown;
@@ -15,17 +15,6 @@ pub const BAD_CONDITION: f64 = 1e12;
 const SINGULAR: f64 = 1e15;
 /// Ratio of pivots below which the condition number is looked at.
 const SMALL_PIVOT: f64 = 1e-7;
-
-/// Motion of the input at a position.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct InputMotion {
-    /// Coordinate (rad or m).
-    pub coordinate: f64,
-    /// Speed (rad/s or m/s).
-    pub speed: f64,
-    /// Acceleration (rad/s² or m/s²).
-    pub acceleration: f64,
-}
 
 /// Options of the solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -148,8 +137,57 @@ impl Kinetostatics {
         solved.condition = condition;
         w.acceleration = motion.acceleration;
         w.drive = w.unknowns[self.size() - 1] * self.drive_unit();
+        w.drives.clear();
+        w.drives.push(w.drive);
         let unit = self.drive_unit();
         w.others.iter_mut().for_each(|other| *other *= unit);
+        Ok(solved)
+    }
+
+    /// The same for a linkage of several inputs: derivatives of the positions are over time,
+    /// `rates` those of the inputs. The drivers' forces are then in
+    /// [`ForceWorkspace::drives`], [`ForceWorkspace::drive`] is their power.
+    ///
+    /// # Errors
+    ///
+    /// See [`ForceFailure`]; [`ForceFailure::NoDirection`] where everything rests, nothing is
+    /// about to move, and there is friction.
+    pub fn solve_over_time<P: Positions>(
+        &self,
+        positions: &P,
+        rates: &[f64],
+        options: &Options,
+        w: &mut ForceWorkspace,
+    ) -> Result<Solved, ForceFailure> {
+        if !rates.iter().all(|rate| rate.is_finite()) {
+            return Err(ForceFailure::NotFinite);
+        }
+        let motion = InputMotion {
+            coordinate: 0.0,
+            speed: 1.0,
+            acceleration: 0.0,
+        };
+        self.prepare(positions, motion, 1.0, options.friction, w);
+        let rests = w.pairs.iter().all(|pair| pair.sense == 0.0);
+        if rests && options.friction && self.has_friction() {
+            return Err(ForceFailure::NoDirection);
+        }
+        let condition = self.invert(Unknown::Drive, w)?;
+        self.solve_columns(|row, w| self.bias_row(row, w) - w.applied[row], w);
+        let mut solved = self.settle(options, w)?;
+        solved.condition = condition;
+        w.acceleration = 0.0;
+        w.others.clear();
+        w.drives.clear();
+        (w.drive, w.pace) = (0.0, 0.0);
+        let first = self.size() - self.drivers.len();
+        for (k, (&driver, rate)) in self.drivers.iter().zip(rates).enumerate() {
+            let unit = self.unit_of(driver);
+            let force = unit * w.unknowns[first + k];
+            w.drives.push(force);
+            w.drive += force * rate;
+            w.pace += unit * rate.abs();
+        }
         Ok(solved)
     }
 

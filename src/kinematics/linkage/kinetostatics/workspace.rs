@@ -68,8 +68,13 @@ pub struct ForceWorkspace {
     /// Sign of its motion just after that position, also from rest.
     pub(super) direction: f64,
     pub(super) acceleration: f64,
-    /// The driver's force (N·m or N).
+    /// The driver's force (N·m or N); of several inputs the power of all drivers (W), their
+    /// force along the time.
     pub(super) drive: f64,
+    /// The force of every driver (N·m or N).
+    pub(super) drives: Vec<f64>,
+    /// Of several inputs: Σ |rate| times the length that a unit of each stands for (m/s).
+    pub(super) pace: f64,
 }
 
 impl ForceWorkspace {

@@ -20,9 +20,12 @@ mod dynamics;
 mod forces;
 mod margin;
 mod misfit;
+mod motion;
 mod outputs;
 mod place;
 mod plan;
+mod rounding;
+mod singular;
 pub mod spec;
 #[cfg(test)]
 mod tests;
@@ -31,7 +34,10 @@ mod wrong;
 pub use constraint::MultiOutput;
 pub use dynamics::MultiReduced;
 pub use forces::MultiPower;
+pub use motion::MultiMotion;
 pub use place::NotAssembled;
+pub use rounding::MultiRounding;
+pub use singular::{SingularCurve, singular_curves};
 
 use super::assemble;
 use super::spec::OutputSpec;
@@ -99,7 +105,7 @@ impl MultiLinkage {
                 _ => branches[at].sign,
             });
         }
-        let mut start = Known::new(state, inputs.clone());
+        let mut start = Known::new(state, inputs.clone(), plan.turning);
         if let Err(NotAssembled { group }) = start.go_to(&plan, &signs, &inputs) {
             let names = super::choice::names(&linkage, plan.plan.steps[group - 1].bodies());
             return Err(vec![Fault::new(
@@ -229,7 +235,7 @@ impl<N: Quantity> MultiWorkspace<N> {
             }
         }
         let turning = self.angles.iter_mut().enumerate();
-        for (body, angle) in turning.filter(|_| plan.turning) {
+        for (body, angle) in turning.filter(|_| self.known.turning) {
             *angle = N::from(self.known.angles[body]);
             if let Some(values) = &self.values {
                 for (input, &q) in inputs.iter().enumerate() {

@@ -129,14 +129,17 @@ pub(super) struct Known {
     pub(super) inputs: Vec<f64>,
     /// The angles of all bodies, continuous.
     pub(super) angles: Vec<f64>,
+    /// Whether they are asked for.
+    pub(super) turning: bool,
     /// Memory for the way to another position.
     between: Vec<f64>,
     kept: State,
 }
 
 impl Known {
-    pub(super) fn new(state: State, inputs: Vec<f64>) -> Self {
+    pub(super) fn new(state: State, inputs: Vec<f64>, turning: bool) -> Self {
         Self {
+            turning,
             angles: state.links.iter().map(|motion| motion.angle()).collect(),
             between: inputs.clone(),
             kept: state.clone(),
@@ -194,7 +197,7 @@ impl Known {
     /// Notes inputs of a position found, and where something asks for them the angles.
     fn arrive(&mut self, plan: &MultiPlan, inputs: &[f64]) {
         self.inputs.copy_from_slice(inputs);
-        if !plan.turning {
+        if !self.turning {
             return;
         }
         for group in &plan.groups {

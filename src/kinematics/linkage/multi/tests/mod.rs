@@ -1,7 +1,10 @@
 //! Kinematics and equations of motion against differences of positions alone.
 
 pub(super) mod examples;
+mod kinetostatics;
+mod motion;
 mod refusals;
+mod singular;
 
 use super::spec::MultiSpec;
 use super::{MultiLinkage, MultiWorkspace};

@@ -3,18 +3,39 @@
 use std::collections::BTreeMap;
 
 /// A line through points (column, row) in units of the grid.
-pub(in crate::report) type Line = Vec<(f64, f64)>;
+pub(crate) type Line = Vec<(f64, f64)>;
 
 /// A side of a square: from a grid point to the right (`false`) or up (`true`).
 type Side = (usize, usize, bool);
 
 /// Lines along which values on a grid pass through `level`. `value` gives the
-/// value at a column and row; squares with a corner without one are left out.
-pub(in crate::report) fn contours(
+/// value at a column and row; squares with a corner without one are left out. Values between
+/// two grid points are taken as linear.
+pub(crate) fn contours(
     columns: usize,
     rows: usize,
     level: f64,
     value: &dyn Fn(usize, usize) -> Option<f64>,
+) -> Vec<Line> {
+    located(columns, rows, level, value, &mut |_, values| linear(values))
+}
+
+/// Where between two values a straight line through them is zero.
+fn linear([from, to]: [f64; 2]) -> f64 {
+    from / (from - to)
+}
+
+/// The two grid points at the ends of a side, as column and row.
+pub(crate) type Ends = [[usize; 2]; 2];
+
+/// As [`contours`], where the level is crossed between two grid points found by `share`: from
+/// the points and the values less the level there, the share of the way from the first.
+pub(crate) fn located(
+    columns: usize,
+    rows: usize,
+    level: f64,
+    value: &dyn Fn(usize, usize) -> Option<f64>,
+    share: &mut dyn FnMut(Ends, [f64; 2]) -> f64,
 ) -> Vec<Line> {
     let mut sides: BTreeMap<Side, (f64, f64)> = BTreeMap::new();
     let mut joined: BTreeMap<Side, Vec<Side>> = BTreeMap::new();
@@ -25,7 +46,8 @@ pub(in crate::report) fn contours(
             };
             for (a, b) in square.crossings() {
                 for side in [a, b] {
-                    sides.insert(side, square.point(side));
+                    let point = sides.entry(side);
+                    point.or_insert_with(|| square.point(side, share));
                 }
                 joined.entry(a).or_default().push(b);
                 joined.entry(b).or_default().push(a);
@@ -96,7 +118,7 @@ impl Square {
     }
 
     /// Where the level crosses a side.
-    fn point(&self, side: Side) -> (f64, f64) {
+    fn point(&self, side: Side, share: &mut dyn FnMut(Ends, [f64; 2]) -> f64) -> (f64, f64) {
         let (column, row, up) = side;
         let [a, b, c, d] = self.corners;
         let (from, to) = match (up, row > self.row, column > self.column) {
@@ -105,7 +127,9 @@ impl Square {
             (true, _, false) => (a, d),
             (true, _, true) => (b, c),
         };
-        let part = (from / (from - to)).clamp(0.0, 1.0);
+        let (right, above) = (usize::from(!up), usize::from(up));
+        let ends = [[column, row], [column + right, row + above]];
+        let part = share(ends, [from, to]).clamp(0.0, 1.0);
         let (x, y) = (column as f64, row as f64);
         if up { (x, y + part) } else { (x + part, y) }
     }
@@ -139,7 +163,7 @@ fn lines(sides: &BTreeMap<Side, (f64, f64)>, mut joined: BTreeMap<Side, Vec<Side
 
 #[cfg(test)]
 mod tests {
-    use super::contours;
+    use super::{contours, located};
 
     #[test]
     fn a_circle_comes_out_round_and_closed() {
@@ -150,6 +174,23 @@ mod tests {
         for &(x, y) in &lines[0] {
             // Linear interpolation of a cone on unit squares is good to 1/(8 r).
             approx::assert_abs_diff_eq!((x - 20.0).hypot(y - 20.0), 12.3, epsilon = 0.02);
+        }
+    }
+
+    #[test]
+    fn what_is_located_between_grid_points_is_as_good_as_the_search() {
+        let square = |[x, y]: [f64; 2]| (x - 20.0).powi(2) + (y - 20.0).powi(2);
+        let value = |x: usize, y: usize| Some(square([x as f64, y as f64]));
+        let mut search = |[from, to]: super::Ends, _: [f64; 2]| {
+            let at = |share: f64| {
+                [0, 1].map(|k| from[k] as f64 + share * (to[k] as f64 - from[k] as f64))
+            };
+            crate::math::roots::root(&|share| square(at(share)) - 151.29, 0.0, 1.0)
+        };
+        let lines = located(41, 41, 151.29, &value, &mut search);
+        assert_eq!(lines.len(), 1);
+        for &(x, y) in &lines[0] {
+            approx::assert_abs_diff_eq!((x - 20.0).hypot(y - 20.0), 12.3, epsilon = 1e-13);
         }
     }
 

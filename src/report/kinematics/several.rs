@@ -1,0 +1,155 @@
+//! What linkages of several inputs have beside those of one: the machine with a slider for
+//! each input, and their singular positions.
+
+use super::{coordinate, input};
+use crate::dynamics::model::Coordinate;
+use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
+use crate::report::findings::{Layout, Section, Table};
+use crate::report::mechanism::{Drawing, GridAxis, Placement};
+use crate::report::plot::{Axis, Look, Plot, Series};
+use crate::studies::kinematics::{Kinematics, Plane, PlaneInput};
+
+/// Meaning of all inputs, and how far the one that moves goes.
+pub(super) fn inputs(found: &Kinematics, linkage: &MultiLinkage) -> String {
+    let names: Vec<String> = (linkage.inputs().iter())
+        .map(|input| format!("{} ({})", input.name, linkage.describe(input)))
+        .collect();
+    let limits: Vec<String> = (found.limits.iter())
+        .map(|limit| format!("{} ({})", input(found, limit.at), limit.cause))
+        .collect();
+    match limits.as_slice() {
+        [from, to] => format!("Inputs: {}; from {from} to {to}.", names.join(", ")),
+        _ => format!("Inputs: {}.", names.join(", ")),
+    }
+}
+
+/// The machine over the ranges of its inputs, with a slider for each.
+pub(super) fn machine<'a>(found: &'a Kinematics) -> Section<'a> {
+    match found.grid {
+        Some(_) => Section::new("Positions over the inputs")
+            .drawing(move |_| over_inputs(found).unwrap_or_default()),
+        None => Section::default(),
+    }
+}
+
+fn over_inputs(found: &Kinematics) -> Option<String> {
+    let grid = found.grid.as_ref()?;
+    let placed = |frame: &Vec<[f64; 4]>| {
+        let links = frame.iter().map(|&[x, y, cos, sin]| Placement {
+            at: [x, y],
+            turn: [cos, sin],
+        });
+        links.collect()
+    };
+    let axes = grid.axes.iter().map(|(name, own, values)| GridAxis {
+        name: name.clone(),
+        unit: unit(*own).to_owned(),
+        values: values.iter().map(|&value| shown(*own, value)).collect(),
+    });
+    let drawing = Drawing {
+        spec: found.linkage.spec(),
+        frames: grid.frames.iter().map(placed).collect(),
+        axis: crate::report::mechanism::Axis::default(),
+        paths: Vec::new(),
+        arrows: Vec::new(),
+    };
+    Some(drawing.section_over("inputs", &axes.collect::<Vec<_>>(), grid.start))
+}
+
+fn unit(own: Coordinate) -> &'static str {
+    match own {
+        Coordinate::Turning => "deg",
+        Coordinate::Sliding => "m",
+    }
+}
+
+fn shown(own: Coordinate, value: f64) -> f64 {
+    match own {
+        Coordinate::Turning => value.to_degrees(),
+        Coordinate::Sliding => value,
+    }
+}
+
+/// The singular positions: curves in the plane of two inputs.
+pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
+    let Some(plane) = &found.plane else {
+        return Section::default();
+    };
+    let [one, other] = &plane.inputs;
+    let looked = format!(
+        "{} from {} to {}, {} from {} to {}",
+        one.name,
+        coordinate(one.coordinate, one.range[0]),
+        coordinate(one.coordinate, one.range[1]),
+        other.name,
+        coordinate(other.coordinate, other.range[0]),
+        coordinate(other.coordinate, other.range[1])
+    );
+    let section = Section::new("Singular positions");
+    if plane.curves.is_empty() {
+        return section.words(format!("None is seen over {looked}."));
+    }
+    let end = |input: &PlaneInput, curve: &SingularCurve, k: usize| {
+        let values = || curve.points.iter().map(|point| point[k]);
+        let from = values().fold(f64::INFINITY, f64::min);
+        let to = values().fold(f64::NEG_INFINITY, f64::max);
+        [from, to].map(|at| coordinate(input.coordinate, at))
+    };
+    let rows = plane.curves.iter().map(|curve| {
+        let [[from, to], [low, high]] = [end(one, curve, 0), end(other, curve, 1)];
+        let course = if curve.closed { "closed" } else { "open" };
+        vec![
+            found.linkage.structure().describe(curve.group),
+            course.to_owned(),
+            curve.points.len().to_string(),
+            format!("{from} to {to}"),
+            format!("{low} to {high}"),
+        ]
+    });
+    let names = [one, other].map(|input| format!(">{}", input.name));
+    let table = Table::new(["group", "curve", ">points", &names[0], &names[1]]).rows(rows);
+    section
+        .table(table)
+        .words(format!(
+            "On these curves the determinant of a group vanishes: speeds and forces grow without \
+             bound. Looked at: {looked}."
+        ))
+        .charts(Layout::Grid, "", vec![chart(found, plane)])
+}
+
+fn chart(found: &Kinematics, plane: &Plane) -> Plot {
+    let [one, other] = &plane.inputs;
+    let point = |&[x, y]: &[f64; 2]| (shown(one.coordinate, x), shown(other.coordinate, y));
+    let mut groups: Vec<usize> = plane.curves.iter().map(|curve| curve.group).collect();
+    groups.sort_unstable();
+    groups.dedup();
+    let mut series: Vec<Series> = Vec::new();
+    for group in groups {
+        let mut points = Vec::new();
+        for curve in plane.curves.iter().filter(|curve| curve.group == group) {
+            points.extend(curve.points.iter().map(point));
+            // Not a number: the next one is another curve.
+            points.push((f64::NAN, f64::NAN));
+        }
+        series.push(Series::line(
+            &found.linkage.structure().describe(group),
+            points,
+        ));
+    }
+    series.push(Series {
+        look: Look::Theory,
+        ..Series::line("way of the inputs", plane.path.iter().map(point).collect())
+    });
+    let axis = |input: &PlaneInput| Axis {
+        range: Some(input.range.map(|value| shown(input.coordinate, value))),
+        ..Axis::new(&input.name, unit(input.coordinate))
+    };
+    Plot {
+        id: "singular".to_owned(),
+        title: "Singular positions".to_owned(),
+        x: axis(one),
+        y: axis(other),
+        series,
+        ..Plot::default()
+    }
+}

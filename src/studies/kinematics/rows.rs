@@ -1,0 +1,163 @@
+//! The rows of a study, one after the other, whatever leads from one to the next.
+
+use super::columns::Heading;
+use super::extremes::extremes;
+use super::{Column, Extremes};
+use crate::units::shown;
+
+/// Share of its own size, or of what is ordinary for it, that the error of a value may have.
+const DETERMINED: f64 = 1e-3;
+
+/// What leads a linkage from place to place on the axis, and what is known of it there.
+pub(super) trait Course {
+    /// Why there is nothing at a place.
+    type Outside;
+
+    /// The columns, in the order of the values.
+    fn headings(&self) -> Vec<Heading>;
+
+    /// Goes to a place; the values of all columns there.
+    fn at(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), Self::Outside>;
+
+    /// Estimated errors of the values at the place gone to last.
+    fn errors(&mut self, place: f64, values: &[f64], errors: &mut Vec<f64>);
+
+    /// Size that is ordinary for a column at a place.
+    fn ordinary(&self, place: f64, heading: &Heading) -> f64;
+
+    /// Notes the place gone to last as a row; the frames of all links: x, y, cos, sin.
+    fn note(&mut self, place: f64) -> Vec<[f64; 4]>;
+
+    /// Goes on from a row noted earlier, where that makes a difference.
+    fn from_row(&mut self, _row: usize) {}
+}
+
+/// Places at equal distances, and one more where it is asked for.
+pub(super) fn evenly([from, to]: [f64; 2], count: usize, also: Option<f64>) -> Vec<f64> {
+    let mut places: Vec<f64> = (0..=count)
+        .map(|index| from + (to - from) * index as f64 / count as f64)
+        .collect();
+    if let Some(also) = also {
+        let sense = (to - from).signum();
+        let at = places.partition_point(|place| (place - also) * sense < 0.0);
+        if places.get(at) != Some(&also) {
+            places.insert(at, also);
+        }
+    }
+    places
+}
+
+/// Rows under construction.
+pub(super) struct Rows<C> {
+    pub(super) course: C,
+    errors: Vec<f64>,
+    pub(super) places: Vec<f64>,
+    headings: Vec<Heading>,
+    pub(super) columns: Vec<Column>,
+    /// Frames of all links, a row each.
+    pub(super) frames: Vec<Vec<[f64; 4]>>,
+}
+
+impl<C: Course> Rows<C> {
+    pub(super) fn new(course: C) -> Self {
+        let headings = course.headings();
+        let column = |heading: &Heading| Column {
+            owner: heading.owner.clone(),
+            quantity: heading.quantity,
+            by: heading.by.clone(),
+            unit: heading.unit.clone(),
+            values: Vec::new(),
+            error: 0.0,
+            undetermined: 0,
+        };
+        Self {
+            errors: Vec::new(),
+            places: Vec::new(),
+            columns: headings.iter().map(column).collect(),
+            headings,
+            frames: Vec::new(),
+            course,
+        }
+    }
+
+    /// All rows up to the end, or up to where the linkage goes no further: the last place
+    /// before, the first beyond, and why.
+    pub(super) fn fill(&mut self, places: &[f64]) -> Option<(f64, f64, C::Outside)> {
+        let mut values = Vec::new();
+        for &place in places {
+            if let Err(outside) = self.row(place, &mut values) {
+                let before = self.places.last().or(places.first());
+                return Some((before.copied().unwrap_or(place), place, outside));
+            }
+        }
+        None
+    }
+
+    fn row(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), C::Outside> {
+        self.course.at(place, values)?;
+        self.course.errors(place, values, &mut self.errors);
+        let found = values.iter().zip(&self.errors);
+        let columns = self.columns.iter_mut().zip(&self.headings);
+        for ((column, heading), (value, error)) in columns.zip(found) {
+            let ordinary = self.course.ordinary(place, heading).max(value.abs());
+            if *error > DETERMINED * ordinary {
+                let counts = value.is_finite() && !column.quantity.passes_infinity();
+                column.undetermined += usize::from(counts);
+                column.values.push(f64::NAN);
+            } else {
+                column.error = column.error.max(*error);
+                column.values.push(*value);
+            }
+        }
+        self.frames.push(self.course.note(place));
+        self.places.push(place);
+        Ok(())
+    }
+
+    /// Least and greatest value of every column, between the rows too.
+    pub(super) fn extremes(&mut self) -> Vec<Extremes> {
+        let (course, mut values) = (&mut self.course, Vec::new());
+        extremes(&self.places, &self.columns, &mut |place, row, column| {
+            course.from_row(row);
+            match course.at(place, &mut values) {
+                Ok(()) => values[column],
+                Err(_) => f64::NAN,
+            }
+        })
+    }
+}
+
+/// Quantities that are not determined somewhere, or beyond what can be written as a number.
+pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let doubtful = columns.iter().filter(|column| column.undetermined > 0);
+    if let Some(names) = named(doubtful.clone()) {
+        let most = doubtful.map(|column| column.undetermined).max();
+        warnings.push(format!(
+            "{names} cannot be told at up to {} of {rows} positions: so near to a singular position \
+             rounding changes them by more than {} of their size",
+            most.unwrap_or(0),
+            shown(DETERMINED, 1)
+        ));
+    }
+    let lost = |column: &&Column| {
+        let missing = column.values.iter().filter(|value| !value.is_finite());
+        !column.quantity.passes_infinity() && missing.count() > column.undetermined
+    };
+    if let Some(names) = named(columns.iter().filter(lost)) {
+        warnings.push(format!(
+            "{names} grow beyond all numbers: the speed is too great"
+        ));
+    }
+    warnings
+}
+
+/// The first of several columns by its name, and how many others there are.
+fn named<'c>(mut columns: impl Iterator<Item = &'c Column>) -> Option<String> {
+    let first = columns.next()?.name();
+    Some(match columns.count() {
+        0 => format!("`{first}`"),
+        1 => format!("`{first}` and another"),
+        count => format!("`{first}` and {count} others"),
+    })
+}

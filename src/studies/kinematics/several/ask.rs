@@ -1,0 +1,461 @@
+//! What is asked of a linkage of several inputs.
+
+use super::super::ask::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
+use super::super::columns::unit_of;
+use super::super::subject::{of_outputs, start_of};
+use super::reach::{Reached, reach};
+use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
+use crate::dynamics::trajectory::Trajectory;
+use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion, NotAssembled};
+use crate::math::jet::Jet;
+use crate::units::shown;
+
+/// Part of a reach that is kept away from singular positions at its ends.
+const ROOM: f64 = 1e-6;
+
+/// A question about a linkage of several inputs that can be answered.
+#[derive(Clone, Debug)]
+pub struct AskedSeveral<'a> {
+    pub(super) object: String,
+    pub(super) linkage: MultiLinkage,
+    /// Whether each input turns or slides.
+    pub(super) inputs: Vec<Coordinate>,
+    /// Whether each output turns or slides.
+    pub(super) outputs: Vec<Coordinate>,
+    /// Displacements of the inputs at the start of the scene.
+    pub(super) starts: Vec<f64>,
+    trajectories: Option<Vec<Trajectory<'a>>>,
+    pub(super) way: Way,
+    /// True: the one input that moves goes through a turn.
+    pub(super) closed: bool,
+    /// Ends of what it can go through.
+    pub(super) limits: Vec<(f64, NotAssembled)>,
+    pub(super) positions: usize,
+    pub(super) also: Option<f64>,
+}
+
+/// What leads from row to row.
+#[derive(Clone, Debug)]
+pub(super) enum Way {
+    /// Time, under the motions of the scene's drives, until here (s).
+    Time { to: f64 },
+    /// A straight way of the inputs.
+    Path {
+        /// The one input that moves: its coordinate is the axis. `None`: several move, and the
+        /// axis goes from 0 to 1.
+        along: Option<usize>,
+        span: [f64; 2],
+        /// Rate of the axis (1/s times its unit).
+        rate: f64,
+        legs: Vec<Leg>,
+    },
+}
+
+/// One input on a straight way: base + slope·s.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Leg {
+    base: f64,
+    slope: f64,
+    speed: f64,
+    acceleration: f64,
+}
+
+impl<'a> AskedSeveral<'a> {
+    /// Makes the question complete.
+    ///
+    /// # Errors
+    /// What cannot be answered, in words.
+    pub fn new(
+        model: &'a Model,
+        body: &MultiLinkageBody,
+        question: &Question,
+    ) -> Result<Self, String> {
+        let linkage = MultiLinkage::clone(&body.linkage);
+        let spec = &linkage.spec().linkage;
+        let slides = |input: &crate::kinematics::linkage::multi::spec::InputSpec| match input
+            .coordinate
+            .slides(spec)
+        {
+            true => Coordinate::Sliding,
+            false => Coordinate::Turning,
+        };
+        let trajectories: Option<Vec<_>> = (body.inputs.iter())
+            .map(|&node| Trajectory::of(model, node))
+            .collect();
+        let mut asked = Self {
+            object: model.objects[body.object].id.clone(),
+            inputs: linkage.inputs().iter().map(slides).collect(),
+            outputs: of_outputs(spec),
+            starts: body
+                .inputs
+                .iter()
+                .map(|&node| start_of(model, node))
+                .collect(),
+            trajectories,
+            way: Way::Time {
+                to: question.duration,
+            },
+            closed: false,
+            limits: Vec::new(),
+            positions: question.positions,
+            also: question.also,
+            linkage,
+        };
+        asked.check(question)?;
+        let over_time = match question.over {
+            Some(Over::Time { to }) => Some(to),
+            None if question.inputs.is_empty() && asked.trajectories.is_some() => {
+                Some(question.duration)
+            }
+            _ => None,
+        };
+        match over_time {
+            Some(to) => asked.over_time(to, question)?,
+            None => asked.over_path(question)?,
+        }
+        let [from, to] = asked.span();
+        let within = |also: f64| from.min(to) <= also && also <= from.max(to);
+        if let Some(also) = asked.also.filter(|&also| !within(also)) {
+            return Err(format!(
+                "the place {also} lies outside what is looked at: {from} to {to}"
+            ));
+        }
+        Ok(asked)
+    }
+
+    fn check(&self, question: &Question) -> Result<(), String> {
+        if !(1..=MOST_POSITIONS).contains(&self.positions) {
+            return Err(format!(
+                "{} positions: give 1 to {MOST_POSITIONS}",
+                self.positions
+            ));
+        }
+        if question.speed.or(question.acceleration).is_some() {
+            return Err(format!(
+                "`{}` has several inputs: say whose speed or acceleration it is, as in {}=…",
+                self.object,
+                self.name(0)
+            ));
+        }
+        if let Some(Over::Range { .. }) = question.over {
+            return Err(format!(
+                "`{}` has several inputs: say whose range it is, as in {}=0:90 deg",
+                self.object,
+                self.name(0)
+            ));
+        }
+        for (index, course) in question.inputs.iter().enumerate() {
+            self.input(&course.name)?;
+            if question.inputs[..index]
+                .iter()
+                .any(|other| other.name == course.name)
+            {
+                return Err(format!("the input `{}` is named twice", course.name));
+            }
+            let range = match course.over {
+                Some(InputOver::At(value)) => [value, value],
+                Some(InputOver::Range { from, to }) if from == to => {
+                    return Err(format!(
+                        "`{}`: a range needs two different ends",
+                        course.name
+                    ));
+                }
+                Some(InputOver::Range { from, to }) => [from, to],
+                Some(InputOver::Free) | None => [0.0; 2],
+            };
+            let numbers = [
+                course.speed.unwrap_or(0.0),
+                course.acceleration.unwrap_or(0.0),
+            ];
+            if !range.iter().chain(&numbers).all(|value| value.is_finite()) {
+                return Err(format!(
+                    "`{}`: values, speeds and accelerations must be finite numbers",
+                    course.name
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    fn over_time(&mut self, to: f64, question: &Question) -> Result<(), String> {
+        if !question.inputs.is_empty() {
+            return Err(
+                "over time the scene's drives move all inputs: leave the inputs out, or ask for \
+                 their ways"
+                    .to_owned(),
+            );
+        }
+        if self.trajectories.is_none() {
+            return Err(format!(
+                "not all inputs of `{}` have a prescribed motion: how they move over time follows \
+                 from the forces (`dam run`); ask for the way of an input",
+                self.object
+            ));
+        }
+        if !(to.is_finite() && to > 0.0) {
+            return Err("the time must be a number above zero".to_owned());
+        }
+        self.way = Way::Time { to };
+        Ok(())
+    }
+
+    fn over_path(&mut self, question: &Question) -> Result<(), String> {
+        let courses: Vec<Option<&InputCourse>> = (0..self.inputs.len())
+            .map(|input| {
+                let mut named = question.inputs.iter();
+                named.find(|course| course.name == self.name(input))
+            })
+            .collect();
+        let over = |input: usize| courses[input].and_then(|course| course.over);
+        let mut at = self.starts.clone();
+        let mut moving = Vec::new();
+        for (input, at) in at.iter_mut().enumerate() {
+            match over(input) {
+                Some(InputOver::At(value)) => *at = value,
+                Some(InputOver::Range { from, .. }) => {
+                    *at = from;
+                    moving.push(input);
+                }
+                Some(InputOver::Free) => moving.push(input),
+                None => {}
+            }
+        }
+        if moving.is_empty() {
+            // Nothing is said of the ways: the first that is not held goes as far as it can.
+            let held = |&input: &usize| !matches!(over(input), Some(InputOver::At(_)));
+            moving.extend((0..self.inputs.len()).find(held));
+        }
+        let Some(&first) = moving.first() else {
+            return Err(format!(
+                "all inputs of `{}` are held: let one move, as in {}=0:90 deg",
+                self.object,
+                self.name(0)
+            ));
+        };
+        let free = |input: usize| !matches!(over(input), Some(InputOver::Range { .. }));
+        if moving.len() > 1 && moving.iter().any(|&input| free(input)) {
+            return Err("of several inputs that move, each needs a range, FROM:TO".to_owned());
+        }
+        let (along, span) = match (moving.as_slice(), over(first)) {
+            ([_], Some(InputOver::Range { from, to })) => (Some(first), [from, to]),
+            ([_], _) => (Some(first), self.free(&at, first)?),
+            _ => (None, [0.0, 1.0]),
+        };
+        let slope = |input: usize| match (along, over(input)) {
+            (Some(along), _) => f64::from(u8::from(along == input)),
+            (None, Some(InputOver::Range { from, to })) => to - from,
+            _ => 0.0,
+        };
+        let given = courses[first].and_then(|course| course.speed);
+        let uniform = self.trajectories.as_ref();
+        let uniform = uniform.and_then(|all| all[first].constant_speed());
+        let speed = given.or(uniform).unwrap_or(1.0);
+        let rate = match along {
+            Some(_) => speed,
+            None => speed / slope(first).abs(),
+        };
+        let legs = (0..self.inputs.len()).map(|input| Leg {
+            base: if along == Some(input) { 0.0 } else { at[input] },
+            slope: slope(input),
+            speed: courses[input]
+                .and_then(|course| course.speed)
+                .unwrap_or(rate * slope(input)),
+            acceleration: courses[input]
+                .and_then(|course| course.acceleration)
+                .unwrap_or(0.0),
+        });
+        self.way = Way::Path {
+            along,
+            span,
+            rate,
+            legs: legs.collect(),
+        };
+        self.begins()
+    }
+
+    /// A turn of an input, or as far as it goes.
+    fn free(&mut self, at: &[f64], input: usize) -> Result<[f64; 2], String> {
+        let turning = self.inputs[input] == Coordinate::Turning;
+        match reach(&self.linkage, at, input, turning) {
+            Reached::Turn => {
+                self.closed = true;
+                Ok([at[input], at[input] + std::f64::consts::TAU])
+            }
+            Reached::Between(ends) => {
+                let [(from, _), (to, _)] = ends;
+                self.limits = ends.to_vec();
+                let room = ROOM * (to - from);
+                Ok([from + room, to - room])
+            }
+            Reached::Unknown => Err(format!(
+                "`{name}` of `{}` goes on without an end: say over which range, as in \
+                 {name}=0:100 mm",
+                self.object,
+                name = self.name(input)
+            )),
+        }
+    }
+
+    /// The first place must be one at which the linkage can be assembled.
+    fn begins(&self) -> Result<(), String> {
+        let mut motion = MultiMotion::new(&self.linkage);
+        motion.go(&self.inputs_at(self.span()[0])).map_err(|why| {
+            format!(
+                "`{}` cannot be assembled where the way of its inputs begins: {}",
+                self.object,
+                self.cause(why)
+            )
+        })
+    }
+
+    fn input(&self, name: &str) -> Result<usize, String> {
+        let names: Vec<&str> = (0..self.inputs.len())
+            .map(|input| self.name(input))
+            .collect();
+        let found = names.iter().position(|known| *known == name);
+        found.ok_or_else(|| {
+            format!(
+                "`{}` has no input `{name}`; one of {}",
+                self.object,
+                names.join(", ")
+            )
+        })
+    }
+
+    /// The linkage.
+    pub(in crate::studies) fn linkage(&self) -> &MultiLinkage {
+        &self.linkage
+    }
+
+    /// Number of intervals between rows.
+    pub(in crate::studies) fn positions(&self) -> usize {
+        self.positions
+    }
+
+    /// True: the one input that moves goes through a turn, after which everything is as before.
+    pub(in crate::studies) fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// True where every input has the speed of its way, and no acceleration.
+    pub(in crate::studies) fn goes_its_way(&self) -> bool {
+        match &self.way {
+            Way::Time { .. } => true,
+            Way::Path { rate, legs, .. } => {
+                (legs.iter()).all(|leg| leg.speed == rate * leg.slope && leg.acceleration == 0.0)
+            }
+        }
+    }
+
+    /// Name and SI unit of what leads from row to row.
+    pub(in crate::studies) fn axis(&self) -> (&'static str, &'static str) {
+        match self.way {
+            Way::Time { .. } => ("time", "s"),
+            Way::Path { along: Some(_), .. } => {
+                ("input coordinate", unit_of(self.first_coordinate()))
+            }
+            Way::Path { along: None, .. } => ("path", ""),
+        }
+    }
+
+    /// Name of an input.
+    pub(super) fn name(&self, input: usize) -> &str {
+        &self.linkage.inputs()[input].name
+    }
+
+    /// Names of the outputs.
+    pub(super) fn outputs(&self) -> impl Iterator<Item = &str> {
+        let outputs = self.linkage.outputs().iter();
+        outputs.map(|output| output.name.as_str())
+    }
+
+    /// Whether the input along the axis, or the first, turns or slides.
+    pub(super) fn first_coordinate(&self) -> Coordinate {
+        match self.way {
+            Way::Path {
+                along: Some(input), ..
+            } => self.inputs[input],
+            _ => self.inputs[0],
+        }
+    }
+
+    /// First and last place on the axis.
+    pub(in crate::studies) fn span(&self) -> [f64; 2] {
+        match self.way {
+            Way::Time { to } => [0.0, to],
+            Way::Path { span, .. } => span,
+        }
+    }
+
+    /// Rate of the axis.
+    pub(in crate::studies) fn rate_of_way(&self) -> f64 {
+        match self.way {
+            Way::Time { .. } => 1.0,
+            Way::Path { rate, .. } => rate,
+        }
+    }
+
+    /// Motions of all inputs at a place of the axis.
+    pub(in crate::studies) fn inputs_at(&self, place: f64) -> Vec<Jet> {
+        match (&self.way, &self.trajectories) {
+            (Way::Path { legs, .. }, _) => {
+                let jet = |leg: &Leg| Jet {
+                    value: leg.base + leg.slope * place,
+                    first: leg.speed,
+                    second: leg.acceleration,
+                    third: 0.0,
+                };
+                legs.iter().map(jet).collect()
+            }
+            (Way::Time { .. }, Some(all)) => all.iter().map(|one| one.at(place)).collect(),
+            // (Refused before.)
+            (Way::Time { .. }, None) => vec![Jet::UNKNOWN; self.inputs.len()],
+        }
+    }
+
+    /// Time of each row: at constant speed along a way.
+    pub(super) fn times(&self, places: &[f64]) -> Vec<f64> {
+        let rate = self.rate_of_way().abs();
+        let rate = if rate > 0.0 { rate } else { 1.0 };
+        let from = places.first().copied().unwrap_or(0.0);
+        places
+            .iter()
+            .map(|place| (place - from).abs() / rate)
+            .collect()
+    }
+
+    /// Motion of the inputs, in words.
+    pub(in crate::studies) fn motion(&self) -> String {
+        let Way::Path { legs, along, .. } = &self.way else {
+            return "by the scene's drives".to_owned();
+        };
+        let one = |(input, leg): (usize, &Leg)| {
+            let unit = unit_of(self.inputs[input]);
+            let name = self.name(input);
+            let own = |value: f64| match self.inputs[input] {
+                Coordinate::Turning => format!("{} deg", shown(value.to_degrees(), 6)),
+                Coordinate::Sliding => format!("{} m", shown(value, 6)),
+            };
+            let mut words = match (leg.slope != 0.0, along) {
+                (false, _) => format!("{name} at {}", own(leg.base)),
+                (true, Some(_)) => name.to_owned(),
+                (true, None) => {
+                    format!(
+                        "{name} from {} to {}",
+                        own(leg.base),
+                        own(leg.base + leg.slope)
+                    )
+                }
+            };
+            if leg.speed != 0.0 {
+                words += &format!(" with {} {unit}/s", shown(leg.speed, 6));
+            }
+            if leg.acceleration != 0.0 {
+                words += &format!(" and {} {unit}/s²", shown(leg.acceleration, 6));
+            }
+            words
+        };
+        let all: Vec<String> = legs.iter().enumerate().map(one).collect();
+        all.join(", ")
+    }
+}

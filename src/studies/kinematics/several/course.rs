@@ -1,0 +1,104 @@
+//! A linkage of several inputs from place to place on the axis.
+
+use super::super::columns::Heading;
+use super::super::rows::Course;
+use super::ask::AskedSeveral;
+use super::values;
+use crate::dynamics::model::Coordinate;
+use crate::kinematics::linkage::multi::{MultiMotion, MultiRounding, NotAssembled};
+use crate::math::jet::Jet;
+
+/// The course of several inputs.
+pub(super) struct SeveralInputs<'q, 'a> {
+    asked: &'q AskedSeveral<'a>,
+    pub(super) motion: MultiMotion,
+    rounding: MultiRounding,
+    /// Angles of all links at every row: from there they go on.
+    angles: Vec<Vec<f64>>,
+}
+
+impl<'q, 'a> SeveralInputs<'q, 'a> {
+    pub(super) fn new(asked: &'q AskedSeveral<'a>) -> Self {
+        Self {
+            asked,
+            motion: MultiMotion::new(&asked.linkage),
+            rounding: MultiRounding::of(&asked.linkage),
+            angles: Vec::new(),
+        }
+    }
+
+    /// Goes to a place of the axis.
+    pub(super) fn go(&mut self, place: f64) -> Result<(), NotAssembled> {
+        self.motion.go(&self.asked.inputs_at(place))
+    }
+}
+
+impl Course for SeveralInputs<'_, '_> {
+    type Outside = NotAssembled;
+
+    fn headings(&self) -> Vec<Heading> {
+        values::headings(self.asked)
+    }
+
+    fn at(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), NotAssembled> {
+        self.go(place)?;
+        values::values(self.asked, &self.motion, values);
+        Ok(())
+    }
+
+    fn errors(&mut self, _place: f64, values: &[f64], errors: &mut Vec<f64>) {
+        let (asked, motion) = (self.asked, &self.motion);
+        self.rounding.errors(
+            (motion.inputs(), motion.angles()),
+            values,
+            |copy, out| values::values(asked, copy, out),
+            errors,
+        );
+    }
+
+    fn ordinary(&self, _place: f64, heading: &Heading) -> f64 {
+        let size = self.asked.linkage.size();
+        let unit = |coordinate: Coordinate| match coordinate {
+            Coordinate::Turning => 1.0,
+            Coordinate::Sliding => size,
+        };
+        let own = if heading.turning { 1.0 } else { size };
+        if let Some(by) = &heading.by {
+            let inputs = self.asked.linkage.inputs().iter();
+            let mut named = inputs.zip(&self.asked.inputs);
+            let input = named.find(|(input, _)| input.name == *by);
+            let input = input.map_or(1.0, |(_, coordinate)| unit(*coordinate));
+            return heading.quantity.scale(own, input, Jet::default());
+        }
+        let rate = |of: fn(&Jet) -> f64| -> f64 {
+            let inputs = self.motion.inputs().iter().zip(&self.asked.inputs);
+            inputs
+                .map(|(input, own)| of(input).abs() / unit(*own))
+                .sum()
+        };
+        let all = Jet {
+            first: rate(|input| input.first),
+            second: rate(|input| input.second),
+            ..Jet::default()
+        };
+        heading.quantity.scale(own, 1.0, all)
+    }
+
+    fn note(&mut self, _place: f64) -> Vec<[f64; 4]> {
+        self.angles.push(self.motion.angles().to_vec());
+        frames(&self.motion, self.asked.linkage.spec().linkage.links.len())
+    }
+
+    fn from_row(&mut self, row: usize) {
+        self.motion.go_on_from(&self.angles[row]);
+    }
+}
+
+/// Frames of all links: x, y, cos, sin.
+pub(super) fn frames(motion: &MultiMotion, links: usize) -> Vec<[f64; 4]> {
+    let frame = |link: usize| {
+        let pose = motion.pose(link);
+        [pose.x, pose.y, pose.cos, pose.sin]
+    };
+    (0..links).map(frame).collect()
+}

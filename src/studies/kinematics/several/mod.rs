@@ -1,0 +1,158 @@
+//! Kinematics of linkages of several inputs: over the way of one input or of several, or over
+//! the time of the scene's drives; the singular positions over two of them.
+
+mod ask;
+mod course;
+mod plane;
+mod reach;
+mod values;
+
+pub use ask::AskedSeveral;
+
+use super::columns::unit_of;
+use super::figures::names_of;
+use super::rows::{Course, Rows, evenly, warnings};
+use super::summary::{stroke_of, transmission_of};
+use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, Stopped, Stroke, Transmission};
+use crate::dynamics::model::Coordinate;
+use crate::kinematics::linkage::multi::NotAssembled;
+use crate::math::roots::bisect;
+use ask::Way;
+use course::SeveralInputs;
+
+/// Positions, speeds and accelerations of a linkage of several inputs over what was asked.
+pub fn several_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
+    let mut rows = Rows::new(SeveralInputs::new(asked));
+    let places = evenly(asked.span(), asked.positions, asked.also);
+    let stopped = rows.fill(&places);
+    let stopped = stopped.map(|(before, place, why)| stop(asked, [before, place], why));
+    let extremes = rows.extremes();
+    let closed = asked.closed && stopped.is_none();
+    let strokes = match closed {
+        true => strokes(asked, &mut rows),
+        false => Vec::new(),
+    };
+    let transmission = transmission(asked, &rows.places);
+    let (plane, grid) = (plane::plane(asked, &rows.places), plane::grid(asked));
+    let Rows {
+        places,
+        columns,
+        frames,
+        ..
+    } = rows;
+    Kinematics {
+        object: asked.object.clone(),
+        linkage: AnyLinkage::Several(asked.linkage.clone()),
+        input: asked.first_coordinate(),
+        motion: asked.motion(),
+        times: asked.times(&places),
+        closed,
+        extremes,
+        strokes,
+        equilibria: Vec::new(),
+        transmission,
+        limits: limits(asked),
+        warnings: warnings(&columns, places.len()),
+        axis: axis(asked, places),
+        columns,
+        frames,
+        stopped,
+        plane,
+        grid,
+    }
+}
+
+impl AskedSeveral<'_> {
+    /// Names of all figures that a study of this question can have.
+    pub fn figures(&self) -> Vec<String> {
+        names_of(&values::headings(self), &self.linkage.spec().linkage)
+    }
+
+    /// Why a group cannot be assembled, in words.
+    pub(in crate::studies) fn cause(&self, NotAssembled { group }: NotAssembled) -> String {
+        format!(
+            "singular position of {}",
+            self.linkage.structure().describe(group)
+        )
+    }
+}
+
+fn axis(asked: &AskedSeveral<'_>, values: Vec<f64>) -> Axis {
+    let (name, unit) = asked.axis();
+    Axis { name, unit, values }
+}
+
+fn limits(asked: &AskedSeveral<'_>) -> Vec<Limit> {
+    let limit = |(at, why): &(f64, NotAssembled)| Limit {
+        at: *at,
+        cause: asked.cause(*why),
+    };
+    asked.limits.iter().map(limit).collect()
+}
+
+/// Where the linkage goes no further, between a place inside and one outside.
+fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled) -> Stopped {
+    let mut course = SeveralInputs::new(asked);
+    let mut why = why;
+    let [_, at] = bisect([inside, outside], 100, |place| match course.go(place) {
+        Ok(()) => true,
+        Err(found) => {
+            why = found;
+            false
+        }
+    });
+    let input = match asked.way {
+        Way::Time { .. } => asked.inputs_at(at)[0].value,
+        Way::Path { .. } => at,
+    };
+    Stopped {
+        at,
+        input,
+        cause: asked.cause(why),
+    }
+}
+
+/// Strokes of outputs and sliding pairs over a turn of the one input that moves.
+fn strokes(asked: &AskedSeveral<'_>, rows: &mut Rows<SeveralInputs<'_, '_>>) -> Vec<Stroke> {
+    let [from, to] = asked.span();
+    let mut found = Vec::new();
+    let mut values = Vec::new();
+    for index in 0..rows.columns.len() {
+        let column = &rows.columns[index];
+        let slides = column.owner.starts_with("pairs.");
+        let output = asked.outputs().position(|name| name == column.owner);
+        if column.quantity != Quantity::Displacement || !(slides || output.is_some()) {
+            continue;
+        }
+        let coordinate = output.map_or(Coordinate::Sliding, |output| asked.outputs[output]);
+        // Speeds stand behind their displacements.
+        let owner = (column.owner.clone(), unit_of(coordinate));
+        let course = &mut rows.course;
+        let sense = asked.rate_of_way();
+        let mut look = |place: f64, value: bool| match course.at(place, &mut values) {
+            Ok(()) if value => values[index],
+            Ok(()) => values[index + 1] / sense,
+            Err(_) => f64::NAN,
+        };
+        found.extend(stroke_of(&mut look, from.min(to), (to - from).abs(), owner));
+    }
+    found
+}
+
+fn transmission(asked: &AskedSeveral<'_>, places: &[f64]) -> Vec<Transmission> {
+    let linkage = &asked.linkage;
+    let spec = &linkage.spec().linkage;
+    let mut course = SeveralInputs::new(asked);
+    transmission_of(
+        spec,
+        linkage.structure(),
+        places,
+        &mut |place, dyad| match course.go(place) {
+            Ok(()) => dyad.angle(
+                &|point| course.motion.point(point).map(|jet| jet.value),
+                &|link| course.motion.angle(link).value,
+            ),
+            Err(_) => f64::NAN,
+        },
+    )
+}
