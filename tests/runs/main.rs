@@ -21,3 +21,4 @@ mod reduce;
 mod reference_rocker;
 mod scoreboard;
 mod short_steps;
+mod tolerance;

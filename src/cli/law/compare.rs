@@ -221,6 +221,7 @@ fn settings(ready: &Ready, speed: f64, samples: usize) -> RunSettings {
         duration: cycle * asked.clamp(CYCLES, 1000.0),
         samples: ready.settings.samples.max(samples),
         window: None,
+        of_accuracy: None,
         ..ready.settings.clone()
     }
 }

@@ -197,6 +197,9 @@ pub struct RunSummary {
     pub why: String,
     /// Tolerance.
     pub tolerance: f64,
+    /// Why it is this one, where it follows from the accuracy that is asked of the figures.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance_why: Option<String>,
     /// Time reached (s); of a dead position, the time of the position itself.
     pub time: f64,
     /// True when the end time was reached.
