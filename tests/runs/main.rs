@@ -14,6 +14,7 @@ mod library;
 mod long_chains;
 mod methods;
 mod order;
+mod order_table;
 mod ports;
 mod random_scenes;
 mod read_scene;

@@ -142,7 +142,7 @@ fn what_counts_and_what_is_expected_bind_the_tolerance() {
         .value("tube.delta_abs");
     let value = value.expect("a value");
     scene["expect"] = serde_json::json!([
-        { "figure": "tube.delta_abs", "value": value, "within": 1e-4 * value }
+        { "figure": "tube.delta_abs", "value": value, "within": 5e-5 * value }
     ]);
     let bound = prepared(&scene).settings.of_accuracy.expect("a tolerance");
     assert!(bound.tolerance < free.tolerance, "{bound:?} {free:?}");

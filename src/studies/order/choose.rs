@@ -40,7 +40,6 @@ pub fn choose(
     control: &Control<'_>,
 ) -> Result<Chosen, Vec<Fault>> {
     let mut trials = Trials::new(scene, settings, control);
-    trials.open_integration();
     let mut families = families(&trials);
     let known = Known::of(&mut trials, &mut families)?;
     let judge = known.judge();

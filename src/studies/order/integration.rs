@@ -1,9 +1,9 @@
 //! How finely a run is integrated whose figures are asked for within an accuracy.
 //!
-//! Where figures lead is told from differences between runs: those are integrated to a
-//! hundredth of what is asked for. The run of the model that was chosen needs no more than a
-//! tenth. A tolerance alone promises little of a single figure, so a run with a tenth of it
-//! measures how far each is off.
+//! Where figures lead is told from differences between runs, which are integrated as the scene
+//! says. A run of the model that was chosen needs to be no better than a tenth of what is
+//! asked for. A tolerance alone promises little of a single figure: how far each is off is
+//! measured by the finer run that there has been.
 
 use super::asked::{Asked, is_count};
 use super::judge::{Judge, value};
@@ -18,28 +18,18 @@ use crate::studies::expectations::of_run;
 use crate::units::shown;
 use std::collections::BTreeMap;
 
-/// Share of the accuracy that the integration may take of runs that are compared.
-const OF_ROW: f64 = 0.01;
-/// The same of the run itself.
-const OF_RUN: f64 = 0.1;
+/// Share of the accuracy that is left to the integration.
+const SHARE: f64 = 0.1;
 /// No run is integrated more coarsely: beyond, the balance of its energies says little.
 const COARSEST: f64 = 1e-3;
-/// What a run is measured by has so many times its tolerance.
+/// A tolerance that does not do is followed by so many times it.
 const FINER: f64 = 0.1;
 /// A difference to a finer run counts so many times: that is off too.
 const SAFETY: f64 = 1.5;
 
-/// Tolerance of the runs that tell where figures lead, by the first of them.
-pub(super) fn of_row(trials: &Trials<'_>, asked: &[Asked], first: &Figures) -> f64 {
-    match trials.integration_is_open() {
-        true => tolerance(asked, first, OF_ROW).max(trials.own_tolerance()),
-        false => trials.own_tolerance(),
-    }
-}
-
-/// The tolerance, relative to the scales of the figures, that is a share of what they may be
+/// The tolerance, relative to the scales of the figures, that is a tenth of what they may be
 /// off; in round numbers.
-fn tolerance(asked: &[Asked], figures: &Figures, share: f64) -> f64 {
+fn tolerance(asked: &[Asked], figures: &Figures) -> f64 {
     let allowed = |one: &Asked| {
         let value = figures.value(&one.figure).unwrap_or(f64::NAN);
         one.accuracy.bound(value) / figures.scale(&one.figure)
@@ -48,7 +38,7 @@ fn tolerance(asked: &[Asked], figures: &Figures, share: f64) -> f64 {
         .map(allowed)
         .min_by_key(|allowed| Total(*allowed));
     match least {
-        Some(least) if least.is_finite() => round(share * least).min(COARSEST),
+        Some(least) if least.is_finite() => round(SHARE * least).min(COARSEST),
         // What has no value, or only counts, tells nothing.
         _ => 0.0,
     }
@@ -71,7 +61,7 @@ fn round(number: f64) -> f64 {
 
 /// Integrates the model that was chosen anew, as coarsely as the accuracy allows; that run
 /// takes the place of the one before, with what its figures are off by it. `None`: nobody left
-/// the tolerance open, nothing is integrated, or it is that of the scene.
+/// the tolerance open, nothing is integrated, or nothing coarser will do.
 ///
 /// # Errors
 /// The model cannot be built or started.
@@ -80,30 +70,18 @@ pub(super) fn coarsest(
     judge: &Judge<'_>,
     chosen: usize,
 ) -> Result<Option<ToleranceOfAccuracy>, Vec<Fault>> {
+    let fine = trials.made[chosen].clone();
     let own = trials.own_tolerance();
-    let mut fine = trials.made[chosen].clone();
-    if !trials.integration_is_open() || fine.tolerance.is_none() || trials.interrupted {
-        return Ok(None);
-    }
-    let levels = fine.levels.clone();
-    let most = match fine.doubt {
-        None => tolerance(judge.asked, &fine.figures, OF_RUN),
-        Some(_) => 0.0,
-    };
-    let mut coarse = trials.run(&levels, most.max(own))?;
-    while let Some(tolerance) = coarse.tolerance.filter(|tolerance| *tolerance > own) {
-        let finer = (FINER * tolerance).max(own);
-        // As if it were as fine: numbers that are nearly the same.
-        if fine.tolerance.is_none_or(|known| known > 1.1 * finer) {
-            fine = trials.run(&levels, finer)?;
-        }
+    let open = trials.integration_is_open() && fine.integrated && fine.doubt.is_none();
+    let mut tolerance = tolerance(judge.asked, &fine.figures);
+    while open && tolerance > own && !trials.interrupted {
+        let mut coarse = trials.run(&fine.levels, tolerance)?;
         if let Some(why) = measured(trials, judge, &mut coarse, &fine) {
             trials.made[chosen] = coarse;
             return Ok(Some(ToleranceOfAccuracy { tolerance, why }));
         }
-        coarse = fine.clone();
+        tolerance = round(FINER * tolerance);
     }
-    trials.made[chosen] = coarse;
     Ok(None)
 }
 
@@ -125,7 +103,7 @@ fn measured(
         let off = off(coarse, fine, &asked.figure);
         let bound = Judge::bound(asked, course);
         let bound = bound.unwrap_or_else(|| asked.accuracy.bound(value(fine, asked)));
-        let allowed = OF_RUN * bound;
+        let allowed = SHARE * bound;
         // Written so that a number that is none is too much.
         if !(off <= allowed && keeps(asked, course, bound, (coarse, off), fine)) {
             return None;
@@ -181,7 +159,7 @@ fn expected_is_kept(all: &[Expectation], coarse: &Trial, fine: &Trial) -> bool {
         };
         let gone = |trial: &Trial| trial.figures.value(figure).is_err();
         let computed = figure.starts_with("run.") && figure != "run.time";
-        computed || (gone(coarse) && gone(fine)) || off(coarse, fine, figure) <= OF_RUN * within
+        computed || (gone(coarse) && gone(fine)) || off(coarse, fine, figure) <= SHARE * within
     })
 }
 

@@ -2,7 +2,6 @@
 
 use super::asked::{Asked, asked};
 use super::bound::of_figure;
-use super::integration::of_row;
 use super::judge::{Judge, value};
 use super::row::{Course, Families, Family, Row};
 use super::settling::Settled;
@@ -37,8 +36,6 @@ impl Known {
                 let first = &trials.made[row.runs[0]].figures;
                 asked_for = asked(trials.scene, &trials.elastic, first);
             }
-            let last = &trials.made[row.runs[row.runs.len() - 1]].figures;
-            trials.integrate_to(of_row(trials, &asked_for, last));
             enough(trials, row, &asked_for)
         })?;
         if row.runs.is_empty() {

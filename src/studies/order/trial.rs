@@ -24,10 +24,9 @@ pub(in crate::studies) struct Trial {
     /// Error that the integration leaves, relative to the scale of a figure.
     pub(in crate::studies) integration: f64,
     /// The same of single figures, in their units, where a finer run has shown it.
-    pub(in crate::studies) measured: BTreeMap<String, f64>,
-    /// The tolerance asked of it, where it was integrated: neither exact nor given by the
-    /// drives alone.
-    pub(in crate::studies) tolerance: Option<f64>,
+    pub(super) measured: BTreeMap<String, f64>,
+    /// True when it was integrated: neither exact nor given by the drives alone.
+    pub(super) integrated: bool,
     /// Why it does not count: it ended early, or is not trusted.
     pub(in crate::studies) doubt: Option<String>,
     /// How far the displacement of an object may be off by what its level leaves out, where
@@ -55,10 +54,6 @@ pub(in crate::studies) struct Trials<'s> {
     pub(in crate::studies) scene: &'s mut TypedScene,
     pub(in crate::studies) elastic: Elastic,
     settings: RunSettings,
-    /// Tolerance of runs that are integrated.
-    tolerance: f64,
-    /// True when the accuracy asked for decides how finely runs are integrated.
-    integration_is_open: bool,
     control: &'s Control<'s>,
     pub(in crate::studies) made: Vec<Trial>,
     /// The model of the last run.
@@ -94,8 +89,6 @@ impl<'s> Trials<'s> {
         Self {
             scene,
             elastic,
-            tolerance: settings.tolerance,
-            integration_is_open: false,
             settings,
             control,
             made: Vec::new(),
@@ -126,13 +119,7 @@ impl<'s> Trials<'s> {
         if let Some(known) = self.made.iter().position(|trial| trial.levels == *levels) {
             return Ok(known);
         }
-        // Whether there is anything to integrate, runs before it tell.
-        let integrated = self.made.last().is_some_and(|one| one.tolerance.is_some());
-        let tolerance = match integrated {
-            true => self.tolerance,
-            false => self.settings.tolerance,
-        };
-        let trial = self.run(levels, tolerance)?;
+        let trial = self.run(levels, self.settings.tolerance)?;
         self.made.push(trial);
         Ok(self.made.len() - 1)
     }
@@ -176,7 +163,7 @@ impl<'s> Trials<'s> {
                 result.tolerance.max(tolerance)
             },
             measured: BTreeMap::new(),
-            tolerance: integrated.then_some(tolerance),
+            integrated,
             doubt,
             cost: passes * (1.0 + coordinates(levels) as f64),
             seconds,
@@ -184,25 +171,14 @@ impl<'s> Trials<'s> {
         })
     }
 
-    /// Integrates further runs to another tolerance.
-    pub(super) fn integrate_to(&mut self, tolerance: f64) {
-        self.tolerance = tolerance;
-    }
-
     /// Tolerance of the scene.
     pub(super) fn own_tolerance(&self) -> f64 {
         self.settings.tolerance
     }
 
-    /// Leaves it to the accuracy asked for how finely runs are integrated, where nobody said.
-    pub(super) fn open_integration(&mut self) {
-        self.integration_is_open =
-            self.settings.method.is_none() && !self.scene.run.tolerance_given;
-    }
-
-    /// True when the accuracy asked for decides how finely runs are integrated.
+    /// True when nobody said how runs are to be integrated.
     pub(super) fn integration_is_open(&self) -> bool {
-        self.integration_is_open
+        self.settings.method.is_none() && !self.scene.run.tolerance_given
     }
 
     /// What the levels of objects leave out, where there is a bound. A motion that is
