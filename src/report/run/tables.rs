@@ -141,7 +141,7 @@ pub(super) fn stops(figures: &Figures) -> Table {
     })
 }
 
-/// Pressure on the cams of known material.
+/// Pressures of contacts of known shape and material.
 pub(super) fn pressing(figures: &Figures) -> Table {
     let heads = [">greatest pressure", ">at"];
     table(heads, figures, |object, _| {
