@@ -173,7 +173,8 @@ impl Rows {
         // Where a pressure has no bounds there is no figure of it either.
         let known = |&index: &usize| {
             let own = self.columns[index].quantity == Quantity::ContactPressure;
-            !own || column(&self.rows, index).iter().all(|p| p.is_finite())
+            let all = [&self.rows, &self.closeups].map(|table| column(table, index));
+            !own || all.iter().flatten().all(|p| p.is_finite())
         };
         let mut order: Vec<usize> = (0..width).filter(known).collect();
         // The masses of an object come behind the object.
