@@ -2715,8 +2715,9 @@ class Run(Tree):
     switch_rows
         True: two rows (before, after) at each switch. Default: false.
     tolerance
-        Error wanted in each object's δ, relative to its scale. (a pure number) Default:
-        1e-06.
+        Error wanted in each object's δ, relative to its scale. Left out, with the method
+        `auto` and where figures are to keep an accuracy (`accuracy`, `masses`: "auto"), it
+        is as coarse as that allows: a tenth of it. (a pure number) Default: 1e-06.
     window
         [from, to]: where steady figures are taken. Default: the last whole cycle of the
         drive.

@@ -222,6 +222,7 @@ impl<P, R> Trial<'_, P, R> {
             duration: cycle * asked.clamp(CYCLES[0], CYCLES[1]),
             samples: ready.settings.samples.max(samples),
             window: None,
+            of_accuracy: None,
             ..ready.settings.clone()
         };
         let result = (self.run)(ready, &settings, samples == FEW).map_err(Ended::Failed)?;

@@ -48,12 +48,13 @@ impl Mechanism {
         let places = reading.places.clone();
         let diagnose = |faults: Vec<Fault>| places.diagnose(&faults);
         let mut model = lower(&reading.scene).map_err(diagnose)?;
-        let settings = sound_settings(&reading.scene, &model).map_err(diagnose)?;
+        let mut settings = sound_settings(&reading.scene, &model).map_err(diagnose)?;
         let mut certificate = None;
         if judging.applies(&reading.scene) {
             let chosen = choose(&mut reading.scene, &settings, control).map_err(diagnose)?;
             model = lower(&reading.scene).map_err(diagnose)?;
             certificate = Some(chosen.certificate);
+            settings.of_accuracy = chosen.of_accuracy;
         }
         let unlikely = plausible::warnings(&model, settings.duration);
         model.warnings.extend(unlikely);

@@ -3,7 +3,7 @@
 use super::args::{Form, ShowArgs, View};
 use super::console;
 use super::failure::Failure;
-use super::input::Input;
+use super::input::{Input, Ready};
 use super::status::Status;
 use crate::dynamics::model::{Coordinate, LinkageBody, Model, MultiLinkageBody, Reduced};
 use crate::dynamics::system::{Regime, System};
@@ -15,22 +15,23 @@ use crate::report::show::masses::{self, Frequencies, moved_by};
 use crate::report::show::reduced::modes;
 use crate::report::svg::graph::svg;
 use crate::studies::exact::{Mixed, mixed};
+use crate::units::shown;
 use serde_json::json;
 
 /// Runs the command.
 pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
     refuse(args.view, args.form)?;
     let ready = Input::load(&args.scene)?.prepare(&[])?;
-    let (system, model) = (&ready.system, ready.system.model());
+    let model = ready.system.model();
     if args.scene.json {
-        console::json(&document(&ready.scene().name, system))?;
+        console::json(&document(&ready))?;
         return Ok(Status::Answered);
     }
     let out = match args.form {
         Form::Dot => graph::dot(&Diagram::of(model)),
         Form::Svg => svg(&Diagram::of(model), false),
         Form::Latex => latex(&equations(model)),
-        Form::Text => in_words(args.view, system),
+        Form::Text => in_words(args.view, &ready),
     };
     console::text(&out)?;
     Ok(Status::Answered)
@@ -52,13 +53,14 @@ fn refuse(view: View, form: Form) -> Result<(), Failure> {
     ))
 }
 
-fn in_words(view: View, system: &System) -> String {
+fn in_words(view: View, ready: &Ready) -> String {
+    let system = &ready.system;
     let model = system.model();
     // Only what is shown is worked out: frequencies of many masses take their time.
     let said = |part: View| match part {
         View::All => String::new(),
         View::Graph => graph::tree(&Diagram::of(model)),
-        View::Model => masses::text(model, &frequencies(system)) + &exact_in_words(system),
+        View::Model => masses::text(model, &frequencies(system)) + &exact_in_words(ready),
         View::Equations => text(&equations(model)),
     };
     if view != View::All {
@@ -74,7 +76,8 @@ fn in_words(view: View, system: &System) -> String {
 }
 
 /// Whether the scene is propagated exactly, and why not.
-fn exact_in_words(system: &System) -> String {
+fn exact_in_words(ready: &Ready) -> String {
+    let system = &ready.system;
     let parts = Parts::of(system).with_sound_trees(system);
     let mut out = "\nExact propagation\n".to_owned();
     for part in &parts.trees {
@@ -96,6 +99,13 @@ fn exact_in_words(system: &System) -> String {
     }
     if parts.trees.is_empty() && parts.refusals.is_empty() {
         out.push_str("  nothing is elastic: the motion follows from the drives\n");
+    }
+    if let Some(found) = &ready.settings.of_accuracy {
+        let tolerance = shown(found.tolerance, 3);
+        out.push_str(&format!(
+            "\nTolerance of a run\n  {tolerance}: {}\n",
+            found.why
+        ));
     }
     out
 }
@@ -128,7 +138,8 @@ fn frequencies(system: &System) -> Frequencies {
     }
 }
 
-fn document(scene: &str, system: &System) -> serde_json::Value {
+fn document(ready: &Ready) -> serde_json::Value {
+    let system = &ready.system;
     let model: &Model = system.model();
     let found = frequencies(system);
     let objects: Vec<_> = model
@@ -151,7 +162,7 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
         .collect();
     let mut document = json!({
         "dam": 1,
-        "scene": scene,
+        "scene": ready.scene().name,
         "objects": objects,
         "linkages": model.linkages.iter().map(|body| linkage(model, body)).collect::<Vec<_>>(),
         "multi_linkages": (model.multi_linkages.iter())
@@ -167,6 +178,9 @@ fn document(scene: &str, system: &System) -> serde_json::Value {
             .iter()
             .map(|one| reduced(model, one))
             .collect();
+    }
+    if let Some(found) = &ready.settings.of_accuracy {
+        document["tolerance"] = json!(found);
     }
     document
 }

@@ -1,8 +1,8 @@
 //! Impacts of rigid pairs, and what they hold.
 //!
 //! A mass behind a prescribed law strikes a flank at the speed w: the impulse J·(1 + e)·w lets
-//! its clearance grow at e·w. The law takes the other half of the impulse, which does work on
-//! the mass. When impacts come to rest stands in [`restitution`].
+//! its clearance grow at e·w. The law bears it, keeps its speed, and does work by it on the
+//! mass. When impacts come to rest stands in [`restitution`].
 
 use super::problem::PairState;
 use super::request::ExactSwitch;

@@ -57,23 +57,66 @@ pub(crate) fn point_stiffness(modulus: f64, curvatures: [f64; 2]) -> Option<f64>
         return None;
     }
     let (ratio, mean) = (most / least, 1.0 / (least * most).sqrt());
-    let factor = match ratio - 1.0 < CIRCLE {
-        true => 1.0,
-        false => approach_factor(ratio)?,
-    };
+    let [_, factor] = factors(ratio)?;
     Some(4.0 / 3.0 * modulus * mean.sqrt() * factor.powf(-1.5))
 }
 
-/// F₂ at R′/R″ > 1.
-fn approach_factor(ratio: f64) -> Option<f64> {
+/// F₁ and F₂ at R′/R″ ≥ 1.
+fn factors(ratio: f64) -> Option<[f64; 2]> {
+    if ratio - 1.0 < CIRCLE {
+        return Some([1.0; 2]);
+    }
     // Over ln(a/b): the ratio of the axes is near (R′/R″)^(2/3), and never greater than R′/R″.
     let mut miss = |x: f64| Ellipse::of(x).ratio().ln() - ratio.ln();
     let found = bracketed(&mut miss, [1e-12, ratio.ln() + 1e-6], 1e-14);
     let ellipse = Ellipse::of(found.at);
     let shape = ellipse.axes.powf(-1.5) * (ellipse.larger * ellipse.smaller).sqrt();
     let first = (4.0 / (PI * ellipse.square) * shape).cbrt();
-    let factor = 2.0 / PI * ellipse.axes.powf(-0.5) * ellipse.complete / first;
-    factor.is_finite().then_some(factor)
+    let second = 2.0 / PI * ellipse.axes.powf(-0.5) * ellipse.complete / first;
+    let both = [first, second];
+    both.iter().all(|factor| factor.is_finite()).then_some(both)
+}
+
+/// Greatest pressure between two bodies over the force that presses them together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactPressure {
+    /// Along a line: so many times the root of the force.
+    Line(f64),
+    /// In a point: so many times the cube root of the force.
+    Point(f64),
+}
+
+impl ContactPressure {
+    /// Of a force (N, or N·m where the bodies touch on an arm) the pressure (Pa).
+    pub(crate) fn of(self, force: f64) -> f64 {
+        match self {
+            Self::Line(factor) => factor * force.abs().sqrt(),
+            Self::Point(factor) => factor * force.abs().cbrt(),
+        }
+    }
+
+    /// The same over the moment of that force on an arm (m).
+    pub(crate) fn on_arm(self, arm: f64) -> Self {
+        match self {
+            Self::Line(factor) => Self::Line(factor / arm.sqrt()),
+            Self::Point(factor) => Self::Point(factor / arm.cbrt()),
+        }
+    }
+}
+
+/// The pressure of bodies that touch in a point, 3N/(2π·a·b), their curvatures as in
+/// [`point_stiffness`]; √(a·b) = (3N·R_e/(4·E*))^(1/3)·F₁ (Johnson, 4.28 and 4.30).
+pub(crate) fn point_pressure(modulus: f64, curvatures: [f64; 2]) -> Option<ContactPressure> {
+    let [least, most] = [
+        curvatures[0].min(curvatures[1]),
+        curvatures[0].max(curvatures[1]),
+    ];
+    if !(least > 0.0 && most.is_finite()) {
+        return None;
+    }
+    let [first, _] = factors(most / least)?;
+    let size = (0.75 / (modulus * (least * most).sqrt())).cbrt() * first;
+    Some(ContactPressure::Point(1.5 / (PI * size * size)))
 }
 
 /// An ellipse of contact.
@@ -142,7 +185,7 @@ pub(crate) enum Backing {
 }
 
 impl Backing {
-    fn curvature(self) -> f64 {
+    pub(crate) fn curvature(self) -> f64 {
         match self {
             Self::Cylinder(radius) => 1.0 / radius,
             Self::Depth { curvature, .. } => curvature,
@@ -202,7 +245,8 @@ fn half_width(load: f64, bodies: [(Material, Backing); 2]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::{
-        Backing, Material, contact_modulus, line_approach, line_pressure, point_stiffness,
+        Backing, ContactPressure, Material, contact_modulus, line_approach, line_pressure,
+        point_pressure, point_stiffness,
     };
     use std::f64::consts::PI;
 
@@ -252,7 +296,25 @@ mod tests {
             // Under N = E* = 1: 1 = K·δ^(3/2).
             let found = point_stiffness(1.0, curvatures).unwrap();
             approx::assert_relative_eq!(found, approach.powf(-1.5), max_relative = 1e-8);
+            // Under half an ellipsoid of pressure over π·a·b.
+            let pressure = point_pressure(1.0, curvatures).unwrap();
+            approx::assert_relative_eq!(pressure.of(1.0), 1.5 / (PI * b), max_relative = 1e-8);
         }
+    }
+
+    #[test]
+    fn pressures_follow_the_root_and_the_cube_root_of_the_force() {
+        // Johnson: p₀ = (6N·E*²/(π³R²))^(1/3) of a ball of radius R on a plate.
+        let modulus = contact_modulus([STEEL; 2]);
+        let ball = point_pressure(modulus, [200.0, 200.0]).unwrap();
+        let wanted = (6.0 * 100.0 * (modulus * 200.0 / PI).powi(2) / PI).cbrt();
+        approx::assert_relative_eq!(ball.of(100.0), wanted, max_relative = 1e-14);
+        approx::assert_relative_eq!(ball.of(800.0), 2.0 * wanted, max_relative = 1e-14);
+        approx::assert_relative_eq!(ball.on_arm(0.1).of(10.0), wanted, max_relative = 1e-14);
+        let line = ContactPressure::Line(3.0).on_arm(0.25);
+        approx::assert_relative_eq!(line.of(1.0), 6.0, max_relative = 1e-14);
+        approx::assert_relative_eq!(line.of(-4.0), 12.0, max_relative = 1e-14);
+        assert_eq!(point_pressure(modulus, [200.0, 0.0]), None);
     }
 
     #[test]

@@ -41,6 +41,7 @@ pub(super) fn summary(
         method: choice.name.clone(),
         why: choice.why.clone(),
         tolerance: settings.tolerance,
+        tolerance_why: settings.of_accuracy.as_ref().map(|found| found.why.clone()),
         time: outcome.time,
         complete,
         stopped: stopped.as_ref().map(|(name, _)| (*name).to_owned()),

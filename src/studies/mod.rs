@@ -30,5 +30,5 @@ pub mod studied;
 pub(crate) mod testing;
 mod warning;
 
-pub use settings::{Control, RunSettings};
+pub use settings::{Control, RunSettings, ToleranceOfAccuracy};
 pub use warning::Warning;

@@ -76,6 +76,7 @@ pub fn run(
     control: &Control<'_>,
     sinks: &mut [&mut dyn Sink],
 ) -> Result<RunResult, Vec<Fault>> {
+    let settings = &settings.taken();
     let motion = motion(system, settings, Demand::EVERYTHING, control, sinks)?;
     let Motion {
         recorded,

@@ -22,6 +22,10 @@ pub struct RunSettings {
     pub method: Option<Method>,
     /// Error wanted, relative to the scales of the state.
     pub tolerance: f64,
+    /// The tolerance that the accuracy asked of the figures leaves, where nobody said one: runs
+    /// whose method is chosen take it in place of `tolerance`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub of_accuracy: Option<ToleranceOfAccuracy>,
     /// Fixed or greatest step (s).
     pub step: Option<f64>,
     /// Number of equal sample intervals.
@@ -40,6 +44,15 @@ pub struct RunSettings {
     pub max_steps: u64,
 }
 
+/// A tolerance that follows from the accuracy that is asked of the figures.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ToleranceOfAccuracy {
+    /// The tolerance.
+    pub tolerance: f64,
+    /// Why it is this one.
+    pub why: String,
+}
+
 impl RunSettings {
     /// The settings that a scene asks for.
     ///
@@ -53,6 +66,7 @@ impl RunSettings {
             method: method_named(&run.method)?,
             duration: run.duration,
             tolerance: run.tolerance,
+            of_accuracy: None,
             step: run.step,
             samples: run.samples,
             switch_rows: run.switch_rows,
@@ -73,6 +87,7 @@ impl RunSettings {
             duration,
             method: None,
             tolerance: 1e-6,
+            of_accuracy: None,
             step: None,
             samples: 1000,
             switch_rows: false,
@@ -81,6 +96,16 @@ impl RunSettings {
             window: None,
             max_switches: 1_000_000,
             max_steps: MOST_STEPS,
+        }
+    }
+
+    /// The same with the tolerance that a run takes.
+    pub(super) fn taken(&self) -> Self {
+        let of_accuracy = self.of_accuracy.clone().filter(|_| self.method.is_none());
+        Self {
+            tolerance: (of_accuracy.as_ref()).map_or(self.tolerance, |found| found.tolerance),
+            of_accuracy,
+            ..self.clone()
         }
     }
 }

@@ -65,6 +65,7 @@ pub fn spread(
 ) -> Result<Spread, Vec<Fault>> {
     let same_method = RunSettings {
         method: Some(base.method),
+        tolerance: base.tolerance,
         ..settings.clone()
     };
     let mut closer = same_method.clone();

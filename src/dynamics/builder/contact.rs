@@ -93,8 +93,16 @@ impl ModelBuilder {
     pub fn pressing(&mut self, at: &Place, spec: &ChainSpec, geometry: &CamGeometry) {
         let position = Position::new(&spec.position).ok();
         let cam = position.and_then(|position| DiscCam::new(&position, geometry).ok());
-        let pressing = cam.and_then(|cam| Pressing::new(cam, spec.lever));
+        let pressing = cam.and_then(|cam| Pressing::on_cam(cam, spec.lever));
         if let Some(part) = self.model.objects.get_mut(at.object) {
+            part.pressing = pressing.map(Arc::new);
+        }
+    }
+
+    /// Tells how hard a part presses on what it touches, where the geometry is known.
+    pub(super) fn presses(&mut self, part: usize, contact: &ContactSpec) {
+        if let Some(part) = self.model.objects.get_mut(part) {
+            let pressing = contact.pressure.map(Pressing::Fixed);
             part.pressing = pressing.map(Arc::new);
         }
     }
@@ -109,6 +117,7 @@ impl ModelBuilder {
         parameters: &ChainParameters,
         (pair, contact): (Pair, ContactSpec),
     ) -> Vec<NodeIndex> {
+        self.presses(at.object, &contact);
         let stiffness = contact.stiffness;
         let plain = |compliance| Pair {
             law: contact.law.of_link(compliance).0,

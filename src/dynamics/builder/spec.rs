@@ -8,6 +8,7 @@ pub use super::level::{InertiaSplit, Level, Lumping, Uniform};
 pub use super::written::WrittenSpec;
 use crate::dynamics::load::CustomLoad;
 use crate::dynamics::model::{Closure, ContactLaw, Coordinate, DampingLaw};
+pub use crate::kinematics::hertzian::ContactPressure;
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
 pub use crate::kinematics::motion::DriveMotionSpec;
@@ -233,6 +234,8 @@ pub struct ContactSpec {
     /// Where the stiffness is to follow from the object's own cam, which whoever reads that
     /// has to work out: then it is no number yet. `None` of a contact that is ready.
     pub on_cam: Option<OnCamSpec>,
+    /// The pressure over its force, where its geometry is known.
+    pub pressure: Option<ContactPressure>,
 }
 
 /// The contact of a follower on its own cam, as the stiffness needs it.

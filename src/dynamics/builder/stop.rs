@@ -22,6 +22,7 @@ impl ModelBuilder {
             self.model.objects[part].nodes.push(node);
             self.model.objects[part].inputs = PartInput::only(Some(at.object));
             self.model.objects[part].combination = None;
+            self.presses(part, &own.contact);
             self.model.loads.push(Load {
                 node,
                 name: at.path(&format!("stops.{}", own.name)),

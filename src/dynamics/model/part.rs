@@ -45,7 +45,7 @@ pub struct ObjectPart {
     pub contact: Option<ContactElement>,
     /// The pair of a rigid object (an elastic object's is in its link 1).
     pub rigid_pair: Option<Pair>,
-    /// The cam that it is pressed on, where that and what it is made of are known.
+    /// What it is pressed on, where its shape and what it is made of are known.
     pub pressing: Option<Arc<Pressing>>,
 }
 

@@ -1,10 +1,20 @@
 //! How hard a follower is pressed on its cam.
 
 use crate::kinematics::cam::DiscCam;
+use crate::kinematics::hertzian::ContactPressure;
 
-/// A follower on its cam, both of known material, that touch along a line.
+/// What an object presses on, where both are of known shape and material.
 #[derive(Clone, Debug)]
-pub struct Pressing {
+pub enum Pressing {
+    /// The same place all the time: a contact whose stiffness follows from geometry.
+    Fixed(ContactPressure),
+    /// A cam, along a line.
+    Cam(OnCam),
+}
+
+/// A follower on its cam.
+#[derive(Clone, Debug)]
+pub struct OnCam {
     cam: DiscCam,
     lever: f64,
 }
@@ -12,12 +22,12 @@ pub struct Pressing {
 impl Pressing {
     /// A follower on a cam, whose displacement is so many times that of the law. `None`:
     /// nothing is known of their material.
-    pub fn new(cam: DiscCam, lever: f64) -> Option<Self> {
+    pub fn on_cam(cam: DiscCam, lever: f64) -> Option<Self> {
         let known = cam.geometry().material.is_some() && lever != 0.0;
-        known.then_some(Self { cam, lever })
+        known.then_some(Self::Cam(OnCam { cam, lever }))
     }
 
-    /// The greatest Hertzian pressure along the line of contact (Pa), where the cam stands
+    /// The greatest Hertzian pressure (Pa), where the cam stands
     /// at an angle (rad) and the follower pulls at its law with a force F (N or N·m along
     /// its displacement): 0 where they do not press on each other. The profile's curvature
     /// is that at the cam's angle; what the follower gives way by changes it by nothing
@@ -26,11 +36,15 @@ impl Pressing {
         if pull == 0.0 {
             return 0.0;
         }
-        let (piece, phi) = self.cam.motion().locate(angle);
-        let state = self.cam.at(piece, phi);
-        let outward = self.lever * self.cam.geometry().outward;
+        let OnCam { cam, lever } = match self {
+            Self::Fixed(pressure) => return pressure.of(pull),
+            Self::Cam(on_cam) => on_cam,
+        };
+        let (piece, phi) = cam.motion().locate(angle);
+        let state = cam.at(piece, phi);
+        let outward = lever * cam.geometry().outward;
         let normal = -outward * pull / state.lever;
         // (Where an edge touches, or the profile is undercut, no pressure is finite.)
-        (self.cam.pressure(&state, normal)).unwrap_or(f64::INFINITY)
+        (cam.pressure(&state, normal)).unwrap_or(f64::INFINITY)
     }
 }

@@ -50,7 +50,7 @@ pub enum Figure {
     Margin,
     /// 1: no separation within the window of steady figures; 0: there is one.
     InWorkingOrder,
-    /// Greatest pressure between a follower and its cam (Pa).
+    /// Greatest Hertzian pressure on a cam, or of a contact of known geometry (Pa).
     MaxPressure,
     /// Time of it (s).
     PressureTime,

@@ -61,8 +61,9 @@ pub struct ObjectFigures {
     pub end: FinalState,
     /// The driving pair; null for a bilateral one.
     pub pair: Option<PairFigures>,
-    /// How hard it presses on its cam, where that has a `material`; absent where the
-    /// pressure grows beyond bounds: on an edge of an undercut profile.
+    /// How hard it presses on its cam, where that has a `material`, or on what the geometry of
+    /// its contact names (`contact.from`); absent where the pressure grows beyond bounds: on an
+    /// edge of an undercut profile.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressing: Option<PressingFigures>,
     /// Friction in the joints of a linkage, where it acts on the motion.
@@ -81,10 +82,10 @@ pub fn greatest_magnitude(least: f64, greatest: f64) -> f64 {
     least.abs().max(greatest.abs())
 }
 
-/// Pressure between a follower and its cam.
+/// Pressure between a follower and its cam, or of a contact whose geometry is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct PressingFigures {
-    /// Greatest Hertzian pressure along the line of contact (Pa); 0 while the pair is open.
+    /// Greatest Hertzian pressure (Pa); 0 while the pair is open.
     pub max_pressure: f64,
     /// Its time (s).
     pub time: f64,
@@ -197,6 +198,9 @@ pub struct RunSummary {
     pub why: String,
     /// Tolerance.
     pub tolerance: f64,
+    /// Why it is this one, where it follows from the accuracy that is asked of the figures.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tolerance_why: Option<String>,
     /// Time reached (s); of a dead position, the time of the position itself.
     pub time: f64,
     /// True when the end time was reached.

@@ -22,6 +22,9 @@ pub enum Quantity {
     Reaction,
     /// Contact force N of the driving pair, ≥ 0 while it is engaged.
     ContactForce,
+    /// Greatest Hertzian pressure of the contact (Pa): of objects alone of which it is known,
+    /// on their cam or by the geometry of their contact.
+    ContactPressure,
     /// Displacement φ_m of mass m of a chain, counted from 1; recorded on request.
     MassDisplacement(usize),
     /// Speed φ̇_m of mass m.
@@ -59,6 +62,7 @@ impl Quantity {
             Self::Delta => "delta",
             Self::Reaction => "reaction",
             Self::ContactForce => "contact_force",
+            Self::ContactPressure => "contact_pressure",
             Self::MassDisplacement(mass) => return format!("mass_{mass}.displacement").into(),
             Self::MassSpeed(mass) => return format!("mass_{mass}.speed").into(),
             Self::LinkForce(mass) => return format!("link_{mass}.force").into(),
@@ -72,6 +76,7 @@ impl Quantity {
             Self::Speed | Self::MassSpeed(_) => ["rad/s", "m/s"],
             Self::Acceleration => ["rad/s²", "m/s²"],
             Self::Reaction | Self::ContactForce | Self::LinkForce(_) => ["N m", "N"],
+            Self::ContactPressure => ["Pa", "Pa"],
         };
         match coordinate {
             Coordinate::Turning => turning,

@@ -23,6 +23,8 @@ struct Table {
 pub(crate) struct Rows {
     /// Columns without values.
     columns: Vec<Column>,
+    /// Objects whose contact pressure is known.
+    pressed: Vec<usize>,
     rows: Table,
     /// Rows between the equal intervals.
     closeups: Table,
@@ -40,8 +42,11 @@ impl Rows {
     /// `masses`, of all masses and links of the elastic ones; none without intervals.
     pub(crate) fn new(system: &System, masses: bool, intervals: usize, duration: f64) -> Self {
         let wanted = intervals > 0;
+        let objects = system.model().objects.iter().enumerate();
+        let pressed = objects.filter(|(_, part)| wanted && part.pressing.is_some());
+        let pressed: Vec<usize> = pressed.map(|(object, _)| object).collect();
         let columns = match wanted {
-            true => columns(system, masses),
+            true => columns(system, &pressed, masses),
             false => Vec::new(),
         };
         let room = if wanted {
@@ -59,6 +64,7 @@ impl Rows {
             greatest: vec![0.0; width],
             row: vec![0.0; width],
             columns,
+            pressed,
             intervals,
             duration,
             next: if wanted { 0 } else { 1 },
@@ -122,14 +128,22 @@ impl Rows {
     }
 
     fn read(&mut self, seen: Seen<'_>) -> bool {
-        let (objects, masses) = self.row.split_at_mut(OF_AN_OBJECT * seen.states.len());
+        let (objects, others) = self.row.split_at_mut(OF_AN_OBJECT * seen.states.len());
+        let (pressures, masses) = others.split_at_mut(self.pressed.len());
         for (out, state) in objects.chunks_exact_mut(OF_AN_OBJECT).zip(seen.states) {
             out.copy_from_slice(&values(state));
         }
         for (out, mass) in masses.chunks_exact_mut(OF_A_MASS).zip(seen.masses) {
             out.copy_from_slice(&[mass.displacement, mass.speed, mass.force]);
         }
-        let good = self.row.iter().all(|value| value.is_finite());
+        for (out, &object) in pressures.iter_mut().zip(&self.pressed) {
+            *out = seen.states[object].pressure;
+        }
+        // (On an edge the pressure knows no bounds, and the motion goes on.)
+        let good = objects
+            .iter()
+            .chain(masses.iter())
+            .all(|value| value.is_finite());
         if good {
             for (greatest, value) in self.greatest.iter_mut().zip(&self.row) {
                 *greatest = greatest.max(value.abs());
@@ -156,7 +170,13 @@ impl Rows {
             let values = table.values.iter().skip(index);
             values.step_by(width).copied().collect()
         };
-        let mut order: Vec<usize> = (0..width).collect();
+        // Where a pressure has no bounds there is no figure of it either.
+        let known = |&index: &usize| {
+            let own = self.columns[index].quantity == Quantity::ContactPressure;
+            let all = [&self.rows, &self.closeups].map(|table| column(table, index));
+            !own || all.iter().flatten().all(|p| p.is_finite())
+        };
+        let mut order: Vec<usize> = (0..width).filter(known).collect();
         // The masses of an object come behind the object.
         let mut ids: Vec<&str> = Vec::new();
         for column in &self.columns {
@@ -195,8 +215,8 @@ pub(crate) struct Seen<'s> {
     pub(crate) masses: &'s [MassState],
 }
 
-/// Columns without values: of all objects, then of all masses.
-fn columns(system: &System, masses: bool) -> Vec<Column> {
+/// Columns without values: of all objects, of contact pressures, of all masses.
+fn columns(system: &System, pressed: &[usize], masses: bool) -> Vec<Column> {
     let objects = &system.model().objects;
     let column = |part: &ObjectPart, quantity: Quantity| Column {
         object: part.id.clone(),
@@ -208,6 +228,10 @@ fn columns(system: &System, masses: bool) -> Vec<Column> {
     for part in objects {
         columns.extend(Quantity::ALL.map(|quantity| column(part, quantity)));
     }
+    let pressures = pressed
+        .iter()
+        .map(|&object| column(&objects[object], Quantity::ContactPressure));
+    columns.extend(pressures);
     for (object, part) in objects.iter().enumerate().filter(|_| masses) {
         for mass in 1..=system.masses(object) {
             columns.extend(Quantity::of_mass(mass).map(|quantity| column(part, quantity)));

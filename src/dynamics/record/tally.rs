@@ -92,7 +92,7 @@ pub(crate) struct Tally {
     lift: Option<Peak>,
     /// Greatest indentation of a contact element.
     indentation: Option<Indentation>,
-    /// Greatest pressure between a follower and its cam.
+    /// Greatest pressure of its contact, where that is known.
     pressure: Option<Peak>,
     last: ObjectState,
 }

@@ -20,7 +20,7 @@ pub(super) struct ObjectPlace {
     driven_end: Option<Rigid>,
     /// Of an object that is reduced to modes what it is the sum of.
     pub(super) modal: Option<Modal>,
-    /// The cam that it is pressed on, with the node that turns it.
+    /// What it is pressed on, with the node that turns that.
     pressing: Option<(Arc<Pressing>, usize)>,
 }
 

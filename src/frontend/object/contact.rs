@@ -5,6 +5,7 @@ use super::measures::Measures;
 use super::spec::{ContactSpec, OnCamSpec};
 use crate::dynamics::model::ContactLaw;
 use crate::frontend::read::{Bounds, Fields, Slot};
+use crate::kinematics::hertzian::ContactPressure;
 use serde_json::json;
 
 /// Names of the laws.
@@ -71,13 +72,26 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
         );
         let stiffness = stiffness_of(fields, law?, from?, stiffness?);
         let law = of_name(fields, law?, [damping?, dissipation?, restitution?]);
-        let (stiffness, on_cam) = stiffness?;
+        let Stiffness {
+            value: stiffness,
+            on_cam,
+            pressure,
+        } = stiffness?;
         Some(ContactSpec {
             stiffness,
             law: law?,
             on_cam,
+            pressure,
         })
     })
+}
+
+/// A stiffness, and what follows from the same geometry.
+#[derive(Clone, Copy, Default)]
+struct Stiffness {
+    value: f64,
+    on_cam: Option<OnCamSpec>,
+    pressure: Option<ContactPressure>,
 }
 
 /// The stiffness as given, or from the geometry of a contact that has such a law.
@@ -85,8 +99,8 @@ fn stiffness_of(
     fields: &mut Fields<'_>,
     law: Name,
     from: Option<Follows>,
-    given: Option<f64>,
-) -> Option<(f64, Option<OnCamSpec>)> {
+    stiffness: Option<f64>,
+) -> Option<Stiffness> {
     if fields.clash(
         "stiffness",
         "from",
@@ -96,7 +110,7 @@ fn stiffness_of(
     }
     if law == Name::Restitution {
         let mut sound = true;
-        for (name, is_given) in [("stiffness", given.is_some()), ("from", from.is_some())] {
+        for (name, is_given) in [("stiffness", stiffness.is_some()), ("from", from.is_some())] {
             if is_given {
                 sound = false;
                 let message = format!("`{name}` has no meaning for a rigid contact");
@@ -105,18 +119,36 @@ fn stiffness_of(
                 fault.hints.push(hint);
             }
         }
-        return sound.then_some((0.0, None));
+        return sound.then_some(Stiffness::default());
     }
     let Some(from) = from else {
-        if given.is_none() {
+        if stiffness.is_none() {
             let hint = "give it, or the geometry that it follows from, `from`";
             fields.lack("stiffness", Some(hint.to_owned()));
         }
-        return given.map(|stiffness| (stiffness, None));
+        let given = |value: f64| Stiffness {
+            value,
+            ..Stiffness::default()
+        };
+        return stiffness.map(given);
     };
     let (touching, found) = match from {
-        Follows::Here(touching, stiffness) => (touching, (stiffness, None)),
-        Follows::OnCam(on_cam) => (Touching::Line, (f64::NAN, Some(on_cam))),
+        Follows::Here(touching, value, pressure) => {
+            let here = Stiffness {
+                value,
+                on_cam: None,
+                pressure: Some(pressure),
+            };
+            (touching, here)
+        }
+        Follows::OnCam(on_cam) => {
+            let open = Stiffness {
+                value: f64::NAN,
+                on_cam: Some(on_cam),
+                pressure: None,
+            };
+            (Touching::Line, open)
+        }
     };
     let (fits, message, hint) = match touching {
         Touching::Point => (

@@ -5,7 +5,8 @@ use super::spec::OnCamSpec;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::hertzian::{
-    Backing, Material, contact_modulus, line_approach, point_stiffness,
+    Backing, ContactPressure, Material, contact_modulus, line_approach, line_pressure,
+    point_pressure, point_stiffness,
 };
 use crate::units::quantities as q;
 use serde_json::json;
@@ -22,8 +23,8 @@ pub(super) enum Touching {
 /// A stiffness that follows from geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Follows {
-    /// From what is given beside it.
-    Here(Touching, f64),
+    /// From what is given beside it, with the pressure there.
+    Here(Touching, f64, ContactPressure),
     /// From the object's own cam.
     OnCam(OnCamSpec),
 }
@@ -36,16 +37,16 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<Follows> {
             "line",
             "Contact along a line (roller, flat face): k is the secant N/p at a stated load.",
             |slot| {
-                let stiffness = slot.record(|fields| line(fields, own))?;
-                Some(Follows::Here(Touching::Line, stiffness))
+                let (stiffness, pressure) = slot.record(|fields| line(fields, own))?;
+                Some(Follows::Here(Touching::Line, stiffness, pressure))
             },
         );
         shape.case(
             "point",
             "Contact in a point, by Hertz: K; the law is `hertz`.",
             |slot| {
-                let stiffness = slot.record(|fields| point(fields, own))?;
-                Some(Follows::Here(Touching::Point, stiffness))
+                let (stiffness, pressure) = slot.record(|fields| point(fields, own))?;
+                Some(Follows::Here(Touching::Point, stiffness, pressure))
             },
         );
         shape.case(
@@ -132,7 +133,7 @@ fn curvature(radius: Option<f64>) -> f64 {
     radius.map_or(0.0, f64::recip)
 }
 
-fn point(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+fn point(fields: &mut Fields<'_>, own: Measures) -> Option<(f64, ContactPressure)> {
     let doc = "Radius of the object: positive convex, negative hollow; absent: flat";
     let radius = length(fields, "radius", doc);
     let doc = "Radius of the object across its motion; absent: `radius`, a ball";
@@ -145,7 +146,9 @@ fn point(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
     let (radius, crown, counter, counter_crown) = (radius?, crown?, counter?, counter_crown?);
     let along = curvature(radius) + curvature(counter);
     let across = curvature(crown.or(radius)) + curvature(counter_crown);
-    let Some(stiffness) = point_stiffness(contact_modulus(materials?), [along, across]) else {
+    let (modulus, curvatures) = (contact_modulus(materials?), [along, across]);
+    let found = point_stiffness(modulus, curvatures).zip(point_pressure(modulus, curvatures));
+    let Some((stiffness, pressure)) = found else {
         let message = "these bodies touch in more than a point: in one plane their curvatures add up to nothing, or to a hollow";
         let fault = fields.refuse("", "contradiction", message);
         let hint = "give radii that bulge towards each other in both planes, or a `line`";
@@ -153,10 +156,11 @@ fn point(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
         return None;
     };
     // N·arm over p = arm·φ.
-    Some(stiffness * arm?.powf(2.5))
+    let arm = arm?;
+    Some((stiffness * arm.powf(2.5), pressure.on_arm(arm)))
 }
 
-fn line(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
+fn line(fields: &mut Fields<'_>, own: Measures) -> Option<(f64, ContactPressure)> {
     let doc = "Radius of the object: positive convex, negative hollow; absent: flat";
     let radius = length(fields, "radius", doc);
     let doc = "Depth below the object's surface from which its approach is counted, where that is flat or hollow";
@@ -190,7 +194,11 @@ fn line(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
         fault.hints.push(hint.to_owned());
         return None;
     };
-    Some(load / approach * arm * arm)
+    let curvature = bodies.iter().map(|body| body.1.curvature()).sum();
+    let modulus = contact_modulus([first, second]);
+    let factor = line_pressure(1.0 / width, modulus, curvature)?;
+    let pressure = ContactPressure::Line(factor).on_arm(arm);
+    Some((load / approach * arm * arm, pressure))
 }
 
 /// What the approach of one body is counted from.

@@ -97,6 +97,8 @@ pub struct RunSpec {
     pub method: String,
     /// Error wanted in δ relative to its scale; default 1e-6.
     pub tolerance: f64,
+    /// True where the scene says the tolerance itself: it is not the default.
+    pub tolerance_given: bool,
     /// Fixed or greatest step (s).
     pub step: Option<f64>,
     /// Number of equal sample intervals; default 1000.

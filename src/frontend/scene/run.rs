@@ -30,9 +30,12 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
             |slot| start(slot, known),
         );
         let method = fields.or("method", "Method of integration.", json!("auto"), method);
+        let tolerance_given = fields.has("tolerance");
         let tolerance = fields.or(
             "tolerance",
-            "Error wanted in each object's δ, relative to its scale.",
+            "Error wanted in each object's δ, relative to its scale. Left out, with the method \
+             `auto` and where figures are to keep an accuracy (`accuracy`, `masses`: \"auto\"), it \
+             is as coarse as that allows: a tenth of it.",
             json!(1e-6),
             |slot| slot.number(Bounds::between(1e-14, 1e-1)),
         );
@@ -79,6 +82,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
             start: start?,
             method: method?,
             tolerance: tolerance?,
+            tolerance_given,
             step: step?,
             samples: samples? as usize,
             switch_rows: switch_rows?,

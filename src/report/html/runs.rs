@@ -208,7 +208,7 @@ pub fn section(plots: &mut Plots, runs: &[RunSeries<'_>], id: &str, kind: &str) 
 }
 
 /// The quantities of an object with their names on the plots: the six of every object,
-/// then those of masses and links that any run has recorded.
+/// then its contact pressure and those of masses and links that any run has recorded.
 fn shown(id: &str, runs: &[RunSeries<'_>]) -> Vec<(Quantity, String)> {
     let plain = order(runs.len()).into_iter();
     let mut all: Vec<(Quantity, String)> = plain
@@ -228,6 +228,7 @@ fn inner_name(quantity: Quantity) -> String {
     match quantity {
         Quantity::MassDisplacement(mass) => format!("Mass {mass}: displacement φ"),
         Quantity::MassSpeed(mass) => format!("Mass {mass}: speed φ\u{307}"),
+        Quantity::ContactPressure => "Contact pressure p".to_owned(),
         Quantity::LinkForce(link) => format!("Link {link}: force F"),
         other => other.to_string(),
     }

@@ -98,7 +98,7 @@ pub(in crate::report) fn objects<'a>(figures: &Figures, samples: usize) -> Vec<S
             .legend(window(figures)),
         Section::new("Stops").table(tables::stops(figures)),
         Section::new("Impacts").table(tables::impacts(figures)),
-        Section::new("Pressure on the cam").table(tables::pressing(figures)),
+        Section::new("Contact pressure").table(tables::pressing(figures)),
         Section::new("Joint friction").table(tables::joints(figures)),
     ];
     sections.retain(has_rows);

@@ -1,6 +1,8 @@
 //! Tables of a run: figures, pairs, stops, joints, switches, statistics.
 
-use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures, SwitchRow, Units};
+use crate::dynamics::record::{
+    EnergyAudit, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
+};
 use crate::report::findings::{Cell, Figure, Table, Value};
 use crate::report::quantity::{significant, with_unit};
 
@@ -139,7 +141,7 @@ pub(super) fn stops(figures: &Figures) -> Table {
     })
 }
 
-/// Pressure on the cams of known material.
+/// Pressures of contacts of known shape and material.
 pub(super) fn pressing(figures: &Figures) -> Table {
     let heads = [">greatest pressure", ">at"];
     table(heads, figures, |object, _| {
@@ -230,7 +232,7 @@ pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
     rows.extend(window.map(|window| words("steady window", window)));
     rows.extend([
         words("method", format!("{}: {}", run.method, run.why)),
-        words("tolerance", significant(run.tolerance, 3)),
+        words("tolerance", tolerance(run)),
         words(
             "energy error",
             format!(
@@ -247,4 +249,13 @@ pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
         words("switches of pairs", run.switches.to_string()),
     ]);
     rows
+}
+
+/// The tolerance, with why it is this one where the scene does not say it.
+fn tolerance(run: &RunSummary) -> String {
+    let number = significant(run.tolerance, 3);
+    match &run.tolerance_why {
+        Some(why) => format!("{number}: {why}"),
+        None => number,
+    }
 }

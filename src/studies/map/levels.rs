@@ -15,6 +15,8 @@ pub(super) fn levels(points: impl Iterator<Item = Reading>, figure: &str) -> Lev
         }
         let asked = AccuracySpec::Figures(vec![(figure.to_owned(), USUAL)]);
         scene.run.accuracy.get_or_insert(asked);
+        // Its cells are integrated as the scene says.
+        scene.run.tolerance_given = true;
         let Ok(settings) = RunSettings::of(&scene) else {
             continue;
         };

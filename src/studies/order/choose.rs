@@ -2,6 +2,7 @@
 
 use super::asked::no_limit;
 use super::certificate::{Certainty, Certificate};
+use super::integration::coarsest;
 use super::known::{Known, first_enough};
 use super::lessen::lessened;
 use super::row::{Families, Family};
@@ -10,7 +11,7 @@ use crate::dynamics::builder::spec::Level;
 use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Levels, TypedScene};
-use crate::studies::{Control, RunSettings};
+use crate::studies::{Control, RunSettings, ToleranceOfAccuracy};
 
 /// Looking for a lesser model may take so many times the dearest run.
 const MOST_COST: f64 = 3.0;
@@ -24,6 +25,8 @@ pub struct Chosen {
     pub levels: Levels,
     /// Figures with their errors, objects with their levels.
     pub certificate: Certificate,
+    /// The tolerance that the accuracy leaves to a run of this model, where nobody said one.
+    pub of_accuracy: Option<ToleranceOfAccuracy>,
 }
 
 /// Chooses the levels of all objects that leave theirs open, and judges the figures that are
@@ -46,6 +49,7 @@ pub fn choose(
             !spent(trials)
         });
     }
+    let of_accuracy = coarsest(&mut trials, &judge, found)?;
     let levels = trials.made[found].levels.clone();
     let mut certificate = judge.certificate(&trials, &families, found);
     let open: Vec<String> = trials.elastic.open().cloned().collect();
@@ -55,6 +59,7 @@ pub fn choose(
     Ok(Chosen {
         levels: levels.collect(),
         certificate,
+        of_accuracy,
     })
 }
 

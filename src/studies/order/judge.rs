@@ -1,6 +1,6 @@
 //! How accurate the figures of a trial are, and what that says of its levels.
 
-use super::asked::{Asked, is_count};
+use super::asked::Asked;
 use super::certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };
@@ -211,10 +211,7 @@ impl Judge<'_> {
 
 fn figure_accuracy(chosen: &Trial, asked: &Asked, course: &Course) -> FigureAccuracy {
     let value = value(chosen, asked);
-    let integration = match is_count(&asked.figure) {
-        true => 0.0,
-        false => chosen.integration * chosen.figures.scale(&asked.figure),
-    };
+    let integration = chosen.integration_of(&asked.figure);
     let model = Judge::error(chosen, asked, course);
     let error = model.map(|model| model + integration);
     let (kind, limit, why) = match course {

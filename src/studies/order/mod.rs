@@ -12,6 +12,7 @@ pub(super) mod asked;
 mod bound;
 mod certificate;
 pub(super) mod choose;
+mod integration;
 pub(super) mod judge;
 pub(super) mod known;
 pub(super) mod lessen;

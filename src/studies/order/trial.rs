@@ -1,5 +1,6 @@
 //! A scene run at other levels of its elastic objects.
 
+use super::asked::is_count;
 use super::bound::{BaseMotion, LeftOutOf, left_out};
 use crate::dynamics::builder::spec::{Level, Lumping};
 use crate::dynamics::model::{Closure, ContactLaw, Model};
@@ -22,6 +23,10 @@ pub(in crate::studies) struct Trial {
     pub(in crate::studies) figures: Figures,
     /// Error that the integration leaves, relative to the scale of a figure.
     pub(in crate::studies) integration: f64,
+    /// The same of single figures, in their units, where a finer run has shown it.
+    pub(super) measured: BTreeMap<String, f64>,
+    /// True when it was integrated: neither exact nor given by the drives alone.
+    pub(super) integrated: bool,
     /// Why it does not count: it ended early, or is not trusted.
     pub(in crate::studies) doubt: Option<String>,
     /// How far the displacement of an object may be off by what its level leaves out, where
@@ -31,6 +36,17 @@ pub(in crate::studies) struct Trial {
     pub(in crate::studies) cost: f64,
     /// Time that the run took (s), by the clock.
     pub(in crate::studies) seconds: f64,
+}
+
+impl Trial {
+    /// Error that the integration leaves in a figure, in its unit.
+    pub(super) fn integration_of(&self, figure: &str) -> f64 {
+        match (self.measured.get(figure), is_count(figure)) {
+            (Some(measured), _) => *measured,
+            (None, true) => 0.0,
+            (None, false) => self.integration * self.figures.scale(figure),
+        }
+    }
 }
 
 /// The scene, and all runs of it made so far.
@@ -67,6 +83,7 @@ impl<'s> Trials<'s> {
             masses: false,
             switch_rows: false,
             closeups: false,
+            of_accuracy: None,
             ..settings.clone()
         };
         Self {
@@ -102,10 +119,24 @@ impl<'s> Trials<'s> {
         if let Some(known) = self.made.iter().position(|trial| trial.levels == *levels) {
             return Ok(known);
         }
+        let trial = self.run(levels, self.settings.tolerance)?;
+        self.made.push(trial);
+        Ok(self.made.len() - 1)
+    }
+
+    /// A run at these levels with a tolerance, whether there has been one or not.
+    ///
+    /// # Errors
+    /// The model at these levels cannot be built or started.
+    pub(super) fn run(&mut self, levels: &Levels, tolerance: f64) -> Result<Trial, Vec<Fault>> {
         self.elastic.set(self.scene, levels);
         let system = System::new(lower(self.scene)?)?;
+        let settings = RunSettings {
+            tolerance,
+            ..self.settings.clone()
+        };
         let begun = Instant::now();
-        let result = run(&system, &self.settings, self.control, &mut [])?;
+        let result = run(&system, &settings, self.control, &mut [])?;
         let seconds = begun.elapsed().as_secs_f64();
         self.interrupted |= result.outcome.stop.is_from_outside();
         let exact = result.figures.run.method == "exact";
@@ -121,21 +152,33 @@ impl<'s> Trials<'s> {
             true => self.left_out(system.model(), levels),
             false => BTreeMap::new(),
         };
-        self.made.push(Trial {
+        self.model = Some(system.model().clone());
+        let integrated = !exact && result.figures.run.method != "kinematic";
+        Ok(Trial {
             levels: levels.clone(),
             left_out,
             integration: if exact {
                 OF_EXACT
             } else {
-                result.tolerance.max(self.settings.tolerance)
+                result.tolerance.max(tolerance)
             },
+            measured: BTreeMap::new(),
+            integrated,
             doubt,
             cost: passes * (1.0 + coordinates(levels) as f64),
             seconds,
             figures: result.figures,
-        });
-        self.model = Some(system.model().clone());
-        Ok(self.made.len() - 1)
+        })
+    }
+
+    /// Tolerance of the scene.
+    pub(super) fn own_tolerance(&self) -> f64 {
+        self.settings.tolerance
+    }
+
+    /// True when nobody said how runs are to be integrated.
+    pub(super) fn integration_is_open(&self) -> bool {
+        self.settings.method.is_none() && !self.scene.run.tolerance_given
     }
 
     /// What the levels of objects leave out, where there is a bound. A motion that is

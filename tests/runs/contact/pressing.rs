@@ -84,9 +84,17 @@ fn of_an_elastic_follower_it_follows_its_contact_force() {
                 let state = found.cam.at(piece, phi);
                 found.cam.pressure(&state, force / state.lever).unwrap()
             };
-            angles.iter().zip(forces).map(pressure).fold(0.0, f64::max)
+            let all: Vec<f64> = angles.iter().zip(forces).map(pressure).collect();
+            all
         });
         let sampled = sampled.unwrap();
+        let recorded = column("valve", Quantity::ContactPressure);
+        assert_eq!(recorded.len(), sampled.len());
+        for (recorded, sampled) in recorded.iter().zip(&sampled) {
+            let off = (recorded - sampled).abs();
+            assert!(off <= 1e-9 * exact.max_pressure, "{recorded} {sampled}");
+        }
+        let sampled = sampled.into_iter().fold(0.0, f64::max);
         assert!(
             sampled <= exact.max_pressure * (1.0 + 1e-9),
             "{sampled} {exact:?}"
@@ -203,4 +211,142 @@ fn a_stiffness_from_a_cam_that_is_not_known_is_refused() {
         "{}",
         refused(&hertz)
     );
+}
+
+/// E* of steel on steel.
+const MODULUS: f64 = 206e9 / 1.82;
+
+/// The columns of contact force and pressure of an object hold a closed form, sample by
+/// sample, and its greatest pressure is that of the greatest force.
+fn holds(
+    text: &str,
+    id: &str,
+    method: Method,
+    force: impl Fn(&RunResult) -> f64,
+    law: &dyn Fn(f64) -> f64,
+) {
+    let result = run_text(text, Some(method));
+    let column = |quantity| &result.record.column(id, quantity).unwrap().values;
+    let (forces, pressures) = (
+        column(Quantity::ContactForce),
+        column(Quantity::ContactPressure),
+    );
+    assert!(forces.contains(&0.0) && forces.iter().any(|force| *force > 0.0));
+    for (force, pressure) in forces.iter().zip(pressures) {
+        close(*pressure, law(*force), 1e-9, id);
+    }
+    let greatest = result.figures.objects[id].pressing.unwrap().max_pressure;
+    close(
+        greatest,
+        law(force(&result)),
+        1e-6,
+        &format!("{id} by {method}"),
+    );
+    assert!(
+        pressures
+            .iter()
+            .all(|pressure| *pressure <= greatest * (1.0 + 1e-9))
+    );
+}
+
+fn of_pair(id: &str) -> impl Fn(&RunResult) -> f64 + '_ {
+    move |result| {
+        result.figures.objects[id]
+            .pair
+            .as_ref()
+            .unwrap()
+            .max_contact_force
+    }
+}
+
+#[test]
+fn of_a_ball_it_is_that_of_hertz() {
+    let text = r#"{ "dam": 1, "name": "ball", "objects": {
+        "plate": { "kind": "drive", "coordinate": "sliding", "motion": { "fixed": 0 } },
+        "ball": { "kind": "slider", "input": "plate", "position": { "ratio": 1 }, "inertia": "50 g", "masses": 0,
+            "pair": { "closure": "force", "contact": { "law": "hertz", "dissipation": "0.1 s/m",
+                "from": { "point": { "radius": "10 mm", "modulus": "206 GPa" } } } },
+            "loads": { "weight": { "constant": "-0.5 N" } } } },
+        "run": { "duration": "20 ms", "samples": 3000, "tolerance": 1e-10,
+            "start": { "ball": { "displacement": ["1 mm"], "speed": ["-1 m/s"] } } } }"#;
+    // Johnson, 4.24.
+    let pressure =
+        |force: f64| (6.0 * force * (MODULUS / 0.01).powi(2) / std::f64::consts::PI.powi(3)).cbrt();
+    for method in [Method::Radau, Method::Dop853] {
+        holds(text, "ball", method, of_pair("ball"), &pressure);
+    }
+}
+
+#[test]
+fn along_a_line_it_follows_the_root_of_the_force_on_its_arm() {
+    let line = |arm: &str| {
+        format!(
+            r#"{{ "from": {{ "line": {{ "radius": "8 mm", "counter_radius": "30 mm", {arm}"width": "10 mm", "load": "1 kN", "modulus": "206 GPa" }} }} }}"#
+        )
+    };
+    let text = |kind: &str, contact: &str, inertia: &str, force: &str| {
+        format!(
+            r#"{{ "dam": 1, "name": "line", "objects": {{
+                "shaft": {{ "kind": "drive", "motion": {{ "speed": "20 rev/s" }} }},
+                "one": {{ "kind": "{kind}", "input": "shaft", "position": {{ "sine": {{ "amplitude": 0.01 }} }},
+                    "inertia": "{inertia}", "masses": 0, "pair": {{ "closure": "force", "contact": {contact} }},
+                    "loads": {{ "closing": {{ "constant": "{force}" }} }} }} }},
+                "run": {{ "duration": 0.1, "start": "static", "samples": 3000, "tolerance": 1e-10 }} }}"#
+        )
+    };
+    let factor = (MODULUS * (1.0 / 0.008 + 1.0 / 0.03) / (std::f64::consts::PI * 0.01)).sqrt();
+    let slider = text("slider", &line(""), "1 kg", "-100 N");
+    let rocker = text(
+        "rocker",
+        &line(r#""arm": "50 mm", "#),
+        "0.01 kg m^2",
+        "-1 N m",
+    );
+    for method in [Method::Exact, Method::Radau] {
+        holds(&slider, "one", method, of_pair("one"), &|force| {
+            factor * force.sqrt()
+        });
+        let on_arm = |moment: f64| factor * (moment / 0.05).sqrt();
+        holds(&rocker, "one", method, of_pair("one"), &on_arm);
+    }
+    // On a stop, behind an elastic object.
+    let stop = format!(
+        r#"{{ "dam": 1, "name": "stop", "objects": {{
+            "shaft": {{ "kind": "drive", "motion": {{ "speed": "20 rev/s" }} }},
+            "one": {{ "kind": "slider", "input": "shaft", "position": {{ "sine": {{ "amplitude": 0.01 }} }},
+                "inertia": "1 kg", "stiffness": "1 kN/mm", "damping_capacity": 0.4, "masses": 2,
+                "stops": {{ "end": {{ "at": "9 mm", "side": "+", "contact": {} }} }} }} }},
+            "run": {{ "duration": 0.1, "samples": 3000, "tolerance": 1e-10 }} }}"#,
+        line("")
+    );
+    let force = |result: &RunResult| {
+        let stop = result.figures.objects["one.end"].stop.as_ref();
+        stop.unwrap().max_contact_force
+    };
+    for method in [Method::Taylor, Method::Radau] {
+        holds(&stop, "one.end", method, force, &|force| {
+            factor * force.sqrt()
+        });
+    }
+}
+
+#[test]
+fn what_is_of_no_known_shape_has_no_pressure() {
+    let text = r#"{ "dam": 1, "name": "plain", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": "20 rev/s" } },
+        "one": { "kind": "slider", "input": "shaft", "position": { "sine": { "amplitude": 0.01 } },
+            "inertia": "1 kg", "masses": 0, "pair": { "closure": "force", "contact": { "stiffness": 1e7 } },
+            "loads": { "closing": { "constant": "-100 N" } } } }, "run": { "duration": 0.1 } }"#;
+    let result = run_text(text, None);
+    assert_eq!(result.record.column("one", Quantity::ContactPressure), None);
+    assert_eq!(result.figures.objects["one"].pressing, None);
+    // Where the profile is undercut no pressure is finite.
+    let undercut = valve(FLAT, "\"masses\": 0", 600.0);
+    let result = run_text(&undercut.replace("45 mm", "10 mm"), None);
+    assert_eq!(
+        result.record.column("valve", Quantity::ContactPressure),
+        None
+    );
+    assert_eq!(result.figures.objects["valve"].pressing, None);
+    assert_eq!(result.record.times.len(), 4001);
 }

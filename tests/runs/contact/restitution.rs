@@ -111,6 +111,33 @@ fn a_ball_comes_to_rest_after_the_sum_of_its_bounces() {
     }
 }
 
+/// With a fixed step, and of diffsol where that is built in, too.
+#[test]
+fn every_method_there_is_locates_impacts_and_lets_them_end() {
+    let (height, e) = (1.0, 0.6);
+    let text = ball(FIXED, r#"{ "restitution": 0.6 }"#, [height, 0.0], 2.5);
+    let text = text.replace(
+        r#""tolerance": 1e-11"#,
+        r#""tolerance": 1e-8, "step": 0.01"#,
+    );
+    let first = (2.0 * height / GRAVITY).sqrt();
+    for method in Method::available() {
+        let result = run_text(&text, Some(method));
+        let what = format!("{method:?}");
+        let (mut time, mut flight) = (first, 2.0 * first);
+        for row in &rows(&result, "impact")[..8] {
+            close(row.time, time, 1e-6, &what);
+            flight *= e;
+            time += flight;
+        }
+        let rests = rows(&result, "closes");
+        assert_eq!(rests.len(), 1, "{what}");
+        close(rests[0].time, first * (1.0 + e) / (1.0 - e), 1e-6, &what);
+        let loss = impacts(&result, "ball").loss;
+        close(loss, 0.5 * GRAVITY * height, 1e-6, &what);
+    }
+}
+
 #[test]
 fn a_ball_of_restitution_one_keeps_its_energy() {
     let text = ball(FIXED, r#"{ "restitution": 1 }"#, [0.2, 0.0], 10.0);

@@ -67,6 +67,7 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> TypedScene {
             start: StartSpec::OnLaw,
             method: "auto".into(),
             tolerance: 1e-6,
+            tolerance_given: false,
             step: None,
             samples: 10,
             switch_rows: false,
