@@ -41,7 +41,7 @@ fn powers_of_the_drivers_change_the_energy() {
         let (mut motion, starts) = ready(&spec);
         let solver = Kinetostatics::of_inputs(&spec).unwrap();
         let mut w = solver.workspace();
-        let mut energy = |motion: &mut MultiMotion, t: f64| {
+        let energy = |motion: &mut MultiMotion, t: f64| {
             motion.go(&at(&starts, t)).unwrap();
             motion.energies().iter().sum::<f64>()
         };
