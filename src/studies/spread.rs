@@ -63,6 +63,19 @@ pub fn spread(
     base: &RunResult,
     control: &Control<'_>,
 ) -> Result<Spread, Vec<Fault>> {
+    let finer;
+    let base = match settings.of_accuracy {
+        // What the integration of such a run leaves open is told by its accuracy.
+        Some(_) if settings.method.is_none() => {
+            let own = RunSettings {
+                of_accuracy: None,
+                ..settings.clone()
+            };
+            finer = run(system, &own, control, &mut [])?;
+            &finer
+        }
+        _ => base,
+    };
     let same_method = RunSettings {
         method: Some(base.method),
         tolerance: base.tolerance,

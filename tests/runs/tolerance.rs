@@ -4,6 +4,7 @@
 use dam::ask::Judging;
 use dam::prelude::*;
 use dam::studies::run::{RunResult, run};
+use dam::studies::spread::spread;
 use dam::studies::{Control, RunSettings};
 use serde_json::Value;
 
@@ -162,6 +163,24 @@ fn what_counts_and_what_is_expected_bind_the_tolerance() {
         .as_ref()
         .map_or(1e-6, |found| found.tolerance);
     assert_eq!(separations(taken), separations(1e-11));
+}
+
+/// What a coarse integration moves is no spread: that is told beside it.
+#[test]
+fn a_spread_is_that_of_the_usual_tolerance() {
+    let mechanism = prepared(&asking("press/run_up", "ram.delta_abs", "1 %", &[]));
+    assert!(mechanism.settings.of_accuracy.is_some());
+    let base = mechanism.run().expect("a run");
+    let control = Control::default();
+    let found = spread(&mechanism.system, &mechanism.settings, &base, &control);
+    let found = found.expect("a spread");
+    let usual = run_at(&mechanism, 1e-6);
+    let own = RunSettings {
+        of_accuracy: None,
+        ..mechanism.settings.clone()
+    };
+    let plain = spread(&mechanism.system, &own, &usual, &control).expect("a spread");
+    assert_eq!(found, plain);
 }
 
 #[test]

@@ -60,8 +60,8 @@ fn round(number: f64) -> f64 {
 }
 
 /// Integrates the model that was chosen anew, as coarsely as the accuracy allows; that run
-/// takes the place of the one before, with what its figures are off by it. `None`: nobody left
-/// the tolerance open, nothing is integrated, or nothing coarser will do.
+/// takes the place of the one before, with what its figures are off by it. `None`: somebody
+/// said the tolerance, nothing is integrated, or nothing coarser will do for less.
 ///
 /// # Errors
 /// The model cannot be built or started.
@@ -76,7 +76,10 @@ pub(super) fn coarsest(
     let mut tolerance = tolerance(judge.asked, &fine.figures);
     while open && tolerance > own && !trials.interrupted {
         let mut coarse = trials.run(&fine.levels, tolerance)?;
-        if let Some(why) = measured(trials, judge, &mut coarse, &fine) {
+        // (Where pairs bounce, steps that are refused may cost more than they spare.)
+        if coarse.cost < fine.cost
+            && let Some(why) = measured(trials, judge, &mut coarse, &fine)
+        {
             trials.made[chosen] = coarse;
             return Ok(Some(ToleranceOfAccuracy { tolerance, why }));
         }
