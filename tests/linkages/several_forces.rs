@@ -35,7 +35,15 @@ fn arm(friction: &str) -> Model {
     );
     let document = Document::parse("scene", text.as_bytes()).expect("JSON");
     match document.scene(&BuiltIn, &Overrides::default()) {
-        Ok(reading) => lower(&reading.scene).expect("a model"),
+        Ok(reading) => {
+            // What a run leaves out is told.
+            let told = reading
+                .warnings
+                .render(false)
+                .contains("`dam forces` alone");
+            assert_eq!(told, !friction.is_empty());
+            lower(&reading.scene).expect("a model")
+        }
         Err(faults) => panic!("{}", faults.render(false)),
     }
 }
