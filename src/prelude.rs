@@ -11,7 +11,7 @@ pub use crate::frontend::build::{
 };
 pub use crate::studies::axis::Axis;
 pub use crate::studies::kinematics::{
-    Over, Quantity as LinkageQuantity, Question as LinkageQuestion,
+    InputCourse, InputOver, Over, Quantity as LinkageQuantity, Question as LinkageQuestion,
 };
 pub use crate::studies::map::Verdict;
 pub use crate::studies::run::RunResult;

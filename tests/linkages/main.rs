@@ -9,5 +9,6 @@ mod joint_friction;
 mod kinematics;
 mod scenes;
 mod several;
+mod several_forces;
 mod several_kinematics;
 mod slide_crank;

@@ -91,8 +91,18 @@ const PROBE: &str = r##"
   document.getElementById("answer").textContent = JSON.stringify(answer);
 "##;
 
+/// A five-bar whose rods are short enough that it has singular positions.
+const FIVE_BAR: [&str; 6] = [
+    "kinematics",
+    "scenarios/linkages/five_bar.json",
+    "--set",
+    "bar.links.rod.points.C=[0.45, 0]",
+    "--set",
+    "bar.links.coupler.points.C=[0.45, 0]",
+];
+
 /// Commands that write a page: arguments, least number of charts, whether something moves.
-const PAGES: [(&[&str], usize, bool); 11] = [
+const PAGES: [(&[&str], usize, bool); 13] = [
     (&["run", "scenarios/valve_train/lift_off.json"], 6, true),
     (
         &[
@@ -167,6 +177,8 @@ const PAGES: [(&[&str], usize, bool); 11] = [
         false,
     ),
     (&["kinematics", "scenarios/linkages/shaper.json"], 6, true),
+    (&FIVE_BAR, 6, true),
+    (&["forces", "scenarios/linkages/five_bar.json"], 6, true),
     (
         &["forces", "scenarios/kinetostatics/slider_crank.json"],
         6,
@@ -225,4 +237,44 @@ fn every_page_draws_itself_zooms_and_tells_values_in_a_browser() {
             );
         }
     }
+}
+
+/// The machine of several inputs has a slider for each: both move it, and where it cannot be
+/// assembled that is said.
+#[test]
+fn every_input_has_a_slider_that_moves_the_machine() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let status = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(FIVE_BAR)
+        .arg("--out")
+        .arg(&out)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let page = std::fs::read_to_string(out.join("report.html"))
+        .unwrap_or_else(|error| panic!("{error}: {status:?}"));
+    let probe = r#"<script>addEventListener("load", () => {
+        const figure = document.getElementById("inputs");
+        const sliders = [...figure.querySelectorAll("input[type=range]")];
+        const seen = () => [...figure.querySelectorAll("[data-link]")]
+            .map((node) => node.getAttribute("visibility") + node.getAttribute("transform")).join();
+        const moved = sliders.map((slider) => {
+            const before = seen();
+            slider.value = +slider.value + 2;
+            slider.dispatchEvent(new Event("input"));
+            return before !== seen();
+        });
+        let lost = false;
+        const told = () => [...figure.querySelectorAll("output")].map((node) => node.textContent);
+        for (let place = 0; place <= +sliders[0].max; place += 1) {
+            sliders[0].value = place;
+            sliders[0].dispatchEvent(new Event("input"));
+            lost ||= told().includes("cannot be assembled") && seen().includes("hidden");
+        }
+        document.title = `moved ${moved} lost ${lost}`;
+    });</script></body>"#;
+    let dom = dom(&browser, &page.replace("</body>", probe), folder.path());
+    assert!(dom.contains("<title>moved true,true lost true</title>"));
 }

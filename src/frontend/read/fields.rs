@@ -6,7 +6,7 @@ use super::own::OWN;
 use super::slot::{Reader, Reading, Slot, join, kept, push};
 use super::suggest::quoted_list;
 use super::tree::{Member, Node, Value};
-use crate::frontend::diagnostics::{Diagnostic, Place};
+use crate::frontend::diagnostics::{Diagnostic, Place, Severity};
 use serde_json::{Map, Value as Json, json};
 
 /// Reads the properties of an object one by one; knows which were asked for.
@@ -206,9 +206,10 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Number of faults and warnings noted so far.
+    /// Number of faults noted so far, without warnings.
     pub fn faults(&self) -> usize {
-        self.reader.diagnostics.len()
+        let noted = self.reader.diagnostics.iter();
+        noted.filter(|one| one.severity == Severity::Error).count()
     }
 
     /// Takes any further properties without looking at them.

@@ -146,7 +146,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     fields.dimensions(doc);
     let mut names = Names::new(fields.node());
     let parts = links::read(fields, &mut names);
-    let pairs = pairs::read(fields, &names);
+    let pairs = pairs::read(fields, &names, several);
     let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
     way.case("driver", doc, |slot| {

@@ -18,14 +18,17 @@ pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
     }
 }
 
-/// Reads `pairs`, in the order of their names.
-pub(super) fn read(fields: &mut Fields<'_>, names: &Names) -> Option<Vec<PairSpec>> {
+/// Reads `pairs`, in the order of their names; `several`: those of a linkage of several
+/// inputs.
+pub(super) fn read(fields: &mut Fields<'_>, names: &Names, several: bool) -> Option<Vec<PairSpec>> {
     fields.need("pairs", "The kinematic pairs by name.", |slot| {
-        slot.names(|name, slot| slot.defined("linkage_pair", |slot| pair(slot, name, names)))
+        slot.names(|name, slot| {
+            slot.defined("linkage_pair", |slot| pair(slot, name, names, several))
+        })
     })
 }
 
-fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
+fn pair(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<PairSpec> {
     slot.record(|fields| {
         let doc = "Coefficient of Coulomb friction μ; it counts in `dam forces`, and with `joint_friction` in the motion.";
         let friction = fields.or("friction", doc, json!(0.0), |slot| {
@@ -49,6 +52,11 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names) -> Option<PairSpec> {
             slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
         });
         let whole = fits_a_block(fields, friction.unwrap_or(0.0));
+        if several && friction.is_some_and(|friction| friction > 0.0) {
+            let message = "this friction counts in `dam forces` alone: in a run the pairs of a \
+                           linkage of several inputs move freely";
+            fields.warn("friction", "no-effect", message);
+        }
         let (friction, (on, link, mut kind), given) = (friction?, kind?, diameter?);
         if let PairKind::Revolute { diameter } = &mut kind {
             *diameter = given.unwrap_or(0.0);

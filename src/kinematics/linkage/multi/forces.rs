@@ -24,6 +24,16 @@ pub(super) struct Surroundings<'a, N> {
     pub(super) angles: &'a [N],
 }
 
+/// Where a strut is, and how it lengthens.
+struct Strut<N> {
+    /// Its ends, seen from the reference point.
+    ends: [[N; 2]; 2],
+    /// From the first to the second.
+    apart: [N; 2],
+    length: N,
+    rate: N,
+}
+
 impl<N: Number> Surroundings<'_, N> {
     fn body(&self, point: PointOf) -> usize {
         self.plan.body(point.link)
@@ -34,6 +44,24 @@ impl<N: Number> Surroundings<'_, N> {
         let body = self.body(point);
         let place = self.columns.poses[body].place(point.at);
         [place, at(&self.columns.velocity[body], place)]
+    }
+
+    /// A strut from one point to another; `None` where they meet, and it has no direction.
+    fn strut(&self, from: PointOf, to: PointOf) -> Option<Strut<N>> {
+        let [[p, v], [q, w]] = [from, to].map(|point| self.point(point));
+        let apart = [q[0] - p[0], q[1] - p[1]];
+        let square = apart[0] * apart[0] + apart[1] * apart[1];
+        if !(square.value() > 0.0) {
+            return None;
+        }
+        let length = root(square);
+        let drawn = apart[0] * (w[0] - v[0]) + apart[1] * (w[1] - v[1]);
+        Some(Strut {
+            ends: [p, q],
+            apart,
+            length,
+            rate: drawn / length,
+        })
     }
 
     /// The angle of a link; of the ground zero.
@@ -71,21 +99,17 @@ impl<N: Number> MultiReduced<N> {
                     damping,
                     force,
                 } => {
-                    let [[p, v], [q, w]] = [*from, *to].map(|point| around.point(point));
-                    let apart = [q[0] - p[0], q[1] - p[1]];
-                    let square = apart[0] * apart[0] + apart[1] * apart[1];
-                    if !(square.value() > 0.0) {
+                    let Some(strut) = around.strut(*from, *to) else {
                         continue;
-                    }
-                    let length = root(square);
-                    let drawn = apart[0] * (w[0] - v[0]) + apart[1] * (w[1] - v[1]);
-                    let tension = (length - N::from(*free_length)).scale(*rate)
-                        + (drawn / length).scale(damped(*damping))
+                    };
+                    let tension = (strut.length - N::from(*free_length)).scale(*rate)
+                        + strut.rate.scale(damped(*damping))
                         + N::from(*force);
-                    let pull = tension / length;
-                    let pull = [apart[0] * pull, apart[1] * pull];
+                    let pull = tension / strut.length;
+                    let pull = strut.apart.map(|part| part * pull);
+                    let [p, q] = strut.ends;
                     self.push(around.body(*from), p, pull);
-                    self.push(around.body(*to), q, [-pull[0], -pull[1]]);
+                    self.push(around.body(*to), q, pull.map(|part| -part));
                 }
                 ForceLaw::Torsion {
                     pair,
@@ -150,13 +174,8 @@ impl<N: Number> Surroundings<'_, N> {
                     force,
                     ..
                 } => {
-                    let [[p, _], [q, _]] = [*from, *to].map(|point| self.point(point));
-                    let apart = [q[0] - p[0], q[1] - p[1]];
-                    let square = apart[0] * apart[0] + apart[1] * apart[1];
-                    let length = match square.value() > 0.0 {
-                        true => root(square),
-                        false => N::from(0.0),
-                    };
+                    let strut = self.strut(*from, *to);
+                    let length = strut.map_or(N::from(0.0), |strut| strut.length);
                     let drawn = length - N::from(*free_length);
                     potential += (drawn * drawn).scale(0.5 * rate) + length.scale(*force);
                 }
@@ -186,13 +205,8 @@ impl Surroundings<'_, f64> {
                 ForceLaw::Strut {
                     from, to, damping, ..
                 } => {
-                    let [[p, v], [q, w]] = [*from, *to].map(|point| self.point(point));
-                    let apart = [q[0] - p[0], q[1] - p[1]];
-                    let length = apart[0].hypot(apart[1]);
-                    if length > 0.0 {
-                        let drawn = apart[0] * (w[0] - v[0]) + apart[1] * (w[1] - v[1]);
-                        sum.dissipated += damping * (drawn / length).powi(2);
-                    }
+                    let rate = self.strut(*from, *to).map_or(0.0, |strut| strut.rate);
+                    sum.dissipated += damping * rate * rate;
                 }
                 ForceLaw::Torsion { pair, damping, .. } => {
                     let [_, speed] = self.turned(*pair);
