@@ -229,12 +229,12 @@ function Studio() {
         {status.disk === "gone" && <p role="alert"><b>The file is gone.</b> Save writes it anew.</p>}
         {told && <p role="alert">{told} <button type="button" onClick={() => setTold("")}>Close</button></p>}
       </div>}
-      <div key="panes" class="panes">
+      <div key="panes" class={view === "drawing" ? "panes draws" : "panes"}>
         <div class={`pane-left shows-${view}`}>
-          <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.filter(([name]) => name !== "drawing" || view === name || objects.some((one) => one.kind === "linkage")).map(([name, words]) =>
+          <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.map(([name, words]) =>
             <button type="button" role="tab" key={name} aria-selected={view === name} onClick={() => look(name)}>{words}</button>)}</div>
           {graph}
-          {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} faults={faults} edit={edit} drag={() => editor.current!.drag()} />}
+          {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} root={() => tree().root} isAt={(one) => editor.current!.isAt(one)} edit={edit} drag={() => editor.current!.drag()} />}
           {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => document.getElementById(`object-${id}`)?.scrollIntoView({ block: "start" })} />}
           <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
           <div key="faults" class="faults" aria-label="faults" role="region">
