@@ -69,9 +69,11 @@ function Studio() {
 
   useEffect(() => {
     const own = editor.current = new Editor(place.current!, link, () => self.current);
-    const shown = board.current = new Board({ tables: tables.current!, charts: charts.current!, machine: moving.current! }, answers.current!);
-    // Everything is drawn once a frame, however often the text and its answer change.
-    let changed = false, frame: ArrayBuffer | null = null, late = 0;
+    const shown = board.current = new Board({ tables: tables.current!, charts: charts.current!, machine: moving.current! }, answers.current!,
+      (sight) => link.send({ type: "sight", charts: sight }));
+    // Everything is drawn once a frame, however often the text and its answer change: the first
+    // answer since a frame as it comes, so that the next frame has less to do.
+    let changed = false, frame: ArrayBuffer | null = null, late = 0, ahead = false;
     const draw = () => {
       drawing.current = false;
       if (changed) { own.flush(false); redraw(0); }
@@ -127,11 +129,16 @@ function Studio() {
     });
     link.on("failed", (message) => { setTold(message.message); setStale(true); });
     link.on("error", (message) => setTold(message.message));
-    link.answer = (given) => { frame = given; soon(); };
+    link.answer = (given) => {
+      link.send({ type: "shown" });
+      if (ahead) { frame = given; soon(); return; }
+      ahead = true;
+      requestAnimationFrame(() => { ahead = false; });
+      answered(given);
+    };
     const answered = (given: ArrayBuffer) => {
       const head = shown.show(given);
       performance.mark("answer", { detail: head.version });
-      link.send({ type: "shown" });
       const before = latest.current;
       latest.current = head;
       setStale(wrong.current);
