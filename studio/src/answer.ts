@@ -84,6 +84,7 @@ export class Board {
 
   show(frame: ArrayBuffer): Answer {
     const { head, columns } = read(frame);
+    if (head.charts !== undefined) this.plots = [];
     head.plots.forEach((plot, place) => { if (plot) this.plots[place] = plot; });
     const source = { columns, plots: this.plots };
     if (head.charts !== undefined) {

@@ -73,13 +73,15 @@ function Studio() {
       (sight) => link.send({ type: "sight", charts: sight }));
     // Everything is drawn once a frame, however often the text and its answer change: the first
     // answer since a frame as it comes, so that the next frame has less to do.
-    let changed = false, frame: ArrayBuffer | null = null, late = 0, ahead = false;
+    let changed = false, frame: ArrayBuffer | null = null, late = 0, ahead = false, owed = false;
+    const taken = () => { owed = false; link.send({ type: "shown" }); };
     const draw = () => {
       drawing.current = false;
       if (changed) { own.flush(false); redraw(0); }
       changed = false;
       if (own.isBehind) { clearTimeout(late); late = setTimeout(() => own.flush(), 150); }
       if (frame) { const newest = frame; frame = null; answered(newest); }
+      if (owed) taken();
     };
     const soon = () => {
       if (drawing.current) return;
@@ -130,7 +132,9 @@ function Studio() {
     link.on("failed", (message) => { setTold(message.message); setStale(true); });
     link.on("error", (message) => setTold(message.message));
     link.answer = (given) => {
-      link.send({ type: "shown" });
+      // Of a window that nobody sees the server keeps the newest.
+      if (document.hidden) { frame = given; owed = true; soon(); return; }
+      taken();
       if (ahead) { frame = given; soon(); return; }
       ahead = true;
       requestAnimationFrame(() => { ahead = false; });
