@@ -1,7 +1,6 @@
 //! What the studio shows of a run and of a map: the tables, charts and drawings of the pages,
 //! taken apart so that what moves is sent alone.
 
-use super::cam;
 use super::diagram::Diagram;
 use super::html::STYLE;
 use super::html::runs::{RunSeries, Shown};
@@ -12,11 +11,13 @@ use super::plot::{Plots, page, palette};
 use super::quantity::with_unit;
 use super::show::{equations, masses, masses::Frequencies};
 use super::verdict::{Verdict, verdict};
+use super::{accuracy, cam};
 use crate::dynamics::model::Model;
 use crate::dynamics::record::{Figures, Record};
 use crate::dynamics::system::{Regime, System};
 use crate::kinematics::cam::DiscCam;
 use crate::studies::map::{MapResult, Study};
+use crate::studies::order::Certificate;
 use serde_json::Value;
 
 /// The scripts of charts and of what moves.
@@ -49,6 +50,8 @@ pub(crate) struct LiveRun {
     pub(crate) charts: Charts,
     /// What moves, for the player; null: nothing does.
     pub(crate) moving: Value,
+    /// The columns of the charts that the player reads.
+    pub(crate) moves: Vec<usize>,
     /// The pictures that it moves in.
     pub(crate) pictures: String,
 }
@@ -88,26 +91,46 @@ pub(crate) fn run(
     let tables = super::run::objects(figures, merged.times.len());
     let tables = tables.iter().map(|section| section.html(&mut charts.plots));
     let tables: String = tables.collect();
-    let (moving, pictures) = match moving {
+    let (moving, moves, pictures) = match moving {
         // Plain numbers, strings and lists: writing them cannot fail.
         Some(moving) => (
             serde_json::to_value(&moving.player).unwrap_or_default(),
+            moving.player.plotted(),
             moving.pictures,
         ),
-        None => (Value::Null, String::new()),
+        None => (Value::Null, Vec::new(), String::new()),
     };
     LiveRun {
         verdict: verdict(figures),
         tables,
         charts,
         moving,
+        moves,
         pictures,
     }
+}
+
+/// The columns that a chart shows.
+pub(crate) fn columns_of(plot: &Value) -> Vec<usize> {
+    let series = plot["series"].as_array().into_iter().flatten();
+    let ends = series.flat_map(|one| [&one["x"], &one["y"]]);
+    let numbers = ends.filter_map(Value::as_u64);
+    numbers
+        .filter_map(|one| usize::try_from(one).ok())
+        .collect()
 }
 
 /// The linkages as they are drawn by hand.
 pub(crate) fn sketches(system: &System) -> Value {
     mechanism::sketch::sketches(system.model())
+}
+
+/// What the figures are worth, and the levels of the objects with why.
+pub(crate) fn accuracy(certificate: &Certificate) -> String {
+    let mut plots = Plots::live(0);
+    let sections = accuracy::sections(certificate);
+    let sections = sections.iter().map(|section| section.html(&mut plots));
+    sections.collect()
 }
 
 /// The dynamic model, and the equations, as parts of a page.

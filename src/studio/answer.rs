@@ -16,6 +16,7 @@ use crate::studies::cam::disc_cams;
 use crate::studies::plausible;
 use crate::studies::run::RunResult;
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
 use std::sync::atomic::AtomicBool;
@@ -23,8 +24,9 @@ use std::sync::atomic::AtomicBool;
 /// What is known of a text before it is run.
 #[derive(Debug)]
 pub(super) struct Checked {
-    /// The message to windows: faults and numbers.
-    pub(super) message: String,
+    document: Option<Document>,
+    /// Faults, or warnings of a scene that is right.
+    faults: Diagnostics,
     /// The scene, where it is right.
     pub(super) reading: Option<Reading>,
 }
@@ -47,23 +49,28 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
     pub(super) fn check(&self) -> Checked {
         match Document::parse(self.name, self.text.as_bytes()) {
             Err(faults) => Checked {
-                message: self.message(None, &faults),
+                document: None,
+                faults,
                 reading: None,
             },
             Ok(document) => {
                 let catalogue = Layered(self.catalogue, &BuiltIn);
-                match document.scene(&catalogue, &Overrides::none()) {
-                    Ok(reading) => Checked {
-                        message: self.message(Some(&document), &reading.warnings),
-                        reading: Some(reading),
-                    },
-                    Err(faults) => Checked {
-                        message: self.message(Some(&document), &faults),
-                        reading: None,
-                    },
+                let (faults, reading) = match document.scene(&catalogue, &Overrides::none()) {
+                    Ok(reading) => (reading.warnings.clone(), Some(reading)),
+                    Err(faults) => (faults, None),
+                };
+                Checked {
+                    document: Some(document),
+                    faults,
+                    reading,
                 }
             }
         }
+    }
+
+    /// The message to windows: faults and numbers.
+    pub(super) fn told(&self, checked: &Checked) -> String {
+        self.message(checked.document.as_ref(), &checked.faults)
     }
 
     /// Faults and numbers for the windows. Of what is no JSON no numbers are known.
@@ -183,8 +190,14 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             .collect();
         warnings.extend(new);
         let (columns, plots) = shown.charts.plots.parts();
-        let numbers = columns.iter().flatten();
-        let numbers = numbers.flat_map(|value| value.unwrap_or(f64::NAN).to_le_bytes());
+        let bytes = |column: &Vec<Option<f64>>| {
+            let numbers = column.iter().map(|value| value.unwrap_or(f64::NAN));
+            numbers.flat_map(f64::to_le_bytes).collect()
+        };
+        let drawn = |plot: &Value| Drawn {
+            text: plot.to_string(),
+            columns: live::columns_of(plot),
+        };
         let verdict = &shown.verdict;
         let (charts, pictures) = (key(&shown.charts.likeness), key(&shown.pictures));
         let head = json!({
@@ -203,8 +216,6 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             "warnings": warnings,
             "tables": shown.tables,
             "figures": result.figures.objects,
-            "lengths": columns.iter().map(Vec::len).collect::<Vec<_>>(),
-            "plots": plots,
             "moving": shown.moving,
         });
         let answer = Answer {
@@ -213,7 +224,9 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             charts_html: shown.charts.html.clone(),
             pictures,
             pictures_html: shown.pictures,
-            numbers: numbers.collect(),
+            moves: shown.moves,
+            plots: plots.iter().map(drawn).collect(),
+            columns: columns.iter().map(bytes).collect(),
         };
         (answer, shown.charts)
     }
@@ -241,33 +254,77 @@ pub(super) struct Answer {
     pub(super) pictures: u64,
     charts_html: String,
     pictures_html: String,
-    /// Columns of the charts, one after the other.
-    numbers: Vec<u8>,
+    /// Columns that what moves reads.
+    moves: Vec<usize>,
+    plots: Vec<Drawn>,
+    /// Columns of the charts, as bytes.
+    columns: Vec<Vec<u8>>,
+}
+
+/// A chart without its numbers.
+#[derive(Debug)]
+struct Drawn {
+    text: String,
+    /// The columns that it shows.
+    columns: Vec<usize>,
+}
+
+/// What a window has of the answer before, and what it sees.
+#[derive(Debug, Default)]
+pub(super) struct Had {
+    /// Tell the charts and pictures that it has; zero: none.
+    pub(super) charts: u64,
+    pub(super) pictures: u64,
+    /// The charts in sight; `None`: it has not told.
+    pub(super) sight: Option<BTreeSet<usize>>,
 }
 
 impl Answer {
     /// One frame: the length of the head in four bytes, the head as JSON, filled up with blanks
-    /// to a multiple of eight, the numbers. Charts and pictures that the window has are left out.
-    pub(super) fn frame(&self, charts: u64, pictures: u64) -> Vec<u8> {
+    /// to a multiple of eight, the numbers. Charts and pictures that the window has are left
+    /// out, and so are the numbers of charts that are not in its sight: null in their places.
+    pub(super) fn frame(&self, had: &Had) -> Vec<u8> {
         let mut head = self.head.clone();
         head.pop();
         for (name, other, own, html) in [
-            ("charts", charts, self.charts, &self.charts_html),
-            ("pictures", pictures, self.pictures, &self.pictures_html),
+            ("charts", had.charts, self.charts, &self.charts_html),
+            ("pictures", had.pictures, self.pictures, &self.pictures_html),
         ] {
             if other != own {
                 head.push_str(&format!(",\"{name}\":{}", json!(html)));
             }
         }
-        head.push('}');
+        let sight = had.sight.as_ref().filter(|_| had.charts == self.charts);
+        let seen = |chart: usize| sight.is_none_or(|sight| sight.contains(&chart));
+        let plots = self.plots.iter().enumerate();
+        let plots: Vec<Option<&Drawn>> = plots.map(|(k, one)| seen(k).then_some(one)).collect();
+        let texts = plots
+            .iter()
+            .map(|one| one.map_or("null", |one| one.text.as_str()));
+        let columns = plots.iter().flatten().flat_map(|one| &one.columns);
+        let wanted: BTreeSet<usize> = columns.chain(&self.moves).copied().collect();
+        let columns = self.columns.iter().enumerate();
+        let columns = columns.map(|(k, one)| wanted.contains(&k).then_some(one));
+        let columns: Vec<Option<&Vec<u8>>> = columns.collect();
+        let lengths = columns
+            .iter()
+            .map(|one| one.map_or("null".to_owned(), |one| (one.len() / 8).to_string()));
+        head.push_str(&format!(
+            ",\"lengths\":[{}],\"plots\":[{}]}}",
+            lengths.collect::<Vec<_>>().join(","),
+            texts.collect::<Vec<_>>().join(","),
+        ));
         while !(head.len() + 4).is_multiple_of(8) {
             head.push(' ');
         }
         let length = u32::try_from(head.len()).unwrap_or(u32::MAX);
-        let mut frame = Vec::with_capacity(4 + head.len() + self.numbers.len());
+        let numbers: usize = columns.iter().flatten().map(|one| one.len()).sum();
+        let mut frame = Vec::with_capacity(4 + head.len() + numbers);
         frame.extend_from_slice(&length.to_le_bytes());
         frame.extend_from_slice(head.as_bytes());
-        frame.extend_from_slice(&self.numbers);
+        for column in columns.into_iter().flatten() {
+            frame.extend_from_slice(column);
+        }
         frame
     }
 }

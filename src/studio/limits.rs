@@ -20,8 +20,12 @@ pub(super) const ROOMS: usize = 32;
 pub(super) const WAITING: usize = 4096;
 /// How long a run may last.
 pub(super) const RUN: Duration = Duration::from_secs(30);
+/// How long the model of a scene is judged before it is shown as it stands.
+pub(super) const JUDGED: Duration = Duration::from_secs(6);
 /// How long a run goes on after it was superseded: so that something is seen while a number moves.
 pub(super) const GRACE: Duration = Duration::from_millis(150);
+/// What is answered within this is answered before faults and numbers are told.
+pub(super) const QUICK: Duration = Duration::from_millis(15);
 /// Samples of a run at most, unless what it answers rests on them.
 pub(super) const SAMPLES: usize = 2000;
 /// Rows of a run with two at every switch; above, there is none at switches.
@@ -30,6 +34,8 @@ pub(super) const ROWS: usize = 20_000;
 pub(super) const MASSES: usize = 200;
 /// Cells along and up the live map, first coarse, then fine.
 pub(super) const CELLS: [usize; 3] = [5, 10, 20];
+/// How long nothing newer comes before a map is made finer: longer than from one move to the next.
+pub(super) const REST: Duration = Duration::from_millis(20);
 /// Memory that runs may take beyond what the server had (bytes).
 pub(super) const MEMORY: u64 = 2 << 30;
 /// How long undone steps are kept: characters of all of them.

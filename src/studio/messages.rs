@@ -3,6 +3,7 @@
 use crate::studies::axis::Axis;
 use serde::Deserialize;
 use serde_json::Value;
+use std::collections::BTreeSet;
 
 /// A message of a window.
 #[derive(Debug, Deserialize)]
@@ -22,6 +23,10 @@ pub(super) enum Said {
     Push {
         /// The version that the first of them changes.
         version: u64,
+        /// The last version that the window had heard of, where it has sent edits since: what
+        /// lies between is its own. Default: `version`.
+        #[serde(default)]
+        heard: Option<u64>,
         /// The edits, each of the text after the one before.
         updates: Vec<Update>,
     },
@@ -55,10 +60,15 @@ pub(super) enum Said {
         /// The question.
         question: Option<Asked>,
     },
-    /// An answer stands on the screen: the next may come.
+    /// An answer was taken up, and will be on the screen in the next frame: another may come.
     Shown,
     /// A map stands on the screen.
     MapShown,
+    /// The charts in sight, by their places among those of the answer: of others no numbers come.
+    Sight {
+        /// Their places.
+        charts: BTreeSet<usize>,
+    },
     /// Asks for a sign of life.
     Ping {
         /// Comes back.

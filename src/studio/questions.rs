@@ -1,6 +1,7 @@
 //! What windows ask for besides the answers that follow the text.
 
-use super::limits::RUN;
+use super::answer::is_judged;
+use super::limits::{JUDGED, RUN};
 use super::room::Room;
 use super::served::Studio;
 use crate::ask::{Judging, Mechanism};
@@ -59,11 +60,13 @@ pub(super) async fn parts(
         .into_response()
 }
 
-/// The dynamic model and the equations of a scene as it is edited at present.
+/// The dynamic model and the equations of a scene as it is edited at present; where the levels
+/// of its objects are open, those of the levels that are chosen, with their error.
 pub(super) async fn model(studio: State<Arc<Studio>>, named: Query<Named>) -> Response {
-    told(studio, named, |mechanism| {
+    told(studio, named, Judging::Asked, |mechanism| {
         let [model, equations] = live::model(&mechanism.system);
-        json!({ "model": model, "equations": equations })
+        let accuracy = mechanism.certificate.as_ref().map(live::accuracy);
+        json!({ "model": accuracy.unwrap_or_default() + &model, "equations": equations })
     })
     .await
 }
@@ -73,6 +76,7 @@ pub(super) async fn linkages(studio: State<Arc<Studio>>, named: Query<Named>) ->
     told(
         studio,
         named,
+        Judging::Never,
         |mechanism| json!({ "linkages": live::sketches(&mechanism.system) }),
     )
     .await
@@ -81,13 +85,14 @@ pub(super) async fn linkages(studio: State<Arc<Studio>>, named: Query<Named>) ->
 async fn told(
     State(studio): State<Arc<Studio>>,
     Query(named): Query<Named>,
+    judging: Judging,
     tell: fn(&Mechanism) -> Value,
 ) -> Response {
     let room = match studio.room(&named.scene) {
         Ok(room) => room,
         Err(message) => return refused(StatusCode::NOT_FOUND, &message),
     };
-    let worked = tokio::task::spawn_blocking(move || shown(&room, tell)).await;
+    let worked = tokio::task::spawn_blocking(move || shown(&room, judging, tell)).await;
     match worked {
         Ok(told) => Json(told).into_response(),
         Err(_) => refused(StatusCode::INTERNAL_SERVER_ERROR, "the computation failed"),
@@ -95,13 +100,25 @@ async fn told(
 }
 
 /// `None`: the text is no scene, or none that can be run.
-fn shown(room: &Room, tell: fn(&Mechanism) -> Value) -> Option<Value> {
+fn shown(room: &Room, judging: Judging, tell: fn(&Mechanism) -> Value) -> Option<Value> {
     let (version, text) = room.newest();
     let document = Document::parse(room.name(), text.as_bytes()).ok()?;
     let catalogue = Layered(room.catalogue(), &BuiltIn);
-    let reading = document.scene(&catalogue, &Overrides::none()).ok()?;
-    let budget = Budget::FREE.within(RUN);
-    let mechanism = Mechanism::of_within(reading, Judging::Never, &budget).ok()?;
+    let read = || document.scene(&catalogue, &Overrides::none()).ok();
+    let reading = read()?;
+    let made = |reading, judging, time| {
+        Mechanism::of_within(reading, judging, &Budget::FREE.within(time)).ok()
+    };
+    let judged = match judging {
+        Judging::Never => None,
+        _ if !is_judged(&reading.scene) => None,
+        _ => made(read()?, judging, JUDGED),
+    };
+    // What takes too long to judge is told as it stands.
+    let mechanism = match judged {
+        Some(mechanism) => mechanism,
+        None => made(reading, Judging::Never, RUN)?,
+    };
     let mut told = tell(&mechanism);
     told["version"] = json!(version);
     Some(told)

@@ -6,6 +6,7 @@ use super::disk::OnDisk;
 use super::drafts::Drafts;
 use super::folder::Shelf;
 use super::history::Group;
+use super::limits::{QUICK, REST};
 use super::messages::{self, Update};
 use super::state::State;
 use super::text::Text;
@@ -13,13 +14,14 @@ use super::window::Window;
 use super::work::Desk;
 use crate::ask::Judging;
 use crate::frontend::diagnostics::Diagnostics;
-use crate::frontend::scene::Document;
+use crate::frontend::scene::{Document, Reading};
 use crate::report::live::Charts;
 use serde_json::json;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError, Weak};
+use std::time::Instant;
 
 /// A document.
 #[derive(Debug)]
@@ -48,6 +50,14 @@ struct MapQuestion {
     asked: Vec<(Arc<Window>, messages::Asked)>,
 }
 
+/// What of an answer the next one can use.
+#[derive(Debug, Default)]
+struct Kept {
+    charts: Charts,
+    /// It came quickly: the next is told before faults and numbers are.
+    quick: bool,
+}
+
 impl Room {
     /// Opens a file of the folder.
     ///
@@ -70,7 +80,7 @@ impl Room {
             exhausted: AtomicBool::new(false),
         });
         let (one, other) = (Arc::downgrade(&room), Arc::downgrade(&room));
-        let mut kept = Charts::default();
+        let mut kept = Kept::default();
         let run = move |question, stop: &AtomicBool| {
             if let Some(room) = one.upgrade() {
                 room.work(&question, stop, &mut kept);
@@ -145,19 +155,30 @@ impl Room {
         state.asked.remove(&window);
     }
 
+    /// A window sees these charts: those that come into its sight it is sent with their numbers.
+    pub(super) fn sight(&self, window: &Window, charts: BTreeSet<usize>) {
+        let state = self.lock();
+        if window.see(charts)
+            && let Some(answer) = &state.answer
+        {
+            window.answer_again(answer.clone());
+        }
+    }
+
     /// Edits of a window: those of the newest version are taken; others must be made anew on
     /// what the window has not seen, which it is sent anyway.
     pub(super) fn push(
         &self,
         window: &Window,
         version: u64,
+        heard: u64,
         updates: &[Update],
     ) -> Result<(), String> {
         let mut state = self.lock();
         if state.disk.is_asking() {
             return Err("decide about the draft first".to_owned());
         }
-        if version != state.text.version() {
+        if !state.is_newest(window.id, version, heard) {
             window.send(
                 json!({ "type": "late", "version": state.text.version() })
                     .to_string()
@@ -281,55 +302,73 @@ impl Room {
     }
 
     /// Answers a version, on a thread of its own.
-    fn work(&self, question: &Question, stop: &AtomicBool, kept: &mut Charts) {
+    fn work(&self, question: &Question, stop: &AtomicBool, kept: &mut Kept) {
         let asked = Asked {
             version: question.version,
             name: &self.name,
             text: &question.text,
             catalogue: &self.shelf,
         };
+        let begun = Instant::now();
         let mut checked = asked.check();
-        let Some(mut reading) = checked.reading.take() else {
-            self.tell_checked(checked.message);
+        let Some(reading) = checked.reading.take() else {
+            self.tell_checked(asked.told(&checked));
             return;
         };
-        self.tell_checked(checked.message);
+        let judged = answer::is_judged(&reading.scene);
+        let first = kept.quick && !judged;
+        if !first {
+            self.tell_checked(asked.told(&checked));
+        }
         {
             let state = self.lock();
             if !state.asked.is_empty() {
                 self.ask_map(&state);
             }
         }
-        let judged = answer::is_judged(&reading.scene);
+        let right = self.run(&asked, reading, judged, stop, kept);
+        kept.quick = begun.elapsed() < QUICK;
+        if first && right {
+            self.tell_checked(asked.told(&checked));
+        }
+    }
+
+    /// Runs a scene and tells the answer; false: it has faults, which were told.
+    fn run(
+        &self,
+        asked: &Asked<'_, Shelf>,
+        mut reading: Reading,
+        judged: bool,
+        stop: &AtomicBool,
+        kept: &mut Kept,
+    ) -> bool {
         for judging in [Judging::Never, Judging::Asked] {
             let last = !judged || matches!(judging, Judging::Asked);
-            match asked.run(reading, judging, stop, kept) {
+            match asked.run(reading, judging, stop, &kept.charts) {
                 Err(faults) => {
-                    self.told_faults(&asked, &faults);
-                    return;
+                    self.told_faults(asked, &faults);
+                    return false;
                 }
                 Ok(_) if self.exhausted.swap(false, Ordering::Relaxed) => {
-                    self.tell_failure(
-                        question.version,
-                        "the run took too much memory and was ended",
-                    );
-                    return;
+                    self.tell_failure(asked.version, "the run took too much memory and was ended");
+                    return true;
                 }
                 // Something newer has come.
-                Ok(None) => return,
+                Ok(None) => return true,
                 Ok(Some((answer, charts))) => {
-                    *kept = charts;
+                    kept.charts = charts;
                     self.tell_answer(Arc::new(answer));
                 }
             }
             if last {
-                return;
+                return true;
             }
             match asked.check().reading {
                 Some(again) => reading = again,
-                None => return,
+                None => return true,
             }
         }
+        true
     }
 
     fn told_faults(&self, asked: &Asked<'_, Shelf>, faults: &Diagnostics) {
@@ -437,7 +476,9 @@ impl Told for Teller<'_> {
         self.window.map(message.into());
         // From the coarse one on nothing keeps a newer one waiting.
         self.desk.hurry();
-        !self.desk.has_next()
+        // While a number moves the coarse map is all that is seen of it, and the rest of the
+        // processor is the browser's.
+        !self.desk.rest(REST)
     }
 
     fn progress(&self, done: usize, of: usize) {

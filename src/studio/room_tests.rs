@@ -50,7 +50,7 @@ impl Opened {
             [&text[..at], old, &text[at + old.len()..]].map(super::units::length);
         let changes = json!([before, [removed, new], rest]);
         self.room
-            .push(&self.window, version, &[Update { changes, drag }])
+            .push(&self.window, version, version, &[Update { changes, drag }])
             .unwrap();
     }
 
@@ -68,7 +68,7 @@ impl Opened {
                         let mut head: Value =
                             serde_json::from_slice(&bytes[4..4 + length]).unwrap();
                         let lengths = head["lengths"].as_array().unwrap().iter();
-                        let values: u64 = lengths.map(|one| one.as_u64().unwrap()).sum();
+                        let values: u64 = lengths.map(|one| one.as_u64().unwrap_or(0)).sum();
                         assert_eq!(bytes.len() as u64, 4 + length as u64 + 8 * values);
                         head["type"] = json!("answer");
                         head
@@ -102,6 +102,80 @@ fn answers_follow_the_text_and_are_those_of_a_run() {
     let wanted = serde_json::to_value(&run.figures.objects).unwrap();
     assert_eq!(second["figures"], wanted);
     assert_ne!(first["figures"], wanted);
+}
+
+#[test]
+fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
+    let opened = Opened::new();
+    let first = opened.told("answer", |one| one["version"] == 0);
+    let all = first["plots"].as_array().unwrap().len();
+    assert!(all > 3 && !first["lengths"].as_array().unwrap().contains(&Value::Null));
+    let seen = |answer: &Value| -> Vec<usize> {
+        let plots = answer["plots"].as_array().unwrap();
+        (0..plots.len()).filter(|&k| !plots[k].is_null()).collect()
+    };
+    opened.room.sight(&opened.window, [2].into());
+    opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
+    let second = opened.told("answer", |one| one["version"] == 1);
+    assert_eq!(seen(&second), [2]);
+    // The columns of that chart are there, and those of what moves; of the rest none.
+    let lengths = second["lengths"].as_array().unwrap();
+    let series = second["plots"][2]["series"].as_array().unwrap();
+    let index = |of: &Value| usize::try_from(of.as_u64().unwrap()).unwrap();
+    let own = series
+        .iter()
+        .flat_map(|one| [index(&one["x"]), index(&one["y"])]);
+    let moved = second["moving"]["columns"].as_array().unwrap().iter();
+    let moved = moved.flat_map(|one| [&one["values"], &one["deviation"]]);
+    let moved = moved.filter(|one| !one.is_null()).map(index);
+    let mut wanted: Vec<usize> = own.chain(moved).collect();
+    wanted.push(index(&second["moving"]["times"]));
+    assert!(lengths.iter().any(Value::is_null));
+    for (k, length) in lengths.iter().enumerate() {
+        assert_eq!(length.is_null(), !wanted.contains(&k), "column {k}");
+    }
+    // What comes into sight is sent at once; what goes out of it is no reason to send anything.
+    opened.room.sight(&opened.window, [2, 0].into());
+    let third = opened.told("answer", |one| one["version"] == 1);
+    assert_eq!(seen(&third), [0, 2]);
+    opened.room.sight(&opened.window, [0].into());
+    assert!(
+        opened
+            .window
+            .next()
+            .is_ok_and(|sent| sent.is_none_or(|one| matches!(one, Sent::Text(_))))
+    );
+}
+
+#[test]
+fn edits_upon_edits_on_the_way_are_taken_where_no_other_window_came_between() {
+    let opened = Opened::new();
+    let other = Arc::new(Window::new(8));
+    opened.room.join(&other);
+    // A blank more at the end of the text; true: it was taken.
+    let push = |window: &Window, version: u64, heard: u64| {
+        let before = opened.room.newest().0;
+        let length = super::units::length(&opened.room.text());
+        let blank = json!([length, [0, " "]]);
+        let update = Update {
+            changes: blank,
+            drag: None,
+        };
+        let taken = opened.room.push(window, version, heard, &[update]);
+        taken.is_ok() && opened.room.newest().0 == before + 1
+    };
+    assert!(push(&opened.window, 0, 0));
+    assert!(push(&opened.window, 1, 0));
+    assert!(push(&other, 2, 2));
+    // What it had not heard of is another's, though the number is right.
+    assert!(!push(&opened.window, 3, 2));
+    opened.told("late", |one| one["version"] == 3);
+    assert!(push(&opened.window, 3, 3));
+    assert!(push(&opened.window, 4, 3));
+    // What is undone is nobody's.
+    opened.room.step(true);
+    let now = opened.room.newest().0;
+    assert!(now > 5 && !push(&opened.window, now, 4) && push(&opened.window, now, now));
 }
 
 #[test]
@@ -150,7 +224,7 @@ fn late_edits_wait_and_foreign_ones_are_refused() {
         changes: json!([1, [5, "x"]]),
         drag: None,
     }];
-    assert!(opened.room.push(&opened.window, 1, &wrong).is_err());
+    assert!(opened.room.push(&opened.window, 1, 1, &wrong).is_err());
     assert_eq!(
         opened.told("opened", |one| one["version"] == 1)["text"],
         json!(changed)
@@ -212,7 +286,7 @@ fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
             changes: json!([[0, " "], saved.len()]),
             drag: None,
         }];
-        assert!(again.room.push(&again.window, 0, &edit).is_err());
+        assert!(again.room.push(&again.window, 0, 0, &edit).is_err());
         again.room.draft(restore);
         assert_eq!(again.room.text(), if restore { &*draft } else { &*saved });
         assert_eq!(drafts.find(&path).is_some(), restore);

@@ -124,7 +124,11 @@ impl Visit {
         }
         let room = self.room.clone().ok_or("no scene is open")?;
         match said {
-            Said::Push { version, updates } => room.push(&self.window, version, &updates),
+            Said::Push {
+                version,
+                heard,
+                updates,
+            } => room.push(&self.window, version, heard.unwrap_or(version), &updates),
             Said::Save => room.save(),
             Said::SaveAs { scene } => {
                 self.write(&scene, &room.text())?;
@@ -138,6 +142,7 @@ impl Visit {
                     Said::Redo => room.step(false),
                     Said::Draft { restore } => room.draft(restore),
                     Said::Map { question } => room.map(id, question),
+                    Said::Sight { charts } => room.sight(&self.window, charts),
                     // Heard above.
                     _ => {}
                 }

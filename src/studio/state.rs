@@ -21,6 +21,8 @@ pub(super) struct State {
     pub(super) checked: Option<Arc<str>>,
     pub(super) answer: Option<Arc<Answer>>,
     status: String,
+    /// Who made the last edits, and the version from which on all are theirs.
+    stretch: (u64, u64),
 }
 
 impl State {
@@ -33,6 +35,7 @@ impl State {
             checked: None,
             answer: None,
             status: String::new(),
+            stretch: (0, 0),
         }
     }
 
@@ -54,8 +57,19 @@ impl State {
         .to_string()
     }
 
+    /// Whether edits of a version are of the newest one, all that the window that makes them had
+    /// not heard of being its own.
+    pub(super) fn is_newest(&self, window: u64, version: u64, heard: u64) -> bool {
+        let (by, from) = self.stretch;
+        let own = heard == version || (by == window && from <= heard);
+        version == self.text.version() && own
+    }
+
     /// Tells all windows of changes from a version on, and who made them.
-    pub(super) fn tell_changes(&self, version: u64, by: u64, changes: &[Value]) {
+    pub(super) fn tell_changes(&mut self, version: u64, by: u64, changes: &[Value]) {
+        if self.stretch.0 != by {
+            self.stretch = (by, version);
+        }
         let message = json!({
             "type": "updates",
             "version": version,

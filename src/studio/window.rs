@@ -1,9 +1,9 @@
 //! What a window is sent: every message in order, of answers and maps the newest alone, and the
-//! next only once the one before stands on the screen.
+//! next only once the one before was taken up.
 
-use super::answer::Answer;
+use super::answer::{Answer, Had};
 use super::limits::WAITING;
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::Notify;
 
@@ -21,12 +21,10 @@ struct Queue {
     messages: VecDeque<Arc<str>>,
     answer: Option<Arc<Answer>>,
     map: Option<Arc<str>>,
-    /// An answer, a map was sent that does not stand on the screen yet.
+    /// An answer, a map was sent that was not taken up yet.
     showing: bool,
     showing_map: bool,
-    /// What of the last answer it has: numbers of charts and pictures.
-    charts: u64,
-    pictures: u64,
+    had: Had,
     lost: bool,
 }
 
@@ -69,13 +67,19 @@ impl Window {
         self.wake.notify_one();
     }
 
+    /// Sends an answer that it had, unless a newer one waits.
+    pub(super) fn answer_again(&self, answer: Arc<Answer>) {
+        self.lock().answer.get_or_insert(answer);
+        self.wake.notify_one();
+    }
+
     /// Sends a map, in place of one that still waits.
     pub(super) fn map(&self, map: Arc<str>) {
         self.lock().map = Some(map);
         self.wake.notify_one();
     }
 
-    /// What was sent last stands on the screen.
+    /// What was sent last was taken up.
     pub(super) fn shown(&self, map: bool) {
         let mut queue = self.lock();
         match map {
@@ -84,6 +88,16 @@ impl Window {
         }
         drop(queue);
         self.wake.notify_one();
+    }
+
+    /// It sees these charts; true: some of them it did not see before.
+    pub(super) fn see(&self, charts: BTreeSet<usize>) -> bool {
+        let sight = &mut self.lock().had.sight;
+        let new = sight
+            .as_ref()
+            .is_some_and(|before| !charts.is_subset(before));
+        *sight = Some(charts);
+        new
     }
 
     /// Another document: nothing of the one before is there.
@@ -107,8 +121,13 @@ impl Window {
         if !queue.showing
             && let Some(answer) = queue.answer.take()
         {
-            let frame = answer.frame(queue.charts, queue.pictures);
-            (queue.charts, queue.pictures) = (answer.charts, answer.pictures);
+            let frame = answer.frame(&queue.had);
+            let had = &mut queue.had;
+            if had.charts != answer.charts {
+                // Others may be in sight.
+                had.sight = None;
+            }
+            (had.charts, had.pictures) = (answer.charts, answer.pictures);
             queue.showing = true;
             return Ok(Some(Sent::Binary(frame)));
         }

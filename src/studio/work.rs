@@ -131,8 +131,17 @@ impl<Q: Send + 'static> Desk<Q> {
     }
 
     /// Whether something newer waits.
+    #[cfg(test)]
     pub(super) fn has_next(&self) -> bool {
         self.lock().next.is_some()
+    }
+
+    /// Waits for something newer for a while; true: it came. For the desk's own work.
+    pub(super) fn rest(&self, time: Duration) -> bool {
+        let idle = |state: &mut State<Q>| state.next.is_none() && !state.closed;
+        let waited = self.bell.wait_timeout_while(self.lock(), time, idle);
+        let (state, _) = waited.unwrap_or_else(PoisonError::into_inner);
+        state.next.is_some() || state.closed
     }
 
     /// Ends the thread.

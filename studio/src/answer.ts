@@ -8,8 +8,9 @@ export interface Answer {
   warnings: string[];
   tables: string;
   figures: Record<string, any>;
-  lengths: number[];
-  plots: PlotData[];
+  // Of charts that are not in sight neither numbers nor what else differs come.
+  lengths: (number | null)[];
+  plots: (PlotData | null)[];
   moving: Moving | null;
   charts?: string;
   pictures?: string;
@@ -23,9 +24,9 @@ export function read(frame: ArrayBuffer): { head: Answer; columns: (number | nul
 }
 
 // Columns are made where a chart asks for them.
-function lazily(lengths: number[], values: Float64Array): (number | null)[][] {
+function lazily(lengths: (number | null)[], values: Float64Array): (number | null)[][] {
   const starts: number[] = [], made: (number | null)[][] = [];
-  lengths.reduce((at, count, index) => { starts[index] = at; return at + count; }, 0);
+  lengths.reduce<number>((at, count, index) => { if (count !== null) starts[index] = at; return at + (count ?? 0); }, 0);
   return new Proxy(made, { get: (_, key) => {
     const index = typeof key === "string" ? Number(key) : NaN;
     if (!(index in starts)) return Reflect.get(made, key);
@@ -56,26 +57,36 @@ function alike(own: Node, wanted: Node): boolean {
   return true;
 }
 
+// Where a chart stands among those of the answer.
+const placeOf = (chart: PlotChart): number => Number(chart.group.dataset["plot"]);
+
 export class Board {
   private made: PlotChart[] = [];
   private playing: Playing | null = null;
   private choices = "";
   private tables = "";
+  // The charts as they were last told of.
+  private plots: PlotData[] = [];
   private readonly seen = new Set<Element>();
   private readonly watch: IntersectionObserver;
 
-  constructor(private readonly parts: { tables: Element; charts: Element; machine: Element }, scroller: Element) {
+  constructor(private readonly parts: { tables: Element; charts: Element; machine: Element }, scroller: Element, told: (sight: number[]) => void) {
     this.watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.seen.add(target); else this.seen.delete(target);
         const chart = this.made.find((one) => one.svg === target);
         if (isIntersecting && chart?.stale) chart.draw();
       }
+      // The numbers of what has come into sight come then.
+      told(this.made.filter((chart) => this.seen.has(chart.svg)).map(placeOf));
     }, { root: scroller, rootMargin: "120px" });
   }
 
   show(frame: ArrayBuffer): Answer {
-    const { head, columns } = read(frame), source = { columns, plots: head.plots };
+    const { head, columns } = read(frame);
+    if (head.charts !== undefined) this.plots = [];
+    head.plots.forEach((plot, place) => { if (plot) this.plots[place] = plot; });
+    const source = { columns, plots: this.plots };
     if (head.charts !== undefined) {
       live.drop(this.made);
       this.watch.disconnect();
@@ -83,7 +94,11 @@ export class Board {
       this.parts.charts.innerHTML = head.charts;
       this.made = live.make(this.parts.charts, source);
       for (const chart of this.made) { this.seen.add(chart.svg); this.watch.observe(chart.svg); }
-    } else live.update(this.made, source, (chart) => this.seen.has(chart.svg));
+    } else {
+      const fresh = this.made.filter((chart) => head.plots[placeOf(chart)]);
+      for (const chart of this.made) chart.stale = true;
+      live.update(fresh, source, (chart) => this.seen.has(chart.svg));
+    }
     this.move(head, source);
     if (head.tables !== this.tables) {
       this.tables = head.tables;
@@ -115,6 +130,7 @@ export class Board {
     this.playing?.stop();
     this.playing = null;
     this.made = [];
+    this.plots = [];
     this.tables = "";
     for (const part of Object.values(this.parts)) part.replaceChildren();
   }

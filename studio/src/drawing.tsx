@@ -1,57 +1,78 @@
-// A linkage drawn to scale, whose joints are dragged: mobility, groups, branches, range and faults
-// are told while they move.
+// A linkage drawn to scale, whose joints are dragged, and whose links and points are drawn:
+// mobility, groups, branches, range and faults are told while it changes.
 
 import { useEffect, useRef, useState } from "preact/hooks";
-import { dragged, joints, placed, sizeOf, stepOf, type Joint, type Point, type Sketch } from "./linkage";
+import { begun, driven, removed, spotAt, type Board, type Spot } from "./build";
+import { drafted, stances, type Known } from "./draft";
+import { framed, Grid, HEIGHT, JointMark, Links, START, toPixel, toPlace, WIDTH, zoomed, type Frame } from "./figure";
+import { dragged, gridOf, joints, snapped, stepOf, type Joint, type Point, type Sketch } from "./linkage";
 import type { Link } from "./link";
-import type { Fault } from "./objects";
-import type { Change, Edits } from "./tree";
+import { TOOLS, Tools, type Tool } from "./tools";
+import { find, member, Steps, type Change, type Edits, type Value } from "./tree";
 
-interface Props { link: Link; scene: string; version: number; faults: Fault[]; edit: (make: (edits: Edits) => Change[], drag?: number) => boolean; drag: () => number }
+interface Props { link: Link; scene: string; version: number; root: () => Value | null; isAt: (version: number) => boolean; edit: (make: (edits: Edits) => Change[], drag?: number) => boolean; drag: () => number }
 // A joint that is held, and the step of undo that its moves belong to.
 interface Grip { joint: string; drag: number }
 interface Move extends Grip { to: Point }
-interface Frame { left: number; bottom: number; scale: number; width: number; height: number }
+// What a tool was pressed at: where on the screen (by the keyboard: nowhere), and where in the drawing.
+interface Press { screen: Point; place: Point }
 
-const WIDTH = 500, HEIGHT = 330, EDGE = 44;
+// How near to a joint is on it, how far a press moves to be a drag, how wide the grid is at least (pixels).
+const REACH = 13, MOVED = 5, MESH = 8;
+const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-// Everything that is reached, in the picture.
-function framed(sketch: Sketch): Frame {
-  const all: Point[] = sketch.ground.map((point) => point.at);
-  for (const pose of sketch.poses) if (pose) {
-    sketch.links.forEach((link, k) => { all.push(placed(pose, k, [0, 0]), ...link.points.map((point) => placed(pose, k, point.at))); });
-  }
-  const xs = all.map((one) => one[0]), ys = all.map((one) => one[1]), size = sizeOf(sketch);
-  const [x0, x1, y0, y1] = all.length ? [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)] : [-size, size, -size, size];
-  const scale = Math.min((WIDTH - 2 * EDGE) / Math.max(x1 - x0, 0.1 * size), (HEIGHT - 2 * EDGE) / Math.max(y1 - y0, 0.1 * size));
-  return { scale, left: (x0 + x1) / 2 - WIDTH / 2 / scale, bottom: (y0 + y1) / 2 - HEIGHT / 2 / scale, width: WIDTH, height: HEIGHT };
-}
-
-export function Drawing({ link, scene, version, faults, edit, drag }: Props) {
+export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props) {
   const [all, setAll] = useState<Sketch[]>([]);
   const [chosen, setChosen] = useState("");
   const [at, setAt] = useState<number | null>(null);
   const [stale, setStale] = useState(false);
   const [told, setTold] = useState("");
+  const [tool, setTool] = useState<Tool>("select");
+  const [fixed, setFixed] = useState<Frame | null>(null);
+  const [pressed, setPressed] = useState<Press | null>(null);
+  const [cursor, setCursor] = useState<Point | null>(null);
   const frame = useRef<Frame | null>(null), svg = useRef<SVGSVGElement>(null);
-  const held = useRef<Grip | null>(null), waiting = useRef<Move | null>(null);
+  const held = useRef<Grip | null>(null), waiting = useRef<Move | null>(null), acts = useRef<(() => void)[]>([]);
+  const pan = useRef<{ screen: Point; frame: Frame } | null>(null);
+  // How links stood when their linkage was whole, and where they were drawn.
+  const known = useRef(new Map<string, Known>());
   const asking = useRef(false), wanted = useRef(version), shown = useRef(-1);
   // The version that the drawing shows, and the one that the last move was made on: until another
   // is drawn, further moves wait.
   const [drawn, setDrawn] = useState(-1), behind = useRef<number | null>(null);
   const [busy, setBusy] = useState(false);
   wanted.current = version;
+
+  const take = (found: { linkages: Sketch[] } | null) => {
+    if (found) {
+      for (const one of found.linkages) if (one.poses[one.start]) known.current.set(one.id, stances(one, one.poses[one.start]!));
+      setAll(found.linkages);
+      setStale(false);
+      return;
+    }
+    // Of a text that is not whole what it has; of copies the last good drawing.
+    setAll((before) => {
+      const texts = find(root() ?? undefined, ["objects"])?.members ?? [];
+      const made = texts.flatMap(({ name, value }) => {
+        if (member(value, "kind")?.value.text !== "linkage") return [];
+        const stood = known.current.get(name) ?? new Map(), draft = drafted(name, value, stood) ?? before.find((one) => one.id === name);
+        if (draft?.draft) known.current.set(name, stances(draft, draft.poses[0]!));
+        return draft ? [draft] : [];
+      });
+      return made.length ? made : before;
+    });
+    setStale(true);
+  };
   useEffect(() => {
     let gone = false;
     const ask = async () => {
-      if (asking.current || shown.current === wanted.current) return;
+      if (!scene || asking.current || shown.current === wanted.current) return;
       asking.current = true;
       const asked = wanted.current;
       try {
         const found = await link.get(`/api/linkages?scene=${encodeURIComponent(scene)}`);
         if (gone) return;
-        if (found) setAll(found.linkages);
-        setStale(!found);
+        take(found);
       } catch { if (!gone) setStale(true); }
       shown.current = asked;
       asking.current = false;
@@ -63,113 +84,160 @@ export function Drawing({ link, scene, version, faults, edit, drag }: Props) {
   }, [version, scene]);
 
   const sketch = all.find((one) => one.id === chosen) ?? all[0];
-  const k = sketch ? Math.min(at ?? sketch.start, sketch.poses.length - 1) : 0, pose = sketch?.poses[k] ?? null;
+  // What is drawn is drawn where the assembly holds.
+  const k = sketch ? Math.min(tool === "select" ? at ?? sketch.start : sketch.start, sketch.poses.length - 1) : 0, pose = sketch?.poses[k] ?? null;
   // While a joint is held the scale stays.
-  if (sketch && (!frame.current || !held.current)) frame.current = framed(sketch);
-  const view = frame.current;
-  const pixel = ([x, y]: Point): Point => [(x - view!.left) * view!.scale, view!.height - (y - view!.bottom) * view!.scale];
+  if (sketch && (!frame.current || !held.current)) frame.current = fixed ?? framed(sketch);
+  const view = frame.current!, grid = view ? gridOf(MESH / view.scale) : 1;
+  const pixel = (place: Point): Point => toPixel(view, place);
+  const board: Board | null = sketch && pose ? { sketch, pose, joints: joints(sketch, pose), grid, known: known.current.get(sketch.id) ?? new Map() } : null;
+  if (board && !known.current.has(board.sketch.id)) known.current.set(board.sketch.id, board.known);
+  const now = useRef(board);
+  now.current = board;
 
-  const pull = ({ to, joint: name, drag: step }: Move) => {
-    const joint = sketch && pose && joints(sketch, pose).find((one) => one.names.includes(name));
-    if (!joint) return;
+  const free = () => !asking.current && shown.current === wanted.current && behind.current === null && isAt(shown.current);
+  const changing = (make: (edits: Edits) => Change[] | string, step?: number) => {
     const changed = edit((edits) => {
-      const done = dragged(edits, sketch, pose, joint, to, stepOf(1.5 / view!.scale));
-      if (typeof done === "string") { setTold(done); return []; }
-      setTold("");
-      return done;
+      const done = make(edits);
+      setTold(typeof done === "string" ? done : "");
+      return typeof done === "string" ? [] : done;
     }, step);
     if (changed) { behind.current = shown.current; setBusy(true); }
   };
-  const free = () => !asking.current && shown.current === wanted.current && behind.current === null;
+  const pull = ({ to, joint: name, drag: step }: Move) => {
+    const { sketch: own, pose: stands, joints: there } = now.current ?? { joints: [] }, joint = there.find((one) => one.names.includes(name));
+    if (own && stands && joint) changing((edits) => dragged(edits, own, stands, joint, to, stepOf(1.5 / view.scale)), step);
+  };
   const later = (next: Move) => { if (free()) pull(next); else { waiting.current = next; setBusy(true); } };
+  // What a tool does, on the drawing as it is once everything before has come to it.
+  const act = (make: (steps: Steps, board: Board) => string | null) => {
+    const run = () => {
+      const own = now.current;
+      if (own) changing((edits) => { const steps = new Steps(edits); return make(steps, own) ?? steps.changes; });
+    };
+    if (free()) run(); else { acts.current.push(run); setBusy(true); }
+  };
   // The next move is made on what the last one came to.
   useEffect(() => {
     if (behind.current !== drawn) behind.current = null;
+    while (acts.current.length && free()) acts.current.shift()!();
     const next = waiting.current;
     if (next && free()) { waiting.current = null; pull(next); }
-    setBusy(behind.current !== null || waiting.current !== null);
+    setBusy(behind.current !== null || waiting.current !== null || acts.current.length > 0);
   }, [drawn]);
-  const place = (event: PointerEvent): Point => {
+
+  const screen = (event: PointerEvent | WheelEvent): Point => {
     const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.current!.getScreenCTM()!.inverse());
-    return [view!.left + point.x / view!.scale, view!.bottom + (view!.height - point.y) / view!.scale];
+    return [point.x, point.y];
   };
-  const move = (event: PointerEvent) => { if (held.current) later({ ...held.current, to: place(event) }); };
+  const use = (from: Point, to: Point) => {
+    const own = TOOLS[tool], reach = REACH / view.scale;
+    act((steps, board) => own.act!(steps, board, spotAt(board, from, reach), spotAt(board, to, reach)));
+    setPressed(null);
+  };
+  const press = (spot: Press) => {
+    if (!TOOLS[tool].two) use(spot.place, spot.place);
+    else if (pressed) use(pressed.place, spot.place);
+    else setPressed(spot);
+  };
+  const down = (event: PointerEvent) => {
+    if (event.button !== 0) return;
+    const point = screen(event);
+    svg.current!.setPointerCapture(event.pointerId);
+    if (tool !== "select") { event.preventDefault(); svg.current!.focus(); press({ screen: point, place: toPlace(view, point) }); return; }
+    pan.current = { screen: point, frame: view };
+  };
+  const move = (event: PointerEvent) => {
+    const point = screen(event);
+    if (held.current) later({ ...held.current, to: toPlace(view, point) });
+    else if (pan.current) { const { screen: from, frame: old } = pan.current; if (fixed || Math.hypot(point[0] - from[0], point[1] - from[1]) > MOVED) setFixed({ ...old, left: old.left - (point[0] - from[0]) / old.scale, bottom: old.bottom + (point[1] - from[1]) / old.scale }); }
+    else if (tool !== "select") setCursor(toPlace(view, point));
+  };
+  const up = (event: PointerEvent) => {
+    move(event);
+    const point = screen(event);
+    if (pressed && Math.hypot(point[0] - pressed.screen[0], point[1] - pressed.screen[1]) > MOVED) use(pressed.place, toPlace(view, point));
+    held.current = null;
+    pan.current = null;
+  };
+  const cancel = () => { held.current = null; pan.current = null; setPressed(null); };
+  useEffect(() => {
+    const own = svg.current;
+    const wheel = (event: WheelEvent) => { event.preventDefault(); const about = screen(event); setFixed(zoomed(frame.current!, Math.exp(-Math.sign(event.deltaY) * 0.18), about)); };
+    own?.addEventListener("wheel", wheel, { passive: false });
+    return () => own?.removeEventListener("wheel", wheel);
+  }, [sketch === undefined]);
+
   const step = (joint: Joint, event: KeyboardEvent) => {
-    const by = ({ ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] } as Record<string, Point>)[event.key];
-    if (!by || !view) return;
+    if (tool !== "select" || event.ctrlKey || event.metaKey) return;
+    if (event.key === "Delete" || event.key === "Backspace") {
+      event.preventDefault();
+      const name = joint.names[0]!;
+      act((steps, board) => removed(steps, board, { at: joint.at, joint: board.joints.find((one) => one.names.includes(name)) ?? null, link: null }));
+      return;
+    }
+    const by = ARROWS[event.key];
+    if (!by) return;
     event.preventDefault();
     const size = stepOf(1.5 / view.scale) * (event.shiftKey ? 10 : 1);
     later({ joint: joint.names[0]!, drag: drag(), to: [joint.at[0] + by[0] * size, joint.at[1] + by[1] * size] });
   };
+  // Tools go by the keyboard too: the arrow keys move what would be pressed, Enter presses.
+  const keys = (event: KeyboardEvent) => {
+    if (event.key === "Escape") { if (pressed) setPressed(null); else choose("select"); return; }
+    if (tool === "select") return;
+    const by = ARROWS[event.key], from = cursor ?? toPlace(view, [WIDTH / 2, HEIGHT / 2]), size = grid * (event.shiftKey ? 10 : 1);
+    if (by) { event.preventDefault(); const [x, y] = snapped(from, grid); setCursor([x + by[0] * size, y + by[1] * size]); }
+    if (event.key === "Enter" || event.key === " ") { event.preventDefault(); press({ screen: [NaN, NaN], place: from }); }
+  };
+  const choose = (next: Tool) => { setTool(next); setPressed(null); setCursor(null); setTold(""); if (next !== "select" && view) setFixed(view); };
+  const fresh = () => {
+    if (edit((edits) => { const steps = new Steps(edits); setChosen(begun(steps)); return steps.changes; })) { behind.current = shown.current; setBusy(true); setFixed(START); setTool("ground"); }
+  };
 
-  if (!sketch) return <p class="soft drawing">{stale ? "The scene has faults: they are told below." : "There is no linkage in this scene: add one from the list of objects."}</p>;
-  const own = faults.filter((fault) => fault.path === sketch.id || fault.path.startsWith(`${sketch.id}.`));
-  const value = sketch.inputs[k] ?? 0;
+  if (!sketch || !view) {
+    return (
+      <div class="drawing" aria-busy={busy}>
+        <p class="soft">{stale ? "The scene has faults: they are told below." : "There is no linkage in this scene."}</p>
+        <button type="button" onClick={fresh}>New linkage</button>
+      </div>
+    );
+  }
+  const value = sketch.inputs[k] ?? 0, several = find(root() ?? undefined, ["objects", sketch.id, "inputs"]) !== undefined;
+  const target: Spot | null = board && cursor && tool !== "select" ? spotAt(board, cursor, REACH / view.scale) : null;
+  const begin = board && pressed ? spotAt(board, pressed.place, REACH / view.scale) : null;
   return (
     <div class="drawing">
+      <Tools tool={tool} choose={choose} />
       <div class="tools">
-        {all.length > 1 && <label>linkage <select value={sketch.id} onChange={(event) => { setChosen(event.currentTarget.value); setAt(null); frame.current = null; }}>{all.map((one) => <option value={one.id}>{one.id}</option>)}</select></label>}
-        <label class="wide">input <input type="range" aria-label="input of the linkage" min={0} max={sketch.inputs.length - 1} value={k} onInput={(event) => setAt(Number(event.currentTarget.value))} /></label>
-        <output>{sketch.unit === "rad" ? `${numbers.withUnit(value * 180 / Math.PI, "°", 4)}` : numbers.withUnit(value, sketch.unit, 4)}</output>
+        {all.length > 1 && <label>linkage <select value={sketch.id} onChange={(event) => { setChosen(event.currentTarget.value); setAt(null); setTool("select"); setFixed(null); }}>{all.map((one) => <option value={one.id}>{one.id}</option>)}</select></label>}
+        {!sketch.draft && <label class="wide">input <input type="range" aria-label="input of the linkage" disabled={tool !== "select"} min={0} max={sketch.inputs.length - 1} value={k} onInput={(event) => setAt(Number(event.currentTarget.value))} /></label>}
+        {!sketch.draft && <output>{sketch.unit === "rad" ? `${numbers.withUnit(value * 180 / Math.PI, "°", 4)}` : numbers.withUnit(value, sketch.unit, 4)}</output>}
+        {!several && sketch.pairs.length > 0 && <label>driven <select aria-label="driven pair" value={sketch.pairs.find((pair) => pair.driven)?.name ?? ""} onChange={(event) => { const name = event.currentTarget.value; if (name) act((steps, board) => driven(steps, board, name)); }}>
+          {!sketch.pairs.some((pair) => pair.driven) && <option value="">none yet</option>}{sketch.pairs.map((pair) => <option value={pair.name}>{pair.name}</option>)}</select></label>}
       </div>
-      <svg class="sketch" ref={svg} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} role="group" aria-label={`linkage ${sketch.id}`} aria-busy={busy} onPointerMove={move}
-        onPointerUp={(event) => { move(event); held.current = null; frame.current = null; setTold((before) => before); }} onPointerCancel={() => { held.current = null; }}>
-        {pose && <Links sketch={sketch} pose={pose} pixel={pixel}/>}
-        {pose && joints(sketch, pose).map((joint) => {
-          const [x, y] = pixel(joint.at), name = [...new Set(joint.points.map((point) => point.name))].join(", ");
-          return (
-            <g key={joint.names[0]} class="joint" tabindex={0} role="button" aria-label={`joint ${joint.names.join(", ")}`} data-joint={joint.names.join(" ")} onKeyDown={(event) => step(joint, event)}
-              onPointerDown={(event) => { if (event.button !== 0) return; event.preventDefault(); (event.currentTarget as SVGElement).focus(); svg.current!.setPointerCapture(event.pointerId); held.current = { joint: joint.names[0]!, drag: drag() }; }}>
-              <title>{joint.names.join(", ")}</title>
-              <circle class="hit" cx={x} cy={y} r={13} /><circle cx={x} cy={y} r={5} />
-              <text x={x + 8} y={y - 8}>{name}</text>
-            </g>
-          );
-        })}
-        {!pose && <text class="soft" x={WIDTH / 2} y={HEIGHT / 2} text-anchor="middle">It cannot be put together at this input.</text>}
-      </svg>
-      {(told || stale) && <p class="told" role="status">{told || "Stale: the scene has faults; this is the last good drawing."}</p>}
-      {own.map((fault) => <p class={`told ${fault.severity}`} role="alert">{fault.path}: {fault.message}</p>)}
-      <p class="soft">Drag a joint, or move it with the arrow keys: the other joints and the angles of the links stay as they are at this input.</p>
-      <ul class="structure" aria-label="structure">{[...sketch.told, `input ${sketch.range}`].map((line) => <li>{line}</li>)}</ul>
+      <div class="sheet">
+        <svg class={tool === "select" ? "sketch" : "sketch drawn"} ref={svg} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} tabindex={tool === "select" ? -1 : 0} role="group" aria-label={`linkage ${sketch.id}`} aria-busy={busy} onKeyDown={keys}
+          onPointerDown={down} onPointerMove={move} onPointerUp={up} onPointerCancel={cancel} onPointerLeave={() => { if (!pressed) setCursor(null); }}>
+          {tool !== "select" && <Grid frame={view} step={grid} />}
+          {pose && <Links sketch={sketch} pose={pose} pixel={pixel} />}
+          {board?.joints.map((joint) => <JointMark key={joint.names[0]} joint={joint} pixel={pixel} onKeyDown={(event) => step(joint, event)} onFocus={() => { if (tool !== "select") setCursor(joint.at); }}
+            onPointerDown={(event) => { if (event.button !== 0 || tool !== "select") return; event.preventDefault(); event.stopPropagation(); (event.currentTarget as SVGElement).focus(); svg.current!.setPointerCapture(event.pointerId); held.current = { joint: joint.names[0]!, drag: drag() }; }} />)}
+          {begin && target && <path class="rubber" d={`M${pixel(begin.at).join(" ")}L${pixel(target.at).join(" ")}`} />}
+          {[begin, target].map((spot) => spot && <circle class={spot.joint || spot.link !== null ? "spot held" : "spot"} cx={pixel(spot.at)[0]} cy={pixel(spot.at)[1]} r={spot.joint ? 9 : 5} />)}
+          {!pose && <text class="soft" x={WIDTH / 2} y={HEIGHT / 2} text-anchor="middle">It cannot be put together at this input.</text>}
+        </svg>
+        <div class="zoom">
+          <button type="button" onClick={() => setFixed(zoomed(view, 1.25))} aria-label="zoom in">+</button>
+          <button type="button" onClick={() => setFixed(zoomed(view, 0.8))} aria-label="zoom out">−</button>
+          <button type="button" onClick={() => setFixed(tool === "select" ? null : framed(sketch))}>Fit</button>
+        </div>
+        <p class="mobility" aria-hidden="true">{sketch.told.join("; ")}</p>
+      </div>
+      {told ? <p class="told" role="status">{told}</p> : stale && <p class="told" role="status">{sketch.draft ? "Not whole yet: drawn as its text has it." : "Stale: the scene has faults; this is the last good drawing."}</p>}
+      <p class="soft">{TOOLS[tool].help}</p>
+      <ul class="structure" aria-label="structure">{[...sketch.told, ...(sketch.range ? [`input ${sketch.range}`] : [])].map((line) => <li>{line}</li>)}</ul>
+      <button type="button" onClick={fresh}>New linkage</button>
     </div>
-  );
-}
-
-function Links({ sketch, pose, pixel }: { sketch: Sketch; pose: number[]; pixel: (at: Point) => Point }) {
-  const ends = sketch.pairs.flatMap(({ on, link }) => [on, link]);
-  const points = (index: number): Point[] => {
-    const own = [...ends.filter((end) => end.link === index).map((end) => end.at), ...sketch.links[index]!.points.map((point) => point.at)];
-    return own.filter((one, k) => own.findIndex((other) => Math.hypot(other[0] - one[0], other[1] - one[1]) < 1e-12) === k);
-  };
-  // About their middle, so that the outline does not cross itself.
-  const around = (list: Point[]): Point[] => {
-    const [x, y] = [0, 1].map((c) => list.reduce((sum, one) => sum + one[c]!, 0) / list.length) as Point;
-    return [...list].sort((a, b) => Math.atan2(a[1] - y, a[0] - x) - Math.atan2(b[1] - y, b[0] - x));
-  };
-  return (
-    <>
-      {sketch.pairs.map((pair) => {
-        if (pair.direction === null) {
-          const end = [pair.on, pair.link].find((one) => one.link === null);
-          if (!end) return null;
-          const [x, y] = pixel(end.at);
-          return <path key={pair.name} class="ground-mark" d={`M${x} ${y}l-9 15h18zM${x - 13} ${y + 15}h26`} />;
-        }
-        const frame = pair.on.link === null ? [0, 0, 1, 0] : pose.slice(4 * pair.on.link, 4 * pair.on.link + 4), angle = pair.direction + Math.atan2(frame[3]!, frame[2]!);
-        const [x, y] = pixel(placed(pose, pair.on.link, pair.on.at)), [u, v] = pixel(placed(pose, pair.link.link, pair.link.at)), reach = Math.max(40, Math.hypot(u - x, v - y) + 24);
-        const turn = -angle * 180 / Math.PI;
-        return (
-          <g key={pair.name}>
-            <path class="guide-line" transform={`translate(${x} ${y}) rotate(${turn})`} d={`M${-reach} 0H${reach}`} />
-            <rect class="block" transform={`translate(${u} ${v}) rotate(${turn})`} x={-12} y={-8} width={24} height={16} />
-          </g>
-        );
-      })}
-      {sketch.links.map((link, index) => {
-        const list = around(points(index)).map((point) => pixel(placed(pose, index, point)).map((value) => value.toFixed(2)).join(" "));
-        return <path key={link.name} class={`body l${index % 8}`} d={`M${list.join("L")}${list.length > 2 ? "z" : ""}`}><title>{link.name}</title></path>;
-      })}
-    </>
   );
 }

@@ -21,6 +21,8 @@ const dragged = Annotation.define<number>();
 const outside = Annotation.define<boolean>();
 // While a number moves, the text shows it so often (ms).
 const REST = 120;
+// So many messages with edits go out before the first of them is taken.
+const AHEAD = 3;
 const nonce = document.querySelector<HTMLMetaElement>("meta[name=nonce]")?.content ?? "";
 
 const colours = HighlightStyle.define([
@@ -49,7 +51,9 @@ export class Editor {
   state: EditorState;
   private behind: ChangeSet | null = null;
   private flushed = 0;
-  private pushing = false;
+  // Messages with edits on the way, and how many edits are in them.
+  private flying = 0;
+  private sent = 0;
   private later: (() => void)[] = [];
   private readonly writable = new Compartment();
   private schema: { at: number; guide: Promise<Guide> } | null = null;
@@ -65,7 +69,8 @@ export class Editor {
     // Whatever is done in the view is done to the text as it is.
     for (const kind of ["keydown", "beforeinput", "compositionstart", "mousedown", "paste", "cut", "drop", "focusin"]) parent.addEventListener(kind, () => this.flush(), true);
     link.on("updates", (message) => this.receive(message));
-    link.on("late", () => { this.pushing = false; this.push(); });
+    // Others came before: what is on the way is not taken, and goes out anew.
+    link.on("late", () => { this.landed(); this.sent = 0; this.push(); });
   }
 
   // Says whether the view shows an older text.
@@ -152,7 +157,7 @@ export class Editor {
 
   // Another document, or the same anew.
   open(message: Message): void {
-    this.pushing = false;
+    this.flying = this.sent = 0;
     this.later = [];
     this.scene = message.scene;
     this.schema = null;
@@ -181,26 +186,32 @@ export class Editor {
 
   private settled(): boolean { return sendableUpdates(this.state).length === 0; }
 
-  // Whether the server has not taken the last edits yet.
-  get isBusy(): boolean { return this.pushing; }
+  // Whether as many edits are on the way as may be.
+  get isBusy(): boolean { return this.flying >= AHEAD; }
+
+  private landed(): void { this.flying = Math.max(0, this.flying - 1); }
 
   // Whether the text is that of a version.
   isAt(version: number): boolean { return this.settled() && getSyncedVersion(this.state) === version; }
 
   private push(): void {
-    if (this.pushing) return;
-    const updates = sendableUpdates(this.state);
+    const updates = sendableUpdates(this.state), heard = getSyncedVersion(this.state), fresh = updates.slice(this.sent);
     if (!updates.length) { this.later.splice(0).forEach((act) => act()); return; }
-    this.pushing = this.link.send({
-      type: "push", version: getSyncedVersion(this.state),
-      updates: updates.map(({ changes, origin }) => ({ changes: changes.toJSON(), drag: origin.annotation(dragged) })),
+    if (this.isBusy || !fresh.length) return;
+    const gone = this.link.send({
+      type: "push", version: heard + this.sent, heard,
+      updates: fresh.map(({ changes, origin }) => ({ changes: changes.toJSON(), drag: origin.annotation(dragged) })),
     });
+    if (!gone) return;
+    this.flying++;
+    this.sent = updates.length;
   }
 
   private receive({ version, updates }: Message): void {
     const known = getSyncedVersion(this.state);
     const fresh = updates.slice(Math.max(0, known - version));
-    if (fresh.some((one: any) => one.by === this.by())) this.pushing = false;
+    const own = fresh.filter((one: any) => one.by === this.by()).length;
+    if (own) { this.landed(); this.sent = Math.max(0, this.sent - own); }
     if (fresh.length) this.dispatch(receiveUpdates(this.state, fresh.map((one: any) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by }))));
     this.push();
   }

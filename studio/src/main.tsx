@@ -69,15 +69,19 @@ function Studio() {
 
   useEffect(() => {
     const own = editor.current = new Editor(place.current!, link, () => self.current);
-    const shown = board.current = new Board({ tables: tables.current!, charts: charts.current!, machine: moving.current! }, answers.current!);
-    // Everything is drawn once a frame, however often the text and its answer change.
-    let changed = false, frame: ArrayBuffer | null = null, late = 0;
+    const shown = board.current = new Board({ tables: tables.current!, charts: charts.current!, machine: moving.current! }, answers.current!,
+      (sight) => link.send({ type: "sight", charts: sight }));
+    // Everything is drawn once a frame, however often the text and its answer change: the first
+    // answer since a frame as it comes, so that the next frame has less to do.
+    let changed = false, frame: ArrayBuffer | null = null, late = 0, ahead = false, owed = false;
+    const taken = () => { owed = false; link.send({ type: "shown" }); };
     const draw = () => {
       drawing.current = false;
       if (changed) { own.flush(false); redraw(0); }
       changed = false;
       if (own.isBehind) { clearTimeout(late); late = setTimeout(() => own.flush(), 150); }
       if (frame) { const newest = frame; frame = null; answered(newest); }
+      if (owed) taken();
     };
     const soon = () => {
       if (drawing.current) return;
@@ -127,11 +131,18 @@ function Studio() {
     });
     link.on("failed", (message) => { setTold(message.message); setStale(true); });
     link.on("error", (message) => setTold(message.message));
-    link.answer = (given) => { frame = given; soon(); };
+    link.answer = (given) => {
+      // Of a window that nobody sees the server keeps the newest.
+      if (document.hidden) { frame = given; owed = true; soon(); return; }
+      taken();
+      if (ahead) { frame = given; soon(); return; }
+      ahead = true;
+      requestAnimationFrame(() => { ahead = false; });
+      answered(given);
+    };
     const answered = (given: ArrayBuffer) => {
       const head = shown.show(given);
       performance.mark("answer", { detail: head.version });
-      link.send({ type: "shown" });
       const before = latest.current;
       latest.current = head;
       setStale(wrong.current);
@@ -229,12 +240,12 @@ function Studio() {
         {status.disk === "gone" && <p role="alert"><b>The file is gone.</b> Save writes it anew.</p>}
         {told && <p role="alert">{told} <button type="button" onClick={() => setTold("")}>Close</button></p>}
       </div>}
-      <div key="panes" class="panes">
+      <div key="panes" class={view === "drawing" ? "panes draws" : "panes"}>
         <div class={`pane-left shows-${view}`}>
-          <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.filter(([name]) => name !== "drawing" || view === name || objects.some((one) => one.kind === "linkage")).map(([name, words]) =>
+          <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.map(([name, words]) =>
             <button type="button" role="tab" key={name} aria-selected={view === name} onClick={() => look(name)}>{words}</button>)}</div>
           {graph}
-          {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} faults={faults} edit={edit} drag={() => editor.current!.drag()} />}
+          {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} root={() => tree().root} isAt={(one) => editor.current!.isAt(one)} edit={edit} drag={() => editor.current!.drag()} />}
           {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => document.getElementById(`object-${id}`)?.scrollIntoView({ block: "start" })} />}
           <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
           <div key="faults" class="faults" aria-label="faults" role="region">

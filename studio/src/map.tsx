@@ -68,11 +68,12 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
       setProgress(null);
       setTold(message.refused ? `There is no map: ${message.refused}` : `${message.figure}, ${message.cells} points. Click or drag sets both numbers.`);
       if (!message.refused && place.current) {
+        const width = made.current[0]?.width;
         live.drop(made.current);
         place.current.innerHTML = message.html;
         const source = { columns: message.columns, plots: message.plots };
         for (const plot of Object.values<PlotData>(message.plots)) if (plot.field) plot.field.notes = message.notes;
-        made.current = live.make(place.current, source);
+        made.current = live.make(place.current, source, width);
         mark();
       }
       requestAnimationFrame(() => link.send({ type: "map_shown" }));

@@ -14,7 +14,7 @@ export function Models({ link, scene, version, kind, choose }: Props) {
     let gone = false;
     // One question at a time; what is newer by then is asked next.
     const ask = async () => {
-      if (asking.current || shown.current === wanted.current) return;
+      if (!scene || asking.current || shown.current === wanted.current) return;
       asking.current = true;
       const asked = wanted.current;
       try {

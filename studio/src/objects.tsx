@@ -2,9 +2,10 @@
 // with the keyboard.
 
 import { useEffect, useRef, useState } from "preact/hooks";
+import { clip, copied, pasted } from "./copy";
 import { BOX, boxes, freeName, ownerOf, portAt, type Box, type Outline } from "./graph";
 import { Palette, Picture, type Part, type Parts } from "./kinds";
-import { find, written, type Change, type Edits } from "./tree";
+import { Steps, written, type Change, type Edits } from "./tree";
 
 export interface Fault { path: string; severity: string; message: string; hints: string[] }
 interface Props {
@@ -40,18 +41,10 @@ function released(edits: Edits, address: string): Change[] {
 export function removed(edits: Edits, ids: string[], objects: Outline[]): Change[] {
   const gone = new Set(ids), loose = objects.filter((one) => !gone.has(one.id))
     .flatMap((one) => one.inputs.filter((input) => gone.has(ownerOf(input.output))).map((input) => input.address));
-  const all = find(edits.root, ["objects"]);
-  if (!all) return [];
-  // Neighbours go together: a comma belongs to one of them alone.
-  const changes = loose.flatMap((address) => released(edits, address));
-  const kept = all.members.filter((one) => !gone.has(one.name));
-  if (!kept.length) return [{ from: all.from + 1, to: all.to - 1, insert: "" }];
-  all.members.forEach((own, k) => {
-    if (!gone.has(own.name)) return;
-    const before = all.members[k - 1], firstKept = all.members.findIndex((one) => !gone.has(one.name));
-    changes.push(k < firstKept ? { from: own.from, to: all.members[k + 1]!.from, insert: "" } : { from: before!.to, to: own.to, insert: "" });
-  });
-  return changes.sort((a, b) => a.from - b.from);
+  const steps = new Steps(edits);
+  for (const address of loose) steps.do((now) => released(now, address));
+  for (const id of ids) steps.remove(["objects", id]);
+  return steps.changes;
 }
 
 export function Objects({ objects, faults, parts, selected, select, edit }: Props) {
@@ -61,6 +54,7 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
   const [edge, setEdge] = useState<string | null>(null);
   const [adding, setAdding] = useState(false);
   const [joining, setJoining] = useState<string | null>(null);
+  const [, redraw] = useState(0);
   const pan = useRef<{ x: number; y: number; view: View } | null>(null);
   const drawn = boxes(objects), at = new Map(drawn.map((box) => [box.object.id, box]));
 
@@ -107,18 +101,45 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
   };
   const duplicate = () => {
     const taken = objects.map((one) => one.id), copies: string[] = [];
-    const done = edit((edits) => selected.flatMap((id) => {
-      const copy = freeName(id, [...taken, ...copies]);
-      copies.push(copy);
-      return edits.duplicate(["objects", id], copy);
-    }).reduce<Change[]>((all, one) => {
-      // All copies stand behind the last object.
-      const same = all.find((other) => other.from === one.from && other.to === one.to);
-      if (same) { same.insert += one.insert; return all; }
-      return [...all, one];
-    }, []));
+    const done = edit((edits) => {
+      const steps = new Steps(edits);
+      for (const id of selected) {
+        const copy = freeName(id, [...taken, ...copies]);
+        copies.push(copy);
+        steps.do((now) => now.duplicate(["objects", id], copy));
+      }
+      return steps.changes;
+    });
     if (done) select(copies);
   };
+  const copy = (): string | null => {
+    let text: string | null = null;
+    edit((edits) => { text = copied(edits, selected); return []; });
+    if (text !== null) { clip.text = text; redraw((count) => count + 1); }
+    return text;
+  };
+  const paste = (text: string): boolean => {
+    let names: string[] = [];
+    const done = edit((edits) => { const steps = new Steps(edits); names = pasted(steps, text); return steps.changes; });
+    if (done) select(names);
+    return done;
+  };
+  // By the keyboard, from and to the clipboard that all windows and programs have.
+  const clipboard = useRef({ copy, paste, remove });
+  clipboard.current = { copy, paste, remove };
+  useEffect(() => {
+    const act = (event: ClipboardEvent) => {
+      const at = document.activeElement;
+      if (at && at !== document.body && !at.closest(".objects") || at?.matches("input, select")) return;
+      const taken = event.type === "paste" ? clipboard.current.paste(event.clipboardData?.getData("text/plain") ?? "") : clipboard.current.copy();
+      if (!taken) return;
+      event.preventDefault();
+      if (typeof taken === "string") event.clipboardData?.setData("text/plain", taken);
+      if (event.type === "cut") clipboard.current.remove();
+    };
+    for (const type of ["copy", "cut", "paste"] as const) document.addEventListener(type, act);
+    return () => { for (const type of ["copy", "cut", "paste"] as const) document.removeEventListener(type, act); };
+  }, []);
   const connect = (output: string, object: Outline, address: string | null) => {
     if (ownerOf(output) !== object.id) edit((edits) => connection(edits, object, address, output));
     setJoining(null);
@@ -187,6 +208,8 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
       <div class="tools" role="toolbar" aria-label="graph">
         <button type="button" aria-expanded={adding} onClick={() => setAdding(!adding)}>Add object</button>
         <button type="button" disabled={!selected.length} onClick={duplicate} title="Ctrl-D">Duplicate</button>
+        <button type="button" disabled={!selected.length} onClick={copy} title="Ctrl-C">Copy</button>
+        <button type="button" disabled={clip.text === null} onClick={() => paste(clip.text!)} title="Ctrl-V, from other windows too">Paste</button>
         <button type="button" disabled={!selected.length && !edge} onClick={remove} title="Delete">Delete</button>
         <button type="button" aria-pressed={!selected.length && !edge} onClick={() => { setEdge(null); select([]); }}>Scene and run</button>
       </div>

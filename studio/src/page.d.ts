@@ -3,9 +3,9 @@
 interface PlotSource { columns: (number | null)[][]; plots: Record<number, PlotData> | PlotData[] }
 interface PlotAxis { name: string; unit: string; ends: [number, number] }
 interface PlotData { x: PlotAxis; y: PlotAxis; field?: { notes: string[] } }
-interface PlotChart { svg: SVGElement; mark(x: number | null, y: number | null): void; draw(): void; stale: boolean }
+interface PlotChart { svg: SVGElement; group: SVGElement; mark(x: number | null, y: number | null): void; draw(): void; stale: boolean; width?: number }
 declare const live: {
-  make(root: Element, source: PlotSource): PlotChart[];
+  make(root: Element, source: PlotSource, width?: number): PlotChart[];
   update(made: PlotChart[], source: PlotSource, visible?: (chart: PlotChart) => boolean): void;
   drop(made: PlotChart[]): void;
 };

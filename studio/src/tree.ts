@@ -2,6 +2,7 @@
 // wrote around them: every change of the graph and of the forms is a change of the text.
 
 import { jsonLanguage } from "@codemirror/lang-json";
+import { ChangeSet, Text } from "@codemirror/state";
 import type { SyntaxNode } from "@lezer/common";
 
 export type Step = string | number;
@@ -77,7 +78,7 @@ export function written(value: unknown): string {
 
 // Blanks that a line begins with.
 const indentAt = (text: string, place: number): string => /^[ \t]*/.exec(text.slice(text.lastIndexOf("\n", place - 1) + 1))![0];
-const unitOf = (text: string): string => /\n([ \t]+)\S/.exec(text)?.[1] ?? "  ";
+export const unitOf = (text: string): string => /\n([ \t]+)\S/.exec(text)?.[1] ?? "  ";
 
 // A part at the end of an object or a list: on a line of its own where the last one stands so.
 function appended(text: string, owner: Value, parts: { from: number; to: number }[], json: string, lines: boolean): Change {
@@ -165,6 +166,32 @@ export class Edits {
     for (const one of find(this.root, ["expect"])?.items ?? []) value(member(one, "figure")?.value);
     for (const name of ["start", "accuracy"]) keys(find(this.root, ["run", name]));
     return changes.sort((a, b) => a.from - b.from);
+  }
+}
+
+// Edits one after the other, each of what the one before made of the text: one change in the end.
+export class Steps {
+  private made: ChangeSet;
+  constructor(public edits: Edits) { this.made = ChangeSet.empty(edits.text.length); }
+
+  get root(): Value { return this.edits.root; }
+
+  do(make: (edits: Edits) => Change[]): void {
+    const { text } = this.edits, changes = ChangeSet.of(make(this.edits), text.length);
+    const next = changes.apply(Text.of(text.split("\n"))).toString(), root = parse(next);
+    if (!root) return;
+    this.made = this.made.compose(changes);
+    this.edits = new Edits(next, root);
+  }
+
+  set(path: Step[], json: string): void { this.do((edits) => edits.set(path, json)); }
+  remove(path: Step[]): void { this.do((edits) => edits.remove(path)); }
+
+  // All of them, in places of the text at first.
+  get changes(): Change[] {
+    const all: Change[] = [];
+    this.made.iterChanges((from, to, _, __, insert) => { all.push({ from, to, insert: insert.toString() }); });
+    return all;
   }
 }
 

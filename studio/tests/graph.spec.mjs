@@ -113,6 +113,40 @@ test("ports are joined with the mouse and with the keyboard, and let go", async 
   await expect.poll(() => textOf(page)).toBe(before);
 });
 
+test("objects are copied and pasted, with the buttons and through the clipboard", async ({ page }) => {
+  await started();
+  await opened(page, server.address, "Objects");
+  const before = await textOf(page), objects = async () => JSON.parse(await textOf(page)).objects;
+  await box(page, "shaft").click();
+  await box(page, "rocker").click({ modifiers: ["Shift"] });
+  await button(page, "Copy").click();
+  await button(page, "Paste").click();
+  await expect(page.locator(".object-box")).toHaveCount(4);
+  // The copies go together: what one says of the other is said of its copy.
+  const own = await objects();
+  expect(own.rocker_2).toEqual({ ...own.rocker, input: "shaft_2" });
+  expect(own.shaft_2).toEqual(own.shaft);
+  await agrees(page, server, "rocker_2");
+  await button(page, "Undo").click();
+  await expect.poll(() => textOf(page)).toBe(before);
+  // What is cut is gone, and comes back.
+  await expect(page.locator(".object-box")).toHaveCount(2);
+  await box(page, "rocker").click();
+  await page.keyboard.press("Control+x");
+  await expect(page.locator(".object-box")).toHaveCount(1);
+  await page.keyboard.press("Control+v");
+  await expect(box(page, "rocker")).toBeVisible();
+  expect(await objects()).toEqual(JSON.parse(before).objects);
+  // What is no object is not pasted.
+  const whole = await textOf(page);
+  await page.evaluate(() => {
+    const data = new DataTransfer();
+    data.setData("text/plain", '{ "a": 1 }');
+    document.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data }));
+  });
+  expect(await textOf(page)).toBe(whole);
+});
+
 test("three faults are told at their objects and fields, and mended there", async ({ page }) => {
   await started();
   server.write(server.text().replace('"kind": "rocker"', '"kind": "rockr"').replace('"speed": "10 rev/s"', '"speed": "10 furlong"').replace('"duration": 0.5', '"duration": -1'));
@@ -154,6 +188,20 @@ test("dynamic model and equations are those of dam show", async ({ page }) => {
   await page.keyboard.press("ArrowRight");
   await page.getByRole("tab", { name: "Dynamic model" }).click();
   await expect(rows.first().locator("td").first()).not.toHaveText(String(Number(told.natural_frequencies.engaged[0].toPrecision(6))));
+});
+
+test("the level that is chosen and its error stand in the dynamic model", async ({ page }) => {
+  await started();
+  server.write(server.text().replace('"masses": 2', '"masses": "auto"').replace('"tolerance": 1e-9', '"tolerance": 1e-9, "accuracy": { "rocker.delta_max": "5 %" }'));
+  await opened(page, server.address, "Dynamic model");
+  const told = server.run(server.text()), level = page.locator(".models table", { hasText: "less is not enough" });
+  await expect(level).toContainText("rocker", { timeout: 60_000 });
+  const { count, level: sort } = told.objects.rocker.model;
+  expect(sort).toBe("masses");
+  await expect(level).toContainText(`${count} mass`);
+  // The picture is that of the level.
+  await expect(page.locator(".dam-model .row", { hasText: "rocker" }).locator(".mass")).toHaveCount(count);
+  await expect(page.locator(".models table").first()).toContainText("rocker.delta_max");
 });
 
 test("a joint of a linkage is dragged, the others stay, and the structure is told", async ({ page }) => {
@@ -275,6 +323,12 @@ test("random edits from every view and as many undos give the file back byte for
     await ways[name]();
     await page.waitForTimeout(120);
     const after = await textOf(page);
+    // The next one is made on the graph of this text.
+    const ids = Object.keys(JSON.parse(after).objects);
+    if (await page.locator(".objects").count()) {
+      await expect(page.locator(".object-box")).toHaveCount(ids.length);
+      for (const id of ids) await expect(box(page, id)).toBeVisible();
+    }
     if (after === before) continue;
     changed++;
     // Lines that the edit is not about are where they were, as they were.

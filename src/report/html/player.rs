@@ -43,6 +43,19 @@ pub(in crate::report) struct Player {
     pub(in crate::report) names: Vec<String>,
 }
 
+#[cfg(feature = "studio")]
+impl Player {
+    /// Columns of the page's charts that it reads.
+    pub(in crate::report) fn plotted(&self) -> Vec<usize> {
+        let of = |one: &Coordinates| match one {
+            Coordinates::Plotted { values, deviation } => vec![Some(*values), *deviation],
+            Coordinates::Own { .. } => Vec::new(),
+        };
+        let all = self.columns.iter().flat_map(of);
+        all.chain([self.times]).flatten().collect()
+    }
+}
+
 /// Axis of a player: a quantity that leads from one row to the next.
 #[derive(Clone, Debug, Default, Serialize)]
 pub(in crate::report) struct RowAxis {

@@ -788,8 +788,10 @@ const live = (() => {
       }
     }
   });
-  function make(root, source) {
+  // `width`: the room that there is for them, where it is known: the page is not asked for it then.
+  function make(root, source, width) {
     const made = [...root.querySelectorAll("svg.dam-plot g.plot")].map((group) => new Chart(group, source));
+    for (const chart of made) chart.width = width;
     charts.push(...made);
     root.querySelectorAll(".bar[data-zoom]").forEach(buttons);
     made.forEach((chart) => { chart.draw(); rooms.observe(chart.svg.parentNode); });
