@@ -29,7 +29,7 @@ pub(super) trait Course {
     fn note(&mut self, place: f64) -> Vec<[f64; 4]>;
 
     /// Goes on from a row noted earlier, where that makes a difference.
-    fn from_row(&mut self, _row: usize) {}
+    fn resume(&mut self, _row: usize) {}
 }
 
 /// Places at equal distances, and one more where it is asked for.
@@ -118,7 +118,7 @@ impl<C: Course> Rows<C> {
     pub(super) fn extremes(&mut self) -> Vec<Extremes> {
         let (course, mut values) = (&mut self.course, Vec::new());
         extremes(&self.places, &self.columns, &mut |place, row, column| {
-            course.from_row(row);
+            course.resume(row);
             match course.at(place, &mut values) {
                 Ok(()) => values[column],
                 Err(_) => f64::NAN,

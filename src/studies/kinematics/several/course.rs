@@ -89,7 +89,7 @@ impl Course for SeveralInputs<'_, '_> {
         frames(&self.motion, self.asked.linkage.spec().linkage.links.len())
     }
 
-    fn from_row(&mut self, row: usize) {
+    fn resume(&mut self, row: usize) {
         self.motion.go_on_from(&self.angles[row]);
     }
 }
