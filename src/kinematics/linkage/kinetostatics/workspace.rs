@@ -99,6 +99,8 @@ impl ForceWorkspace {
             right: Vec::with_capacity(size * (1 + most)),
             terms: Vec::with_capacity(pairs),
             unknowns: vec![0.0; size],
+            // As many as there are inputs.
+            drives: Vec::with_capacity(size.saturating_sub(most)),
             friction: Vec::with_capacity(most),
             next: Vec::with_capacity(most),
             bare: 0.0,
