@@ -142,6 +142,9 @@ impl Workspace<'_> {
         self.begin_ledger(regime);
         let event = self.pass::<A>(regime, horizon)?;
         self.look_back::<A>(regime);
+        if self.tracks.iter().any(|track| track.lost) {
+            return Err(self.too_fast());
+        }
         let entry = &self.regimes[regime];
         self.phase.revive(&entry.basis);
         let s = self.search.e.s;
@@ -239,6 +242,18 @@ impl Workspace<'_> {
             self.look_back::<A>(regime);
             self.phase.fade(&mut self.search.e);
         }
+    }
+
+    #[cold]
+    fn too_fast(&self) -> Refusal {
+        let time = self.at.0 + self.search.e.s;
+        Refusal::new(
+            "",
+            format!(
+                "a natural frequency is too high to be followed to t = {} s for the figures",
+                shown(time, 7)
+            ),
+        )
     }
 
     #[cold]

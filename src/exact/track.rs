@@ -90,6 +90,8 @@ pub(crate) struct Track {
     seen: u32,
     /// Mark that envelopes alone may tell that nothing happens in a step.
     quiet: bool,
+    /// Mark that a lane is too fast to be followed through a step: its figures are not known.
+    pub(crate) lost: bool,
     /// Bounds of all lanes: over the phase, and since they were last asked.
     whole: V,
     calm: V,
@@ -135,6 +137,7 @@ impl Track {
             steps: Vec::with_capacity(if asked.mean { 0 } else { TOGETHER }),
             seen: 0,
             quiet: false,
+            lost: false,
             whole: V::ZERO,
             calm: V::ZERO,
             turned: 0.0,

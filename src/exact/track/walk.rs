@@ -12,6 +12,9 @@ const PATIENCE: i32 = 4;
 /// A longer part is so many times as long.
 const GROWTH: f64 = 4.0;
 
+/// Most parts of a step, times the lanes that are followed in each.
+const MOST: usize = 1 << 18;
+
 /// [`Track::walk`], out of line.
 pub(super) struct Walk<'a> {
     pub(super) track: &'a mut Track,
@@ -43,6 +46,10 @@ impl Track {
         (from, to): (&mut Amplitudes, &mut Amplitudes),
         (a, b): (&Point, &Point),
     ) {
+        if self.lost {
+            return;
+        }
+        let mut parts = MOST / scene.lanes().max(1);
         if self.before.s == a.s {
             from.copy(&self.before);
         } else {
@@ -54,6 +61,12 @@ impl Track {
         let mut patience = 0;
         loop {
             let next = (from.s + length).min(b.s);
+            parts = parts.saturating_sub(1);
+            // (Parts may be too short for the clock to go on.)
+            if parts == 0 || next <= from.s && from.s < b.s {
+                self.lost = true;
+                return;
+            }
             let end = if next == self.now.s {
                 to.copy(&self.now);
                 *b
