@@ -112,7 +112,8 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
         .table(table)
         .words(format!(
             "On these curves the determinant of a group vanishes: speeds and forces grow without \
-             bound. Looked at: {looked}."
+             bound. Ranges are those of the points; between them a curve reaches a little further. \
+             Looked at: {looked}."
         ))
         .charts(Layout::Grid, "", vec![chart(found, plane)])
 }
