@@ -8,6 +8,8 @@ export default defineConfig({
   timeout: 60_000,
   expect: { timeout: 15_000 },
   workers: 1,
+  // A loaded machine may hold a page up for seconds. What passes at a second try is listed as flaky.
+  retries: 2,
   reporter: "list",
   use: { actionTimeout: 20_000, viewport: { width: 1280, height: 900 }, launchOptions: browser },
 });

@@ -14,6 +14,15 @@ use crate::units::shown;
 /// power of two.
 const PATIENCE: u64 = 1024;
 
+/// Phases on end that a fast mode cuts short before it is asked how many are to come.
+const SHORT: u64 = 1 << 16;
+
+/// Most such phases to come.
+const MOST_SHORT: f64 = (1u64 << 24) as f64;
+
+/// Lanes times parts of steps that the figures walk through between two looks.
+const WALKED: u64 = 1 << 18;
+
 /// A phase gone through.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Passed {
@@ -58,6 +67,15 @@ impl Workspace<'_> {
     pub(super) fn advance(&mut self, request: &Request) -> Result<Passed, Refusal> {
         let passed = forward(self, request.end)?;
         self.settle(&passed)?;
+        if passed.event.is_some() || self.phase.reach < self.regimes[passed.regime].basis.longest {
+            self.short = 0;
+        } else {
+            self.short += 1;
+            let to_come = (request.end - self.at.0) / passed.length;
+            if self.short > SHORT && to_come > MOST_SHORT {
+                return Err(self.too_fast());
+            }
+        }
         // Phases without a switch take no steps of the search.
         if self.out.phases.is_multiple_of(PATIENCE) {
             self.told |= !(self.goes_on)();
@@ -250,7 +268,7 @@ impl Workspace<'_> {
         Refusal::new(
             "",
             format!(
-                "a natural frequency is too high to be followed to t = {} s for the figures",
+                "a natural frequency is too high to be followed beyond t = {} s",
                 shown(time, 7)
             ),
         )
@@ -287,7 +305,9 @@ impl Workspace<'_> {
             if steps >= limit {
                 return Err(self.crawling(self.most_steps[0]));
             }
-            if steps.is_multiple_of(PATIENCE) {
+            let walked = self.tracks.iter().map(|track| track.walked).sum();
+            if steps.is_multiple_of(PATIENCE) || walked > self.walked + WALKED {
+                self.walked = walked;
                 self.told |= !(self.goes_on)();
             }
             if self.told || steps >= self.most_steps[1] {

@@ -92,6 +92,8 @@ pub(crate) struct Track {
     quiet: bool,
     /// Mark that a lane is too fast to be followed through a step: its figures are not known.
     pub(crate) lost: bool,
+    /// Lanes times parts of steps walked through so far.
+    pub(crate) walked: u64,
     /// Bounds of all lanes: over the phase, and since they were last asked.
     whole: V,
     calm: V,
@@ -138,6 +140,7 @@ impl Track {
             seen: 0,
             quiet: false,
             lost: false,
+            walked: 0,
             whole: V::ZERO,
             calm: V::ZERO,
             turned: 0.0,

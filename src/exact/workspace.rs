@@ -49,6 +49,10 @@ pub(super) struct Workspace<'a> {
     pub(super) at: (f64, f64),
     /// Switches at one and the same instant.
     pub(super) stalled: usize,
+    /// Phases on end that a fast mode cut short.
+    pub(super) short: u64,
+    /// [`Track::walked`] of all tracks when the run was last asked whether it goes on.
+    pub(super) walked: u64,
     /// Most steps of the search in a phase, and in all.
     pub(super) most_steps: [u64; 2],
     /// Asked from time to time.
@@ -115,6 +119,8 @@ impl<'a> Workspace<'a> {
             },
             at: (0.0, 0.0),
             stalled: 0,
+            short: 0,
+            walked: 0,
             most_steps: [request.steps, request.all_steps],
             goes_on: &always,
             told: false,

@@ -37,3 +37,16 @@ export function random(seed) {
   let state = seed;
   return (most) => { state = (state * 1103515245 + 12345) % 2147483648; return Math.floor(state / 2147483648 * most); };
 }
+// Everything is undone. (The button may be behind what was just undone: a click on one that is
+// disabled does nothing here, where that of the mouse would wait for ever.)
+export async function undone(page) {
+  const undo = page.getByRole("button", { name: "Undo", exact: true });
+  for (;;) {
+    await undo.evaluate((one) => one.click());
+    await page.waitForTimeout(20);
+    if (await undo.isEnabled()) continue;
+    await textOf(page);
+    await page.waitForTimeout(200);
+    if (await undo.isDisabled()) return;
+  }
+}

@@ -62,6 +62,7 @@ impl Track {
         loop {
             let next = (from.s + length).min(b.s);
             parts = parts.saturating_sub(1);
+            self.walked += scene.lanes() as u64;
             // (Parts may be too short for the clock to go on.)
             if parts == 0 || next <= from.s && from.s < b.s {
                 self.lost = true;

@@ -119,7 +119,19 @@ fn output_within(args: &[&str]) -> String {
 
 #[test]
 fn what_once_had_no_end_ends_with_a_reason() {
-    let cases: [(&[&str], i32, &str); 5] = [
+    let cases: [(&[&str], i32, &str); 6] = [
+        (
+            &[
+                "run",
+                "scenarios/rocker/one_mass_undamped.json",
+                "--set",
+                "rocker.inertia=1e-31",
+                "--set",
+                "run.method=exact",
+            ],
+            1,
+            "a natural frequency is too high to be followed",
+        ),
         (
             &[
                 "cam",
