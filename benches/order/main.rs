@@ -31,6 +31,8 @@ struct Row {
     /// How far the limit itself may be off: what the last doubling changed in it.
     doubt: f64,
     coordinates: usize,
+    /// Coordinates of the finest model that was run to judge it.
+    finest: usize,
 }
 
 impl Row {
@@ -56,6 +58,7 @@ fn main() {
         for (&figure, (limit, doubt)) in case.figures.iter().zip(limits) {
             let found = certificate.accuracy[figure].clone();
             let coordinates = certificate.models.values().map(|one| one.coordinates).sum();
+            let finest = certificate.tried.iter().map(|one| one.coordinates).max();
             let case = format!("{} {}", case.regime, case.number);
             rows.push(Row {
                 case,
@@ -64,6 +67,7 @@ fn main() {
                 limit,
                 doubt,
                 coordinates,
+                finest: finest.unwrap_or(coordinates),
             });
         }
         eprintln!("{} {}: {whole:.2} s", case.regime, case.number);
@@ -146,6 +150,9 @@ fn document(rows: &[Row]) -> String {
         .collect();
     widths.sort_by(f64::total_cmp);
     let median = widths.get(widths.len() / 2).copied().unwrap_or(f64::NAN);
+    let finer = |row: &Row| row.finest as f64 / row.coordinates.max(1) as f64;
+    let mut finers: Vec<f64> = rows.iter().map(finer).collect();
+    finers.sort_by(f64::total_cmp);
     let mut text = format!(
         "# Are the errors that are stated of models true?\n\n\
          {} figures of {} scenes with random parameters (seed {SEED}, {OF_EACH} of each regime), each run with \
@@ -160,9 +167,12 @@ fn document(rows: &[Row]) -> String {
          - The interval is {median:.1} times the true error in the median (where the doubt of the limit is greater \
          than the error, the doubt stands for it).\n\
          - {within} of {} figures are within the accuracy asked for.\n\
-         - {open} of {} figures are answered \"no limit\" or \"not determined\" ({:.1} %).\n\n\
-         | scene | figure | value | stated ± | true error | limit ± doubt | coordinates | |\n\
-         | --- | --- | ---: | ---: | ---: | ---: | ---: | --- |\n",
+         - {open} of {} figures are answered \"no limit\" or \"not determined\" ({:.1} %).\n\
+         - To know that a model is enough finer ones must be run. The finest has {} times the coordinates of the one \
+         that is chosen\n  in the median and at most {} times: where the first values of a row tell nothing of the \
+         limit and a small model\n  comes close to it all the same. The least model is chosen, whatever was run.\n\n\
+         | scene | figure | value | stated ± | true error | limit ± doubt | coordinates | finest run | |\n\
+         | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n",
         rows.len(),
         rows.len() / 2,
         CHAINS,
@@ -172,6 +182,8 @@ fn document(rows: &[Row]) -> String {
         judged.len(),
         rows.len(),
         100.0 * open as f64 / rows.len() as f64,
+        finers[finers.len() / 2],
+        finers[finers.len() - 1],
     );
     for row in rows {
         let percent = |value: f64| format!("{:.2e} %", 100.0 * value / row.limit.abs());
@@ -184,7 +196,7 @@ fn document(rows: &[Row]) -> String {
         };
         let _ = writeln!(
             text,
-            "| {} | {} | {:.6e} | {stated} | {} | {:.6e} ± {} | {} | {remark} |",
+            "| {} | {} | {:.6e} | {stated} | {} | {:.6e} ± {} | {} | {} | {remark} |",
             row.case,
             row.figure,
             row.found.value,
@@ -192,6 +204,7 @@ fn document(rows: &[Row]) -> String {
             row.limit,
             percent(row.doubt),
             row.coordinates,
+            row.finest,
         );
     }
     text

@@ -46,6 +46,14 @@ impl From<Value> for Document<'_> {
     }
 }
 
+/// A document with what is doubtful about it.
+#[derive(Serialize)]
+pub(crate) struct Warned<'a, D> {
+    #[serde(flatten)]
+    pub(crate) document: D,
+    pub(crate) warnings: &'a [String],
+}
+
 /// Content of a file.
 pub(crate) enum Content<'a> {
     /// The JSON document.

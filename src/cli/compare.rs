@@ -1,6 +1,6 @@
 //! `dam compare`: the same scene for several values of a parameter.
 
-use super::answer::{Answer, Content, Document, PAGE, Shown};
+use super::answer::{Answer, Content, Document, PAGE, Shown, Warned};
 use super::args::CompareArgs;
 use super::failure::Failure;
 use super::input::{Input, Ready};
@@ -72,10 +72,14 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         Some(_) => files(model, &comparison)?,
         None => Vec::new(),
     };
+    let told = warnings.clone();
     let answer = Answer {
         command: "compare",
         findings: &findings(&scene, &comparison, &diagram, warnings, source),
-        document: Document::made(|| document(&scene, &comparison)),
+        document: Document::made(|| Warned {
+            document: document(&scene, &comparison),
+            warnings: &told,
+        }),
         files,
         quiet: args.scene.quiet,
     };

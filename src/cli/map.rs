@@ -1,6 +1,6 @@
 //! `dam map`: a figure over one or two parameters, with a cause for every point.
 
-use super::answer::{Answer, Content, Document, PAGE, Shown};
+use super::answer::{Answer, Content, Document, PAGE, Shown, Warned};
 use super::args::MapArgs;
 use super::console;
 use super::failure::Failure;
@@ -73,10 +73,14 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
         hashed: "the study",
         ..Source::scene(input.text(), &study.hash)
     };
+    let told = warnings.clone();
     let answer = Answer {
         command: "map",
         findings: &findings(&study, &result, &command, warnings, source),
-        document: Document::made(|| document(&study, &result)),
+        document: Document::made(|| Warned {
+            document: document(&study, &result),
+            warnings: &told,
+        }),
         files: files(&study, &result, seconds),
         quiet: args.scene.quiet,
     };

@@ -152,6 +152,49 @@ fn figures_of_comparisons_carry_their_units() {
 // ---- greatest |δ| --------------------------------------------------------------------
 
 #[test]
+fn a_contact_force_without_a_limit_is_called_so_wherever_it_is_asked() {
+    let force = "rocker.pair.max_contact_force";
+    let accuracy = format!(r#"run.accuracy={{"{force}":"1 %"}}"#);
+    let asked: [&[&str]; 3] = [
+        &["run", ROCKER, "--set", &accuracy],
+        &["compare", ROCKER, "--over", "rocker.masses=1,2"],
+        &[
+            "map",
+            ROCKER,
+            "--x",
+            "rocker.inertia=0.05:0.15:2",
+            "--y",
+            "rocker.stiffness=1e6:1e7:2",
+            "--figure",
+            force,
+        ],
+    ];
+    for arguments in asked {
+        let told = format!("{force} has no limit with the number of masses");
+        let said = dam(arguments);
+        let shown = text(&said.stdout) + &text(&said.stderr);
+        assert!(shown.contains(&told), "{arguments:?}: {shown}");
+        assert!(shown.contains("With `rocker.pair.contact` it has a limit"));
+        let json = json_of(&[arguments, &["--json"]].concat());
+        let why = &json["accuracy"][force]["why"];
+        let warnings = json["warnings"].as_array().into_iter().flatten();
+        let mut all = warnings.chain([why]).filter_map(Value::as_str);
+        assert!(all.any(|text| text.contains(&told)), "{arguments:?}");
+    }
+    // Of a contact element it has one.
+    let contact = r#"rocker.pair.contact={"stiffness":1e8}"#;
+    let said = dam(&[
+        "compare",
+        ROCKER,
+        "--over",
+        "rocker.masses=1,2",
+        "--set",
+        contact,
+    ]);
+    assert!(!text(&said.stderr).contains("no limit"));
+}
+
+#[test]
 fn the_greatest_deviation_is_a_figure_of_every_object_by_every_method() {
     for method in ["auto", "dop853", "radau"] {
         let setting = format!("run.method=\"{method}\"");

@@ -26,6 +26,7 @@ struct Row<'t> {
     limit: f64,
     doubt: f64,
     coordinates: usize,
+    finest: usize,
 }
 
 fn rows() -> Vec<Row<'static>> {
@@ -46,6 +47,7 @@ fn rows() -> Vec<Row<'static>> {
             limit: number(limit),
             doubt: percent(doubt).expect("a doubt"),
             coordinates: number(cells[7]) as usize,
+            finest: number(cells[8]) as usize,
         }
     };
     let lines = TABLE.lines().filter(|line| line.starts_with("| "));
@@ -127,6 +129,8 @@ fn rows_of_the_table_are_found_again() {
                 .map(|one| one.coordinates)
                 .sum::<usize>();
             assert_eq!(coordinates, row.coordinates, "{row:?}");
+            let finest = certificate.tried.iter().map(|one| one.coordinates).max();
+            assert_eq!(finest, Some(row.finest), "{row:?}");
             assert!(
                 (found.value - row.value).abs() <= 1e-6 * row.value.abs(),
                 "{row:?} {found:?}"

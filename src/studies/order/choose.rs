@@ -39,22 +39,23 @@ pub fn choose(
     settings: &RunSettings,
     control: &Control<'_>,
 ) -> Result<Chosen, Vec<Fault>> {
-    let mut trials = Trials::new(scene, settings, control);
-    let mut families = families(&trials);
-    let known = Known::of(&mut trials, &mut families)?;
+    chosen(&mut Trials::new(scene, settings, control))
+}
+
+fn chosen(trials: &mut Trials<'_>) -> Result<Chosen, Vec<Fault>> {
+    let mut families = families(trials);
+    let known = Known::of(trials, &mut families)?;
     let judge = known.judge();
-    let mut found = first_enough(&mut trials, &families, &known.row, &judge)?;
-    if judge.accepts(&trials, found) {
-        found = lessened(&mut trials, &families, &judge, found, |trials, _| {
-            !spent(trials)
-        });
+    let mut found = first_enough(trials, &families, &known.row, &judge)?;
+    if judge.accepts(trials, found) {
+        found = lessened(trials, &families, &judge, found, |trials, _| !spent(trials));
     }
-    let of_accuracy = coarsest(&mut trials, &judge, found)?;
+    let of_accuracy = coarsest(trials, &judge, found)?;
     let levels = trials.made[found].levels.clone();
-    let mut certificate = judge.certificate(&trials, &families, found);
+    let mut certificate = judge.certificate(trials, &families, found);
     let open: Vec<String> = trials.elastic.open().cloned().collect();
     trials.elastic.clone().set(trials.scene, &levels);
-    tell_no_limit(&trials, found, &mut certificate)?;
+    tell_no_limit(trials, found, &mut certificate)?;
     let levels = levels.into_iter().filter(|(id, _)| open.contains(id));
     Ok(Chosen {
         levels: levels.collect(),
@@ -115,4 +116,54 @@ fn spent(trials: &Trials<'_>) -> bool {
     let costs = || trials.made.iter().map(|trial| trial.cost);
     let dearest = costs().fold(0.0, f64::max);
     costs().sum::<f64>() > MOST_COST * dearest + FREE_COST
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FREE_COST, MOST_COST, Trials, chosen};
+    use crate::frontend::scene::{BuiltIn, Document, Overrides};
+    use crate::studies::{Control, RunSettings};
+
+    /// A rod behind a drive, with more of its properties.
+    fn rod(drive: &str, one: &str, run: &str) -> String {
+        format!(
+            r#"{{ "dam": 1, "name": "Cost", "objects": {{
+                "drive": {{ "kind": "drive", {drive} }},
+                "one": {{ "kind": "slider", "input": "drive", "inertia": 1, "stiffness": 1, "masses": "auto", {one} }} }},
+                "run": {{ "samples": 10, {run}, "accuracy": {{ "one.delta_abs": "1 %" }} }} }}"#
+        )
+    }
+
+    #[test]
+    fn choosing_costs_no_more_than_three_of_the_dearest_run() {
+        let sine = r#""position": { "sine": { "amplitude": 1 } }"#;
+        let scenes = [
+            (r#""motion": { "speed": 0.3 }"#, String::new()),
+            (
+                r#""motion": { "speed": 0.3 }"#,
+                r#", "damping_capacity": 0.5, "pair": { "closure": "form", "gap": 0.1 }"#
+                    .to_owned(),
+            ),
+            (
+                r#""motor": { "inertia": 1, "torque": { "constant": 0.1 } }"#,
+                r#", "damping_capacity": 0.2"#.to_owned(),
+            ),
+        ];
+        for (drive, more) in scenes {
+            let text = rod(drive, &format!("{sine}{more}"), r#""duration": 60"#);
+            let document = Document::parse("scene.json", text.as_bytes()).unwrap();
+            let mut reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+            let settings = RunSettings::of(&reading.scene).unwrap();
+            let control = Control::default();
+            let mut trials = Trials::new(&mut reading.scene, &settings, &control);
+            chosen(&mut trials).unwrap();
+            assert!(trials.made.len() > 2, "{text}");
+            let costs = || trials.made.iter().map(|trial| trial.cost);
+            let (all, dearest) = (costs().sum::<f64>(), costs().fold(0.0, f64::max));
+            assert!(
+                all <= MOST_COST * dearest + FREE_COST,
+                "{all} {dearest} {text}"
+            );
+        }
+    }
 }
