@@ -198,6 +198,7 @@ fn attempt(
     let recording = RecorderSettings {
         duration: settings.duration,
         samples: if light { 0 } else { settings.samples },
+        listing: !light,
         switch_rows: settings.switch_rows && !light,
         masses: settings.masses && !light,
         closeups: settings.closeups && !light,

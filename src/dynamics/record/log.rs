@@ -73,6 +73,7 @@ impl<'s> Log<'s> {
             let stops = system.stops_of_object(object).collect();
             let mut pair = PairTracker::new(object, system.pair_component(object)?, stops);
             pair.is_stop = model.stop(object).is_some();
+            pair.is_listed = settings.listing;
             match system.is_rigid_contact(object) {
                 true => Some(pair.rigid()),
                 false => Some(pair),
@@ -177,14 +178,21 @@ impl<'s> Log<'s> {
                 .impact
                 .filter(|(impact, _)| impact.component == component);
             let rests = rests.and_then(|(impact, _)| impact.rests);
-            let state = self.observer.state(event.time, event.y, event.before)[pair.object];
+            let known = self
+                .observer
+                .system()
+                .pair_speed(pair.object, event.y, event.before);
+            let speed = known.unwrap_or_else(|| {
+                let states = self.observer.state(event.time, event.y, event.before);
+                states[pair.object].deformation_speed
+            });
             pair.switch(
                 (
                     &self.observer.system().model().objects[pair.object].id,
                     rests.unwrap_or(event.time),
                 ),
                 (event.before.0[component], event.after.0[component], held),
-                &state,
+                speed,
                 &mut self.switches,
                 match pair.is_stop {
                     true => &mut off,

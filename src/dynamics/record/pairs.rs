@@ -2,7 +2,6 @@
 
 use super::{ImpactFigures, Interval, PairFigures, SwitchRow};
 use crate::dynamics::integrate::Impact;
-use crate::dynamics::system::ObjectState;
 
 /// Follows one pair that can open through a run.
 #[derive(Clone, Debug)]
@@ -13,6 +12,8 @@ pub(crate) struct PairTracker {
     pub(crate) component: usize,
     /// True of a stop: that it is open is no separation.
     pub(crate) is_stop: bool,
+    /// True: its switches and openings are listed, not only counted.
+    pub(crate) is_listed: bool,
     /// Components of the modes of the object's stops.
     stops: Vec<usize>,
     figures: PairFigures,
@@ -28,6 +29,7 @@ impl PairTracker {
             object,
             component,
             is_stop: false,
+            is_listed: true,
             stops,
             figures: PairFigures::default(),
             open_since: None,
@@ -72,32 +74,38 @@ impl PairTracker {
         }
         let approach = &mut self.figures.max_approach_speed;
         *approach = approach.max(impact.approach);
-        rows.push(SwitchRow {
-            time,
-            object: id.to_owned(),
-            what: "impact",
-            flank: if impact.side < 0 { "lower" } else { "upper" },
-            speed: impact.approach,
-        });
+        if self.is_listed {
+            rows.push(SwitchRow {
+                time,
+                object: id.to_owned(),
+                what: "impact",
+                flank: if impact.side < 0 { "lower" } else { "upper" },
+                speed: impact.approach,
+            });
+        }
         if self.open_since.is_some() && impact.rests.is_none() {
             self.close_interval(id, time, intervals);
             self.open_since = Some(time);
         }
     }
 
-    /// A change of mode at `time`, `held` by a stop of the object or not; `state` is the object's state then. Rows and
-    /// closed intervals are added to the record.
+    /// A change of mode at `time`, `held` by a stop of the object or not; `speed` is that of the
+    /// deformation then. Rows and closed intervals are added to the record.
     pub(crate) fn switch(
         &mut self,
         (id, time): (&str, f64),
         (before, after, held): (i64, i64, bool),
-        state: &ObjectState,
+        speed: f64,
         rows: &mut Vec<SwitchRow>,
         intervals: &mut Vec<Interval>,
     ) {
         // Speed into the flank: −v on the lower, +v on the upper.
-        let speed_into = |flank: i64| flank as f64 * state.deformation_speed;
+        let speed_into = |flank: i64| flank as f64 * speed;
+        let listed = self.is_listed;
         let mut row = |what, flank: i64, speed: f64| {
+            if !listed {
+                return;
+            }
             rows.push(SwitchRow {
                 time,
                 object: id.to_owned(),
@@ -141,7 +149,7 @@ impl PairTracker {
         let open = time - from;
         self.figures.separated_time += open;
         self.figures.longest_separation = self.figures.longest_separation.max(open);
-        if open > 0.0 {
+        if self.is_listed && open > 0.0 {
             intervals.push(Interval {
                 object: id.to_owned(),
                 from,
@@ -154,14 +162,6 @@ impl PairTracker {
 #[cfg(test)]
 mod tests {
     use super::PairTracker;
-    use crate::dynamics::system::ObjectState;
-
-    fn moving(deformation_speed: f64) -> ObjectState {
-        ObjectState {
-            deformation_speed,
-            ..ObjectState::default()
-        }
-    }
 
     #[test]
     fn openings_and_closings_are_counted_and_timed() {
@@ -172,7 +172,7 @@ mod tests {
             tracker.switch(
                 ("rocker", time),
                 (before, after, false),
-                &moving(speed),
+                speed,
                 &mut rows,
                 &mut intervals,
             );
@@ -201,7 +201,7 @@ mod tests {
         let (mut rows, mut intervals) = (Vec::new(), Vec::new());
         tracker.start(0.0, &[0, -1]);
         let mut at = |time, modes| {
-            tracker.switch(("v", time), modes, &moving(1.0), &mut rows, &mut intervals);
+            tracker.switch(("v", time), modes, 1.0, &mut rows, &mut intervals);
         };
         at(0.25, (0, -1, true));
         at(0.5, (-1, 0, true));
@@ -219,21 +219,9 @@ mod tests {
         let mut tracker = PairTracker::new(0, 0, Vec::new());
         let (mut rows, mut intervals) = (Vec::new(), Vec::new());
         tracker.start(0.0, &[0]);
-        tracker.switch(
-            ("p", 1.0),
-            (0, 1, false),
-            &moving(4.0),
-            &mut rows,
-            &mut intervals,
-        );
+        tracker.switch(("p", 1.0), (0, 1, false), 4.0, &mut rows, &mut intervals);
         // Straight over to the other flank (no gap): an opening and a closing at once.
-        tracker.switch(
-            ("p", 2.0),
-            (1, -1, false),
-            &moving(-5.0),
-            &mut rows,
-            &mut intervals,
-        );
+        tracker.switch(("p", 2.0), (1, -1, false), -5.0, &mut rows, &mut intervals);
         let figures = tracker.finish("p", 3.0, &mut intervals);
         assert_eq!((figures.separations, figures.closures), (1, 2));
         assert_eq!(figures.max_approach_speed, 5.0);

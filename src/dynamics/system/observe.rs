@@ -258,6 +258,20 @@ impl System {
         }
     }
 
+    /// Speed of the deformation of an object's pair, where the state itself tells it.
+    pub(crate) fn pair_speed(&self, object: usize, y: &[f64], modes: &Modes) -> Option<f64> {
+        let place = &self.places[object];
+        match &place.body {
+            Body::Chain(chain) if place.modal.is_none() => {
+                let chain = &self.frozen.chains[*chain];
+                let (u, v) = self.frozen.deviations(chain, y);
+                let mode = self.frozen.pair_mode(chain, &modes.0);
+                Some(self.frozen.pair_rate(chain, mode, u, v))
+            }
+            _ => None,
+        }
+    }
+
     fn observe_chain(
         &self,
         chain: &Chain,

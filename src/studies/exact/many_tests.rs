@@ -100,6 +100,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     let settings = RecorderSettings {
         duration,
         samples: 0,
+        listing: true,
         switch_rows: false,
         masses: false,
         closeups: false,

@@ -291,6 +291,8 @@ impl Task<'_> {
     fn moves(&self, base: &Motion, value: f64) -> Result<Option<f64>, Vec<Fault>> {
         let same_method = RunSettings {
             method: Some(base.choice.method),
+            // (Of `auto` finer than the one asked for.)
+            tolerance: base.choice.tolerance,
             ..self.settings.clone()
         };
         let changed = changed_loads(self.system.model().clone(), 1.0 + CHANGE);

@@ -188,6 +188,16 @@ fn with_slope([value, slope]: [f64; 2]) -> [f64; 3] {
     [value, slope, 0.0]
 }
 
+/// One of the four with its slope, as far as the numbers ask for it.
+#[inline(always)]
+fn lane<N: Quantity>(q: N, at: &impl Fn(f64) -> [Lanes; 2], index: usize) -> N {
+    let [number, ..] = q.lift(|place| {
+        let [values, slopes] = at(place);
+        jet_of([values[index], slopes[index], 0.0])
+    });
+    number
+}
+
 /// A linkage reduced to its input coordinate, at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Reduction<N> {
@@ -259,7 +269,7 @@ impl Frozen {
 
     /// Inertia of a linkage, and all forces on its input but those of
     /// accelerations.
-    #[inline]
+    #[inline(always)]
     pub(super) fn inertia_and_force<N: Quantity>(
         &self,
         index: usize,
@@ -285,14 +295,7 @@ impl Frozen {
             let [values, slopes] = at(place);
             jet_of([values[0], values[1], slopes[1]])
         });
-        let lane = |index: usize| {
-            let [number, ..] = q.lift(|place| {
-                let [values, slopes] = at(place);
-                jet_of([values[index], slopes[index], 0.0])
-            });
-            number
-        };
-        let (force, damping) = (lane(2), lane(3));
+        let (force, damping) = (lane(q, &at, 2), lane(q, &at, 3));
         let moving = damping * rate + (slope * rate * rate).scale(0.5);
         [inertia, force - moving]
     }
