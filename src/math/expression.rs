@@ -16,6 +16,7 @@ mod crossing;
 mod evaluate;
 mod function;
 mod interval;
+mod moving;
 mod of_one;
 mod ordered;
 #[cfg(test)]
@@ -33,7 +34,8 @@ pub(crate) use affine::Affine;
 pub(crate) use crossing::{Stretch, VARIABLES, follow};
 pub(crate) use evaluate::Scalar;
 pub(crate) use function::Function;
-pub(crate) use interval::{Interval, Moving};
+pub(crate) use interval::Interval;
+pub(crate) use moving::Moving;
 pub(crate) use of_one::{MOST, OfOne};
 pub(crate) use ordered::{Ordered, about};
 pub(crate) use program::{OPEN, Program};

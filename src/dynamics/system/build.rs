@@ -1,5 +1,7 @@
 //! From the model to the frozen layout, with every check on its numbers.
 
+mod refusals;
+
 use super::check::chains_of;
 use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
@@ -7,15 +9,11 @@ use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
 use super::multi::{FrozenMulti, MultiPlace, MultiValue};
 use super::pairs::Contact;
-use super::passes::{Extent, Work};
 use super::stops::FrozenStop;
 use super::written::Written;
 use crate::dynamics::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, Stop, TrackSource};
 use crate::fault::Fault;
 use std::sync::Arc;
-
-/// A mass matrix of which a pivot has lost all digits but so many parts is not positive.
-const MASSLESS: f64 = 1e-13;
 
 /// Lays a model out; the faults of all its parts together.
 pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
@@ -309,107 +307,6 @@ impl<'a> Builder<'a> {
             self.frozen.place_friction(linkage, body);
         }
         self.frozen.number_directions();
-    }
-
-    /// Friction of joints is found from the acceleration of one coordinate.
-    fn refuse_coupled_friction(&mut self) {
-        for group in &self.frozen.groups {
-            let combined = (self.frozen.constraints.iter()).any(|one| one.node == group.root);
-            if !(combined || self.frozen.is_coupled(group.root)) {
-                continue;
-            }
-            for member in &group.members {
-                let id = &self.model.objects[member.object].id;
-                self.faults.push(Fault::new(
-                    format!("{id}.joint_friction"),
-                    "it moves as one with an object that has several inputs and inertia: joint \
-                     friction is found for one coordinate alone",
-                    "leave `joint_friction` out, or give one of the objects between masses",
-                ));
-            }
-        }
-    }
-
-    /// The mass matrix of linkages of several inputs must be positive at the start.
-    fn refuse_massless(&mut self) {
-        let Some(multi) = self.frozen.multi.first() else {
-            return;
-        };
-        let object = multi.object;
-        let (mut work, mut modes) = (Work::new(&self.frozen), self.frozen.no_modes());
-        let state = self.frozen.law_state();
-        self.frozen.locate_tracks(&state, &mut modes);
-        let mut out = vec![0.0; self.frozen.coordinates];
-        let extent = Extent::Full;
-        self.frozen
-            .evaluate(0.0, &state, &modes, extent, &mut work, &mut out);
-        if work.dense.positive > MASSLESS || self.frozen.unassembled(&work).is_some() {
-            return;
-        }
-        let id = &self.model.objects[object].id;
-        self.faults.push(Fault::new(
-            format!("{id}.inputs"),
-            "the free inputs have a motion that moves no inertia: it cannot be told how fast they \
-             would go",
-            "give mass or a moment of inertia to the links that move alone there, or inertia to \
-             the motors",
-        ));
-    }
-
-    /// What rigid contacts are not combined with.
-    fn refuse_rigid_contacts(&mut self) {
-        let frozen = &self.frozen;
-        let mut faults = Vec::new();
-        for component in 0..frozen.contacts() {
-            if !frozen.is_rigid(component) {
-                continue;
-            }
-            let chain = match frozen.pairs.get(component) {
-                Some(&chain) => chain,
-                None => frozen.stops[component - frozen.pairs.len()].chain,
-            };
-            let own = &frozen.chains[chain];
-            let id = || {
-                let nodes = |node: &usize| own.nodes().contains(&frozen.internal[*node]);
-                let mut parts = self.model.objects.iter();
-                let part = parts.find(|part| part.nodes.iter().any(nodes));
-                part.map_or_else(String::new, |part| part.id.clone())
-            };
-            let mut moving = frozen.roots(frozen.laws[own.law].driver);
-            moving.extend(own.nodes());
-            let rubbing = |group: &&super::friction::Group| {
-                group.coordinate.is_some() && moving.contains(&group.root)
-            };
-            if frozen.groups.iter().any(|group| rubbing(&group)) {
-                faults.push(Fault::new(
-                    format!("{}.pair.contact.restitution", id()),
-                    "it strikes what moves as one with joints that have friction: what friction \
-                     does in an impact is not determined",
-                    "leave `joint_friction` out, or give the contact a stiffness",
-                ));
-            }
-            if !frozen.multi.is_empty() && frozen.moves_freely(frozen.laws[own.law].driver) {
-                faults.push(Fault::new(
-                    format!("{}.pair.contact.restitution", id()),
-                    "it strikes what moves freely beside a linkage of several inputs: the impulse \
-                     would pass through its mass matrix, which impacts do not know",
-                    "give the contact a stiffness, or prescribe the motion of its driver",
-                ));
-            }
-            let stop = component >= frozen.pairs.len();
-            if stop
-                && own.contact.restitution().is_some()
-                && frozen.moves_freely(frozen.laws[own.law].driver)
-            {
-                faults.push(Fault::new(
-                    format!("{}.stops", id()),
-                    "between a rigid pair and a rigid stop a drive that moves freely would be held \
-                     by both at once",
-                    "give the pair or the stop a contact with a stiffness",
-                ));
-            }
-        }
-        self.faults.extend(faults);
     }
 
     fn place_loads(&mut self) {

@@ -1,6 +1,7 @@
 //! The first place of a stretch of a motion at which a guard leaves its mode.
 
-use super::interval::{Interval, Moving};
+use super::interval::Interval;
+use super::moving::Moving;
 use super::program::{Code, Guard, GuardKind, OPEN};
 use crate::math::number::Dual;
 use crate::math::roots::{BISECTIONS, bisect};

@@ -5,7 +5,6 @@
 //! there. (R. E. Moore, R. B. Kearfott, M. J. Cloud, Introduction to interval
 //! analysis, 2009.)
 
-use super::evaluate::Scalar;
 use super::function::Function;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -86,7 +85,7 @@ impl Interval {
         }
     }
 
-    fn scale(self, factor: f64) -> Self {
+    pub(super) fn scale(self, factor: f64) -> Self {
         let product = |x: f64| match factor {
             0.0 => 0.0,
             _ => x * factor,
@@ -94,7 +93,7 @@ impl Interval {
         Self::between(product(self.low), product(self.high))
     }
 
-    fn square(self) -> Self {
+    pub(super) fn square(self) -> Self {
         let (a, b) = (self.low * self.low, self.high * self.high);
         match self.holds(0.0) {
             true => Self::between(0.0, a.max(b)),
@@ -165,7 +164,7 @@ impl Interval {
         }
     }
 
-    fn of_function(self, function: Function) -> Self {
+    pub(super) fn of_function(self, function: Function) -> Self {
         let all = Self::EVERYTHING;
         let upward = |low: f64| Self {
             low,
@@ -196,7 +195,7 @@ impl Interval {
     }
 
     /// Bounds of the derivative of a function.
-    fn slope(self, function: Function) -> Self {
+    pub(super) fn slope(self, function: Function) -> Self {
         let one = Self::of(1.0);
         let root = |x: Self| x.of_function(Function::Sqrt);
         match function {
@@ -225,7 +224,7 @@ impl Interval {
     }
 
     /// It to a constant power.
-    fn to_power(self, exponent: f64) -> Self {
+    pub(super) fn to_power(self, exponent: f64) -> Self {
         if exponent == 0.0 {
             return Self::of(1.0);
         }
@@ -332,144 +331,10 @@ impl Div for Interval {
     }
 }
 
-/// Bounds of a value and of its rate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Moving {
-    pub(crate) value: Interval,
-    pub(crate) rate: Interval,
-}
-
-impl Moving {
-    fn composed(self, value: Interval, slope: Interval) -> Self {
-        // What does not change has no rate, however steep the function is.
-        let still = self.rate == Interval::of(0.0);
-        Self {
-            value,
-            rate: match still {
-                true => self.rate,
-                false => slope * self.rate,
-            },
-        }
-    }
-}
-
-impl Add for Moving {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        Self {
-            value: self.value + other.value,
-            rate: self.rate + other.rate,
-        }
-    }
-}
-
-impl Sub for Moving {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl Neg for Moving {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self {
-            value: -self.value,
-            rate: -self.rate,
-        }
-    }
-}
-
-impl Mul for Moving {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        // A square, which dependence would widen.
-        if self == other {
-            return Self {
-                value: self.value.square(),
-                rate: (self.value * self.rate).scale(2.0),
-            };
-        }
-        Self {
-            value: self.value * other.value,
-            rate: self.value * other.rate + other.value * self.rate,
-        }
-    }
-}
-
-impl Div for Moving {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        let value = self.value / other.value;
-        Self {
-            value,
-            rate: (self.rate - value * other.rate) / other.value,
-        }
-    }
-}
-
-impl Scalar for Moving {
-    fn number(value: f64) -> Self {
-        Self {
-            value: Interval::of(value),
-            rate: Interval::of(0.0),
-        }
-    }
-
-    fn central(self) -> f64 {
-        self.value.middle()
-    }
-
-    fn affine(self, factor: f64, shift: f64) -> Self {
-        Self {
-            value: self.value.scale(factor) + Interval::of(shift),
-            rate: self.rate.scale(factor),
-        }
-    }
-
-    fn of(self, function: Function) -> Self {
-        self.composed(self.value.of_function(function), self.value.slope(function))
-    }
-
-    fn power(self, exponent: f64) -> Self {
-        let slope = self.value.to_power(exponent - 1.0).scale(exponent);
-        self.composed(self.value.to_power(exponent), slope)
-    }
-
-    fn power_of(self, exponent: Self) -> Self {
-        let fixed = exponent.value.low;
-        if fixed == exponent.value.high && exponent.rate == Interval::of(0.0) {
-            return self.power(fixed);
-        }
-        (self.of(Function::Ln) * exponent).of(Function::Exp)
-    }
-
-    fn atan2(y: Self, x: Self) -> Self {
-        let square = x.value.square() + y.value.square();
-        let rate = (x.value * y.rate - y.value * x.rate) / square;
-        let plain = |y: f64, x: f64| y.atan2(x);
-        // Monotone along each side of a box that does not hold the cut or the origin.
-        let value = match x.value.low > 0.0 || y.value.low > 0.0 || y.value.high < 0.0 {
-            true => {
-                let corners = [y.value.low, y.value.high]
-                    .map(|y| [x.value.low, x.value.high].map(|x| plain(y, x)));
-                let all = corners.iter().flatten();
-                let low = all.clone().copied().fold(f64::INFINITY, f64::min);
-                Interval::between(low, all.copied().fold(f64::NEG_INFINITY, f64::max))
-            }
-            false => Interval {
-                low: -TAU,
-                high: TAU,
-            },
-        };
-        Self { value, rate }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Interval, Moving};
-    use crate::math::expression::Expression;
+    use super::Interval;
+    use crate::math::expression::{Expression, Moving};
 
     #[test]
     fn bounds_hold_what_lies_between() {

@@ -3,7 +3,8 @@
 use super::crossing::{Stretch, follow};
 use super::evaluate::Scalar;
 use super::function::Function;
-use super::interval::{Interval, Moving};
+use super::interval::Interval;
+use super::moving::Moving;
 use super::program::{Code, Guard, GuardKind, OPEN, Op, Program, Register};
 use crate::math::fraction::Fraction;
 use crate::math::number::Dual;

@@ -8,8 +8,9 @@
 //!
 //! Source: R. Featherstone, Rigid Body Dynamics Algorithms, Springer, 2008, chapters 5 and 6.
 
-use super::columns::{Columns, Twist, at, dot};
+use super::columns::Columns;
 use super::plan::MultiPlan;
+use super::twist::{Twist, at, dot};
 use crate::kinematics::linkage::spec::{LinkSpec, LinkageSpec};
 use crate::math::number::Number;
 

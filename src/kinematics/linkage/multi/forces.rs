@@ -1,8 +1,9 @@
 //! Springs, dampers and forces on the links of a linkage of several inputs.
 
-use super::columns::{Columns, at};
+use super::columns::Columns;
 use super::dynamics::MultiReduced;
 use super::plan::MultiPlan;
+use super::twist::at;
 use crate::kinematics::linkage::spec::{ForceLaw, LinkageSpec, PairKind, PointOf};
 use crate::math::number::Number;
 

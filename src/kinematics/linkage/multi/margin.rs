@@ -7,8 +7,9 @@
 //! the screws, by Jacobi's formula where there are many equations:
 //! D′ = D·tr(A⁻¹A′), D″ = D·(tr²(A⁻¹A′) − tr((A⁻¹A′)²) + tr(A⁻¹A″)).
 
-use super::columns::{Columns, Twist, at, carried, dot, plus};
+use super::columns::Columns;
 use super::plan::{Group, MultiPlan, Screw};
+use super::twist::{Twist, at, carried, dot, plus};
 use crate::math::linear::dense;
 
 /// D, its derivative along a motion of the inputs, and its second one in time while the

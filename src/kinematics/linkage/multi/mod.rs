@@ -29,6 +29,7 @@ mod singular;
 pub mod spec;
 #[cfg(test)]
 mod tests;
+mod twist;
 mod wrong;
 
 pub use constraint::MultiOutput;

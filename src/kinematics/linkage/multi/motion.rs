@@ -1,7 +1,7 @@
 //! Where everything is, and how it moves, under a motion of all inputs.
 
-use super::columns::{Twist, at, minus, plus, times};
 use super::place::NotAssembled;
+use super::twist::{Twist, at, minus, plus, times};
 use super::{MultiLinkage, MultiWorkspace};
 use crate::kinematics::linkage::kinetostatics::{InputMotion, LinkPosition, Positions};
 use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind, PairKind, PointOf};

@@ -1,7 +1,7 @@
 //! Outputs of a linkage of several inputs, by all of them.
 
 use super::MultiWorkspace;
-use super::columns::{at, minus};
+use super::twist::{at, minus};
 use crate::kinematics::linkage::spec::OutputKind;
 use crate::math::number::Number;
 
