@@ -18,6 +18,7 @@ mod compile;
 mod constraint;
 mod dynamics;
 mod forces;
+mod joints;
 mod margin;
 mod misfit;
 mod motion;

@@ -1,14 +1,11 @@
 //! What is asked of a linkage of several inputs.
 
 use super::super::ask::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
-use super::super::columns::unit_of;
 use super::super::subject::{of_outputs, start_of};
 use super::reach::{Reached, reach};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
 use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion, NotAssembled};
-use crate::math::jet::Jet;
-use crate::units::shown;
 
 /// Part of a reach that is kept away from singular positions at its ends.
 const ROOM: f64 = 1e-6;
@@ -24,7 +21,7 @@ pub struct AskedSeveral<'a> {
     pub(super) outputs: Vec<Coordinate>,
     /// Displacements of the inputs at the start of the scene.
     pub(super) starts: Vec<f64>,
-    trajectories: Option<Vec<Trajectory<'a>>>,
+    pub(super) trajectories: Option<Vec<Trajectory<'a>>>,
     pub(super) way: Way,
     /// True: the one input that moves goes through a turn.
     pub(super) closed: bool,
@@ -54,10 +51,10 @@ pub(super) enum Way {
 /// One input on a straight way: base + slope·s.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leg {
-    base: f64,
-    slope: f64,
-    speed: f64,
-    acceleration: f64,
+    pub(super) base: f64,
+    pub(super) slope: f64,
+    pub(super) speed: f64,
+    pub(super) acceleration: f64,
 }
 
 impl<'a> AskedSeveral<'a> {
@@ -320,142 +317,5 @@ impl<'a> AskedSeveral<'a> {
                 names.join(", ")
             )
         })
-    }
-
-    /// The linkage.
-    pub(in crate::studies) fn linkage(&self) -> &MultiLinkage {
-        &self.linkage
-    }
-
-    /// Number of intervals between rows.
-    pub(in crate::studies) fn positions(&self) -> usize {
-        self.positions
-    }
-
-    /// True: the one input that moves goes through a turn, after which everything is as before.
-    pub(in crate::studies) fn is_closed(&self) -> bool {
-        self.closed
-    }
-
-    /// True where every input has the speed of its way, and no acceleration.
-    pub(in crate::studies) fn goes_its_way(&self) -> bool {
-        match &self.way {
-            Way::Time { .. } => true,
-            Way::Path { rate, legs, .. } => {
-                (legs.iter()).all(|leg| leg.speed == rate * leg.slope && leg.acceleration == 0.0)
-            }
-        }
-    }
-
-    /// Name and SI unit of what leads from row to row.
-    pub(in crate::studies) fn axis(&self) -> (&'static str, &'static str) {
-        match self.way {
-            Way::Time { .. } => ("time", "s"),
-            Way::Path { along: Some(_), .. } => {
-                ("input coordinate", unit_of(self.first_coordinate()))
-            }
-            Way::Path { along: None, .. } => ("path", ""),
-        }
-    }
-
-    /// Name of an input.
-    pub(super) fn name(&self, input: usize) -> &str {
-        &self.linkage.inputs()[input].name
-    }
-
-    /// Names of the outputs.
-    pub(super) fn outputs(&self) -> impl Iterator<Item = &str> {
-        let outputs = self.linkage.outputs().iter();
-        outputs.map(|output| output.name.as_str())
-    }
-
-    /// Whether the input along the axis, or the first, turns or slides.
-    pub(super) fn first_coordinate(&self) -> Coordinate {
-        match self.way {
-            Way::Path {
-                along: Some(input), ..
-            } => self.inputs[input],
-            _ => self.inputs[0],
-        }
-    }
-
-    /// First and last place on the axis.
-    pub(in crate::studies) fn span(&self) -> [f64; 2] {
-        match self.way {
-            Way::Time { to } => [0.0, to],
-            Way::Path { span, .. } => span,
-        }
-    }
-
-    /// Rate of the axis.
-    pub(in crate::studies) fn rate_of_way(&self) -> f64 {
-        match self.way {
-            Way::Time { .. } => 1.0,
-            Way::Path { rate, .. } => rate,
-        }
-    }
-
-    /// Motions of all inputs at a place of the axis.
-    pub(in crate::studies) fn inputs_at(&self, place: f64) -> Vec<Jet> {
-        match (&self.way, &self.trajectories) {
-            (Way::Path { legs, .. }, _) => {
-                let jet = |leg: &Leg| Jet {
-                    value: leg.base + leg.slope * place,
-                    first: leg.speed,
-                    second: leg.acceleration,
-                    third: 0.0,
-                };
-                legs.iter().map(jet).collect()
-            }
-            (Way::Time { .. }, Some(all)) => all.iter().map(|one| one.at(place)).collect(),
-            // (Refused before.)
-            (Way::Time { .. }, None) => vec![Jet::UNKNOWN; self.inputs.len()],
-        }
-    }
-
-    /// Time of each row: at constant speed along a way.
-    pub(super) fn times(&self, places: &[f64]) -> Vec<f64> {
-        let rate = self.rate_of_way().abs();
-        let rate = if rate > 0.0 { rate } else { 1.0 };
-        let from = places.first().copied().unwrap_or(0.0);
-        places
-            .iter()
-            .map(|place| (place - from).abs() / rate)
-            .collect()
-    }
-
-    /// Motion of the inputs, in words.
-    pub(in crate::studies) fn motion(&self) -> String {
-        let Way::Path { legs, along, .. } = &self.way else {
-            return "by the scene's drives".to_owned();
-        };
-        let one = |(input, leg): (usize, &Leg)| {
-            let unit = unit_of(self.inputs[input]);
-            let name = self.name(input);
-            let own = |value: f64| match self.inputs[input] {
-                Coordinate::Turning => format!("{} deg", shown(value.to_degrees(), 6)),
-                Coordinate::Sliding => format!("{} m", shown(value, 6)),
-            };
-            let mut words = match (leg.slope != 0.0, along) {
-                (false, _) => format!("{name} at {}", own(leg.base)),
-                (true, Some(_)) => name.to_owned(),
-                (true, None) => {
-                    format!(
-                        "{name} from {} to {}",
-                        own(leg.base),
-                        own(leg.base + leg.slope)
-                    )
-                }
-            };
-            if leg.speed != 0.0 {
-                words += &format!(" with {} {unit}/s", shown(leg.speed, 6));
-            }
-            if leg.acceleration != 0.0 {
-                words += &format!(" and {} {unit}/s²", shown(leg.acceleration, 6));
-            }
-            words
-        };
-        let all: Vec<String> = legs.iter().enumerate().map(one).collect();
-        all.join(", ")
     }
 }

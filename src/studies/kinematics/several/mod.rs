@@ -2,6 +2,7 @@
 //! the time of the scene's drives; the singular positions over two of them.
 
 mod ask;
+mod asked;
 mod course;
 mod plane;
 mod reach;
