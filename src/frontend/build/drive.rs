@@ -117,6 +117,32 @@ impl Drive {
     }
 }
 
+/// What characteristics by an expression say beside it.
+macro_rules! characteristic {
+    ($name:ident, $unit:literal) => {
+        impl $name {
+            #[doc = concat!("Unit of the value of an expression: `\"", $unit, "\"`.")]
+            pub fn unit(mut self, unit: impl Into<Node>) -> Self {
+                self.0.put("unit", unit);
+                self
+            }
+
+            /// Another object, or an output, whose motion an expression looks at as `over_phi`
+            /// and `over_phi_dot`.
+            pub fn over(mut self, output: impl Into<Node>) -> Self {
+                self.0.put("over", output);
+                self
+            }
+        }
+
+        impl From<$name> for Node {
+            fn from(characteristic: $name) -> Self {
+                characteristic.0
+            }
+        }
+    };
+}
+
 /// The torque of a motor over its speed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Torque(Node);
@@ -158,26 +184,9 @@ impl Torque {
     pub fn expression(text: impl Into<Node>) -> Self {
         Self(only("expression", text))
     }
-
-    /// Unit of the value of an expression: `"kN m"`.
-    pub fn unit(mut self, unit: impl Into<Node>) -> Self {
-        self.0.put("unit", unit);
-        self
-    }
-
-    /// Another object, or an output, whose motion an expression looks at as `over_phi` and
-    /// `over_phi_dot`.
-    pub fn over(mut self, output: impl Into<Node>) -> Self {
-        self.0.put("over", output);
-        self
-    }
 }
 
-impl From<Torque> for Node {
-    fn from(torque: Torque) -> Self {
-        torque.0
-    }
-}
+characteristic!(Torque, "kN m");
 
 /// The force of a motor that slides, over its speed.
 #[derive(Clone, Debug, PartialEq)]
@@ -205,23 +214,6 @@ impl Force {
     pub fn expression(text: impl Into<Node>) -> Self {
         Self(only("expression", text))
     }
-
-    /// Unit of the value of an expression: `"kN"`.
-    pub fn unit(mut self, unit: impl Into<Node>) -> Self {
-        self.0.put("unit", unit);
-        self
-    }
-
-    /// Another object, or an output, whose motion an expression looks at as `over_phi` and
-    /// `over_phi_dot`.
-    pub fn over(mut self, output: impl Into<Node>) -> Self {
-        self.0.put("over", output);
-        self
-    }
 }
 
-impl From<Force> for Node {
-    fn from(force: Force) -> Self {
-        force.0
-    }
-}
+characteristic!(Force, "kN");
