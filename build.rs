@@ -1,32 +1,44 @@
-//! Writes the list of built-in catalogue files (`objects/*/*.json`).
+//! Writes the lists of files that are built in: the catalogue (`objects/*/*.json`), and for the
+//! studio the scenarios (`scenarios/*/*.json`).
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
-    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
-    let folder = root.join("objects");
     println!("cargo::rerun-if-changed=build.rs");
+    write("objects", "catalogue.rs", "BUILT_IN", "definition")?;
+    if env::var_os("CARGO_FEATURE_STUDIO").is_some() {
+        write("scenarios", "scenarios.rs", "SCENARIOS", "scenario")?;
+    }
+    Ok(())
+}
+
+/// Writes the list of the files in the folders of a folder.
+fn write(folder: &str, list: &str, constant: &str, what: &str) -> io::Result<()> {
+    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
+    let folder = root.join(folder);
     println!("cargo::rerun-if-changed={}", folder.display());
     let mut files = Vec::new();
     collect(&folder, &mut files)?;
+    // What stands beside the folders is no file of theirs.
+    files.retain(|path| path.parent() != Some(&folder));
     let mut names: Vec<(String, &PathBuf)> = files
         .iter()
         .map(|path| (name(&folder, path), path))
         .collect();
     names.sort();
-    let mut list = String::from(
-        "/// Name and text of every built-in definition, in the order of the names.\n\
-         const BUILT_IN: &[(&str, &str)] = &[\n",
+    let mut text = format!(
+        "/// Name and text of every built-in {what}, in the order of the names.\n\
+         const {constant}: &[(&str, &str)] = &[\n"
     );
     for (name, path) in names {
         let path = path.display().to_string();
-        writeln!(list, "    ({name:?}, include_str!({path:?})),").map_err(io::Error::other)?;
+        writeln!(text, "    ({name:?}, include_str!({path:?})),").map_err(io::Error::other)?;
     }
-    list.push_str("];\n");
+    text.push_str("];\n");
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default());
-    fs::write(out.join("catalogue.rs"), list)
+    fs::write(out.join(list), text)
 }
 
 fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {

@@ -17,6 +17,8 @@ pub(crate) use reduce::ReduceArgs;
 
 use super::law::args::LawCommand;
 use super::steady::args::SteadyArgs;
+use crate::frontend::scene::Template;
+use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scene::{OutArgs, SceneArgs};
 use std::path::PathBuf;
@@ -150,19 +152,14 @@ pub(crate) struct NewArgs {
     pub(crate) file: Option<PathBuf>,
 }
 
-/// Scenes to begin with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Template {
-    /// A lever on a cam, elastic, held by a spring
-    Lever,
-    /// A cam with a roller follower, to be sized and cut
-    Cam,
-    /// A slider-crank of links and joints
-    Linkage,
-    /// A crank press on a motor
-    Press,
-    /// A motor, an elastic shaft, a fan
-    Shaft,
+impl ValueEnum for Template {
+    fn value_variants<'a>() -> &'a [Self] {
+        &Self::ALL
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name()).help(self.meaning()))
+    }
 }
 
 /// Arguments of `dam completions`.

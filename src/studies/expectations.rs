@@ -8,6 +8,7 @@ use crate::fault::Fault;
 use crate::frontend::scene::{Expectation, Expected};
 use crate::units::shown;
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 /// Verdict on one expectation.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -62,6 +63,11 @@ pub fn of_run(expectation: &Expectation) -> bool {
 /// motion are judged by [`super::steady::check`], those of kinematics and forces
 /// by [`super::studied`].)
 pub fn check(expectations: &[Expectation], result: &RunResult) -> Vec<Verdict> {
+    // They are found once for all expectations.
+    let known = match expectations.is_empty() {
+        true => BTreeMap::new(),
+        false => result.figures.addresses(),
+    };
     expectations
         .iter()
         .filter(|expectation| of_run(expectation))
@@ -72,7 +78,7 @@ pub fn check(expectations: &[Expectation], result: &RunResult) -> Vec<Verdict> {
                     figure,
                     value,
                     within,
-                } => check_figure(figure, *value, *within, result),
+                } => check_figure(figure, *value, *within, result, &known),
                 Expected::Stops {
                     reason,
                     time,
@@ -119,9 +125,20 @@ pub(super) fn did_you_mean(close: &[String]) -> String {
     }
 }
 
-fn check_figure(figure: &str, expected: f64, within: f64, result: &RunResult) -> Verdict {
+fn check_figure(
+    figure: &str,
+    expected: f64,
+    within: f64,
+    result: &RunResult,
+    known: &BTreeMap<String, Option<f64>>,
+) -> Verdict {
     let mut verdict = Verdict::open(figure.to_owned(), expected, within);
-    match result.figures.value(figure) {
+    let value = match known.get(figure) {
+        Some(Some(found)) => Ok(*found),
+        // It says why there is none.
+        _ => result.figures.value(figure),
+    };
+    match value {
         Ok(found) => judge(&mut verdict, found),
         Err(AddressError::NoValue) => {
             verdict.message = format!("{figure} has no value in this run");

@@ -18,6 +18,8 @@ pub mod list;
 pub mod map;
 mod method;
 pub mod methods;
+#[cfg(feature = "studio")]
+pub(crate) mod offer;
 pub mod order;
 pub mod plausible;
 pub mod reduce;

@@ -13,6 +13,7 @@ use crate::frontend::scene::{
 use crate::report::live::{self, Charts};
 use crate::report::verdict::Sort;
 use crate::studies::cam::disc_cams;
+use crate::studies::expectations::{check, of_run};
 use crate::studies::plausible;
 use crate::studies::run::RunResult;
 use serde_json::{Value, json};
@@ -189,6 +190,19 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             .cloned()
             .collect();
         warnings.extend(new);
+        let expected = &mechanism.scene().expect;
+        let verdicts = check(expected, result).into_iter().map(|verdict| {
+            let mut told = json!(verdict);
+            let is_time = verdict.what.starts_with("stops: ");
+            let unit = match is_time {
+                true => "s".to_owned(),
+                false => result.figures.unit(&verdict.what),
+            };
+            told["unit"] = json!(unit);
+            told
+        });
+        let verdicts: Vec<Value> = verdicts.collect();
+        let others = expected.iter().filter(|one| !of_run(one)).count();
         let (columns, plots) = shown.charts.plots.parts();
         let bytes = |column: &Vec<Option<f64>>| {
             let numbers = column.iter().map(|value| value.unwrap_or(f64::NAN));
@@ -213,7 +227,10 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
                 "text": verdict.text,
             },
             "coarse": coarse,
+            "title": mechanism.scene().name,
             "warnings": warnings,
+            "expect": verdicts,
+            "expect_others": others,
             "tables": shown.tables,
             "figures": result.figures.objects,
             "moving": shown.moving,

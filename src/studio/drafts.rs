@@ -104,7 +104,8 @@ pub(super) fn state_folder() -> Option<PathBuf> {
     Some(base.join("dam"))
 }
 
-fn hash(bytes: &[u8]) -> String {
+/// SHA-256, as text.
+pub(super) fn hash(bytes: &[u8]) -> String {
     let mut text = String::new();
     for byte in Sha256::digest(bytes) {
         // Writing to a string cannot fail.

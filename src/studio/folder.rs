@@ -61,6 +61,14 @@ impl Folder {
         real.ok_or_else(|| NO_FILE.to_owned())
     }
 
+    /// The name of a file below the folder; `None`: it lies elsewhere, is gone, or is none.
+    pub(super) fn name_of(&self, path: &Path) -> Option<String> {
+        let name = path.strip_prefix(&self.root).ok()?;
+        let name = name.components().map(|part| part.as_os_str().to_str());
+        let name = name.collect::<Option<Vec<&str>>>()?.join("/");
+        (self.file(&name).ok()? == path).then_some(name)
+    }
+
     /// The place of a file to be made: its folder is there, it is not.
     ///
     /// # Errors

@@ -22,6 +22,9 @@ pub(super) const WAITING: usize = 4096;
 pub(super) const RUN: Duration = Duration::from_secs(30);
 /// How long the model of a scene is judged before it is shown as it stands.
 pub(super) const JUDGED: Duration = Duration::from_secs(6);
+/// How long a run and its repetitions may last that tell the errors of its figures; with the
+/// judging of the model less than [`REQUEST`].
+pub(super) const FIGURES: Duration = Duration::from_millis(3500);
 /// How long a run goes on after it was superseded: so that something is seen while a number moves.
 pub(super) const GRACE: Duration = Duration::from_millis(150);
 /// What is answered within this is answered before faults and numbers are told.

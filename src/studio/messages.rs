@@ -41,10 +41,13 @@ pub(super) enum Said {
         /// The name of the file.
         scene: String,
     },
-    /// Makes a new file with an empty scene, which is opened then.
+    /// Makes a new file, which is opened then.
     New {
         /// The name of the file.
         scene: String,
+        /// What it begins with; without it the scene is empty.
+        #[serde(default)]
+        from: Option<Beginning>,
     },
     /// The file was changed by others: takes it.
     Reload,
@@ -69,11 +72,28 @@ pub(super) enum Said {
         /// Their places.
         charts: BTreeSet<usize>,
     },
+    /// Keeps a setting for all windows, of later programs too.
+    Keep {
+        /// Which.
+        name: String,
+        /// What it is.
+        value: String,
+    },
     /// Asks for a sign of life.
     Ping {
         /// Comes back.
         number: u64,
     },
+}
+
+/// What a new scene begins with.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(rename_all = "snake_case")]
+pub(super) enum Beginning {
+    /// One of the scenes of `dam new`, by its name.
+    Template(String),
+    /// A scenario by its name, `rocker/two_masses`.
+    Scenario(String),
 }
 
 /// One edit.

@@ -4,6 +4,8 @@
 //! * `served`, `server`, `guard`, `connections`: what is served, to whom, how much at a time;
 //! * `folder`, `atomic`, `drafts`, `launch`: files: within one folder, written as a whole, kept
 //!   from crashes; how the browser is told the token;
+//! * `first`, `recent`, `gallery`: the first page: what was opened last, what is built in;
+//!   `settings`: what the user chose for all windows;
 //! * `text`: a scene's text with its edits; `room`: the text that all windows on a file share,
 //!   with its answers; `window`: what one of them is sent; `socket`: what it says;
 //! * `work`, `answer`: from a text to its answer, newest first; `chart`: the live map.
@@ -17,13 +19,16 @@ mod chart;
 mod connections;
 mod disk;
 mod drafts;
+mod first;
 mod folder;
+mod gallery;
 mod guard;
 mod history;
 mod launch;
 mod limits;
 mod messages;
 mod questions;
+mod recent;
 mod room;
 #[cfg(test)]
 mod room_tests;
@@ -31,6 +36,7 @@ mod served;
 mod server;
 #[cfg(test)]
 mod server_tests;
+mod settings;
 mod socket;
 mod state;
 mod text;

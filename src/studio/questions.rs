@@ -1,7 +1,7 @@
 //! What windows ask for besides the answers that follow the text.
 
 use super::answer::is_judged;
-use super::limits::{JUDGED, RUN};
+use super::limits::{FIGURES, JUDGED, RUN};
 use super::room::Room;
 use super::served::Studio;
 use crate::ask::{Judging, Mechanism};
@@ -9,6 +9,8 @@ use crate::budget::Budget;
 use crate::frontend::object::{Inputs, Registry};
 use crate::frontend::scene::{BuiltIn, Catalogue, Document, Layered, Overrides};
 use crate::report::live;
+use crate::studies::offer::offers;
+use crate::studies::spread::spread;
 use axum::Json;
 use axum::extract::{Query, State};
 use axum::http::StatusCode;
@@ -79,6 +81,24 @@ pub(super) async fn linkages(studio: State<Arc<Studio>>, named: Query<Named>) ->
         Judging::Never,
         |mechanism| json!({ "linkages": live::sketches(&mechanism.system) }),
     )
+    .await
+}
+
+/// The figures of its run that it may expect, with how closely.
+pub(super) async fn figures(studio: State<Arc<Studio>>, named: Query<Named>) -> Response {
+    told(studio, named, Judging::Asked, |mechanism| {
+        let budget = Budget::FREE.within(FIGURES);
+        let Ok(result) = mechanism.run_within(&budget) else {
+            return json!({ "figures": [] });
+        };
+        if budget.is_spent() {
+            return json!({ "figures": [], "refused": "the run takes too long to be repeated here" });
+        }
+        let moved = spread(&mechanism.system, &mechanism.settings, &result, &budget).ok();
+        // What was not run to its end says nothing of errors.
+        let moved = moved.filter(|_| !budget.is_spent());
+        json!({ "figures": offers(&result, mechanism.certificate.as_ref(), moved.as_ref()) })
+    })
     .await
 }
 

@@ -3,7 +3,9 @@
 use super::drafts::Drafts;
 use super::folder::Folder;
 use super::limits::ROOMS;
+use super::recent::Recent;
 use super::room::Room;
+use super::settings::Settings;
 use super::token::Token;
 use super::work::{LOOK, memory};
 use std::collections::BTreeMap;
@@ -18,6 +20,9 @@ pub(super) struct Studio {
     /// The scene that a window opens first.
     pub(super) scene: Option<String>,
     pub(super) drafts: Drafts,
+    /// What was opened last.
+    pub(super) recent: Recent,
+    pub(super) settings: Settings,
     /// Windows at present.
     pub(super) windows: Arc<AtomicUsize>,
     token: Token,
@@ -35,6 +40,8 @@ impl Studio {
             folder,
             scene,
             drafts: Drafts::of_user(),
+            recent: Recent::of_user(),
+            settings: Settings::of_user(),
             windows: Arc::default(),
             token: Token::new()?,
             host: format!("127.0.0.1:{port}"),

@@ -2,6 +2,7 @@
 //! windows of the user.
 
 use super::connections;
+use super::first;
 use super::guard::{Nonce, guard, refused};
 use super::limits::BODY;
 use super::questions::{self, Named};
@@ -54,9 +55,11 @@ fn router(studio: Arc<Studio>) -> Router {
         .route("/studio.css", get(|| async { style(STYLE.to_owned()) }))
         .route("/look.css", get(|| async { style(live::style()) }))
         .route("/api/scenes", get(scenes))
+        .route("/api/first", get(first::page))
         .route("/api/schema", get(schema))
         .route("/api/parts", get(questions::parts))
         .route("/api/model", get(questions::model))
+        .route("/api/figures", get(questions::figures))
         .route("/api/linkages", get(questions::linkages))
         .route("/ws", get(upgrade))
         .fallback(|| async { refused(StatusCode::NOT_FOUND) })

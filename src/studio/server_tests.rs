@@ -1,8 +1,10 @@
 //! Who is let in, over a real connection.
 
 use super::folder::Folder;
+use super::recent::Recent;
 use super::served::Studio;
 use super::server;
+use super::settings::Settings;
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::sync::Arc;
@@ -29,6 +31,7 @@ impl Served {
         #[cfg(unix)]
         std::os::unix::fs::symlink(base.path().join("secret.json"), folder.join("link.json"))
             .unwrap();
+        let recent = Recent::within(&base.path().join("recent"));
         let (send, receive) = std::sync::mpsc::channel();
         std::thread::spawn(move || {
             let runtime = tokio::runtime::Builder::new_current_thread()
@@ -38,7 +41,10 @@ impl Served {
                 let (folder, scene) = Folder::open(Some(&folder)).unwrap();
                 let listener = server::listen(None).await.unwrap();
                 let port = listener.local_addr().unwrap().port();
-                let studio = Arc::new(Studio::new(folder, scene, port).unwrap());
+                let mut studio = Studio::new(folder, scene, port).unwrap();
+                studio.recent = recent;
+                studio.settings = Settings::at(None);
+                let studio = Arc::new(studio);
                 send.send((port, studio.token().text().to_owned())).unwrap();
                 server::run(studio, listener).await;
             });
@@ -75,6 +81,46 @@ impl Served {
             .and_then(|status| status.parse().ok());
         (status.unwrap_or(0), answer)
     }
+
+    /// What a WebSocket is sent until it is closed, where it says this.
+    fn upgrade(&self, frames: &[u8]) -> Vec<u8> {
+        let head = format!(
+            "GET /ws HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n\
+             Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n",
+            self.host()
+        );
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
+        stream
+            .set_read_timeout(Some(Duration::from_secs(30)))
+            .unwrap();
+        stream
+            .write_all(&[head.as_bytes(), frames].concat())
+            .unwrap();
+        let mut answer = Vec::new();
+        let _ = stream.read_to_end(&mut answer);
+        let at = answer
+            .windows(4)
+            .position(|four| four == b"\r\n\r\n")
+            .unwrap();
+        assert!(answer.starts_with(b"HTTP/1.1 101"));
+        answer.split_off(at + 4)
+    }
+}
+
+/// A message of a window, masked with zeros, as nobody forbids.
+fn frame(text: &str) -> Vec<u8> {
+    let length = u16::try_from(text.len()).unwrap();
+    let mut frame = match u8::try_from(length) {
+        Ok(short) if short < 126 => vec![0x81, 0x80 | short],
+        _ => [&[0x81, 0x80 | 126], &length.to_be_bytes()[..]].concat(),
+    };
+    frame.extend_from_slice(&[0; 4]);
+    frame.extend_from_slice(text.as_bytes());
+    frame
+}
+
+fn hello(token: &str) -> Vec<u8> {
+    frame(&format!("{{\"type\":\"hello\",\"token\":\"{token}\"}}"))
 }
 
 #[test]
@@ -134,9 +180,11 @@ fn only_rightful_requests_are_answered() {
         "{scenes}"
     );
     let rightful = [
+        "GET /api/first",
         "GET /api/schema?scene=scene.json",
         "GET /api/parts?scene=scene.json",
         "GET /api/model?scene=scene.json",
+        "GET /api/figures?scene=scene.json",
         "GET /api/linkages?scene=scene.json",
     ];
     for question in rightful {
@@ -160,6 +208,8 @@ fn only_rightful_requests_are_answered() {
         ("GET /", &[], 403),
         (&absolute, &[&host, &bearer], 403),
         ("GET /api/scenes", &[&host], 401),
+        ("GET /api/first", &[&host], 401),
+        ("GET /api/first", &[&host, &wrong], 401),
         ("GET /api/scenes", &[&host, &wrong], 401),
         ("GET /api/scenes", &[&host, &bearer, &bearer], 401),
         (
@@ -186,6 +236,8 @@ fn only_rightful_requests_are_answered() {
         ),
         ("GET /api/schema?scene=link.json", &[&host, &bearer], 404),
         ("GET /api/model?scene=link.json", &[&host, &bearer], 404),
+        ("GET /api/figures?scene=link.json", &[&host, &bearer], 404),
+        ("GET /api/figures?scene=scene.json", &[&host], 401),
         ("GET /api/model?scene=scene.json", &[&host], 401),
         (
             "GET /api/parts?scene=../secret.json",
@@ -210,59 +262,77 @@ fn only_rightful_requests_are_answered() {
 #[test]
 fn a_websocket_without_the_token_is_told_nothing() {
     let served = Served::new();
-    let upgrade = |frame: &[u8]| {
-        let head = format!(
-            "GET /ws HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nConnection: Upgrade\r\nUpgrade: websocket\r\n\
-             Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n",
-            served.host()
-        );
-        let mut stream = TcpStream::connect(("127.0.0.1", served.port)).unwrap();
-        stream
-            .set_read_timeout(Some(Duration::from_secs(30)))
-            .unwrap();
-        stream
-            .write_all(&[head.as_bytes(), frame].concat())
-            .unwrap();
-        let mut answer = Vec::new();
-        let _ = stream.read_to_end(&mut answer);
-        let at = answer
-            .windows(4)
-            .position(|four| four == b"\r\n\r\n")
-            .unwrap();
-        assert!(answer.starts_with(b"HTTP/1.1 101"));
-        answer.split_off(at + 4)
-    };
-    // Masked with zeros, as nobody forbids.
-    let text = |text: String| {
-        let mut frame = vec![0x81, 0x80 | text.len() as u8, 0, 0, 0, 0];
-        frame.extend_from_slice(text.as_bytes());
-        frame
-    };
-    let hello = |token: &str| text(format!("{{\"type\":\"hello\",\"token\":\"{token}\"}}"));
     let told = |answer: &[u8]| {
         answer
             .first()
             .is_some_and(|first| [1, 2].contains(&(first & 0x0f)))
     };
-    for frame in [
+    for said in [
         hello(&"0".repeat(64)),
         hello(""),
-        text("{\"type\":\"open\",\"scene\":\"scene.json\"}".to_owned()),
-        text("[".to_owned()),
+        frame("{\"type\":\"open\",\"scene\":\"scene.json\"}"),
+        frame("["),
         vec![0x82, 0x80, 0, 0, 0, 0],
         vec![0x01, 0x02, b'{', b'}'],
     ] {
-        assert!(!told(&upgrade(&frame)), "{frame:?}");
+        assert!(!told(&served.upgrade(&said)), "{said:?}");
     }
     // With it, it is; what no window says ends it.
-    let answer = upgrade(
-        &[
-            hello(&served.token),
-            text("{\"type\":\"nothing\"}".to_owned()),
-        ]
-        .concat(),
-    );
+    let nothing = frame("{\"type\":\"nothing\"}");
+    let answer = served.upgrade(&[hello(&served.token), nothing].concat());
     assert!(told(&answer) && String::from_utf8_lossy(&answer).contains("welcome"));
+}
+
+#[test]
+fn new_scenes_are_made_within_the_folder_and_over_nothing() {
+    let served = Served::new();
+    let folder = served.base.path().join("open");
+    let before = std::fs::read(folder.join("scene.json")).unwrap();
+    let secret = std::fs::read(served.base.path().join("secret.json")).unwrap();
+    let nothing = frame("{\"type\":\"nothing\"}");
+    for from in [
+        "",
+        ",\"from\":{\"template\":\"lever\"}",
+        ",\"from\":{\"scenario\":\"rocker/two_masses\"}",
+    ] {
+        for name in [
+            "scene.json",
+            "link.json",
+            "../secret.json",
+            "../out.json",
+            "/tmp/out.json",
+            "deep/out.json",
+            "out.txt",
+        ] {
+            let new = frame(&format!("{{\"type\":\"new\",\"scene\":\"{name}\"{from}}}"));
+            let answer = served.upgrade(&[hello(&served.token), new, nothing.clone()].concat());
+            let answer = String::from_utf8_lossy(&answer).into_owned();
+            let is_refused = answer.contains("\"type\":\"error\"") && !answer.contains("opened");
+            // A platform without links has no such file, and makes one.
+            let is_free = name == "link.json" && cfg!(not(unix));
+            assert!(is_refused || is_free, "{name}: {answer}");
+        }
+    }
+    assert_eq!(std::fs::read(folder.join("scene.json")).unwrap(), before);
+    assert_eq!(
+        std::fs::read(served.base.path().join("secret.json")).unwrap(),
+        secret
+    );
+    assert!(!served.base.path().join("out.json").exists());
+    for (from, wanted) in [
+        ("{\"template\":\"nothing\"}", false),
+        ("{\"scenario\":\"../secret\"}", false),
+        ("{\"scenario\":\"rocker/two_masses\"}", true),
+    ] {
+        let new = format!("{{\"type\":\"new\",\"scene\":\"made.json\",\"from\":{from}}}");
+        let answer = served.upgrade(&[hello(&served.token), frame(&new), nothing.clone()].concat());
+        let is_opened = String::from_utf8_lossy(&answer).contains("opened");
+        assert_eq!(
+            (is_opened, folder.join("made.json").exists()),
+            (wanted, wanted),
+            "{from}"
+        );
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! A window's WebSocket: what it says, and what it is sent.
 
 use super::atomic;
+use super::gallery;
 use super::limits::{HELLO, WINDOWS};
 use super::messages::Said;
 use super::room::Room;
@@ -51,6 +52,7 @@ pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
         "window": window.id.to_string(),
         "folder": studio.folder.name(),
         "scene": studio.scene,
+        "settings": studio.settings.all(),
         "program": env!("CARGO_PKG_VERSION"),
     });
     window.send(welcome.to_string().into());
@@ -113,11 +115,16 @@ impl Visit {
                 self.window.send(told.to_string().into());
                 return Ok(());
             }
+            Said::Keep { name, value } => return self.studio.settings.keep(&name, &value),
             Said::Shown => self.window.shown(false),
             Said::MapShown => self.window.shown(true),
             Said::Hello { .. } => return Err("it is known who you are".to_owned()),
-            Said::New { scene } => {
-                self.write(&scene, &empty(&scene))?;
+            Said::New { scene, from } => {
+                let text = match from {
+                    None => empty(&scene),
+                    Some(of) => gallery::beginning(&of)?,
+                };
+                self.write(&scene, &text)?;
                 return self.open(&scene);
             }
             _ => {}
@@ -153,6 +160,11 @@ impl Visit {
 
     fn open(&mut self, scene: &str) -> Result<(), String> {
         let room = self.studio.room(scene)?;
+        if let Ok(path) = self.studio.folder.file(scene) {
+            let recent = self.studio.recent.clone();
+            // Nobody waits for the disk.
+            tokio::task::spawn_blocking(move || recent.remember(&path));
+        }
         if let Some(before) = self.room.replace(room.clone()) {
             before.leave(self.window.id);
         }

@@ -1,11 +1,19 @@
 // The answer on the screen: sentence, tables, charts, the machine. It comes as bytes; charts and
 // pictures stay where only their numbers are others.
 
+import type { Verdict } from "./expect";
+import { remeasure, reshow } from "./units";
+
 export interface Answer {
   version: number;
   verdict: { sort: string; headline: string; text: string };
   coarse: boolean;
+  // The name of the scene.
+  title: string;
   warnings: string[];
+  // What is expected of the run, and how much is expected that it does not tell.
+  expect: Verdict[];
+  expect_others: number;
   tables: string;
   figures: Record<string, any>;
   // Of charts that are not in sight neither numbers nor what else differs come.
@@ -38,6 +46,7 @@ function lazily(lengths: (number | null)[], values: Float64Array): (number | nul
 function patch(parent: Element, html: string): void {
   const wanted = document.createElement("template");
   wanted.innerHTML = html;
+  reshow(wanted.content);
   if (!alike(parent, wanted.content)) parent.replaceChildren(wanted.content);
 }
 
@@ -57,6 +66,9 @@ function alike(own: Node, wanted: Node): boolean {
   return true;
 }
 
+// How long nothing is changed before the charts out of sight get their numbers too.
+const REST = 1000;
+
 // Where a chart stands among those of the answer.
 const placeOf = (chart: PlotChart): number => Number(chart.group.dataset["plot"]);
 
@@ -69,8 +81,11 @@ export class Board {
   private plots: PlotData[] = [];
   private readonly seen = new Set<Element>();
   private readonly watch: IntersectionObserver;
+  private last: [Moving, PlotSource] | null = null;
+  private rest = 0;
+  private all = false;
 
-  constructor(private readonly parts: { tables: Element; charts: Element; machine: Element }, scroller: Element, told: (sight: number[]) => void) {
+  constructor(private readonly parts: { tables: Element; charts: Element; machine: Element }, scroller: Element, private readonly told: (sight: number[]) => void) {
     this.watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.seen.add(target); else this.seen.delete(target);
@@ -78,8 +93,19 @@ export class Board {
         if (isIntersecting && chart?.stale) chart.draw();
       }
       // The numbers of what has come into sight come then.
-      told(this.made.filter((chart) => this.seen.has(chart.svg)).map(placeOf));
+      this.look();
     }, { root: scroller, rootMargin: "120px" });
+  }
+
+  private look(): void { this.told(this.made.filter((chart) => this.seen.has(chart.svg)).map(placeOf)); }
+
+  // Charts whose numbers did not come, since nobody sees them, are printed: at rest they come.
+  private follow(head: Answer): void {
+    clearTimeout(this.rest);
+    const behind = this.made.filter((chart) => !head.plots[placeOf(chart)]);
+    for (const chart of this.made) chart.svg.parentElement?.classList.toggle("behind", behind.includes(chart));
+    if (behind.length) this.rest = setTimeout(() => { this.all = true; this.told(this.made.map(placeOf)); }, REST);
+    else if (this.all) { this.all = false; this.look(); }
   }
 
   show(frame: ArrayBuffer): Answer {
@@ -99,6 +125,7 @@ export class Board {
       for (const chart of this.made) chart.stale = true;
       live.update(fresh, source, (chart) => this.seen.has(chart.svg));
     }
+    this.follow(head);
     this.move(head, source);
     if (head.tables !== this.tables) {
       this.tables = head.tables;
@@ -107,9 +134,23 @@ export class Board {
     return head;
   }
 
+  // Other units.
+  again(): void {
+    patch(this.parts.tables, this.tables);
+    live.draw();
+    remeasure(this.parts.machine);
+    if (this.last) this.playing?.update(...this.last);
+  }
+
   private move({ moving, pictures }: Answer, source: PlotSource): void {
     const { machine: place } = this.parts, choices = JSON.stringify([moving?.magnify?.choices, moving?.columns.length]);
-    if (this.playing && moving && choices === this.choices) { this.playing.update(moving, source, pictures); return; }
+    this.last = moving && [moving, source];
+    if (this.playing && moving && choices === this.choices) {
+      this.playing.update(moving, source, pictures);
+      // Other pictures, in the units that they were drawn with.
+      if (pictures !== undefined) { remeasure(place); this.playing.update(moving, source); }
+      return;
+    }
     this.playing?.stop();
     this.playing = null;
     const before = place.querySelector(".stations");
@@ -121,6 +162,7 @@ export class Board {
     figure.className = "moving";
     figure.innerHTML = `${drawn}<div class="bar controls"></div>`;
     place.appendChild(figure);
+    remeasure(place);
     this.playing = machine.player(figure, moving, source);
   }
 

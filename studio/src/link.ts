@@ -2,7 +2,7 @@
 
 export type Message = { type: string } & Record<string, any>;
 
-const KEY = "dam-studio-token";
+const KEY = "dam-studio-token", SCENE = "dam-studio-scene";
 
 // The token comes behind the # of the first address, where no server sees it, and stays in
 // this window alone.
@@ -10,9 +10,37 @@ function token(): string | null {
   const given = location.hash.slice(1);
   if (/^[0-9a-f]{64}$/.test(given)) {
     sessionStorage.setItem(KEY, given);
+    sessionStorage.removeItem(SCENE);
     history.replaceState(null, "", location.pathname);
   }
   return sessionStorage.getItem(KEY);
+}
+
+// The scene that this window shows, so that it does when it is loaded anew; empty: the first page.
+export const shownScene = {
+  get: (): string | null => sessionStorage.getItem(SCENE),
+  set: (scene: string): void => sessionStorage.setItem(SCENE, scene),
+};
+
+// What the user chose: in this browser, and with the server for others and for later ones, as
+// what a browser keeps goes with the port.
+export class Kept {
+  constructor(private readonly name: string) {}
+  private get key(): string { return `dam-studio-${this.name}`; }
+  get(): string | null { try { return localStorage.getItem(this.key); } catch { return null; } }
+  set(value: string, link: Link): void {
+    this.take(value);
+    link.send({ type: "keep", name: this.name, value });
+  }
+  // From the server, where this browser has nothing; true: it is taken.
+  offer(settings: Record<string, string>): boolean {
+    const value = settings[this.name];
+    if (value === undefined || this.get() !== null) return false;
+    this.take(value);
+    return this.get() !== null;
+  }
+  // A browser that keeps nothing has it for this page alone.
+  private take(value: string): void { try { localStorage.setItem(this.key, value); } catch { /* Nothing more can be done. */ } }
 }
 
 export class Link {

@@ -5,19 +5,29 @@ import { useEffect, useMemo, useReducer, useRef, useState } from "preact/hooks";
 import { Board, type Answer } from "./answer";
 import { Drawing } from "./drawing";
 import { Editor } from "./editor";
+import { Expectations } from "./expect";
+import { First, type From } from "./first";
 import { ObjectForm, SceneForm, type Desk } from "./form";
 import type { Outline } from "./graph";
 import { Host } from "./host";
 import type { Parts } from "./kinds";
-import { Link, type Message } from "./link";
+import { Link, shownScene, type Message } from "./link";
 import { MapView } from "./map";
 import { Models } from "./models";
 import { fields as fieldsOf, type Field, type Span } from "./numbers";
 import { Objects } from "./objects";
+import { printing } from "./print";
 import type { Guide } from "./schema";
 import { Sliders } from "./sliders";
+import { seen, Tour, type Show } from "./tour";
 import { Edits, member, find, parse, type Change, type Value } from "./tree";
+import { offered, Units } from "./units";
 import "./style.css";
+import "./first.css";
+import "./tour.css";
+import "./expect.css";
+import "./units.css";
+import "./print.css";
 
 const link = new Link();
 
@@ -54,6 +64,9 @@ function Studio() {
   const [answer, setAnswer] = useState<Answer | null>(null);
   const [stale, setStale] = useState(false);
   const [told, setTold] = useState("");
+  const [home, setHome] = useState(false), [touring, setTouring] = useState(false);
+  const atHome = useRef(false), again = useRef(false), judged = useRef<((head: Answer) => void) | null>(null), program = useRef("");
+  atHome.current = home;
   const [view, setView] = useState<View>("objects");
   const [side, setSide] = useState<"numbers" | "properties">("numbers");
   const [objects, setObjects] = useState<Outline[]>([]);
@@ -71,6 +84,7 @@ function Studio() {
     const own = editor.current = new Editor(place.current!, link, () => self.current);
     const shown = board.current = new Board({ tables: tables.current!, charts: charts.current!, machine: moving.current! }, answers.current!,
       (sight) => link.send({ type: "sight", charts: sight }));
+    printing(answers.current!);
     // Everything is drawn once a frame, however often the text and its answer change: the first
     // answer since a frame as it comes, so that the next frame has less to do.
     let changed = false, frame: ArrayBuffer | null = null, late = 0, ahead = false, owed = false;
@@ -93,11 +107,16 @@ function Studio() {
     link.on("welcome", (message) => {
       self.current = message.window;
       setFolder(message.folder);
+      program.current = message.program;
+      seen.offer(message.settings);
+      if (offered(message.settings)) { shown.again(); redraw(0); }
       void link.get("/api/scenes").then(({ scenes }) => {
         setScenes(scenes);
-        const wanted = current.current || message.scene || scenes[0];
+        // Of a connection that was lost the page stays where it is.
+        again.current = current.current !== "";
+        const wanted = current.current || (shownScene.get() ?? message.scene);
         if (wanted) link.send({ type: "open", scene: wanted });
-        else setTold("There is no scene in this folder.");
+        else setHome(true);
       });
     });
     link.on("opened", (message) => {
@@ -108,7 +127,8 @@ function Studio() {
         spans.current.clear(); shown.clear(); latest.current = null; setAnswer(null); }
       current.current = message.scene;
       setScene(message.scene);
-      document.title = `${message.scene} – dam studio`;
+      if (!again.current) enter();
+      again.current = false;
       setDraft(message.draft);
       setTold("");
       wrong.current = false;
@@ -130,7 +150,11 @@ function Studio() {
       if (models.current) setVersion(message.version);
     });
     link.on("failed", (message) => { setTold(message.message); setStale(true); });
-    link.on("error", (message) => setTold(message.message));
+    link.on("error", (message) => {
+      setTold(message.message);
+      again.current = false;
+      if (!current.current) setHome(true);
+    });
     link.answer = (given) => {
       // Of a window that nobody sees the server keeps the newest.
       if (document.hidden) { frame = given; owed = true; soon(); return; }
@@ -145,12 +169,13 @@ function Studio() {
       performance.mark("answer", { detail: head.version });
       const before = latest.current;
       latest.current = head;
+      judged.current?.(head);
       setStale(wrong.current);
       // The sentence is drawn anew where it says something else.
-      if (!before || JSON.stringify([before.verdict, before.warnings, before.coarse]) !== JSON.stringify([head.verdict, head.warnings, head.coarse])) setAnswer(head);
+      if (!before || JSON.stringify([before.verdict, before.warnings, before.coarse, before.title]) !== JSON.stringify([head.verdict, head.warnings, head.coarse, head.title])) setAnswer(head);
     };
     const keys = (event: KeyboardEvent) => {
-      if (!(event.ctrlKey || event.metaKey) || place.current!.contains(event.target as Node)) return;
+      if (atHome.current || !(event.ctrlKey || event.metaKey) || place.current!.contains(event.target as Node)) return;
       const type = ({ z: event.shiftKey ? "redo" : "undo", y: "redo", s: "save" } as Record<string, string>)[event.key.toLowerCase()];
       if (!type) return;
       event.preventDefault();
@@ -160,6 +185,14 @@ function Studio() {
     link.connect();
   }, []);
 
+  // The first page, and the scene that is open.
+  const leave = () => { setHome(true); shownScene.set(""); document.title = "dam studio"; };
+  const enter = () => { setHome(false); shownScene.set(current.current); document.title = `${current.current} – dam studio`; };
+  const show: Show = (part) => {
+    if (part === "home") { leave(); return; }
+    enter();
+    if (part === "numbers") setSide("numbers"); else if (part !== "scene") look(part);
+  };
   const act = (type: string, more = {}) => editor.current!.when(() => link.send({ type, ...more }));
   const saveAs = () => {
     const name = prompt("Name of the new file in this folder", scene.replace(/\.json$/, "-2.json"));
@@ -215,15 +248,20 @@ function Studio() {
     <div class="studio">
       <div key="top" class="top" role="toolbar" aria-label="scene">
         <strong>dam studio</strong>
+        <button type="button" aria-pressed={home} onClick={leave}>Home</button>
+        {!home && <>
         <label><span class="soft">{folder}/</span> <select aria-label="scene" value={scene} onChange={(event) => act("open", { scene: event.currentTarget.value })}>
           {scenes.concat(scene && !scenes.includes(scene) ? [scene] : []).map((one) => <option value={one}>{one}</option>)}
         </select></label>
         <span class={status.saved ? "soft" : "unsaved"} role="status">{status.saved ? "saved" : "not saved"}</span>
-        <button type="button" onClick={() => act("save")} disabled={status.saved} title="Ctrl-S">Save</button>
+        <button type="button" class="save" onClick={() => act("save")} disabled={status.saved} title="Ctrl-S">Save</button>
         <button type="button" onClick={saveAs}>Save as…</button>
-        <button type="button" onClick={fresh}>New…</button>
-        <button type="button" onClick={() => act("undo")} disabled={!status.undo} title="Ctrl-Z">Undo</button>
+        <button type="button" class="undo" onClick={() => act("undo")} disabled={!status.undo} title="Ctrl-Z">Undo</button>
         <button type="button" onClick={() => act("redo")} disabled={!status.redo} title="Ctrl-Y">Redo</button>
+        </>}
+        <button type="button" onClick={fresh}>New…</button>
+        <button type="button" onClick={() => setTouring(true)}>Tour</button>
+        <Units link={link} changed={() => { board.current?.again(); redraw(0); }} />
         {!connected && <span class="lost" role="alert">{link.known
           ? "The server is gone. What was not saved is kept as a draft: start dam studio again."
           : "This window was not opened by dam studio: run it, or open the address that --no-open prints."}</span>}
@@ -240,6 +278,7 @@ function Studio() {
         {status.disk === "gone" && <p role="alert"><b>The file is gone.</b> Save writes it anew.</p>}
         {told && <p role="alert">{told} <button type="button" onClick={() => setTold("")}>Close</button></p>}
       </div>}
+      <div key="stage" class={home ? "stage home" : "stage"}>
       <div key="panes" class={view === "drawing" ? "panes draws" : "panes"}>
         <div class={`pane-left shows-${view}`}>
           <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.map(([name, words]) =>
@@ -261,11 +300,13 @@ function Studio() {
           <div class="side">{editor.current && (side === "numbers" ? <Sliders editor={editor.current} fields={fields} spans={spans.current} /> : properties())}</div>
         </div>
         <main class={`answers${stale ? " stale" : ""}`} ref={answers} aria-label="answers">
+          <header key="print" class="print-head"><h1>{latest.current?.title || scene}</h1><p>{folder}/{scene}, dam {program.current}{status.saved ? "" : ", changes not saved"}</p></header>
           {stale && <p key="stale" class="stale-mark" role="status">{errors.length
             ? `Stale: the text has ${errors.length} ${errors.length === 1 ? "fault" : "faults"}; this is the last good answer.` : "Stale: there is no answer to this text."}</p>}
           {answer && <p key="verdict" class={`verdict ${answer.verdict.sort}`}><span class="sort">{answer.coarse ? "First look, the model is still being judged" : "Answer"}</span>
             <b>{answer.verdict.headline}</b> {answer.verdict.text}</p>}
           {answer && answer.warnings.length > 0 && <ul key="warnings" class="warnings">{answer.warnings.map((one) => <li>{one}</li>)}</ul>}
+          {scene && <Expectations key={`expectations ${scene}`} link={link} scene={scene} feed={judged} latest={latest} isAt={(one) => editor.current!.isAt(one)} edit={edit} program={program.current} />}
           <div key="beside" class="beside">
             {editor.current && <MapView key="map" editor={editor.current} link={link} fields={fields} figures={figures} spans={spans.current} scene={scene} />}
             <Host key="machine" kind="section" class="machine" label="machine moving" of={(element) => { moving.current = element; }} />
@@ -274,6 +315,10 @@ function Studio() {
           <Host key="charts" kind="section" class="charts" label="charts" of={(element) => { charts.current = element; }} />
         </main>
       </div>
+      {home && <First key="first" link={link} folder={folder} scene={scene} saved={status.saved} toured={seen.get() !== null} back={enter} tour={() => setTouring(true)}
+        open={(wanted) => act("open", { scene: wanted })} make={(name, from: From | null) => act("new", { scene: name, from })} />}
+      </div>
+      {touring && <Tour key="tour" link={link} scene={scene} home={home} show={show} end={() => setTouring(false)} />}
     </div>
   );
 }

@@ -8,9 +8,14 @@ declare const live: {
   make(root: Element, source: PlotSource, width?: number): PlotChart[];
   update(made: PlotChart[], source: PlotSource, visible?: (chart: PlotChart) => boolean): void;
   drop(made: PlotChart[]): void;
+  draw(): void;
 };
 interface Moving { magnify: { choices: number[] } | null; columns: unknown[] }
 interface Playing { update(moving: Moving, source: PlotSource, pictures?: string): void; stop(): void }
 declare const machine: { player(figure: Element, moving: Moving, source: PlotSource): Playing | null };
-declare const numbers: { withUnit(value: number, unit: string, digits: number): string };
+declare const numbers: {
+  withUnit(value: number, unit: string, digits: number): string;
+  significant(value: number, digits: number): string;
+  prefer(scales: (unit: string) => { unit: string; factor: number } | undefined): void;
+};
 declare module "*.css";

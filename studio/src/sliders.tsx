@@ -3,6 +3,7 @@
 import type { VNode } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Editor } from "./editor";
+import { choice, fieldIn } from "./units";
 import { fieldOf, shareOf, spanOf, typed, valueAt, written, type Field, type Span } from "./numbers";
 
 const STEPS = 1000;
@@ -18,7 +19,7 @@ export function Sliders({ editor, fields, spans }: Props) {
   const drawn = useRef(new Map<string, { look: string; of: VNode }>());
   const slider = (field: Field): VNode => {
     const { address, value, unit, units, si, bounds } = field, text = editor.state.sliceDoc(...field.number_at);
-    const look = JSON.stringify([text, value, unit, units, si, bounds, spans.get(address)]), before = drawn.current.get(address);
+    const look = JSON.stringify([text, value, unit, units, si, bounds, spans.get(address), choice.number]), before = drawn.current.get(address);
     if (before?.look === look) return before.of;
     const of = <Slider key={address} editor={editor} field={field} text={text} spans={spans} />;
     drawn.current.set(address, { look, of });
@@ -54,7 +55,7 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
     spans.set(address, span);
   }
   const name = address.replace(/^[^.[]+\.?/, "") || address;
-  const shownUnit = unit || si;
+  const shownUnit = unit || si, other = fieldIn(field), words = other ? `${other.text} ${other.unit}` : `${text}${shownUnit ? ` ${shownUnit}` : ""}`;
 
   const move = (share: number) => {
     const now = performance.now();
@@ -86,7 +87,7 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
     if (share < 0.02 || share > 0.98) spans.set(address, spanOf(field));
   };
   const enter = (text: string) => {
-    const own = fieldOf(editor.state, address), change = own && typed(own, text);
+    const own = fieldOf(editor.state, address), change = own && typed(own, other ? other.back(text) : unit ? text : text.replace(` ${shownUnit}`, ""));
     setWrong(!change);
     if (change) { spans.delete(address); editor.change(change, editor.drag()); }
   };
@@ -94,14 +95,14 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
     <div class="slider" data-address={address}>
       <label for={`number ${address}`} title={`${address}${field.quantity ? `: ${field.quantity}` : ""}`}>{name}</label>
       <input type="range" ref={bar} min={0} max={STEPS} step={1} value={Math.round(STEPS * shareOf(span, value))} aria-label={`${address}, slider`}
-        aria-valuetext={`${text} ${shownUnit}`}
+        aria-valuetext={words}
         onPointerDown={() => { held.current = true; raw.current = false; drag.current = editor.drag(); }}
         onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
-      <input type="text" id={`number ${address}`} value={`${text}${shownUnit ? ` ${shownUnit}` : ""}`} aria-invalid={wrong} spellcheck={false} size={12}
+      <input type="text" id={`number ${address}`} value={words} aria-invalid={wrong} spellcheck={false} size={12}
         title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}
         onFocus={(event) => event.currentTarget.select()}
-        onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value.replace(unit ? "" : ` ${shownUnit}`, "")); }}
-        onBlur={(event) => { const given = event.currentTarget.value; if (given !== `${text}${shownUnit ? ` ${shownUnit}` : ""}`) enter(unit ? given : given.replace(` ${shownUnit}`, "")); }} />
+        onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value); }}
+        onBlur={(event) => { const given = event.currentTarget.value; if (given !== words) enter(given); }} />
     </div>
   );
 }

@@ -1,7 +1,7 @@
 // A studio on a folder of its own, and the program beside it.
 
 import { execFileSync, spawn } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -25,8 +25,10 @@ export class Server {
   // A file of the project.
   read(name) { return readFileSync(join(root, name), "utf8"); }
   write(text, name) { writeFileSync(this.path(name), text); }
-  async start(port) {
-    const args = ["studio", this.folder, "--no-open", ...(port ? ["--port", String(port)] : [])];
+  // With its first scene open; with `home` the first page.
+  async start({ port, home = false } = {}) {
+    const scene = home ? undefined : readdirSync(this.folder).filter((name) => name.endsWith(".json")).sort()[0];
+    const args = ["studio", scene ? this.path(scene) : this.folder, "--no-open", ...(port ? ["--port", String(port)] : [])];
     this.child = spawn(dam, args, { env: { ...process.env, XDG_STATE_HOME: join(this.base, "state") } });
     this.address = await new Promise((found, failed) => {
       let told = "";
@@ -35,6 +37,7 @@ export class Server {
     });
     return this.address;
   }
+  remove(name) { rmSync(this.path(name)); }
   async kill() {
     const gone = new Promise((done) => this.child.once("exit", done));
     this.child.kill("SIGKILL");

@@ -105,6 +105,18 @@ pub(crate) const STEADY_FIGURES: &[(&str, Quantity)] = &[
     ("flywheel", q::INERTIA),
 ];
 
+/// Whether a figure of this name may be expected of a stop (true), of any other object (false),
+/// or of the run itself (`None`) whatever computes it.
+#[cfg(feature = "studio")]
+pub(crate) fn is_expectable(name: &str, of_stop: Option<bool>) -> bool {
+    let figures = match of_stop {
+        Some(true) => STOP_FIGURES,
+        Some(false) => OBJECT_FIGURES,
+        None => return ["time", "switches", "complete"].contains(&name),
+    };
+    figures.iter().any(|figure| figure.0 == name)
+}
+
 /// Subject of an expectation.
 #[derive(Clone)]
 enum About {

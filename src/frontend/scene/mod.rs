@@ -17,15 +17,19 @@ mod root;
 mod run;
 mod schema;
 mod steady;
+mod template;
 mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
+#[cfg(feature = "studio")]
+pub(crate) use expect::is_expectable;
 pub use folder::{Folder, read_bounded};
 pub use levels::{Elastic, Levels, in_words};
 pub use numbers::Number;
 pub use overrides::Overrides;
 pub use schema::{schema, schema_of, schema_text};
+pub(crate) use template::Template;
 pub use variation::Variation;
 
 use crate::dynamics::steady::Mean;

@@ -11,8 +11,14 @@ const numbers = (() => {
   const superscript = (n) => String(n).replace(/./g, (c) => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[+c]);
   const minus = (text) => text.replace(/-/g, "−");
 
+  // The scale in which a unit is to be shown; nothing: the one in which it reads best.
+  let preferred = () => undefined;
+  const prefer = (scales) => { preferred = scales; };
+
   // As `scale` of quantity.rs: small prefixes of a kilogram stand before the gram.
   function scaleFor(magnitude, unit) {
+    const own = preferred(unit);
+    if (own) return own;
     if (!(magnitude > 0) || !isFinite(magnitude) || !unit || unit.startsWith("1")) return { factor: 1, unit };
     let exponent = Math.floor((Math.log10(magnitude) + 1e-9) / 3) * 3;
     const first = unit.split(/[ /]/)[0], gram = first === "kg", all = TAKE_ALL.includes(first);
@@ -82,7 +88,7 @@ const numbers = (() => {
     return list;
   }
 
-  return { minus, scaleFor, significant, withUnit, ticks, shown, marksOf };
+  return { minus, prefer, scaleFor, significant, withUnit, ticks, shown, marksOf };
 })();
 
 // Words beside the pointer; none hides them.
@@ -841,5 +847,5 @@ const live = (() => {
   make(document, page);
   window.addEventListener("beforeprint", () => { printing = true; drawAll(); });
   window.addEventListener("afterprint", () => { printing = false; drawAll(); });
-  return { make, update, drop };
+  return { make, update, drop, draw: drawAll };
 })();

@@ -1,6 +1,6 @@
 //! `dam new`: a scene to begin with.
 
-use super::args::{NewArgs, Template};
+use super::args::NewArgs;
 use super::console;
 use super::failure::Failure;
 use super::status::Status;
@@ -23,16 +23,4 @@ pub(crate) fn command(args: &NewArgs) -> Result<Status, Failure> {
         .map_err(|error| Failure::Output(format!("cannot write `{shown}`: {error}")))?;
     console::talk(&format!("scene: {shown}; try `dam run {shown}`"));
     Ok(Status::Answered)
-}
-
-impl Template {
-    fn text(self) -> &'static str {
-        match self {
-            Self::Lever => include_str!("lever.json"),
-            Self::Cam => include_str!("cam.json"),
-            Self::Linkage => include_str!("linkage.json"),
-            Self::Press => include_str!("press.json"),
-            Self::Shaft => include_str!("shaft.json"),
-        }
-    }
 }

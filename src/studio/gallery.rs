@@ -1,0 +1,136 @@
+//! Scenes that are built in: the scenarios, by the questions that they answer, and the scenes
+//! to begin with.
+
+use super::messages::Beginning;
+use crate::frontend::scene::Template;
+use serde::Serialize;
+
+include!(concat!(env!("OUT_DIR"), "/scenarios.rs"));
+
+/// The tables of the scenarios: what each asks, and what those of a folder ask.
+const TABLES: &str = include_str!("../../scenarios/README.md");
+
+/// A scenario.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub(super) struct Scenario {
+    /// `rocker/two_masses`.
+    name: &'static str,
+    /// What it asks.
+    question: String,
+    /// What those of its folder ask.
+    group: &'static str,
+}
+
+/// All scenarios, those that ask the same beside each other, in the order of the tables.
+pub(super) fn scenarios() -> Vec<Scenario> {
+    let rows = || TABLES.lines().filter_map(cells);
+    let groups = rows().filter(|cells| cells.len() == 2 && cells[1].starts_with('`'));
+    let groups: Vec<(&str, Vec<&str>)> = groups.map(|row| (row[0], quoted(row[1]))).collect();
+    let group = |name: &str| {
+        let folder = name.split('/').next()?;
+        let asks = |(_, folders): &&(&str, Vec<&str>)| folders.contains(&folder);
+        groups.iter().find(asks).map(|(question, _)| *question)
+    };
+    let asked = rows().filter(|cells| cells.len() == 3 && cells[0].starts_with('`'));
+    let named = asked.flat_map(|row| {
+        let names = quoted(row[0]).into_iter();
+        names.map(move |name| (name, row[1].replace('`', "")))
+    });
+    let known = named.filter(|(name, _)| scenario(name).is_some());
+    let mut all: Vec<Scenario> = known
+        .filter_map(|(name, question)| {
+            let group = group(name)?;
+            Some(Scenario {
+                name,
+                question,
+                group,
+            })
+        })
+        .collect();
+    all.sort_by_key(|one| {
+        groups
+            .iter()
+            .position(|(question, _)| *question == one.group)
+    });
+    all
+}
+
+/// The text that a new scene begins with.
+///
+/// # Errors
+/// There is none of this name.
+pub(super) fn beginning(of: &Beginning) -> Result<String, String> {
+    let found = match of {
+        Beginning::Template(name) => {
+            let found = Template::ALL.into_iter().find(|one| one.name() == name);
+            found.map(|one| one.text().to_owned())
+        }
+        Beginning::Scenario(name) => scenario(name).map(without_schema),
+    };
+    found.ok_or_else(|| "there is no such scene to begin with".to_owned())
+}
+
+fn scenario(name: &str) -> Option<&'static str> {
+    let found = SCENARIOS.iter().find(|(own, _)| *own == name)?;
+    Some(found.1)
+}
+
+/// A scenario without the line that says where, beside it, its schema lies.
+fn without_schema(text: &str) -> String {
+    let lines = text.split_inclusive('\n');
+    lines
+        .filter(|line| !line.trim_start().starts_with("\"$schema\":"))
+        .collect()
+}
+
+/// The cells of a row of a table.
+fn cells(line: &'static str) -> Option<Vec<&'static str>> {
+    let inner = line.strip_prefix('|')?.trim_end().strip_suffix('|')?;
+    Some(inner.split('|').map(str::trim).collect())
+}
+
+/// What stands in quotes.
+fn quoted(cell: &'static str) -> Vec<&'static str> {
+    cell.split('`').skip(1).step_by(2).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SCENARIOS, beginning, scenarios};
+    use crate::frontend::scene::{BuiltIn, Document, Overrides, Template};
+    use crate::studio::messages::Beginning;
+
+    #[test]
+    fn every_scenario_stands_in_the_tables_once() {
+        let mut named: Vec<&str> = scenarios().iter().map(|one| one.name).collect();
+        named.sort_unstable();
+        let all: Vec<&str> = SCENARIOS.iter().map(|(name, _)| *name).collect();
+        assert_eq!(named, all);
+        assert!(all.len() > 60 && scenarios().iter().all(|one| one.question.len() > 10));
+        // Those of a group stand together.
+        let mut groups: Vec<&str> = scenarios().iter().map(|one| one.group).collect();
+        groups.dedup();
+        let count = groups.len();
+        groups.sort_unstable();
+        groups.dedup();
+        assert_eq!((groups.len(), count), (count, 9));
+    }
+
+    #[test]
+    fn what_a_scene_begins_with_is_right_wherever_it_lies() {
+        let templates = Template::ALL.map(|one| Beginning::Template(one.name().to_owned()));
+        let scenarios = SCENARIOS.iter();
+        let scenarios = scenarios.map(|(name, _)| Beginning::Scenario((*name).to_owned()));
+        for of in templates.into_iter().chain(scenarios) {
+            let text = beginning(&of).unwrap();
+            assert!(!text.contains("$schema"), "{of:?}");
+            let document = Document::parse("scene", text.as_bytes()).unwrap();
+            let read = document.scene(&BuiltIn, &Overrides::none());
+            assert!(read.is_ok(), "{of:?}: {}", read.unwrap_err());
+        }
+        for wrong in ["", "../lever", "rocker", "lever.json"] {
+            assert!(beginning(&Beginning::Template(wrong.to_owned())).is_err());
+            assert!(beginning(&Beginning::Scenario(wrong.to_owned())).is_err());
+        }
+    }
+}

@@ -1,0 +1,112 @@
+// Units in which figures, charts and numbers are shown, as the user chose: the text stays as it is.
+
+import { useEffect, useRef, useState } from "preact/hooks";
+import { Kept, type Link } from "./link";
+import type { Field } from "./numbers";
+
+const kept = new Kept("units");
+const TURN = 2 * Math.PI;
+
+// Of every SI unit the others, with how many of it they are.
+const CHOICES: Record<string, [string, [string, number][]]> = {
+  rad: ["angles", [["rad", 1], ["mrad", 1e-3], ["deg", TURN / 360]]],
+  m: ["lengths", [["m", 1], ["mm", 1e-3], ["µm", 1e-6]]],
+  "rad/s": ["angular speeds", [["rad/s", 1], ["rpm", TURN / 60], ["rev/s", TURN], ["deg/s", TURN / 360]]],
+  "m/s": ["speeds", [["m/s", 1], ["mm/s", 1e-3], ["m/min", 1 / 60]]],
+  "rad/s²": ["angular accelerations", [["rad/s²", 1], ["deg/s²", TURN / 360]]],
+  "m/s²": ["accelerations", [["m/s²", 1], ["mm/s²", 1e-3]]],
+  N: ["forces", [["N", 1], ["kN", 1e3], ["MN", 1e6]]],
+  "N m": ["moments", [["N m", 1], ["kN m", 1e3], ["N mm", 1e-3]]],
+  Pa: ["pressures", [["Pa", 1], ["MPa", 1e6], ["bar", 1e5]]],
+  s: ["times", [["s", 1], ["ms", 1e-3]]],
+  J: ["energies", [["J", 1], ["kJ", 1e3], ["mJ", 1e-3]]],
+};
+
+interface Shown { unit: string; factor: number }
+
+// The unit in which values of an SI unit are shown; undefined: whichever reads best.
+const chosen = new Map<string, Shown>();
+// Tells one choice from another.
+export const choice = { number: 0 };
+
+function choose(si: string, unit: string): void {
+  const found = CHOICES[si]?.[1].find(([name]) => name === unit);
+  if (found) chosen.set(si, { unit: found[0], factor: found[1] }); else chosen.delete(si);
+  choice.number++;
+  numbers.prefer((unit) => chosen.get(unit));
+}
+
+function chooseKept(): void {
+  try { for (const [si, unit] of Object.entries(JSON.parse(kept.get() ?? "{}"))) choose(si, String(unit)); } catch { /* What cannot be read was not chosen. */ }
+}
+chooseKept();
+// Those that another browser or program was given.
+export function offered(settings: Record<string, string>): boolean {
+  const taken = kept.offer(settings);
+  if (taken) chooseKept();
+  return taken;
+}
+
+// Figures in a piece of a page, each with its value and SI unit as its title.
+export function reshow(piece: DocumentFragment): void {
+  if (!chosen.size) return;
+  for (const one of piece.querySelectorAll<HTMLElement>("td span[title]")) {
+    const [, number, unit] = /^(\S+) (.+)$/.exec(one.title) ?? [], own = unit === undefined ? undefined : chosen.get(unit), name = one.querySelector(".unit");
+    if (!own || !name || !Number.isFinite(Number(number))) continue;
+    one.replaceChildren(`${numbers.significant(Number(number) / own.factor, 7)} `, name);
+    name.textContent = own.unit;
+  }
+}
+
+// Readings of what moves: places and deviations, which the player tells in the units that stand there.
+export function remeasure(place: Element): void {
+  for (const { dataset: own } of place.querySelectorAll<HTMLElement>("[data-column][data-unit]")) {
+    own["asDrawn"] ??= JSON.stringify([own["unit"], own["scale"], own["deltaUnit"], own["deltaScale"]]);
+    const drawn: string[] = JSON.parse(own["asDrawn"]), shown = chosen.get(drawn[0] === "deg" ? "rad" : "m"), scale = shown && String(1 / shown.factor);
+    [own["unit"], own["scale"], own["deltaUnit"], own["deltaScale"]] = shown ? [shown.unit, scale, shown.unit, scale] : drawn;
+  }
+}
+
+// A number of the text as it is shown; null: as it is written.
+export function fieldIn(field: Field): { text: string; unit: string; back: (typed: string) => string } | null {
+  const own = chosen.get(field.si.replace("^2", "²")), { factor } = field;
+  if (!own || factor === null || own.unit === (field.unit || field.si).replace("^2", "²")) return null;
+  const digits = (value: number) => String(Number(value.toPrecision(12)));
+  return {
+    text: String(Number((field.value * factor / own.factor).toPrecision(7))),
+    unit: own.unit,
+    // What was typed without a unit, or in this one, in the unit that the text has.
+    back: (typed) => {
+      const [, number, unit] = /^\s*([-+\d.eE]+)\s*(.*?)\s*$/.exec(typed) ?? [];
+      return number === undefined || (unit && unit !== own.unit) || !Number.isFinite(Number(number)) ? typed : digits(Number(number) * own.factor / factor);
+    },
+  };
+}
+
+export function Units({ link, changed }: { link: Link; changed: () => void }) {
+  const [open, setOpen] = useState(false), place = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (!open) return;
+    const away = (event: Event) => { if (!place.current?.contains(event.target as Node)) setOpen(false); };
+    addEventListener("pointerdown", away);
+    return () => removeEventListener("pointerdown", away);
+  }, [open]);
+  const set = (si: string, unit: string) => {
+    choose(si, unit);
+    kept.set(JSON.stringify(Object.fromEntries([...chosen].map(([si, own]) => [si, own.unit]))), link);
+    changed();
+  };
+  return (
+    <div class="units" ref={place} onKeyDown={(event) => { if (event.key === "Escape" && open) { event.preventDefault(); setOpen(false); place.current?.querySelector("button")?.focus(); } }}>
+      <button type="button" aria-expanded={open} onClick={() => setOpen(!open)}>Units</button>
+      {open && <div class="units-list" role="group" aria-label="units shown">
+        <p class="soft">Figures, charts and numbers are shown in these; the text stays as it is.</p>
+        {Object.entries(CHOICES).map(([si, [name, units]]) => <label key={si}><span>{name}</span>
+          <select aria-label={name} value={chosen.get(si)?.unit ?? ""} onChange={(event) => set(si, event.currentTarget.value)}>
+            <option value="">whichever reads best</option>
+            {units.map(([unit]) => <option key={unit} value={unit}>{unit}</option>)}
+          </select></label>)}
+      </div>}
+    </div>
+  );
+}
