@@ -250,10 +250,10 @@ fn errors_from(
         .iter()
         .map(|value| {
             let difference = (*value)? - last;
-            if difference == 0.0 {
-                Some(0.0)
-            } else {
-                (scale > 0.0).then_some(difference / scale)
+            // (Of next to nothing a share, or its percentage, may be beyond all numbers.)
+            match difference / scale {
+                _ if difference == 0.0 => Some(0.0),
+                share => (scale > 0.0 && (100.0 * share).is_finite()).then_some(share),
             }
         })
         .collect()
@@ -296,6 +296,19 @@ mod tests {
         approx::assert_relative_eq!(errors[1].unwrap(), 0.4 / 2.1, max_relative = 1e-15);
         let mut rows = comparison.table.rows.iter();
         assert!(rows.all(|row| !row.figure.starts_with("run.") || row.figure == "run.switches"));
+    }
+
+    #[test]
+    fn a_share_beyond_all_numbers_is_none() {
+        let comparison = compare("x", &labels(&["1", "1e-300", "1e-307"]), |label| {
+            let size: f64 = label.parse().unwrap();
+            Ok::<RunResult, ()>(result_with(|rocker| rocker.delta_max = size))
+        })
+        .unwrap();
+        let mut rows = comparison.table.rows.iter();
+        let row = rows.find(|row| row.figure == "rocker.delta_max").unwrap();
+        assert_eq!((row.errors[0], row.errors[2]), (None, Some(0.0)));
+        assert!(row.errors[1].is_some_and(|share| share > 9.9e6));
     }
 
     #[test]

@@ -164,7 +164,7 @@ impl Solved {
 }
 
 /// J, J′, W and D at a place, and, where the numbers ask for them, their slopes.
-#[inline]
+#[inline(always)]
 fn lanes<N: Quantity>(table: &Table, q: f64, cursor: &Cell<Cursor>) -> Option<[Lanes; 2]> {
     let place = table.locate(q, cursor)?;
     let slopes = match N::DERIVATIVES > 2 {
@@ -279,13 +279,11 @@ impl Frozen {
         let linkage = &self.linkages[index];
         let (q, rate) = (work.displacement[linkage.node], work.speed[linkage.node]);
         let cursor = &work.cursors[index];
-        let table = linkage.table.as_ref().filter(|_| extent == Extent::Needed);
-        let Some((table, known)) = table.and_then(|table| {
-            let known = lanes::<N>(table, q.value(), cursor)?;
-            Some((table, known))
-        }) else {
-            let reduction = self.linkage(index, work);
-            return [reduction.inertia, reduction.force()];
+        let Some(table) = linkage.table.as_ref().filter(|_| extent == Extent::Needed) else {
+            return self.solved_inertia_and_force(index, work);
+        };
+        let Some(known) = lanes::<N>(table, q.value(), cursor) else {
+            return self.solved_inertia_and_force(index, work);
         };
         let at = |place: f64| match place == q.value() {
             true => known,
@@ -298,6 +296,13 @@ impl Frozen {
         let (force, damping) = (lane(q, &at, 2), lane(q, &at, 3));
         let moving = damping * rate + (slope * rate * rate).scale(0.5);
         [inertia, force - moving]
+    }
+
+    /// The same where no table knows it.
+    #[cold]
+    fn solved_inertia_and_force<N: Quantity>(&self, index: usize, work: &Work<N>) -> [N; 2] {
+        let reduction = self.linkage(index, work);
+        [reduction.inertia, reduction.force()]
     }
 
     /// V″ of a linkage.

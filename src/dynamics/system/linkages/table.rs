@@ -104,7 +104,7 @@ impl Table {
 
     /// The place on a piece that belongs to an input; `None` where there is none.
     /// The cursor says which piece was found last, and is moved.
-    #[inline]
+    #[inline(always)]
     pub(super) fn locate(&self, q: f64, cursor: &Cell<Cursor>) -> Option<Place> {
         let mut found = cursor.get();
         let mut x = (q - found.centre) * self.pieces.get(found.piece)?.scale;
