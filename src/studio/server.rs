@@ -2,6 +2,7 @@
 //! windows of the user.
 
 use super::connections;
+use super::files::{self, FILE};
 use super::guard::{Nonce, guard, refused};
 use super::limits::BODY;
 use super::questions::{self, Named};
@@ -58,6 +59,9 @@ fn router(studio: Arc<Studio>) -> Router {
         .route("/api/parts", get(questions::parts))
         .route("/api/model", get(questions::model))
         .route("/api/linkages", get(questions::linkages))
+        .route("/api/questions", get(files::forms))
+        .route(FILE, get(files::file))
+        .route("/api/text", get(files::text))
         .route("/ws", get(upgrade))
         .fallback(|| async { refused(StatusCode::NOT_FOUND) })
         .layer(DefaultBodyLimit::max(BODY))

@@ -1,12 +1,17 @@
 // The answer on the screen: sentence, tables, charts, the machine. It comes as bytes; charts and
 // pictures stay where only their numbers are others.
 
+import { offer } from "./export";
+
 export interface Answer {
   version: number;
   verdict: { sort: string; headline: string; text: string };
   coarse: boolean;
   warnings: string[];
   tables: string;
+  // Names of the runs that are pinned, and of the columns of the record with their units.
+  pins: string[];
+  signals: [string, string][];
   figures: Record<string, any>;
   // Of charts that are not in sight neither numbers nor what else differs come.
   lengths: (number | null)[];
@@ -93,6 +98,7 @@ export class Board {
       this.seen.clear();
       this.parts.charts.innerHTML = head.charts;
       this.made = live.make(this.parts.charts, source);
+      offer(this.made);
       for (const chart of this.made) { this.seen.add(chart.svg); this.watch.observe(chart.svg); }
     } else {
       const fresh = this.made.filter((chart) => head.plots[placeOf(chart)]);

@@ -3,8 +3,11 @@
 import { render } from "preact";
 import { useEffect, useMemo, useReducer, useRef, useState } from "preact/hooks";
 import { Board, type Answer } from "./answer";
+import { Asking, MOTION, type Hearing } from "./asking";
+import { Beside } from "./beside";
 import { Drawing } from "./drawing";
 import { Editor } from "./editor";
+import { Exports } from "./exports";
 import { ObjectForm, SceneForm, type Desk } from "./form";
 import type { Outline } from "./graph";
 import { Host } from "./host";
@@ -61,6 +64,8 @@ function Studio() {
   const [guide, setGuide] = useState<Guide | null>(null);
   const [chosen, setChosen] = useState<string[]>([]);
   const [version, setVersion] = useState(0);
+  const [tab, setTab] = useState<string>(MOTION), [opened, setOpened] = useState(0);
+  const hearing = useRef<Hearing>({ checked: () => {} });
   // What is told of versions matters where the model is looked at.
   const newest = useRef(0), models = useRef(false);
   models.current = view === "model" || view === "equations" || view === "drawing";
@@ -113,6 +118,7 @@ function Studio() {
       setTold("");
       wrong.current = false;
       own.open(message);
+      setOpened((count) => count + 1);
       void own.guide().then(setGuide, () => {});
     });
     link.on("status", (message) => {
@@ -127,6 +133,7 @@ function Studio() {
       // While a number moves nothing of it is another.
       if (message.objects) setObjects((before) => JSON.stringify(before) === JSON.stringify(message.objects) ? before : message.objects);
       newest.current = message.version;
+      hearing.current.checked(message.version);
       if (models.current) setVersion(message.version);
     });
     link.on("failed", (message) => { setTold(message.message); setStale(true); });
@@ -147,7 +154,8 @@ function Studio() {
       latest.current = head;
       setStale(wrong.current);
       // The sentence is drawn anew where it says something else.
-      if (!before || JSON.stringify([before.verdict, before.warnings, before.coarse]) !== JSON.stringify([head.verdict, head.warnings, head.coarse])) setAnswer(head);
+      const seen = (one: Answer) => JSON.stringify([one.verdict, one.warnings, one.coarse, one.pins, one.signals]);
+      if (!before || seen(before) !== seen(head)) setAnswer(head);
     };
     const keys = (event: KeyboardEvent) => {
       if (!(event.ctrlKey || event.metaKey) || place.current!.contains(event.target as Node)) return;
@@ -224,6 +232,7 @@ function Studio() {
         <button type="button" onClick={fresh}>New…</button>
         <button type="button" onClick={() => act("undo")} disabled={!status.undo} title="Ctrl-Z">Undo</button>
         <button type="button" onClick={() => act("redo")} disabled={!status.redo} title="Ctrl-Y">Redo</button>
+        <Exports link={link} scene={scene} stale={stale} tell={setTold} />
         {!connected && <span class="lost" role="alert">{link.known
           ? "The server is gone. What was not saved is kept as a draft: start dam studio again."
           : "This window was not opened by dam studio: run it, or open the address that --no-open prints."}</span>}
@@ -260,12 +269,14 @@ function Studio() {
           </div>
           <div class="side">{editor.current && (side === "numbers" ? <Sliders editor={editor.current} fields={fields} spans={spans.current} /> : properties())}</div>
         </div>
-        <main class={`answers${stale ? " stale" : ""}`} ref={answers} aria-label="answers">
+        <main class={`answers${stale ? " stale" : ""}${tab === MOTION ? "" : " asks"}`} ref={answers} aria-label="answers">
+          <Asking key="asking" link={link} scene={scene} tab={tab} choose={setTab} hearing={hearing.current} opened={opened} faulty={wrong.current} />
           {stale && <p key="stale" class="stale-mark" role="status">{errors.length
             ? `Stale: the text has ${errors.length} ${errors.length === 1 ? "fault" : "faults"}; this is the last good answer.` : "Stale: there is no answer to this text."}</p>}
           {answer && <p key="verdict" class={`verdict ${answer.verdict.sort}`}><span class="sort">{answer.coarse ? "First look, the model is still being judged" : "Answer"}</span>
             <b>{answer.verdict.headline}</b> {answer.verdict.text}</p>}
           {answer && answer.warnings.length > 0 && <ul key="warnings" class="warnings">{answer.warnings.map((one) => <li>{one}</li>)}</ul>}
+          {answer && <Beside key="pins" link={link} answer={answer} opened={opened} stale={stale} />}
           <div key="beside" class="beside">
             {editor.current && <MapView key="map" editor={editor.current} link={link} fields={fields} figures={figures} spans={spans.current} scene={scene} />}
             <Host key="machine" kind="section" class="machine" label="machine moving" of={(element) => { moving.current = element; }} />

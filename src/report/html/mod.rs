@@ -51,7 +51,8 @@ pub(in crate::report) fn header(title: &str, subtitle: &str, verdict: Option<&Ve
     )
 }
 
-fn verdict_banner(verdict: &Verdict) -> String {
+/// The answer in a sentence.
+pub(in crate::report) fn verdict_banner(verdict: &Verdict) -> String {
     let (class, sort) = match verdict.sort {
         Sort::Good => ("good", "Mechanism"),
         Sort::Mechanism => ("mechanism", "Mechanism"),
