@@ -64,7 +64,7 @@ pub fn findings<'a>(
             items: enough,
         },
         Section::new("Runs").table(verdicts(comparison)),
-        Section::default().drawing(|_| mechanism(diagram)),
+        Section::default().drawing(|plots| mechanism(diagram, plots)),
     ];
     // Drives move alike in every run as a rule: they come last.
     let mut boxes: Vec<_> = diagram.boxes.iter().collect();

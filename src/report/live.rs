@@ -12,6 +12,7 @@ use super::mechanism;
 use super::plot::{Axis, Plot, Plots, Series, page, palette};
 use super::quantity::with_unit;
 use super::show::{equations, masses, masses::Frequencies};
+use super::svg::graph;
 use super::verdict::{Verdict, verdict};
 use super::{accuracy, cam};
 use crate::dynamics::model::Model;
@@ -41,6 +42,7 @@ pub(crate) fn style() -> String {
         STYLE,
         mechanism::STYLE,
         cam::style(),
+        graph::STYLE,
     ]
     .concat()
 }

@@ -27,8 +27,27 @@ pub(super) struct Inquirer {
     shelf: Shelf,
     /// Raised where memory ran out.
     exhausted: Arc<AtomicBool>,
-    /// What windows were told last: of which scene, and of which question.
-    known: BTreeMap<u64, (String, Question)>,
+    /// What windows were told last.
+    known: BTreeMap<u64, Known>,
+}
+
+/// What a window was told.
+#[derive(Debug)]
+struct Known {
+    /// Of which scene; `None`: of a text that was none.
+    hash: Option<String>,
+    question: Question,
+    version: u64,
+    found: Value,
+}
+
+/// What was found of a version, as a message.
+fn message(version: u64, question: &Question, found: &Value) -> String {
+    let mut told = found.clone();
+    told["type"] = json!("question");
+    told["version"] = json!(version);
+    told["question"] = json!({ "command": question.command, "options": question.options });
+    told.to_string()
 }
 
 /// How often progress is told.
@@ -48,7 +67,7 @@ impl Inquirer {
         }
     }
 
-    /// Answers all of them; those that were answered of the same scene are left.
+    /// Answers all of them; what was found of the same scene is told again.
     pub(super) fn work(&mut self, name: &str, inquiry: &Inquiry, stop: &AtomicBool) {
         let Inquiry {
             version,
@@ -57,17 +76,16 @@ impl Inquirer {
         } = inquiry;
         self.known
             .retain(|id, _| asked.iter().any(|(window, _)| window.id == *id));
+        let hash = self.hash(name, text);
         for (window, question) in asked {
-            let key = self.hash(name, text).map(|hash| (hash, question.clone()));
-            let told = |mut message: Value| {
-                message["type"] = json!("question");
-                message["version"] = json!(version);
-                message["question"] =
-                    json!({ "command": question.command, "options": question.options });
-                message.to_string()
-            };
-            if key.is_some() && self.known.get(&window.id) == key.as_ref() {
-                window.question(told(json!({ "same": true })).into());
+            let known = self.known.get_mut(&window.id);
+            let known = known.filter(|known| known.hash == hash && known.question == *question);
+            if let Some(known) = known.filter(|_| hash.is_some()) {
+                // It was told of this version, and may be on its way still.
+                if known.version != *version {
+                    known.version = *version;
+                    window.question(message(*version, question, &known.found).into());
+                }
                 continue;
             }
             self.known.remove(&window.id);
@@ -77,22 +95,28 @@ impl Inquirer {
                 // Something newer has come.
                 return;
             }
-            let refused = |words: &str| told(json!({ "refused": words }));
-            let message = match found {
+            let refused = |words: &str| json!({ "refused": words });
+            let found = match found {
                 _ if large => refused("it took too much memory and was ended"),
                 Err(words) => refused(&words),
-                Ok(found) => {
-                    let message = told(found);
-                    match message.len() > ANSWER {
-                        true => refused("the answer is too large to be shown: ask for less of it"),
-                        false => message,
-                    }
-                }
+                Ok(found) => found,
             };
-            window.question(message.into());
-            if let Some(key) = key {
-                self.known.insert(window.id, key);
+            let told = message(*version, question, &found);
+            if told.len() > ANSWER {
+                let words = "the answer is too large to be shown: ask for less of it";
+                window.question(message(*version, question, &refused(words)).into());
+                continue;
             }
+            window.question(told.into());
+            self.known.insert(
+                window.id,
+                Known {
+                    hash: hash.clone(),
+                    question: question.clone(),
+                    version: *version,
+                    found,
+                },
+            );
         }
     }
 

@@ -129,12 +129,13 @@ fn a_question_is_answered_anew_as_the_text_changes_and_no_longer_than_it_is_aske
     };
     let first = told(0);
     assert_eq!(first["question"]["command"], "methods");
-    assert!(first["html"].as_str().unwrap().contains("exact"));
+    assert!(first["html"].is_string(), "{}", first["refused"]);
     opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
-    assert!(told(1)["html"].is_string());
-    // The same scene in other words is not worked out anew.
+    let second = told(1);
+    assert_ne!(second["html"], first["html"]);
+    // The same scene in other words is not worked out anew: times would be others.
     opened.replace(1, "\"inertia\": 0.13", "\"inertia\":  0.13", None);
-    assert_eq!(told(2)["same"], true);
+    assert_eq!(told(2)["html"], second["html"]);
     let wrong = Question {
         command: "studio".to_owned(),
         ..asked

@@ -112,7 +112,6 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
       setProgress(null);
       setWaiting(false);
       answered.current = message.version;
-      if (message.same) return;
       setRefused(message.refused ?? "");
       if (message.refused === undefined) draw(message, now.command);
     });

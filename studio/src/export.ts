@@ -31,7 +31,7 @@ export function csvOf(charts: PlotChart[]): string {
         heads.push(headed(data.x.name || "x", data.x.unit));
         columns.push(xs);
       }
-      const name = [data.title || data.y.name, series.label].filter(Boolean).join(", ");
+      const name = [data.title || data.y.name, series.label].filter(Boolean).join(": ");
       heads.push(headed(name, data.y.unit));
       columns.push(ys);
     }

@@ -84,7 +84,9 @@ for (const [name, scene, command, options] of [
   await opened(page, scene);
   await tab(page, name);
   const { share, shown } = await same(page, scene, command, ...options);
-  console.log(command, shown.length, share);
+  // The others are counted from them: degrees, differences, shares.
+  expect(shown.length).toBeGreaterThan(10);
+  expect(share).toBeGreaterThan(0.7);
   await expect(page.locator(".found svg.dam-plot")).not.toHaveCount(0);
 });
 

@@ -5,7 +5,7 @@ pub mod runs;
 
 use crate::report::diagram::Diagram;
 use crate::report::mechanism;
-use crate::report::plot::{page::SCRIPT, palette};
+use crate::report::plot::{Plots, page::SCRIPT, palette};
 use crate::report::quantity::{escape, raised, scale, significant};
 use crate::report::svg::graph;
 use crate::report::verdict::{Sort, Verdict};
@@ -83,12 +83,12 @@ pub(in crate::report) fn warnings(warnings: &[String]) -> String {
 }
 
 /// The section with the object graph.
-pub(in crate::report) fn mechanism(diagram: &Diagram) -> String {
+pub(in crate::report) fn mechanism(diagram: &Diagram, plots: &Plots) -> String {
     format!(
         "<h2>Mechanism</h2>\n<div class=\"graph scroll\">\n{}</div>\n\
          <p class=\"soft\">Solid arrows carry the motion φ, φ̇ to what is driven; dashed ones \
          bring the force Ω back to the driver.</p>\n",
-        graph::svg(diagram, true)
+        graph::linked(diagram, plots)
     )
 }
 
