@@ -54,6 +54,8 @@ pub(crate) struct LiveRun {
     pub(crate) verdict: Verdict,
     /// The tables of figures.
     pub(crate) tables: String,
+    /// The figures beside those of pinned runs.
+    pub(crate) compared: String,
     /// The charts, with the numbers that they show.
     pub(crate) charts: Charts,
     /// What moves, for the player; null: nothing does.
@@ -122,7 +124,7 @@ pub(crate) fn run(
     let compared = compared
         .iter()
         .map(|section| section.html(&mut charts.plots));
-    let tables = compared.collect::<String>() + &tables;
+    let compared = compared.collect();
     let (moving, moves, pictures) = match moving {
         // Plain numbers, strings and lists: writing them cannot fail.
         Some(moving) => (
@@ -135,6 +137,7 @@ pub(crate) fn run(
     LiveRun {
         verdict: verdict(figures),
         tables,
+        compared,
         charts,
         moving,
         moves,

@@ -233,6 +233,7 @@ impl Ran {
             "coarse": self.coarse,
             "warnings": warnings,
             "tables": shown.tables,
+            "compared": shown.compared,
             "figures": result.figures.objects,
             "moving": shown.moving,
             "signals": live::signals(&result.record),

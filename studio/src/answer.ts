@@ -9,6 +9,8 @@ export interface Answer {
   coarse: boolean;
   warnings: string[];
   tables: string;
+  // The figures beside those of pinned runs.
+  compared: string;
   // Names of the runs that are pinned, and of the columns of the record with their units.
   pins: string[];
   signals: [string, string][];
@@ -70,12 +72,13 @@ export class Board {
   private playing: Playing | null = null;
   private choices = "";
   private tables = "";
+  private compared = "";
   // The charts as they were last told of.
   private plots: PlotData[] = [];
   private readonly seen = new Set<Element>();
   private readonly watch: IntersectionObserver;
 
-  constructor(private readonly parts: { tables: Element; charts: Element; machine: Element }, scroller: Element, told: (sight: number[]) => void) {
+  constructor(private readonly parts: { tables: Element; compared: Element; charts: Element; machine: Element }, scroller: Element, told: (sight: number[]) => void) {
     this.watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.seen.add(target); else this.seen.delete(target);
@@ -110,6 +113,10 @@ export class Board {
       this.tables = head.tables;
       patch(this.parts.tables, head.tables);
     }
+    if (head.compared !== this.compared) {
+      this.compared = head.compared;
+      patch(this.parts.compared, head.compared);
+    }
     return head;
   }
 
@@ -137,7 +144,7 @@ export class Board {
     this.playing = null;
     this.made = [];
     this.plots = [];
-    this.tables = "";
+    this.tables = this.compared = "";
     for (const part of Object.values(this.parts)) part.replaceChildren();
   }
 }

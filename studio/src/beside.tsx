@@ -24,6 +24,7 @@ export function Beside({ link, answer: { pins, signals }, opened, stale }: Props
         <input type="text" size={12} value={name} aria-label={`name of pinned run ${pin + 1}`} onChange={(event) => link.send({ type: "rename", pin, name: event.currentTarget.value })} />
         <button type="button" class="drop" aria-label={`unpin ${name}`} title="unpin" onClick={() => link.send({ type: "unpin", pin })}>×</button>
       </span>)}
+      {pins.length > 0 && <button type="button" onClick={() => document.querySelector(".compared")?.scrollIntoView({ block: "start" })}>Figures beside each other</button>}
       <span class="space" />
       {choice("Chart of", up, ["", ...names], (y) => over(along, y))}
       {choice("over", along, names, (x) => over(x, up))}

@@ -42,7 +42,7 @@ function figuresOf(objects: Record<string, any>): string[] {
 
 function Studio() {
   const place = useRef<HTMLElement>(null!), answers = useRef<HTMLElement>(null);
-  const [tables, charts, moving] = [useRef<HTMLElement>(null!), useRef<HTMLElement>(null!), useRef<HTMLElement>(null!)];
+  const [tables, charts, moving, compared] = [useRef<HTMLElement>(null!), useRef<HTMLElement>(null!), useRef<HTMLElement>(null!), useRef<HTMLElement>(null!)];
   const editor = useRef<Editor | null>(null), board = useRef<Board | null>(null);
   const self = useRef("0"), spans = useRef(new Map<string, Span>());
   const [, redraw] = useReducer((count: number) => count + 1, 0);
@@ -74,7 +74,7 @@ function Studio() {
 
   useEffect(() => {
     const own = editor.current = new Editor(place.current!, link, () => self.current);
-    const shown = board.current = new Board({ tables: tables.current!, charts: charts.current!, machine: moving.current! }, answers.current!,
+    const shown = board.current = new Board({ tables: tables.current!, compared: compared.current!, charts: charts.current!, machine: moving.current! }, answers.current!,
       (sight) => link.send({ type: "sight", charts: sight }));
     // Everything is drawn once a frame, however often the text and its answer change: the first
     // answer since a frame as it comes, so that the next frame has less to do.
@@ -283,6 +283,7 @@ function Studio() {
           </div>
           <Host key="figures" kind="section" class="figures" label="figures" of={(element) => { tables.current = element; }} />
           <Host key="charts" kind="section" class="charts" label="charts" of={(element) => { charts.current = element; }} />
+          <Host key="compared" kind="section" class="compared" label="figures beside pinned runs" of={(element) => { compared.current = element; }} />
         </main>
       </div>
     </div>

@@ -53,7 +53,7 @@ test("a pinned run stays in the charts and beside the figures", async ({ page })
   const now = both.columns[both.head.findIndex((name) => name.includes("now"))].filter(Boolean);
   expect(now).not.toEqual(alone.columns[1]);
   // Figures side by side: the pinned one to the last digit, with the difference.
-  const row = page.locator(".figures tr", { hasText: "greatest |δ|" }).first();
+  const row = page.locator(".compared tr", { hasText: "greatest |δ|" }).first();
   const titles = await row.locator("td span[title]").evaluateAll((all) => all.map((one) => one.title.split(" ")[0]));
   expect(titles[1]).toBe(first);
   expect(Number(titles[0])).toBe(server.run(await textOf(page)).objects.rocker.delta_abs);

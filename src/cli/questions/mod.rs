@@ -113,6 +113,7 @@ impl<'a> Window<'a> {
     fn ask(&self, question: &Question) -> Result<(), String> {
         let arguments = arguments(question)?;
         let cli = Cli::try_parse_from(arguments).map_err(|wrong| plain(&wrong))?;
+        modest(&cli.command)?;
         let done = match &cli.command {
             Command::Run(args) => run::command(args, self),
             Command::Law(args) => law::command(args, self),
@@ -169,6 +170,31 @@ impl Asker for Window<'_> {
         }
         Ok(())
     }
+}
+
+/// Positions, and values of a list, that are asked for here at most: nothing ends these studies on
+/// their way.
+const POSITIONS: u32 = 10_000;
+const VALUES: usize = 20;
+
+/// Refuses what would take the memory and the time of all.
+fn modest(command: &Command) -> Result<(), String> {
+    let (positions, values) = match command {
+        Command::Kinematics(args) => (args.positions, 0),
+        Command::Forces(args) => (args.positions, args.compare_massless.len()),
+        _ => return Ok(()),
+    };
+    if positions > POSITIONS {
+        return Err(format!(
+            "--positions {positions}: at most {POSITIONS} are taken here; the command line takes more"
+        ));
+    }
+    if values > VALUES {
+        return Err(format!(
+            "--compare-massless: {values} values; at most {VALUES} are taken here"
+        ));
+    }
+    Ok(())
 }
 
 /// A catalogue that belongs to somebody else.
