@@ -184,15 +184,18 @@ pub(crate) fn model(system: &System) -> [String; 2] {
 /// The figures of runs side by side, those of the present one first; differences are from the one
 /// that was pinned first.
 fn compared<'a>(figures: &Figures, beside: &Beside<'_>) -> Vec<Section<'a>> {
-    if beside.pins.is_empty() {
+    let Some((first, _)) = beside.pins.first() else {
         return Vec::new();
-    }
+    };
     let pinned = beside.pins.iter().rev();
     let pinned = pinned.map(|&(name, result)| (name, &result.figures));
     let runs: Vec<(&str, &Figures)> = std::iter::once((NOW, figures)).chain(pinned).collect();
     let table = Table::of("pinned runs", &runs);
+    let words = format!("In per cent: by how much each figure differs from that of “{first}”.");
+    let head = Section::new("Beside pinned runs").words(words);
     let ids = figures.objects.keys().map(String::as_str);
     let sections = ids.chain(["run"]).map(|id| compare::figures(&table, id));
+    let sections = std::iter::once(head).chain(sections);
     sections.filter(|section| !section.is_empty()).collect()
 }
 

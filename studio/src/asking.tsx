@@ -36,7 +36,8 @@ const lacks = (question: Question, values: Values): string[] =>
   question.fields.filter(({ name, required }) => required && !values[name]?.some((value) => value !== "")).map(({ name }) => name);
 
 export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Props) {
-  const [questions, setQuestions] = useState<Question[]>([]);
+  // The questions, and the scene that they were asked of.
+  const [forms, setForms] = useState<{ of: string; questions: Question[] }>({ of: "", questions: [] });
   const [part, setPart] = useState<Record<string, string>>({});
   const [values, setValues] = useState<Record<string, Values>>({});
   const [told, setTold] = useState("");
@@ -47,6 +48,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const [waiting, setWaiting] = useState(false);
   const place = useRef<HTMLElement>(null!), shown = useRef("");
   const made = useRef<PlotChart[]>([]), players = useRef<Playing[]>([]);
+  const { questions } = forms;
   const names = [...new Set(questions.map((one) => one.tab))];
   const own = questions.filter((one) => one.tab === tab);
   const fitting = own.filter((one) => !one.why);
@@ -55,7 +57,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const needs = chosen ? lacks(chosen, given) : [];
   const options = Object.fromEntries(Object.entries(given).filter(([, list]) => list.length));
   const open = tab !== MOTION;
-  const question = !open || !chosen || chosen.why || needs.length ? null : JSON.stringify({ command: chosen.command, options });
+  const question = !open || forms.of !== scene || !chosen || chosen.why || needs.length ? null : JSON.stringify({ command: chosen.command, options });
 
   const clear = () => {
     live.drop(made.current);
@@ -67,8 +69,11 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
     setSubtitle(""); setFiles([]);
   };
 
-  const wanted = useRef(question), answered = useRef(-1);
+  const wanted = useRef(question), answered = useRef(-1), newest = useRef(-1);
   wanted.current = question;
+
+  // What was chosen for one scene is nothing of another.
+  useEffect(() => { setValues({}); setPart({}); answered.current = newest.current = -1; }, [scene]);
 
   // ---- which questions fit: asked anew some time after the text was another
   useEffect(() => {
@@ -81,10 +86,11 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
         const text = JSON.stringify(found.questions);
         if (gone || text === asked || (asked && !found.fits)) return;
         asked = text;
-        setQuestions(found.questions);
+        setForms({ of: scene, questions: found.questions });
       } catch { /* the top bar tells that the server is gone */ }
     };
     hearing.checked = (version) => {
+      newest.current = version;
       if (wanted.current !== null && version > answered.current) setWaiting(true);
       clearTimeout(late);
       late = setTimeout(ask, 300);
@@ -110,8 +116,8 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
       // An answer to what was asked before.
       if (!now || (of && JSON.stringify(sorted(of)) !== JSON.stringify(sorted(now)))) return;
       setProgress(null);
-      setWaiting(false);
       answered.current = message.version;
+      if (message.version >= newest.current) setWaiting(false);
       setRefused(message.refused ?? "");
       if (message.refused === undefined) draw(message, now.command);
     });
