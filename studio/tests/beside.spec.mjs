@@ -1,9 +1,11 @@
 // Runs that are pinned, a signal over another, and what is exported.
 
 import { expect, test } from "@playwright/test";
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { deltaOf, opened as openedAt, slider, textOf, watched } from "./page.mjs";
-import { Server } from "./server.mjs";
+import { Server, dam } from "./server.mjs";
 
 let server, wrong;
 test.beforeEach(async ({ page }) => {
@@ -122,8 +124,22 @@ test("charts, the report and the scene are saved as files", async ({ page }) => 
   };
   expect(await saved("Export scene")).toBe(server.text());
   const report = await saved("Export report");
-  expect(report).toContain("<!DOCTYPE html>");
-  expect(report).toContain(`${figures.delta_abs} rad`);
+  // The page is that of the command, byte for byte.
+  const out = join(server.base, "out");
+  // A pair that opens ends the command with status 1.
+  try { execFileSync(dam, ["run", server.path(), "--out", out, "--quiet"], { stdio: "ignore" }); } catch { /* told by its files */ }
+  expect(report).toBe(readFileSync(join(out, "report.html"), "utf8"));
   const record = table(await saved("Export record"));
   expect(record.columns[0].length).toBeGreaterThan(100);
+});
+
+test("a map is saved with what is told of every cell", async ({ page }) => {
+  await opened(page);
+  await page.getByRole("button", { name: "Map over two numbers" }).click();
+  await expect(page.locator(".map-view")).toContainText("400 points", { timeout: 60_000 });
+  const csv = await text(exported(page, page.locator(".map-place .chart"), "CSV"));
+  const [head, ...rows] = csv.trimEnd().split("\n");
+  expect(head).toMatch(/^[^,]+ from[^,]*,[^,]+ to[^,]*,[^,]+ from[^,]*,[^,]+ to[^,]*,told/);
+  expect(rows).toHaveLength(400);
+  expect(rows[0]).toMatch(/rad/);
 });
