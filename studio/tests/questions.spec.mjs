@@ -83,7 +83,11 @@ for (const [name, scene, command, options] of [
 ]) test(`${command}: the tab shows what the command tells, to the last digit`, async ({ page }) => {
   await opened(page, scene);
   await tab(page, name);
-  const { share, shown } = await same(page, scene, command, ...options);
+  const { json, share, shown } = await same(page, scene, command, ...options);
+  // The document is that of `--json`, all numbers of it.
+  const download = page.waitForEvent("download");
+  await asking(page).getByRole("button", { name: `${command.split(" ")[0]}.json` }).click();
+  expect(JSON.parse(readFileSync(await (await download).path(), "utf8"))).toEqual(json);
   // The others are counted from them: degrees, differences, shares.
   expect(shown.length).toBeGreaterThan(10);
   expect(share).toBeGreaterThan(0.7);
