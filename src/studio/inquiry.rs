@@ -38,16 +38,15 @@ struct Known {
     hash: Option<String>,
     question: Question,
     version: u64,
-    found: Value,
+    /// As it was written.
+    found: String,
 }
 
-/// What was found of a version, as a message.
-fn message(version: u64, question: &Question, found: &Value) -> String {
-    let mut told = found.clone();
-    told["type"] = json!("question");
-    told["version"] = json!(version);
-    told["question"] = json!({ "command": question.command, "options": question.options });
-    told.to_string()
+/// What was found of a version, as a message; `found`: members of a JSON object, written.
+fn message(version: u64, question: &Question, found: &str) -> String {
+    let asked = json!({ "command": question.command, "options": question.options });
+    let members = found.trim_start_matches('{');
+    format!("{{\"type\":\"question\",\"version\":{version},\"question\":{asked},{members}")
 }
 
 /// How often progress is told.
@@ -95,11 +94,11 @@ impl Inquirer {
                 // Something newer has come.
                 return;
             }
-            let refused = |words: &str| json!({ "refused": words });
+            let refused = |words: &str| json!({ "refused": words }).to_string();
             let found = match found {
                 _ if large => refused("it took too much memory and was ended"),
                 Err(words) => refused(&words),
-                Ok(found) => found,
+                Ok(found) => found.to_string(),
             };
             let told = message(*version, question, &found);
             if told.len() > ANSWER {
