@@ -117,6 +117,18 @@ impl Answer<'_> {
         Ok(())
     }
 
+    /// Names of the files.
+    #[cfg(feature = "studio")]
+    pub(crate) fn names(&self) -> Vec<&str> {
+        self.files.iter().map(|(name, _)| name.as_str()).collect()
+    }
+
+    /// Content of the file of a name, where there is one.
+    pub(crate) fn file(&self, name: &str) -> Result<Option<String>, Failure> {
+        let file = self.files.iter().find(|(known, _)| known == name);
+        file.map(|(_, content)| self.content(content)).transpose()
+    }
+
     fn content(&self, content: &Content<'_>) -> Result<String, Failure> {
         match content {
             Content::Document => self.document.text(),
@@ -130,11 +142,7 @@ impl Answer<'_> {
             Shown::Json => console::json_text(&self.document.text()?),
             Shown::Text => console::findings(self.findings),
             Shown::Made(content) => console::data(&content),
-            Shown::File(name) => {
-                let file = self.files.iter().find(|(known, _)| known == name);
-                let content = file.map(|(_, content)| self.content(content));
-                console::data(&content.transpose()?.unwrap_or_default())
-            }
+            Shown::File(name) => console::data(&self.file(name)?.unwrap_or_default()),
         }
     }
 }

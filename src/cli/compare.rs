@@ -2,6 +2,7 @@
 
 use super::answer::{Answer, Content, Document, PAGE, Shown, Warned};
 use super::args::CompareArgs;
+use super::asker::Terminal;
 use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::interrupt;
@@ -50,8 +51,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         let Some(ready) = next.next() else {
             return Err(Failure::Other("fewer systems than values".to_owned()));
         };
-        let budget = interrupt::budget();
-        let found = run_with_progress(ready, &ready.settings, budget, args.scene.quiet);
+        let found = run_with_progress((ready, &Terminal), &ready.settings, args.scene.quiet);
         keeping.get_or_insert_with(interrupt::keep);
         found
     })?;
@@ -92,7 +92,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
 
 /// The limits of all figures, where the order of a model is compared: its masses or modes.
 fn limits_of(
-    input: &Input,
+    input: &Input<'_>,
     over: &ValueList,
     comparison: &Comparison,
 ) -> Result<Option<Limits>, Failure> {
@@ -157,7 +157,7 @@ fn parse_over(over: &str) -> Result<ValueList, Failure> {
     }
 }
 
-fn prepare_all(input: &Input, over: &ValueList) -> Result<Vec<Ready>, Failure> {
+fn prepare_all(input: &Input<'_>, over: &ValueList) -> Result<Vec<Ready>, Failure> {
     over.settings()
         .map(|setting| input.prepare(&[setting]))
         .collect()

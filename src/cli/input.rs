@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::interrupt;
 use crate::ask::Judging;
+use crate::budget::Budget;
 use crate::cli::args::scene::SceneArgs;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::{
@@ -13,14 +14,29 @@ use std::fs;
 pub(crate) use crate::Mechanism as Ready;
 
 /// A scene's text with everything that its decoding needs.
-#[derive(Debug)]
-pub(crate) struct Input {
+pub(crate) struct Input<'a> {
     document: Document,
-    folder: Folder,
+    folder: Box<dyn Catalogue + Sync + 'a>,
     overrides: Overrides,
+    budget: Budget<'a>,
 }
 
-impl Input {
+impl<'a> Input<'a> {
+    /// A text that is no file, with what it may copy from and the time that there is for it.
+    #[cfg(feature = "studio")]
+    pub(crate) fn of_text(
+        (name, text): (&str, &str),
+        folder: impl Catalogue + Sync + 'a,
+        budget: Budget<'a>,
+    ) -> Result<Self, Failure> {
+        Ok(Self {
+            document: Document::parse(name, text.as_bytes())?,
+            folder: Box::new(folder),
+            overrides: Overrides::none(),
+            budget,
+        })
+    }
+
     /// Reads and parses the scene: a file, or standard input for `-`.
     pub(crate) fn load(args: &SceneArgs) -> Result<Self, Failure> {
         let (shown, read) = match args.scene.as_os_str() == STANDARD_INPUT {
@@ -36,8 +52,9 @@ impl Input {
         let bytes = read.map_err(|error| format!("cannot read the scene `{shown}`: {error}"))?;
         Ok(Self {
             document: Document::parse(&shown, &bytes)?,
-            folder: Folder::beside(&args.scene),
+            folder: Box::new(Folder::beside(&args.scene)),
             overrides: Overrides::new(args.set.clone()),
+            budget: *interrupt::budget(),
         })
     }
 
@@ -53,8 +70,8 @@ impl Input {
 
     /// Catalogue in which `from` looks: the folder beside the scene, then what is built
     /// in.
-    pub(crate) fn catalogue(&self) -> Layered<'_, dyn Catalogue + Sync, dyn Catalogue + Sync> {
-        Layered(&self.folder, &BuiltIn)
+    pub(crate) fn catalogue(&self) -> Layered<'_, dyn Catalogue + Sync + 'a, dyn Catalogue + Sync> {
+        Layered(&*self.folder, &BuiltIn)
     }
 
     /// Decodes the scene with further overrides.
@@ -76,7 +93,7 @@ impl Input {
         judging: Judging,
     ) -> Result<Ready, Failure> {
         let reading = self.decode(further)?;
-        Ok(Ready::of_within(reading, judging, interrupt::budget())?)
+        Ok(Ready::of_within(reading, judging, &self.budget)?)
     }
 }
 

@@ -40,11 +40,6 @@ pub(crate) fn keep() -> Keeping {
     Keeping(())
 }
 
-/// Says so for all that is left of the command: a motion, once there is one, is told.
-pub(crate) fn keep_for_good() {
-    std::mem::forget(keep());
-}
-
 impl Drop for Keeping {
     fn drop(&mut self) {
         *keepers() -= 1;

@@ -4,6 +4,7 @@
 mod accuracy;
 mod answer;
 mod args;
+mod asker;
 mod cam;
 mod check;
 mod compare;
@@ -22,6 +23,8 @@ mod methods;
 mod new;
 mod output;
 mod progress;
+#[cfg(feature = "studio")]
+pub(crate) mod questions;
 mod reduce;
 mod run;
 mod show;
@@ -30,6 +33,7 @@ mod steady;
 mod studio;
 
 use args::{Cli, Command};
+use asker::Terminal;
 use clap::Parser;
 use failure::Failure;
 use status::Status;
@@ -62,7 +66,7 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
 
 fn run(command: &Command) -> Result<Status, Failure> {
     match command {
-        Command::Run(args) => run::command(args),
+        Command::Run(args) => run::command(args, &Terminal),
         Command::Check(args) => check::command(args),
         Command::Schema(args) => check::print_schema(args),
         Command::New(args) => new::command(args),
@@ -70,14 +74,14 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Manual(args) => manual::page(args),
         Command::Show(args) => show::command(args),
         Command::Compare(args) => compare::command(args),
-        Command::Reduce(args) => reduce::command(args),
-        Command::Law(args) => law::command(args),
-        Command::Cam(args) => cam::command(args),
+        Command::Reduce(args) => reduce::command(args, &Terminal),
+        Command::Law(args) => law::command(args, &Terminal),
+        Command::Cam(args) => cam::command(args, &Terminal),
         Command::Map(args) => map::command(args),
-        Command::Methods(args) => methods::command(args),
-        Command::Kinematics(args) => kinematics::command(args),
-        Command::Steady(args) => steady::command(args),
-        Command::Forces(args) => forces::command(args),
+        Command::Methods(args) => methods::command(args, &Terminal),
+        Command::Kinematics(args) => kinematics::command(args, &Terminal),
+        Command::Steady(args) => steady::command(args, &Terminal),
+        Command::Forces(args) => forces::command(args, &Terminal),
         Command::Studio(args) => studio::command(args),
     }
 }

@@ -1,6 +1,6 @@
 //! A progress bar for runs longer than a second, on a terminal only.
 
-use super::interrupt;
+use super::asker::Asker;
 use crate::dynamics::integrate::{Modes, Sink, SwitchEvent};
 use crate::frontend::diagnostics::printable;
 use crate::math::polynomial::Step;
@@ -14,8 +14,7 @@ pub(crate) const PATIENCE: Duration = Duration::from_secs(1);
 const STRIDE: u32 = 256;
 
 /// Listens to a run and draws how far it is.
-#[derive(Debug)]
-pub(crate) struct Progress {
+pub(crate) struct Progress<'a> {
     bar: Option<ProgressBar>,
     label: String,
     duration: f64,
@@ -23,12 +22,13 @@ pub(crate) struct Progress {
     until_look: u32,
     switches: u64,
     keeping: bool,
+    asker: &'a dyn Asker,
 }
 
-impl Progress {
+impl<'a> Progress<'a> {
     /// A bar for a run of `duration` seconds; silent when `quiet` or when
     /// standard error is no terminal.
-    pub(crate) fn new(label: &str, duration: f64, quiet: bool) -> Self {
+    pub(crate) fn new(label: &str, duration: f64, quiet: bool, asker: &'a dyn Asker) -> Self {
         let visible = !quiet && std::io::stderr().is_terminal();
         Self {
             bar: visible.then(ProgressBar::hidden),
@@ -38,6 +38,7 @@ impl Progress {
             until_look: STRIDE,
             switches: 0,
             keeping: false,
+            asker,
         }
     }
 
@@ -74,11 +75,11 @@ fn style() -> ProgressStyle {
         .unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
-impl Sink for Progress {
+impl Sink for Progress<'_> {
     fn start(&mut self, _time: f64, _y: &[f64], _modes: &Modes) {
         // From here on there is a motion to keep, to be told when the run is over too.
         if !self.keeping {
-            interrupt::keep_for_good();
+            std::mem::forget(self.asker.keep());
             self.keeping = true;
         }
     }

@@ -3,9 +3,9 @@
 use super::accuracy;
 use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::ReduceArgs;
+use super::asker::Asker;
 use super::console;
 use super::failure::Failure;
-use super::input::Input;
 use super::interrupt;
 use super::output::OutputFolder;
 use super::status::Status;
@@ -18,8 +18,8 @@ use crate::studies::reduce::reduce;
 const FILES: [&str; 3] = ["reduced.json", "reduction.json", PAGE];
 
 /// Runs the command.
-pub(crate) fn command(args: &ReduceArgs) -> Result<Status, Failure> {
-    let input = Input::load(&args.scene)?;
+pub(crate) fn command(args: &ReduceArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    let input = asker.input(&args.scene)?;
     let accuracy = accuracy::setting(&args.accuracy, &args.figure)?;
     let ready = input.prepare_judging(&accuracy, Judging::Never)?;
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
@@ -32,9 +32,9 @@ pub(crate) fn command(args: &ReduceArgs) -> Result<Status, Failure> {
     let settings = ready.settings.clone();
     let mut keeping = None;
     let mut keep = || {
-        keeping.get_or_insert_with(interrupt::keep);
+        keeping.get_or_insert_with(|| asker.keep());
     };
-    let (document, budget) = (input.document(), interrupt::budget());
+    let (document, budget) = (input.document(), asker.budget());
     let found = reduce(document, ready.reading, &settings, budget, &mut keep)?;
     let reduced = || format!("{}\n", found.document.text());
     let source = Source::scene(found.document.text(), &hash);
@@ -49,10 +49,8 @@ pub(crate) fn command(args: &ReduceArgs) -> Result<Status, Failure> {
         ],
         quiet,
     };
-    answer.deliver(
-        folder.as_ref(),
-        Shown::json_or(args.scene.json, Shown::Text),
-    )?;
+    let shown = Shown::json_or(args.scene.json, Shown::Text);
+    asker.deliver(&answer, folder.as_ref(), shown)?;
     Ok(match (found.complete, found.holds()) {
         (true, true) => Status::Answered,
         (true, false) => Status::NotTrusted,

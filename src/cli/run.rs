@@ -2,10 +2,10 @@
 
 use super::answer::{Answer, Content, Document as Written, PAGE, Shown};
 use super::args::{Columns, RunArgs};
+use super::asker::Asker;
 use super::console;
 use super::failure::Failure;
-use super::input::{Input, Ready};
-use super::interrupt;
+use super::input::Ready;
 use super::output::OutputFolder;
 use super::progress::Progress;
 use super::status::Status;
@@ -25,7 +25,7 @@ use crate::studies::limit::without_limit;
 use crate::studies::order::Certificate;
 use crate::studies::run::{RunResult, run};
 use crate::studies::spread::{Spread, spread};
-use crate::studies::{Control, RunSettings, plausible};
+use crate::studies::{RunSettings, plausible};
 use serde::Serialize;
 use serde_json::Value;
 use std::time::Instant;
@@ -66,8 +66,8 @@ impl<'a> Certified<'a> {
 }
 
 /// Runs the command.
-pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
-    let input = Input::load(&args.scene)?;
+pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    let input = asker.input(&args.scene)?;
     let accuracy = super::accuracy::setting(&args.accuracy, &[])?;
     let mut ready = input.prepare_judging(&accuracy, Judging::Asked)?;
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
@@ -81,18 +81,19 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
             console::talk(&format!("warning: {warning}"));
         }
     }
-    let control = interrupt::budget();
+    let control = asker.budget();
     let begun = Instant::now();
     let mut settings = ready.settings.clone();
     if let Some(columns) = args.record {
         settings.masses = columns == Columns::All;
     }
-    settings.closeups = folder.is_some();
-    if folder.is_none() && !plausible::looks_at_samples(ready.system.model()) {
+    let files = folder.is_some() || asker.wants_files();
+    settings.closeups = files;
+    if !files && !plausible::looks_at_samples(ready.system.model()) {
         // The record goes into files only.
         settings.samples = 0;
     }
-    let mut result = run_with_progress(&ready, &settings, control, quiet)?;
+    let mut result = run_with_progress((&ready, asker), &settings, quiet)?;
     warn_of_no_limit(&ready, &mut result.figures);
     let seconds = begun.elapsed().as_secs_f64();
     let spread = if args.spread {
@@ -134,9 +135,9 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         let timing = serde_json::json!({ "dam": 1, "scene": ready.scene().name, "run_s": seconds });
         format!("{timing:#}\n")
     };
-    let record = match folder {
-        Some(_) => record_csv(&result.record)?,
-        None => String::new(),
+    let record = match files {
+        true => record_csv(&result.record)?,
+        false => String::new(),
     };
     let contents = [
         Content::Document,
@@ -152,10 +153,8 @@ pub(crate) fn command(args: &RunArgs) -> Result<Status, Failure> {
         // Warnings are told in their time.
         quiet: true,
     };
-    answer.deliver(
-        folder.as_ref(),
-        Shown::json_or(args.scene.json, Shown::Text),
-    )?;
+    let shown = Shown::json_or(args.scene.json, Shown::Text);
+    asker.deliver(&answer, folder.as_ref(), shown)?;
     if !quiet {
         talk(&ready, &result, &verdicts, seconds);
         if let Some(folder) = &folder {
@@ -184,14 +183,13 @@ pub(crate) fn doubts(ready: &Ready) -> Option<Value> {
 
 /// A run with a progress bar.
 pub(crate) fn run_with_progress(
-    ready: &Ready,
+    (ready, asker): (&Ready, &dyn Asker),
     settings: &RunSettings,
-    control: &Control<'_>,
     quiet: bool,
 ) -> Result<RunResult, Failure> {
-    let mut progress = Progress::new(&ready.scene().name, settings.duration, quiet);
+    let mut progress = Progress::new(&ready.scene().name, settings.duration, quiet, asker);
     let mut sinks: [&mut dyn Sink; 1] = [&mut progress];
-    let result = run(&ready.system, settings, control, &mut sinks);
+    let result = run(&ready.system, settings, asker.budget(), &mut sinks);
     progress.finish();
     result.map_err(|faults| ready.reading.places.diagnose(&faults).into())
 }

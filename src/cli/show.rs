@@ -29,7 +29,7 @@ pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
     }
     let out = match args.form {
         Form::Dot => graph::dot(&Diagram::of(model)),
-        Form::Svg => svg(&Diagram::of(model), false),
+        Form::Svg => svg(&Diagram::of(model)),
         Form::Latex => latex(&equations(model)),
         Form::Text => in_words(args.view, &ready),
     };

@@ -9,7 +9,7 @@ use crate::report::plot::Plot;
 use crate::report::quantity::{significant, with_unit};
 use crate::report::run::units;
 use crate::report::verdict::{Sort, Verdict, verdict};
-use crate::studies::compare::{ComparedRun, Comparison, TableRow};
+use crate::studies::compare::{ComparedRun, Comparison, Table as Compared, TableRow};
 use crate::units::shown;
 
 /// Figures of an object in the words of a page.
@@ -64,7 +64,7 @@ pub fn findings<'a>(
             items: enough,
         },
         Section::new("Runs").table(verdicts(comparison)),
-        Section::default().drawing(|_| mechanism(diagram)),
+        Section::default().drawing(|plots| mechanism(diagram, plots)),
     ];
     // Drives move alike in every run as a rule: they come last.
     let mut boxes: Vec<_> = diagram.boxes.iter().collect();
@@ -75,9 +75,9 @@ pub fn findings<'a>(
             Section::default()
                 .drawing(move |plots| runs::section(plots, &series(comparison), &id, &kind)),
         );
-        sections.push(figures(comparison, &one.id));
+        sections.push(figures(&comparison.table, &one.id));
     }
-    sections.push(figures(comparison, "run"));
+    sections.push(figures(&comparison.table, "run"));
     sections.retain(|section| !section.is_empty());
     Findings {
         title: scene.to_owned(),
@@ -174,8 +174,7 @@ fn verdicts(comparison: &Comparison) -> Table {
 }
 
 /// Figures of an object, one column a run, each with its error.
-fn figures<'a>(comparison: &Comparison, id: &str) -> Section<'a> {
-    let table = &comparison.table;
+pub(in crate::report) fn figures<'a>(table: &Compared, id: &str) -> Section<'a> {
     let own = |row: &TableRow| {
         let name = row.figure.strip_prefix(id)?.strip_prefix('.')?;
         // A row of zeros says nothing.
@@ -187,7 +186,7 @@ fn figures<'a>(comparison: &Comparison, id: &str) -> Section<'a> {
     let limit = limit.into_iter().take(2 * usize::from(table.against_limit));
     let heads: Vec<String> = values.chain(limit).collect();
     let heads = heads.iter().map(String::as_str);
-    let heading = format!("Figures of {id} over {}", comparison.over);
+    let heading = format!("Figures of {id} over {}", table.over);
     let rows = table.rows.iter().filter_map(own);
     Section::new(heading).table(Table::new(std::iter::once("figure").chain(heads)).rows(rows))
 }

@@ -1,24 +1,29 @@
 //! What the studio shows of a run and of a map: the tables, charts and drawings of the pages,
 //! taken apart so that what moves is sent alone.
 
+use super::compare;
 use super::diagram::Diagram;
-use super::html::STYLE;
+use super::findings::{Findings, Layout, Section, WIDE};
 use super::html::runs::{RunSeries, Shown};
+use super::html::{STYLE, verdict_banner, warnings};
 use super::machine::Machine;
 use super::map::picture;
 use super::mechanism;
-use super::plot::{Plots, page, palette};
+use super::plot::{Axis, Plot, Plots, Series, page, palette};
 use super::quantity::with_unit;
 use super::show::{equations, masses, masses::Frequencies};
+use super::svg::graph;
 use super::verdict::{Verdict, verdict};
 use super::{accuracy, cam};
 use crate::dynamics::model::Model;
-use crate::dynamics::record::{Figures, Record};
+use crate::dynamics::record::{Column, Figures, Record};
 use crate::dynamics::system::{Regime, System};
 use crate::kinematics::cam::DiscCam;
+use crate::studies::compare::Table;
 use crate::studies::map::{MapResult, Study};
 use crate::studies::order::Certificate;
-use serde_json::Value;
+use crate::studies::run::RunResult;
+use serde_json::{Value, json};
 
 /// The scripts of charts and of what moves.
 pub(crate) const PLOT_SCRIPT: &str = page::SCRIPT;
@@ -26,6 +31,8 @@ pub(crate) const PLAYER_SCRIPT: &str = super::html::PLAYER;
 
 /// Number of the first chart of a map: those of a run have the ones before.
 const OF_MAP: usize = 10_000;
+/// Number of the first chart of what a question found.
+const OF_QUESTION: usize = 20_000;
 
 /// The style of charts, tables and drawings, with all colours.
 pub(crate) fn style() -> String {
@@ -35,6 +42,7 @@ pub(crate) fn style() -> String {
         STYLE,
         mechanism::STYLE,
         cam::style(),
+        graph::STYLE,
     ]
     .concat()
 }
@@ -46,6 +54,8 @@ pub(crate) struct LiveRun {
     pub(crate) verdict: Verdict,
     /// The tables of figures.
     pub(crate) tables: String,
+    /// The figures beside those of pinned runs.
+    pub(crate) compared: String,
     /// The charts, with the numbers that they show.
     pub(crate) charts: Charts,
     /// What moves, for the player; null: nothing does.
@@ -67,30 +77,54 @@ pub(crate) struct Charts {
     pub(crate) plots: Plots,
 }
 
+/// What is shown beside a run.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Beside<'a> {
+    /// Earlier runs, by names.
+    pub(crate) pins: Vec<(&'a str, &'a RunResult)>,
+    /// A signal over another: horizontal and vertical axis, as columns of the record by name.
+    pub(crate) over: Option<&'a [String; 2]>,
+}
+
+/// Name of the present run among others.
+const NOW: &str = "now";
+
 /// A run with its charts; those drawn `before` are taken where they differ in numbers alone.
 pub(crate) fn run(
     model: &Model,
     cams: &[(String, DiscCam)],
-    figures: &Figures,
-    record: &Record,
+    (figures, record): (&Figures, &Record),
+    beside: &Beside<'_>,
     before: &Charts,
 ) -> LiveRun {
     let merged = record.merged();
-    let series = [RunSeries {
-        label: String::new(),
-        record: &merged,
-    }];
+    let label = if beside.pins.is_empty() { "" } else { NOW };
+    let pinned = beside.pins.iter();
+    let pinned = pinned.map(|&(name, result)| (name, &result.record));
+    let series: Vec<RunSeries<'_>> = std::iter::once((label, &merged))
+        .chain(pinned)
+        .map(|(label, record)| RunSeries {
+            label: label.to_owned(),
+            record,
+        })
+        .collect();
+    let over = beside.over.and_then(|signals| over(&series, signals));
     let boxes = Diagram::of(model).boxes;
     let shown = boxes.iter().filter_map(|one| {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
         Shown::of(&series, &one.id, &kind)
     });
-    let mut charts = charts(&shown.collect::<Vec<_>>(), before);
+    let mut charts = charts(&shown.collect::<Vec<_>>(), over, before);
     let machine = Machine { model, cams };
     let moving = machine.moving(figures, &merged, &mut charts.plots);
     let tables = super::run::objects(figures, merged.times.len());
     let tables = tables.iter().map(|section| section.html(&mut charts.plots));
     let tables: String = tables.collect();
+    let compared = compared(figures, beside);
+    let compared = compared
+        .iter()
+        .map(|section| section.html(&mut charts.plots));
+    let compared = compared.collect();
     let (moving, moves, pictures) = match moving {
         // Plain numbers, strings and lists: writing them cannot fail.
         Some(moving) => (
@@ -103,6 +137,7 @@ pub(crate) fn run(
     LiveRun {
         verdict: verdict(figures),
         tables,
+        compared,
         charts,
         moving,
         moves,
@@ -146,10 +181,88 @@ pub(crate) fn model(system: &System) -> [String; 2] {
     ]
 }
 
-fn charts(shown: &[Shown], before: &Charts) -> Charts {
+/// The figures of runs side by side, those of the present one first; differences are from the one
+/// that was pinned first.
+fn compared<'a>(figures: &Figures, beside: &Beside<'_>) -> Vec<Section<'a>> {
+    let Some((first, _)) = beside.pins.first() else {
+        return Vec::new();
+    };
+    let pinned = beside.pins.iter().rev();
+    let pinned = pinned.map(|&(name, result)| (name, &result.figures));
+    let runs: Vec<(&str, &Figures)> = std::iter::once((NOW, figures)).chain(pinned).collect();
+    let table = Table::of("pinned runs", &runs);
+    let words = format!("In per cent: by how much each figure differs from that of “{first}”.");
+    let head = Section::new("Beside pinned runs").words(words);
+    let ids = figures.objects.keys().map(String::as_str);
+    let sections = ids.chain(["run"]).map(|id| compare::figures(&table, id));
+    let sections = std::iter::once(head).chain(sections);
+    sections.filter(|section| !section.is_empty()).collect()
+}
+
+/// The names of the columns of a record, each with its unit.
+pub(crate) fn signals(record: &Record) -> Vec<[String; 2]> {
+    let columns = record.columns.iter();
+    let columns = columns.map(|one| [named(one), one.unit.to_owned()]);
+    std::iter::once([TIME.to_owned(), "s".to_owned()])
+        .chain(columns)
+        .collect()
+}
+
+/// Stands for the instants of a record among its columns.
+const TIME: &str = "t";
+
+fn named(column: &Column) -> String {
+    format!("{}.{}", column.object, column.quantity.name())
+}
+
+/// A signal over another, a curve a run; `None` where no run has both.
+fn over(runs: &[RunSeries<'_>], [x, y]: &[String; 2]) -> Option<Plot> {
+    let signal = |record: &'_ Record, name: &str| match name {
+        TIME => Some((record.times.clone(), "s")),
+        name => {
+            let column = record.columns.iter().find(|one| named(one) == name)?;
+            Some((column.values.clone(), column.unit))
+        }
+    };
+    let mut units = None;
+    let mut series = Vec::new();
+    for (index, run) in runs.iter().enumerate() {
+        let found = signal(run.record, x).zip(signal(run.record, y));
+        let Some(((xs, x_unit), (ys, y_unit))) = found else {
+            continue;
+        };
+        units.get_or_insert((x_unit, y_unit));
+        series.push(Series {
+            style: Some(index),
+            ..Series::line(&run.label, xs.into_iter().zip(ys).collect())
+        });
+    }
+    let (x_unit, y_unit) = units?;
+    Some(Plot {
+        id: "over".to_owned(),
+        title: format!("{y} over {x}"),
+        x: Axis::new(x, x_unit),
+        y: Axis::of(y_unit),
+        series,
+        start: x != TIME,
+        ..Plot::default()
+    })
+}
+
+/// Height of the chart of a signal over another (pixels), and its link.
+const OVER: (f64, &str) = (420.0, "over");
+
+fn charts(shown: &[Shown], over: Option<Plot>, before: &Charts) -> Charts {
     let mut plots = Plots::live(0);
-    let likeness: String = shown.iter().map(Shown::likeness).collect();
+    let first = over.iter().map(|plot| {
+        let labels: Vec<&str> = plot.series.iter().map(|one| one.label.as_str()).collect();
+        format!("{} {labels:?}", plot.title)
+    });
+    let likeness: String = first.chain(shown.iter().map(Shown::likeness)).collect();
     if likeness == before.likeness {
+        if let Some(plot) = &over {
+            plots.again(plot, [WIDE, OVER.0], OVER.1);
+        }
         for one in shown {
             for chart in &one.charts {
                 plots.again(chart, one.size(), &one.link());
@@ -161,8 +274,14 @@ fn charts(shown: &[Shown], before: &Charts) -> Charts {
             plots,
         };
     }
+    let first = over.map(|plot| {
+        Section::new("One signal over another")
+            .charts(Layout::Wide(OVER.0), OVER.1, vec![plot])
+            .html(&mut plots)
+    });
+    let html = shown.iter().map(|one| one.html(&mut plots));
     Charts {
-        html: shown.iter().map(|one| one.html(&mut plots)).collect(),
+        html: first.into_iter().chain(html.collect::<Vec<_>>()).collect(),
         likeness,
         plots,
     }
@@ -195,7 +314,28 @@ pub(crate) fn map(study: &Study<'_>, result: &MapResult) -> (String, Plots, Vec<
 
 /// The charts of a map by their number.
 pub(crate) fn described_map(plots: &Plots) -> Value {
+    described(plots, OF_MAP)
+}
+
+fn described(plots: &Plots, first: usize) -> Value {
     let all = plots.parts().1.iter().enumerate();
-    let all = all.map(|(index, plot)| ((OF_MAP + index).to_string(), plot.clone()));
+    let all = all.map(|(index, plot)| ((first + index).to_string(), plot.clone()));
     Value::Object(all.collect())
+}
+
+/// What a study found, as the studio shows it: sentence, warnings, sections, and the charts with
+/// their numbers.
+pub(crate) fn findings(found: &Findings<'_>) -> Value {
+    let mut plots = Plots::live(OF_QUESTION);
+    let sections = found.sections.iter();
+    let sections = sections.filter(|section| !section.is_empty());
+    let html: String = sections.map(|section| section.html(&mut plots)).collect();
+    json!({
+        "subtitle": found.subtitle,
+        "answer": found.answer.as_ref().map(verdict_banner),
+        "warnings": warnings(&found.warnings),
+        "html": html,
+        "plots": described(&plots, OF_QUESTION),
+        "columns": plots.parts().0,
+    })
 }

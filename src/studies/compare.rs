@@ -2,6 +2,7 @@
 
 use super::order::Limits;
 use super::run::RunResult;
+use crate::dynamics::record::Figures;
 use crate::units::shown;
 use serde::Serialize;
 
@@ -93,7 +94,7 @@ pub fn compare<E>(
             break;
         }
     }
-    let table = Table::of(over, &runs);
+    let table = Table::of(over, &labelled(&runs));
     Ok(Comparison {
         over: over.to_owned(),
         runs,
@@ -113,7 +114,8 @@ impl Comparison {
                 continue;
             };
             if let Some(limit) = found.value {
-                row.errors = errors_from(limit, &row.figure, &row.values, &self.runs);
+                let last = self.runs.last().map(|run| &run.result.figures);
+                row.errors = errors_from(limit, &row.figure, &row.values, last);
             }
             row.limit = Some(found.clone());
         }
@@ -184,12 +186,13 @@ impl Comparison {
 }
 
 impl Table {
-    /// The figures of every object, and the number of switches.
-    fn of(over: &str, runs: &[ComparedRun]) -> Self {
+    /// The figures of every object, and the number of switches, of runs under their labels.
+    pub fn of(over: &str, runs: &[(&str, &Figures)]) -> Self {
         let found: Vec<_> = runs
             .iter()
-            .map(|run| run.result.figures.addresses())
+            .map(|(_, figures)| figures.addresses())
             .collect();
+        let last = runs.last().map(|(_, figures)| *figures);
         let mut figures: Vec<&String> = found.iter().flat_map(|values| values.keys()).collect();
         figures.sort();
         figures.dedup();
@@ -201,10 +204,10 @@ impl Table {
                     .iter()
                     .map(|values| values.get(figure).copied().flatten())
                     .collect();
-                let units = runs.iter().map(|run| run.result.figures.unit(figure));
+                let units = runs.iter().map(|(_, figures)| figures.unit(figure));
                 TableRow {
                     unit: units.max().unwrap_or_default(),
-                    errors: errors(figure, &values, runs),
+                    errors: errors(figure, &values, last),
                     figure: figure.clone(),
                     values,
                     limit: None,
@@ -213,7 +216,7 @@ impl Table {
             .collect();
         Self {
             over: over.to_owned(),
-            labels: runs.iter().map(|run| run.label.clone()).collect(),
+            labels: runs.iter().map(|(label, _)| (*label).to_owned()).collect(),
             against_limit: false,
             rows,
         }
@@ -225,9 +228,15 @@ fn is_compared(figure: &str) -> bool {
     figure == "run.switches" || !(of_run || figure.contains(".switch_times."))
 }
 
-fn errors(figure: &str, values: &[Option<f64>], runs: &[ComparedRun]) -> Vec<Option<f64>> {
+fn labelled(runs: &[ComparedRun]) -> Vec<(&str, &Figures)> {
+    let all = runs.iter();
+    all.map(|run| (run.label.as_str(), &run.result.figures))
+        .collect()
+}
+
+fn errors(figure: &str, values: &[Option<f64>], run: Option<&Figures>) -> Vec<Option<f64>> {
     match values.last() {
-        Some(&Some(last)) => errors_from(last, figure, values, runs),
+        Some(&Some(last)) => errors_from(last, figure, values, run),
         _ => vec![None; values.len()],
     }
 }
@@ -236,13 +245,13 @@ fn errors_from(
     last: f64,
     figure: &str,
     values: &[Option<f64>],
-    runs: &[ComparedRun],
+    run: Option<&Figures>,
 ) -> Vec<Option<f64>> {
-    let Some(last_run) = runs.last() else {
+    let Some(last_run) = run else {
         return vec![None; values.len()];
     };
     let scale = if figure.contains(".final.") {
-        last_run.result.figures.scale(figure)
+        last_run.scale(figure)
     } else {
         last.abs()
     };

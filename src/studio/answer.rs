@@ -3,6 +3,7 @@
 
 use super::limits::{MASSES, ROWS, RUN, SAMPLES};
 use super::units::Counter;
+use super::view::View;
 use crate::ask::{Judging, Mechanism};
 use crate::budget::Budget;
 use crate::dynamics::integrate::Stop;
@@ -20,6 +21,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 /// What is known of a text before it is run.
@@ -145,8 +147,7 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
         reading: Reading,
         judging: Judging,
         stop: &AtomicBool,
-        before: &Charts,
-    ) -> Result<Option<(Answer, Charts)>, Diagnostics> {
+    ) -> Result<Option<Ran>, Diagnostics> {
         let budget = Budget::interrupted_by(stop).within(RUN);
         let wrong = |error: crate::Error| error.into_diagnostics();
         let mut mechanism = Mechanism::of_within(reading, judging, &budget).map_err(wrong)?;
@@ -170,19 +171,36 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
             return Ok(None);
         }
         let coarse = matches!(judging, Judging::Never) && is_judged(mechanism.scene());
-        Ok(Some(self.answer(&mechanism, &result, before, coarse)))
+        Ok(Some(Ran {
+            version: self.version,
+            mechanism,
+            result: Arc::new(result),
+            coarse,
+        }))
     }
+}
 
-    fn answer(
-        &self,
-        mechanism: &Mechanism,
-        result: &RunResult,
-        before: &Charts,
-        coarse: bool,
-    ) -> (Answer, Charts) {
+/// The run of a version.
+#[derive(Debug)]
+pub(super) struct Ran {
+    version: u64,
+    mechanism: Mechanism,
+    pub(super) result: Arc<RunResult>,
+    /// The model is still to be judged.
+    coarse: bool,
+}
+
+impl Ran {
+    /// The answer as a window sees it; charts `before` are taken where they differ in numbers
+    /// alone.
+    pub(super) fn answer(&self, view: &View, before: &Charts) -> (Answer, Charts) {
+        let Self {
+            mechanism, result, ..
+        } = self;
         let model = mechanism.model();
         let cams = disc_cams(mechanism.scene(), model);
-        let shown = live::run(model, &cams, &result.figures, &result.record, before);
+        let found = (&result.figures, &result.record);
+        let shown = live::run(model, &cams, found, &view.beside(), before);
         let mut warnings = mechanism.warnings();
         let found = result.figures.warnings.iter();
         let new: Vec<String> = found
@@ -226,14 +244,17 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
                 "headline": verdict.headline,
                 "text": verdict.text,
             },
-            "coarse": coarse,
+            "coarse": self.coarse,
             "title": mechanism.scene().name,
             "warnings": warnings,
             "expect": verdicts,
             "expect_others": others,
             "tables": shown.tables,
+            "compared": shown.compared,
             "figures": result.figures.objects,
             "moving": shown.moving,
+            "signals": live::signals(&result.record),
+            "pins": view.names(),
         });
         let answer = Answer {
             head: head.to_string(),

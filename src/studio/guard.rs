@@ -1,7 +1,8 @@
 //! Who is let in: requests to exactly the address served, from its own pages, with the token
 //! where anything is told or changed.
 
-use super::limits::REQUEST;
+use super::files::FILE;
+use super::limits::{REQUEST, RUN};
 use super::served::Studio;
 use super::token::random;
 use axum::body::Body;
@@ -30,7 +31,12 @@ pub(super) async fn guard(
         Err(status) => refused(status),
         Ok(()) => {
             request.extensions_mut().insert(Nonce(nonce.clone()));
-            match tokio::time::timeout(REQUEST, next.run(request)).await {
+            // Files wait for their runs, and for each other.
+            let time = match request.uri().path() {
+                FILE => 3 * RUN,
+                _ => REQUEST,
+            };
+            match tokio::time::timeout(time, next.run(request)).await {
                 Ok(response) => response,
                 Err(_) => refused(StatusCode::REQUEST_TIMEOUT),
             }

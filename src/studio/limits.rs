@@ -16,6 +16,11 @@ pub(super) const CONNECTIONS: usize = 128;
 pub(super) const WINDOWS: usize = 32;
 /// Documents at a time.
 pub(super) const ROOMS: usize = 32;
+/// Runs that a window may pin, and characters of their names.
+pub(super) const PINS: usize = 3;
+pub(super) const NAME: usize = 40;
+/// Largest answer to a question that is sent, and largest file that is made of one (bytes).
+pub(super) const ANSWER: usize = 32 << 20;
 /// Messages that may wait for a window before it is given up.
 pub(super) const WAITING: usize = 4096;
 /// How long a run may last.

@@ -1,5 +1,6 @@
 //! What windows say.
 
+use super::commands::Question;
 use crate::studies::axis::Axis;
 use serde::Deserialize;
 use serde_json::Value;
@@ -63,10 +64,39 @@ pub(super) enum Said {
         /// The question.
         question: Option<Asked>,
     },
+    /// Asks a question that follows the text; without one it ends.
+    Question {
+        /// The question.
+        question: Option<Question>,
+    },
+    /// Keeps the present run beside those that come.
+    Pin {
+        /// Its name.
+        name: String,
+    },
+    /// Lets a pinned run go.
+    Unpin {
+        /// Its number.
+        pin: usize,
+    },
+    /// Gives a pinned run another name.
+    Rename {
+        /// Its number.
+        pin: usize,
+        /// The name.
+        name: String,
+    },
+    /// Asks for a chart of a signal over another; without them it goes.
+    Over {
+        /// The columns of the record along and up the chart.
+        signals: Option<[String; 2]>,
+    },
     /// An answer was taken up, and will be on the screen in the next frame: another may come.
     Shown,
     /// A map stands on the screen.
     MapShown,
+    /// The answer to a question does.
+    QuestionShown,
     /// The charts in sight, by their places among those of the answer: of others no numbers come.
     Sight {
         /// Their places.

@@ -7,8 +7,10 @@
 //! * `first`, `recent`, `gallery`: the first page: what was opened last, what is built in;
 //!   `settings`: what the user chose for all windows;
 //! * `text`: a scene's text with its edits; `room`: the text that all windows on a file share,
-//!   with its answers; `window`: what one of them is sent; `socket`: what it says;
-//! * `work`, `answer`: from a text to its answer, newest first; `chart`: the live map.
+//!   with its answers; `window`: what one of them is sent, `view`: what it has
+//!   pinned; `socket`: what it says;
+//! * `work`, `answer`: from a text to its answer, newest first; `chart`: the live map; `inquiry`:
+//!   what `commands` of the program answer, `files`: what they write.
 //!
 //! The server is the authority: windows send edits of a version of the text, and get those of
 //! the others. Everything that they show follows from the text.
@@ -16,14 +18,17 @@
 mod answer;
 mod atomic;
 mod chart;
+pub(crate) mod commands;
 mod connections;
 mod disk;
 mod drafts;
+mod files;
 mod first;
 mod folder;
 mod gallery;
 mod guard;
 mod history;
+mod inquiry;
 mod launch;
 mod limits;
 mod messages;
@@ -42,9 +47,11 @@ mod state;
 mod text;
 mod token;
 mod units;
+mod view;
 mod window;
 mod work;
 
+use commands::Commands;
 use folder::Folder;
 use served::Studio;
 use std::path::PathBuf;
@@ -61,11 +68,16 @@ pub struct Options {
     pub open: bool,
 }
 
-/// Serves until the program ends; `tell` is given what the user is to know.
+/// Serves until the program ends; `commands` answer what is asked besides the run, `tell` is
+/// given what the user is to know.
 ///
 /// # Errors
 /// There is no such scene or folder, or the port cannot be had.
-pub fn serve(options: &Options, tell: impl Fn(&str)) -> Result<(), String> {
+pub(crate) fn serve(
+    options: &Options,
+    commands: &'static dyn Commands,
+    tell: impl Fn(&str),
+) -> Result<(), String> {
     let (folder, scene) = Folder::open(options.target.as_deref())?;
     let runtime = tokio::runtime::Builder::new_current_thread()
         .enable_all()
@@ -74,7 +86,7 @@ pub fn serve(options: &Options, tell: impl Fn(&str)) -> Result<(), String> {
     runtime.block_on(async {
         let listener = server::listen(options.port).await?;
         let port = listener.local_addr().map_err(|error| error.to_string())?;
-        let studio = Arc::new(Studio::new(folder, scene, port.port())?);
+        let studio = Arc::new(Studio::new((folder, scene), port.port(), commands)?);
         let address = studio.address();
         let _page = match options.open {
             false => {

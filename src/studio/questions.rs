@@ -25,7 +25,7 @@ pub(super) struct Named {
     pub(super) scene: String,
 }
 
-fn refused(status: StatusCode, message: &str) -> Response {
+pub(super) fn refused(status: StatusCode, message: &str) -> Response {
     (status, Json(json!({ "error": message }))).into_response()
 }
 

@@ -1,15 +1,18 @@
 //! The document of a file: its text, which all windows on it share, and what follows from it.
 
-use super::answer::{self, Answer, Asked};
+use super::answer::{self, Asked, Ran};
 use super::chart::{Task, Told};
+use super::commands::{Commands, Question};
 use super::disk::OnDisk;
 use super::drafts::Drafts;
 use super::folder::Shelf;
 use super::history::Group;
+use super::inquiry::{Inquirer, Inquiry};
 use super::limits::{QUICK, REST};
 use super::messages::{self, Update};
 use super::state::State;
 use super::text::Text;
+use super::view::View;
 use super::window::Window;
 use super::work::Desk;
 use crate::ask::Judging;
@@ -29,17 +32,21 @@ pub(super) struct Room {
     name: String,
     shelf: Shelf,
     state: Mutex<State>,
-    runs: OnceLock<Arc<Desk<Question>>>,
+    runs: OnceLock<Arc<Desk<RunQuestion>>>,
     maps: OnceLock<Arc<Desk<MapQuestion>>>,
+    questions: OnceLock<Arc<Desk<Inquiry>>>,
     /// Raised where memory ran out.
     exhausted: AtomicBool,
+    exhausted_question: Arc<AtomicBool>,
 }
 
 /// A version that is to be answered.
 #[derive(Debug)]
-struct Question {
+struct RunQuestion {
     version: u64,
     text: String,
+    /// Windows see something else of the run.
+    again: bool,
 }
 
 /// Maps of a version.
@@ -54,6 +61,11 @@ struct MapQuestion {
 #[derive(Debug, Default)]
 struct Kept {
     charts: Charts,
+    /// The charts of windows that see more.
+    own: BTreeMap<u64, Charts>,
+    /// The last run, and the version that was worked on to its end.
+    ran: Option<Ran>,
+    done: Option<u64>,
     /// It came quickly: the next is told before faults and numbers are.
     quick: bool,
 }
@@ -68,6 +80,7 @@ impl Room {
         path: &Path,
         shelf: Shelf,
         drafts: Drafts,
+        commands: &'static dyn Commands,
     ) -> Result<Arc<Self>, String> {
         let disk = OnDisk::open(path, drafts)?;
         let text = Text::new(disk.saved().to_owned())?;
@@ -77,7 +90,9 @@ impl Room {
             state: Mutex::new(State::new(text, disk)),
             runs: OnceLock::new(),
             maps: OnceLock::new(),
+            questions: OnceLock::new(),
             exhausted: AtomicBool::new(false),
+            exhausted_question: Arc::default(),
         });
         let (one, other) = (Arc::downgrade(&room), Arc::downgrade(&room));
         let mut kept = Kept::default();
@@ -95,8 +110,18 @@ impl Room {
             }
         };
         let maps = Desk::new("map", chart, move || failed(&other))?;
-        // Both are set here alone.
+        let (one, other) = (Arc::downgrade(&room), Arc::downgrade(&room));
+        let (shelf, exhausted) = (room.shelf.clone(), room.exhausted_question.clone());
+        let mut inquirer = Inquirer::new(commands, shelf, exhausted);
+        let answer = move |inquiry: Inquiry, stop: &AtomicBool| {
+            if let Some(room) = one.upgrade() {
+                inquirer.work(&room.name, &inquiry, stop);
+            }
+        };
+        let questions = Desk::new("question", answer, move || failed_question(&other))?;
+        // They are set here alone.
         let _ = (room.runs.set(runs), room.maps.set(maps));
+        let _ = room.questions.set(questions);
         room.ask(&room.lock());
         Ok(room)
     }
@@ -153,13 +178,16 @@ impl Room {
         let mut state = self.lock();
         state.windows.remove(&window);
         state.asked.remove(&window);
+        state.questions.remove(&window);
+        state.views.remove(&window);
+        state.answers.remove(&window);
     }
 
     /// A window sees these charts: those that come into its sight it is sent with their numbers.
     pub(super) fn sight(&self, window: &Window, charts: BTreeSet<usize>) {
         let state = self.lock();
         if window.see(charts)
-            && let Some(answer) = &state.answer
+            && let Some(answer) = state.answer_for(window.id)
         {
             window.answer_again(answer.clone());
         }
@@ -273,6 +301,41 @@ impl Room {
         self.ask_map(&state);
     }
 
+    /// A window keeps the present run beside those that come.
+    pub(super) fn pin(&self, window: u64, name: &str) -> Result<(), String> {
+        let mut state = self.lock();
+        let result = state.result.clone().ok_or("there is no run to be pinned")?;
+        state.views.entry(window).or_default().pin(name, &result)?;
+        self.ask_again(&state);
+        Ok(())
+    }
+
+    /// A window wants to see something else.
+    pub(super) fn look_at(&self, window: u64, change: impl FnOnce(&mut View)) {
+        let mut state = self.lock();
+        let view = state.views.entry(window).or_default();
+        change(view);
+        if view.is_plain() {
+            state.views.remove(&window);
+            state.answers.remove(&window);
+            if let (Some(window), Some(answer)) = (state.windows.get(&window), &state.answer) {
+                window.answer(answer.clone());
+            }
+            return;
+        }
+        self.ask_again(&state);
+    }
+
+    /// Asks a question that follows the text.
+    pub(super) fn question(&self, window: u64, question: Option<Question>) {
+        let mut state = self.lock();
+        match question {
+            Some(question) => state.questions.insert(window, question),
+            None => state.questions.remove(&window),
+        };
+        self.ask_questions(&state);
+    }
+
     /// The text is another.
     fn changed(&self, mut state: MutexGuard<'_, State>) {
         state.tell_status();
@@ -280,10 +343,20 @@ impl Room {
     }
 
     fn ask(&self, state: &State) {
+        self.ask_run(state, false);
+    }
+
+    /// Somebody wants to see more of the run.
+    fn ask_again(&self, state: &State) {
+        self.ask_run(state, true);
+    }
+
+    fn ask_run(&self, state: &State, again: bool) {
         if let Some(runs) = self.runs.get() {
-            runs.ask(Question {
+            runs.ask(RunQuestion {
                 version: state.text.version(),
                 text: state.text.text().to_owned(),
+                again,
             });
         }
     }
@@ -301,14 +374,40 @@ impl Room {
         }
     }
 
+    fn ask_questions(&self, state: &State) {
+        let asked = state.questions.iter();
+        let asked =
+            asked.filter_map(|(id, asked)| Some((state.windows.get(id)?.clone(), asked.clone())));
+        if let Some(questions) = self.questions.get() {
+            questions.ask(Inquiry {
+                version: state.text.version(),
+                text: state.text.text().to_owned(),
+                asked: asked.collect(),
+            });
+        }
+    }
+
     /// Answers a version, on a thread of its own.
-    fn work(&self, question: &Question, stop: &AtomicBool, kept: &mut Kept) {
+    fn work(&self, question: &RunQuestion, stop: &AtomicBool, kept: &mut Kept) {
         let asked = Asked {
             version: question.version,
             name: &self.name,
             text: &question.text,
             catalogue: &self.shelf,
         };
+        if question.again {
+            self.tell_views(kept);
+            if kept.done == Some(question.version) {
+                return;
+            }
+        }
+        self.work_on(&asked, stop, kept);
+        if !stop.load(Ordering::Relaxed) {
+            kept.done = Some(question.version);
+        }
+    }
+
+    fn work_on(&self, asked: &Asked<'_, Shelf>, stop: &AtomicBool, kept: &mut Kept) {
         let begun = Instant::now();
         let mut checked = asked.check();
         let Some(reading) = checked.reading.take() else {
@@ -325,8 +424,11 @@ impl Room {
             if !state.asked.is_empty() {
                 self.ask_map(&state);
             }
+            if !state.questions.is_empty() {
+                self.ask_questions(&state);
+            }
         }
-        let right = self.run(&asked, reading, judged, stop, kept);
+        let right = self.run(asked, reading, judged, stop, kept);
         kept.quick = begun.elapsed() < QUICK;
         if first && right {
             self.tell_checked(asked.told(&checked));
@@ -344,7 +446,7 @@ impl Room {
     ) -> bool {
         for judging in [Judging::Never, Judging::Asked] {
             let last = !judged || matches!(judging, Judging::Asked);
-            match asked.run(reading, judging, stop, &kept.charts) {
+            match asked.run(reading, judging, stop) {
                 Err(faults) => {
                     self.told_faults(asked, &faults);
                     return false;
@@ -355,10 +457,7 @@ impl Room {
                 }
                 // Something newer has come.
                 Ok(None) => return true,
-                Ok(Some((answer, charts))) => {
-                    kept.charts = charts;
-                    self.tell_answer(Arc::new(answer));
-                }
+                Ok(Some(ran)) => self.tell_run(ran, kept),
             }
             if last {
                 return true;
@@ -383,12 +482,44 @@ impl Room {
         state.checked = Some(message);
     }
 
-    fn tell_answer(&self, answer: Arc<Answer>) {
-        let mut state = self.lock();
-        for window in state.windows.values() {
-            window.answer(answer.clone());
+    fn tell_run(&self, ran: Ran, kept: &mut Kept) {
+        let (answer, charts) = ran.answer(&View::default(), &kept.charts);
+        let answer = Arc::new(answer);
+        kept.charts = charts;
+        {
+            let mut state = self.lock();
+            let all = state.windows.iter();
+            for (_, window) in all.filter(|(id, _)| !state.views.contains_key(id)) {
+                window.answer(answer.clone());
+            }
+            state.answer = Some(answer);
+            state.result = Some(ran.result.clone());
         }
-        state.answer = Some(answer);
+        kept.ran = Some(ran);
+        self.tell_views(kept);
+    }
+
+    /// Tells the windows that see more than the run.
+    fn tell_views(&self, kept: &mut Kept) {
+        let views = self.lock().views.clone();
+        kept.own.retain(|window, _| views.contains_key(window));
+        let Some(ran) = &kept.ran else {
+            return;
+        };
+        for (id, view) in views {
+            let before = kept.own.entry(id).or_default();
+            let (answer, charts) = ran.answer(&view, before);
+            let answer = Arc::new(answer);
+            *before = charts;
+            let mut state = self.lock();
+            // It may have gone, or want nothing of it any more.
+            if state.views.contains_key(&id)
+                && let Some(window) = state.windows.get(&id)
+            {
+                window.answer(answer.clone());
+                state.answers.insert(id, answer);
+            }
+        }
     }
 
     fn tell_failure(&self, version: u64, words: &str) {
@@ -431,6 +562,11 @@ impl Room {
         if let Some(desk) = self.maps.get() {
             desk.look(memory);
         }
+        for desk in self.questions.get().into_iter() {
+            if desk.look(memory) {
+                self.exhausted_question.store(true, Ordering::Relaxed);
+            }
+        }
         if !round.is_multiple_of(10) {
             return None;
         }
@@ -454,14 +590,34 @@ impl Drop for Room {
         if let Some(desk) = self.maps.get() {
             desk.close();
         }
+        if let Some(desk) = self.questions.get() {
+            desk.close();
+        }
+    }
+}
+
+const FAILED: &str = "the computation failed; this is an error of the program, not of the scene";
+
+fn failed_question(room: &Weak<Room>) {
+    if let Some(room) = room.upgrade() {
+        let state = room.lock();
+        let message = json!({
+            "type": "question",
+            "version": state.text.version(),
+            "refused": FAILED,
+        });
+        let message: Arc<str> = message.to_string().into();
+        let asking = state.questions.keys();
+        for window in asking.filter_map(|id| state.windows.get(id)) {
+            window.question(message.clone());
+        }
     }
 }
 
 fn failed(room: &Weak<Room>) {
     if let Some(room) = room.upgrade() {
         let version = room.lock().text.version();
-        let words = "the computation failed; this is an error of the program, not of the scene";
-        room.tell_failure(version, words);
+        room.tell_failure(version, FAILED);
     }
 }
 

@@ -1,10 +1,12 @@
 //! Documents: edits of several windows, files that others change, drafts.
 
+use super::commands::Question;
 use super::drafts::Drafts;
 use super::folder::Folder;
 use super::messages::Update;
 use super::room::Room;
-use super::window::{Sent, Window};
+use super::window::{Sent, Taken, Window};
+use crate::cli::questions::Program;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -21,7 +23,14 @@ fn room(base: &std::path::Path) -> Arc<Room> {
     let (folder, _) = Folder::open(Some(&folder)).unwrap();
     let path = folder.file("scene.json").unwrap();
     let drafts = Drafts::within(&base.join("drafts"));
-    Room::open("scene.json", &path, folder.catalogue(&path), drafts).unwrap()
+    Room::open(
+        "scene.json",
+        &path,
+        folder.catalogue(&path),
+        drafts,
+        &Program,
+    )
+    .unwrap()
 }
 
 impl Opened {
@@ -62,7 +71,7 @@ impl Opened {
                 let message: Value = match sent {
                     Sent::Text(text) => serde_json::from_str(&text).unwrap(),
                     Sent::Binary(bytes) => {
-                        self.window.shown(false);
+                        self.window.shown(Taken::Answer);
                         let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
                         assert_eq!((4 + length) % 8, 0);
                         let mut head: Value =
@@ -102,6 +111,126 @@ fn answers_follow_the_text_and_are_those_of_a_run() {
     let wanted = serde_json::to_value(&run.figures.objects).unwrap();
     assert_eq!(second["figures"], wanted);
     assert_ne!(first["figures"], wanted);
+}
+
+#[test]
+fn a_question_is_answered_anew_as_the_text_changes_and_no_longer_than_it_is_asked() {
+    let opened = Opened::new();
+    let asked: Question = serde_json::from_value(json!({
+        "command": "methods",
+        "options": { "methods": ["exact"], "repeats": ["1"], "tolerances": ["1e-4"] },
+    }))
+    .unwrap();
+    opened.room.question(7, Some(asked.clone()));
+    let told = |version: u64| {
+        let answer = opened.told("question", |one| one["version"] == version);
+        opened.window.shown(Taken::Question);
+        answer
+    };
+    let first = told(0);
+    assert_eq!(first["question"]["command"], "methods");
+    assert!(first["html"].is_string(), "{}", first["refused"]);
+    opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
+    let second = told(1);
+    assert_ne!(second["html"], first["html"]);
+    // The same scene in other words is not worked out anew: times would be others.
+    opened.replace(1, "\"inertia\": 0.13", "\"inertia\":  0.13", None);
+    assert_eq!(told(2)["html"], second["html"]);
+    let wrong = Question {
+        command: "studio".to_owned(),
+        ..asked
+    };
+    opened.room.question(7, Some(wrong));
+    assert_eq!(told(2)["refused"], "`studio` is no question");
+    opened.room.question(7, None);
+    opened.replace(2, "\"inertia\":  0.13", "\"inertia\": 0.2", None);
+    opened.told("answer", |one| one["version"] == 3);
+    std::thread::sleep(Duration::from_millis(300));
+    while let Some(sent) = opened.window.next().unwrap() {
+        assert!(!matches!(sent, Sent::Text(text) if text.contains("\"question\"")));
+    }
+}
+
+#[test]
+fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
+    let opened = Opened::new();
+    opened.told("answer", |one| one["version"] == 0);
+    let other = Arc::new(Window::new(8));
+    opened.room.join(&other);
+    opened.room.pin(7, "first").unwrap();
+    let both = opened.told("answer", |one| one["pins"] == json!(["first"]));
+    opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
+    let moved = opened.told("answer", |one| one["version"] == 1);
+    assert_eq!(moved["pins"], json!(["first"]));
+    // The same charts with other numbers; of the first two curves the pinned one has stayed.
+    assert!(moved["charts"].is_null());
+    let labels = |answer: &Value| {
+        let series = answer["plots"][0]["series"].as_array().unwrap().iter();
+        series
+            .map(|one| one["label"].as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        (labels(&both), labels(&moved)),
+        (labels(&moved), vec!["now".to_owned(), "first".to_owned()])
+    );
+    let tables = moved["compared"].as_str().unwrap();
+    assert!(tables.contains("Figures of rocker over pinned runs") && tables.contains('%'));
+    // The other window sees nothing of it.
+    let mut seen = 0;
+    while let Some(sent) = other.next().unwrap() {
+        other.shown(Taken::Answer);
+        if let Sent::Binary(bytes) = sent {
+            assert!(!String::from_utf8_lossy(&bytes).contains("pinned runs"));
+            seen += 1;
+        }
+    }
+    assert!(seen > 0);
+    for name in [
+        "first",
+        "",
+        "a name that is much longer than a legend bears",
+    ] {
+        let _ = opened.room.pin(7, name);
+    }
+    let full = opened.told("answer", |one| one["pins"].as_array().unwrap().len() == 3);
+    assert_eq!(full["pins"], json!(["first", "first (2)", "run 3"]));
+    assert!(opened.room.pin(7, "one too many").is_err());
+    opened.room.look_at(7, |view| view.rename(1, "now"));
+    opened.told("answer", |one| one["pins"][1] == "now (2)");
+    for _ in 0..3 {
+        opened.room.look_at(7, |view| view.unpin(0));
+    }
+    let alone = opened.told("answer", |one| one["pins"] == json!([]));
+    assert_eq!(alone["compared"], "");
+}
+
+#[test]
+fn a_signal_over_another_is_a_chart_of_the_columns() {
+    let opened = Opened::new();
+    let first = opened.told("answer", |one| one["version"] == 0);
+    let signals = first["signals"].as_array().unwrap();
+    assert!(
+        signals.contains(&json!(["t", "s"])) && signals.contains(&json!(["rocker.speed", "rad/s"]))
+    );
+    let over = ["rocker.displacement", "rocker.speed"].map(str::to_owned);
+    opened.room.look_at(7, |view| view.over = Some(over));
+    let drawn = opened.told("answer", |one| one["plots"][0]["id"] == "over");
+    let plot = &drawn["plots"][0];
+    assert_eq!(
+        (&plot["x"]["unit"], &plot["y"]["unit"]),
+        (&json!("rad"), &json!("rad/s"))
+    );
+    assert_eq!(
+        drawn["plots"].as_array().unwrap().len(),
+        first["plots"].as_array().unwrap().len() + 1
+    );
+    // What no record has is no chart.
+    let over = ["t", "nobody.speed"].map(str::to_owned);
+    opened.room.look_at(7, |view| view.over = Some(over));
+    opened.told("answer", |one| {
+        one["plots"][0]["id"] != "over" && one["charts"].is_string()
+    });
 }
 
 #[test]

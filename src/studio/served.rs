@@ -1,5 +1,6 @@
 //! What is served: a folder, its documents, the token of those who may see them.
 
+use super::commands::Commands;
 use super::drafts::Drafts;
 use super::folder::Folder;
 use super::limits::ROOMS;
@@ -25,6 +26,10 @@ pub(super) struct Studio {
     pub(super) settings: Settings,
     /// Windows at present.
     pub(super) windows: Arc<AtomicUsize>,
+    /// The commands that answer questions.
+    pub(super) commands: &'static dyn Commands,
+    /// Files that are made one after the other.
+    pub(super) making: tokio::sync::Mutex<()>,
     token: Token,
     host: String,
     rooms: Mutex<BTreeMap<PathBuf, Arc<Room>>>,
@@ -35,7 +40,11 @@ impl Studio {
     ///
     /// # Errors
     /// The system gives no random numbers.
-    pub(super) fn new(folder: Folder, scene: Option<String>, port: u16) -> Result<Self, String> {
+    pub(super) fn new(
+        (folder, scene): (Folder, Option<String>),
+        port: u16,
+        commands: &'static dyn Commands,
+    ) -> Result<Self, String> {
         Ok(Self {
             folder,
             scene,
@@ -43,6 +52,8 @@ impl Studio {
             recent: Recent::of_user(),
             settings: Settings::of_user(),
             windows: Arc::default(),
+            commands,
+            making: tokio::sync::Mutex::default(),
             token: Token::new()?,
             host: format!("127.0.0.1:{port}"),
             rooms: Mutex::default(),
@@ -90,6 +101,7 @@ impl Studio {
             &path,
             self.folder.catalogue(&path),
             self.drafts.clone(),
+            self.commands,
         )?;
         rooms.insert(path, room.clone());
         Ok(room)

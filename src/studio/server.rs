@@ -2,6 +2,7 @@
 //! windows of the user.
 
 use super::connections;
+use super::files::{self, FILE};
 use super::first;
 use super::guard::{Nonce, guard, refused};
 use super::limits::BODY;
@@ -61,6 +62,9 @@ fn router(studio: Arc<Studio>) -> Router {
         .route("/api/model", get(questions::model))
         .route("/api/figures", get(questions::figures))
         .route("/api/linkages", get(questions::linkages))
+        .route("/api/questions", get(files::forms))
+        .route(FILE, get(files::file))
+        .route("/api/text", get(files::text))
         .route("/ws", get(upgrade))
         .fallback(|| async { refused(StatusCode::NOT_FOUND) })
         .layer(DefaultBodyLimit::max(BODY))

@@ -5,6 +5,7 @@ use super::recent::Recent;
 use super::served::Studio;
 use super::server;
 use super::settings::Settings;
+use crate::cli::questions::Program;
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::sync::Arc;
@@ -41,7 +42,7 @@ impl Served {
                 let (folder, scene) = Folder::open(Some(&folder)).unwrap();
                 let listener = server::listen(None).await.unwrap();
                 let port = listener.local_addr().unwrap().port();
-                let mut studio = Studio::new(folder, scene, port).unwrap();
+                let mut studio = Studio::new((folder, scene), port, &Program).unwrap();
                 studio.recent = recent;
                 studio.settings = Settings::at(None);
                 let studio = Arc::new(studio);
@@ -186,11 +187,23 @@ fn only_rightful_requests_are_answered() {
         "GET /api/model?scene=scene.json",
         "GET /api/figures?scene=scene.json",
         "GET /api/linkages?scene=scene.json",
+        "GET /api/questions?scene=scene.json",
+        "GET /api/text?scene=scene.json",
+        "GET /api/file?scene=scene.json&question=%7B%22command%22%3A%22run%22%7D&name=summary.json",
     ];
     for question in rightful {
         let (status, answer) = served.ask(question, &[&host, &bearer, &own]);
         assert_eq!(status, 200, "{answer}");
+        assert_eq!(served.ask(question, &[&host]).0, 401);
     }
+    // What no form has is refused, and nothing is written.
+    let out = served.base.path().join("out");
+    let sly = format!(
+        "GET /api/file?scene=scene.json&name=x&question=%7B%22command%22%3A%22kinematics%22%2C%22options%22%3A%7B%22out%22%3A%5B%22{}%22%5D%7D%7D",
+        out.display()
+    );
+    assert_eq!(served.ask(&sly, &[&host, &bearer]).0, 422);
+    assert!(!out.exists());
     let port = served.port;
     let (wrong, twice) = (
         format!("Authorization: Bearer {}", "0".repeat(64)),

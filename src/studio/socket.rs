@@ -6,7 +6,7 @@ use super::limits::{HELLO, WINDOWS};
 use super::messages::Said;
 use super::room::Room;
 use super::served::Studio;
-use super::window::{Sent, Window};
+use super::window::{Sent, Taken, Window};
 use axum::extract::ws::{Message, WebSocket};
 use serde_json::json;
 use std::io::Write;
@@ -116,8 +116,9 @@ impl Visit {
                 return Ok(());
             }
             Said::Keep { name, value } => return self.studio.settings.keep(&name, &value),
-            Said::Shown => self.window.shown(false),
-            Said::MapShown => self.window.shown(true),
+            Said::Shown => self.window.shown(Taken::Answer),
+            Said::MapShown => self.window.shown(Taken::Map),
+            Said::QuestionShown => self.window.shown(Taken::Question),
             Said::Hello { .. } => return Err("it is known who you are".to_owned()),
             Said::New { scene, from } => {
                 let text = match from {
@@ -137,6 +138,7 @@ impl Visit {
                 updates,
             } => room.push(&self.window, version, heard.unwrap_or(version), &updates),
             Said::Save => room.save(),
+            Said::Pin { name } => room.pin(id, &name),
             Said::SaveAs { scene } => {
                 self.write(&scene, &room.text())?;
                 self.open(&scene)
@@ -149,6 +151,10 @@ impl Visit {
                     Said::Redo => room.step(false),
                     Said::Draft { restore } => room.draft(restore),
                     Said::Map { question } => room.map(id, question),
+                    Said::Question { question } => room.question(id, question),
+                    Said::Unpin { pin } => room.look_at(id, |view| view.unpin(pin)),
+                    Said::Rename { pin, name } => room.look_at(id, |view| view.rename(pin, &name)),
+                    Said::Over { signals } => room.look_at(id, |view| view.over = signals),
                     Said::Sight { charts } => room.sight(&self.window, charts),
                     // Heard above.
                     _ => {}

@@ -1,10 +1,13 @@
 //! What a document is at an instant, and what its windows are told of it.
 
 use super::answer::Answer;
+use super::commands::Question;
 use super::disk::OnDisk;
 use super::messages::Asked;
 use super::text::Text;
+use super::view::View;
 use super::window::Window;
+use crate::studies::run::RunResult;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -17,9 +20,16 @@ pub(super) struct State {
     pub(super) windows: BTreeMap<u64, Arc<Window>>,
     /// The maps that windows ask for.
     pub(super) asked: BTreeMap<u64, Asked>,
+    /// The questions that they ask.
+    pub(super) questions: BTreeMap<u64, Question>,
     /// What was last told of faults, and of a run.
     pub(super) checked: Option<Arc<str>>,
     pub(super) answer: Option<Arc<Answer>>,
+    /// The run that it tells of.
+    pub(super) result: Option<Arc<RunResult>>,
+    /// What windows see besides, and the answers as they see them.
+    pub(super) views: BTreeMap<u64, View>,
+    pub(super) answers: BTreeMap<u64, Arc<Answer>>,
     status: String,
     /// Who made the last edits, and the version from which on all are theirs.
     stretch: (u64, u64),
@@ -32,11 +42,20 @@ impl State {
             disk,
             windows: BTreeMap::new(),
             asked: BTreeMap::new(),
+            questions: BTreeMap::new(),
             checked: None,
             answer: None,
+            result: None,
+            views: BTreeMap::new(),
+            answers: BTreeMap::new(),
             status: String::new(),
             stretch: (0, 0),
         }
+    }
+
+    /// The answer as a window sees it.
+    pub(super) fn answer_for(&self, window: u64) -> Option<&Arc<Answer>> {
+        self.answers.get(&window).or(self.answer.as_ref())
     }
 
     pub(super) fn tell(&self, message: &Arc<str>) {

@@ -20,12 +20,39 @@ pub(super) struct Window {
 struct Queue {
     messages: VecDeque<Arc<str>>,
     answer: Option<Arc<Answer>>,
-    map: Option<Arc<str>>,
-    /// An answer, a map was sent that was not taken up yet.
+    /// An answer was sent that was not taken up yet.
     showing: bool,
-    showing_map: bool,
+    map: Slot,
+    question: Slot,
     had: Had,
     lost: bool,
+}
+
+/// A place for the newest message of a sort.
+#[derive(Debug, Default)]
+struct Slot {
+    waiting: Option<Arc<str>>,
+    /// One was sent that was not taken up yet.
+    showing: bool,
+}
+
+impl Slot {
+    fn take(&mut self) -> Option<Arc<str>> {
+        if self.showing {
+            return None;
+        }
+        let message = self.waiting.take();
+        self.showing = message.is_some();
+        message
+    }
+}
+
+/// What a window takes up.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Taken {
+    Answer,
+    Map,
+    Question,
 }
 
 /// Something to be sent.
@@ -75,16 +102,23 @@ impl Window {
 
     /// Sends a map, in place of one that still waits.
     pub(super) fn map(&self, map: Arc<str>) {
-        self.lock().map = Some(map);
+        self.lock().map.waiting = Some(map);
+        self.wake.notify_one();
+    }
+
+    /// Sends the answer to a question, in place of one that still waits.
+    pub(super) fn question(&self, answer: Arc<str>) {
+        self.lock().question.waiting = Some(answer);
         self.wake.notify_one();
     }
 
     /// What was sent last was taken up.
-    pub(super) fn shown(&self, map: bool) {
+    pub(super) fn shown(&self, taken: Taken) {
         let mut queue = self.lock();
-        match map {
-            true => queue.showing_map = false,
-            false => queue.showing = false,
+        match taken {
+            Taken::Answer => queue.showing = false,
+            Taken::Map => queue.map.showing = false,
+            Taken::Question => queue.question.showing = false,
         }
         drop(queue);
         self.wake.notify_one();
@@ -131,12 +165,7 @@ impl Window {
             queue.showing = true;
             return Ok(Some(Sent::Binary(frame)));
         }
-        if !queue.showing_map
-            && let Some(map) = queue.map.take()
-        {
-            queue.showing_map = true;
-            return Ok(Some(Sent::Text(map)));
-        }
-        Ok(None)
+        let text = queue.map.take().or_else(|| queue.question.take());
+        Ok(text.map(Sent::Text))
     }
 }

@@ -2,6 +2,7 @@
 // pictures stay where only their numbers are others.
 
 import type { Verdict } from "./expect";
+import { offer } from "./export";
 import { remeasure, reshow } from "./units";
 
 export interface Answer {
@@ -15,6 +16,11 @@ export interface Answer {
   expect: Verdict[];
   expect_others: number;
   tables: string;
+  // The figures beside those of pinned runs.
+  compared: string;
+  // Names of the runs that are pinned, and of the columns of the record with their units.
+  pins: string[];
+  signals: [string, string][];
   figures: Record<string, any>;
   // Of charts that are not in sight neither numbers nor what else differs come.
   lengths: (number | null)[];
@@ -77,6 +83,7 @@ export class Board {
   private playing: Playing | null = null;
   private choices = "";
   private tables = "";
+  private compared = "";
   // The charts as they were last told of.
   private plots: PlotData[] = [];
   private readonly seen = new Set<Element>();
@@ -85,7 +92,7 @@ export class Board {
   private rest = 0;
   private all = false;
 
-  constructor(private readonly parts: { tables: Element; charts: Element; machine: Element }, scroller: Element, private readonly told: (sight: number[]) => void) {
+  constructor(private readonly parts: { tables: Element; compared: Element; charts: Element; machine: Element }, scroller: Element, private readonly told: (sight: number[]) => void) {
     this.watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.seen.add(target); else this.seen.delete(target);
@@ -119,6 +126,7 @@ export class Board {
       this.seen.clear();
       this.parts.charts.innerHTML = head.charts;
       this.made = live.make(this.parts.charts, source);
+      offer(this.made);
       for (const chart of this.made) { this.seen.add(chart.svg); this.watch.observe(chart.svg); }
     } else {
       const fresh = this.made.filter((chart) => head.plots[placeOf(chart)]);
@@ -131,12 +139,17 @@ export class Board {
       this.tables = head.tables;
       patch(this.parts.tables, head.tables);
     }
+    if (head.compared !== this.compared) {
+      this.compared = head.compared;
+      patch(this.parts.compared, head.compared);
+    }
     return head;
   }
 
   // Other units.
   again(): void {
     patch(this.parts.tables, this.tables);
+    patch(this.parts.compared, this.compared);
     live.draw();
     remeasure(this.parts.machine);
     if (this.last) this.playing?.update(...this.last);
@@ -173,7 +186,7 @@ export class Board {
     this.playing = null;
     this.made = [];
     this.plots = [];
-    this.tables = "";
+    this.tables = this.compared = "";
     for (const part of Object.values(this.parts)) part.replaceChildren();
   }
 }

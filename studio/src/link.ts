@@ -81,9 +81,14 @@ export class Link {
     return true;
   }
 
-  async get(path: string): Promise<any> {
+  async get(path: string): Promise<any> { return (await this.fetched(path)).json(); }
+  async text(path: string): Promise<string> { return (await this.fetched(path)).text(); }
+
+  private async fetched(path: string): Promise<Response> {
     const answer = await fetch(path, { headers: { Authorization: `Bearer ${this.token}` } });
-    if (!answer.ok) throw new Error(`${answer.status}`);
-    return answer.json();
+    if (answer.ok) return answer;
+    // What was refused is told in words.
+    const told = await answer.json().catch(() => null);
+    throw new Error(told?.error ?? `${answer.status}`);
   }
 }

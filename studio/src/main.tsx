@@ -3,9 +3,12 @@
 import { render } from "preact";
 import { useEffect, useMemo, useReducer, useRef, useState } from "preact/hooks";
 import { Board, type Answer } from "./answer";
+import { Asking, MOTION, type Hearing } from "./asking";
+import { Beside } from "./beside";
 import { Drawing } from "./drawing";
 import { Editor } from "./editor";
 import { Expectations } from "./expect";
+import { Exports } from "./exports";
 import { First, type From } from "./first";
 import { ObjectForm, SceneForm, type Desk } from "./form";
 import type { Outline } from "./graph";
@@ -49,7 +52,7 @@ function figuresOf(objects: Record<string, any>): string[] {
 
 function Studio() {
   const place = useRef<HTMLElement>(null!), answers = useRef<HTMLElement>(null);
-  const [tables, charts, moving] = [useRef<HTMLElement>(null!), useRef<HTMLElement>(null!), useRef<HTMLElement>(null!)];
+  const [tables, charts, moving, compared] = [useRef<HTMLElement>(null!), useRef<HTMLElement>(null!), useRef<HTMLElement>(null!), useRef<HTMLElement>(null!)];
   const editor = useRef<Editor | null>(null), board = useRef<Board | null>(null);
   const self = useRef("0"), spans = useRef(new Map<string, Span>());
   const [, redraw] = useReducer((count: number) => count + 1, 0);
@@ -74,6 +77,8 @@ function Studio() {
   const [guide, setGuide] = useState<Guide | null>(null);
   const [chosen, setChosen] = useState<string[]>([]);
   const [version, setVersion] = useState(0);
+  const [tab, setTab] = useState<string>(MOTION), [opened, setOpened] = useState(0);
+  const hearing = useRef<Hearing>({ checked: () => {} });
   // What is told of versions matters where the model is looked at.
   const newest = useRef(0), models = useRef(false);
   models.current = view === "model" || view === "equations" || view === "drawing";
@@ -82,7 +87,7 @@ function Studio() {
 
   useEffect(() => {
     const own = editor.current = new Editor(place.current!, link, () => self.current);
-    const shown = board.current = new Board({ tables: tables.current!, charts: charts.current!, machine: moving.current! }, answers.current!,
+    const shown = board.current = new Board({ tables: tables.current!, compared: compared.current!, charts: charts.current!, machine: moving.current! }, answers.current!,
       (sight) => link.send({ type: "sight", charts: sight }));
     printing(answers.current!);
     // Everything is drawn once a frame, however often the text and its answer change: the first
@@ -133,6 +138,7 @@ function Studio() {
       setTold("");
       wrong.current = false;
       own.open(message);
+      setOpened((count) => count + 1);
       void own.guide().then(setGuide, () => {});
     });
     link.on("status", (message) => {
@@ -147,6 +153,7 @@ function Studio() {
       // While a number moves nothing of it is another.
       if (message.objects) setObjects((before) => JSON.stringify(before) === JSON.stringify(message.objects) ? before : message.objects);
       newest.current = message.version;
+      hearing.current.checked(message.version);
       if (models.current) setVersion(message.version);
     });
     link.on("failed", (message) => { setTold(message.message); setStale(true); });
@@ -172,7 +179,8 @@ function Studio() {
       judged.current?.(head);
       setStale(wrong.current);
       // The sentence is drawn anew where it says something else.
-      if (!before || JSON.stringify([before.verdict, before.warnings, before.coarse, before.title]) !== JSON.stringify([head.verdict, head.warnings, head.coarse, head.title])) setAnswer(head);
+      const seen = (one: Answer) => JSON.stringify([one.verdict, one.warnings, one.coarse, one.title, one.pins, one.signals]);
+      if (!before || seen(before) !== seen(head)) setAnswer(head);
     };
     const keys = (event: KeyboardEvent) => {
       if (atHome.current || !(event.ctrlKey || event.metaKey) || place.current!.contains(event.target as Node)) return;
@@ -258,6 +266,7 @@ function Studio() {
         <button type="button" onClick={saveAs}>Save as…</button>
         <button type="button" class="undo" onClick={() => act("undo")} disabled={!status.undo} title="Ctrl-Z">Undo</button>
         <button type="button" onClick={() => act("redo")} disabled={!status.redo} title="Ctrl-Y">Redo</button>
+        <Exports link={link} scene={scene} stale={stale} tell={setTold} />
         </>}
         <button type="button" onClick={fresh}>New…</button>
         <button type="button" onClick={() => setTouring(true)}>Tour</button>
@@ -299,20 +308,23 @@ function Studio() {
           </div>
           <div class="side">{editor.current && (side === "numbers" ? <Sliders editor={editor.current} fields={fields} spans={spans.current} /> : properties())}</div>
         </div>
-        <main class={`answers${stale ? " stale" : ""}`} ref={answers} aria-label="answers">
+        <main class={`answers${stale ? " stale" : ""}${tab === MOTION ? "" : " asks"}`} ref={answers} aria-label="answers">
           <header key="print" class="print-head"><h1>{latest.current?.title || scene}</h1><p>{folder}/{scene}, dam {program.current}{status.saved ? "" : ", changes not saved"}</p></header>
+          <Asking key="asking" link={link} scene={scene} tab={tab} choose={setTab} hearing={hearing.current} opened={opened} faulty={wrong.current} />
           {stale && <p key="stale" class="stale-mark" role="status">{errors.length
             ? `Stale: the text has ${errors.length} ${errors.length === 1 ? "fault" : "faults"}; this is the last good answer.` : "Stale: there is no answer to this text."}</p>}
           {answer && <p key="verdict" class={`verdict ${answer.verdict.sort}`}><span class="sort">{answer.coarse ? "First look, the model is still being judged" : "Answer"}</span>
             <b>{answer.verdict.headline}</b> {answer.verdict.text}</p>}
           {answer && answer.warnings.length > 0 && <ul key="warnings" class="warnings">{answer.warnings.map((one) => <li>{one}</li>)}</ul>}
           {scene && <Expectations key={`expectations ${scene}`} link={link} scene={scene} feed={judged} latest={latest} isAt={(one) => editor.current!.isAt(one)} edit={edit} program={program.current} />}
+          {answer && <Beside key="pins" link={link} answer={answer} opened={opened} stale={stale} />}
           <div key="beside" class="beside">
             {editor.current && <MapView key="map" editor={editor.current} link={link} fields={fields} figures={figures} spans={spans.current} scene={scene} />}
             <Host key="machine" kind="section" class="machine" label="machine moving" of={(element) => { moving.current = element; }} />
           </div>
           <Host key="figures" kind="section" class="figures" label="figures" of={(element) => { tables.current = element; }} />
           <Host key="charts" kind="section" class="charts" label="charts" of={(element) => { charts.current = element; }} />
+          <Host key="compared" kind="section" class="compared" label="figures beside pinned runs" of={(element) => { compared.current = element; }} />
         </main>
       </div>
       {home && <First key="first" link={link} folder={folder} scene={scene} saved={status.saved} toured={seen.get() !== null} back={enter} tour={() => setTouring(true)}

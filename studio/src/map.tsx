@@ -2,6 +2,7 @@
 
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Editor } from "./editor";
+import { offer } from "./export";
 import { Host } from "./host";
 import type { Link, Message } from "./link";
 import { fieldOf, spanOf, written, type Field, type Span } from "./numbers";
@@ -74,6 +75,7 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
         const source = { columns: message.columns, plots: message.plots };
         for (const plot of Object.values<PlotData>(message.plots)) if (plot.field) plot.field.notes = message.notes;
         made.current = live.make(place.current, source, width);
+        offer(made.current);
         mark();
       }
       requestAnimationFrame(() => link.send({ type: "map_shown" }));

@@ -2,8 +2,10 @@
 
 interface PlotSource { columns: (number | null)[][]; plots: Record<number, PlotData> | PlotData[] }
 interface PlotAxis { name: string; unit: string; ends: [number, number] }
-interface PlotData { x: PlotAxis; y: PlotAxis; field?: { notes: string[] } }
-interface PlotChart { svg: SVGElement; group: SVGElement; mark(x: number | null, y: number | null): void; draw(): void; stale: boolean; width?: number }
+interface PlotSeries { label: string; x: number; y: number }
+interface PlotField { x: number[]; y: number[]; strip: boolean; notes: string[] }
+interface PlotData { id: string; title: string; x: PlotAxis; y: PlotAxis; series: PlotSeries[]; field?: PlotField }
+interface PlotChart { svg: SVGElement; group: SVGElement; data: PlotData; columns: (number | null)[][]; mark(x: number | null, y: number | null): void; draw(): void; stale: boolean; width?: number }
 declare const live: {
   make(root: Element, source: PlotSource, width?: number): PlotChart[];
   update(made: PlotChart[], source: PlotSource, visible?: (chart: PlotChart) => boolean): void;

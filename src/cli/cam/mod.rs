@@ -5,9 +5,10 @@ mod question;
 
 use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::{CamArgs, CamForm};
+use super::asker::Asker;
 use super::console;
 use super::failure::Failure;
-use super::input::{Input, Ready};
+use super::input::Ready;
 use super::interrupt;
 use super::law::told;
 use super::output::OutputFolder;
@@ -29,8 +30,8 @@ const FILES: [&str; 6] = [
 const ROWS: usize = 720;
 
 /// Runs the command.
-pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
-    let input = Input::load(&args.scene)?;
+pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    let input = asker.input(&args.scene)?;
     let ready = input.prepare(&[])?;
     let id = chosen(args, &ready)?;
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
@@ -45,9 +46,9 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
     let mut found =
         figures(&cam, &asked.question, force_or_why).map_err(|faults| told(&faults, "--"))?;
     let mut status = Status::Answered;
-    let _keeping = args.lift_off.then(interrupt::keep);
+    let _keeping = args.lift_off.then(|| asker.keep());
     if args.lift_off {
-        match lift_off::search(args, &input, &ready, &id, force.as_ref().ok())? {
+        match lift_off::search((args, asker), &input, &ready, &id, force.as_ref().ok())? {
             Some(speed) => {
                 if let Some(force) = &mut found.force {
                     force.elastic = Some(speed);
@@ -55,7 +56,7 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
             }
             None => {
                 status = interrupt::status();
-                if let (Some(spent), false) = (interrupt::budget().spent(), args.scene.quiet) {
+                if let (Some(spent), false) = (asker.budget().spent(), args.scene.quiet) {
                     console::talk(&format!(
                         "warning: the search for the lift-off of the elastic follower was ended \
                          before it had found it ({spent}): it is left out"
@@ -109,7 +110,8 @@ pub(crate) fn command(args: &CamArgs) -> Result<Status, Failure> {
         CamForm::Dxf => Shown::File(FILES[3]),
         CamForm::Svg => Shown::File(FILES[4]),
     };
-    answer.deliver(folder.as_ref(), Shown::json_or(args.scene.json, shown))?;
+    let shown = Shown::json_or(args.scene.json, shown);
+    asker.deliver(&answer, folder.as_ref(), shown)?;
     Ok(status)
 }
 

@@ -4,10 +4,11 @@ mod question;
 
 use crate::cli::answer::{Answer, Content, PAGE, Shown, picture};
 use crate::cli::args::{ConventionName, ForcesArgs};
+use crate::cli::asker::Asker;
 use crate::cli::console;
 use crate::cli::expected;
 use crate::cli::failure::Failure;
-use crate::cli::input::{Input, Ready};
+use crate::cli::input::Ready;
 use crate::cli::output::OutputFolder;
 use crate::cli::status::Status;
 use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
@@ -32,8 +33,8 @@ const FILES: [&str; 5] = [
 ];
 
 /// Runs the command.
-pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
-    let input = Input::load(&args.scene)?;
+pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    let input = asker.input(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
     let Solved {
@@ -83,7 +84,8 @@ pub(crate) fn command(args: &ForcesArgs) -> Result<Status, Failure> {
     } else {
         Shown::Text
     };
-    answer.deliver(folder.as_ref(), Shown::json_or(args.scene.json, form))?;
+    let shown = Shown::json_or(args.scene.json, form);
+    asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
         if found.settings.output.is_none() && found.several.is_none() {
             console::talk("no transmission ratio: name the loaded output with --load");

@@ -5,9 +5,10 @@ pub(super) mod several;
 
 use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::{CourseArgs, KinematicsArgs};
+use super::asker::Asker;
 use super::expected;
 use super::failure::Failure;
-use super::input::{Input, Ready};
+use super::input::Ready;
 use super::output::OutputFolder;
 use super::status::Status;
 use crate::dynamics::model::Coordinate;
@@ -29,8 +30,8 @@ use crate::units::with_common_unit;
 const FILES: [&str; 4] = ["kinematics.csv", "kinematics.json", "mechanism.svg", PAGE];
 
 /// Runs the command.
-pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
-    let input = Input::load(&args.scene)?;
+pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    let input = asker.input(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
     let object = args.course.object.as_deref();
@@ -84,7 +85,7 @@ pub(crate) fn command(args: &KinematicsArgs) -> Result<Status, Failure> {
         (_, _, true) => Shown::File(FILES[0]),
         _ => Shown::Text,
     };
-    answer.deliver(folder.as_ref(), shown)?;
+    asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
         expected::talk(&verdicts);
     }

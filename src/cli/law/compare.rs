@@ -3,8 +3,8 @@
 use super::args::{CompareArgs, Form, RankBy};
 use super::deliver;
 use crate::ask::{LawQuestion, compare_laws};
+use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
-use crate::cli::input::Input;
 use crate::cli::interrupt;
 use crate::cli::run::run_with_progress;
 use crate::cli::status::Status;
@@ -12,24 +12,33 @@ use crate::report::findings::Source;
 use crate::report::law::{comparison_findings, comparison_rows};
 use crate::studies::law::Figure;
 
-pub(super) fn command(args: &CompareArgs) -> Result<Status, Failure> {
-    let input = Input::load(&args.scene)?;
+pub(super) fn command(args: &CompareArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    let input = asker.input(&args.scene)?;
     let question = LawQuestion {
         at: args.at.clone(),
         laws: args.law.clone(),
         lift_off: args.lift_off,
     };
     let quiet = args.scene.quiet;
-    let mut keeping = None;
+    let (mut keeping, mut runs) = (None, 0);
     let compared = compare_laws(
         &question,
         |settings| input.prepare(settings),
         |ready, settings, searching| {
-            let budget = interrupt::budget();
-            let result = run_with_progress(ready, settings, budget, quiet || searching)?;
+            asker.tell(
+                runs,
+                0,
+                if searching {
+                    "search for the lift-off"
+                } else {
+                    "runs of the laws"
+                },
+            );
+            runs += 1;
+            let result = run_with_progress((ready, asker), settings, quiet || searching)?;
             // From the first run on there is something to keep.
             if !result.outcome.stop.is_from_outside() {
-                keeping.get_or_insert_with(interrupt::keep);
+                keeping.get_or_insert_with(|| asker.keep());
             }
             Ok::<_, Failure>(result)
         },
@@ -44,6 +53,7 @@ pub(super) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let form = if args.csv { Form::Csv } else { Form::Text };
     let shown = (args.scene.json, form);
     deliver(
+        asker,
         (&args.out, quiet),
         (&found, compared.document(by)),
         &rows,

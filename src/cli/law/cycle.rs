@@ -2,13 +2,13 @@
 
 use super::args::CycleArgs;
 use super::deliver;
+use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
-use crate::cli::input::Input;
 use crate::report::findings::Source;
 use crate::report::law::{cycle_findings, cycle_rows};
 
-pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {
-    let input = Input::load(&args.scene)?;
+pub(super) fn command(args: &CycleArgs, asker: &dyn Asker) -> Result<(), Failure> {
+    let input = asker.input(&args.scene)?;
     let ready = input.prepare(&[])?;
     let scene = ready.scene();
     let found = ready.law_cycle(&args.of)?;
@@ -25,6 +25,7 @@ pub(super) fn command(args: &CycleArgs) -> Result<(), Failure> {
     let found = cycle_findings(&scene.name, object, followed, &found.figures, units, source);
     let shown = (args.scene.json, args.form);
     deliver(
+        asker,
         (&args.out, args.scene.quiet),
         (&found, document),
         &rows,

@@ -7,6 +7,7 @@ mod synthesize;
 
 use super::answer::{Answer, Content, PAGE, Shown, picture};
 use super::args::scene::OutArgs;
+use super::asker::Asker;
 use super::console;
 use super::failure::Failure;
 use super::output::OutputFolder;
@@ -23,13 +24,13 @@ use serde_json::{Value, json};
 const FILES: [&str; 4] = ["law.json", "law.csv", "law.svg", PAGE];
 
 /// Runs the command.
-pub(crate) fn command(command: &LawCommand) -> Result<Status, Failure> {
+pub(crate) fn command(command: &LawCommand, asker: &dyn Asker) -> Result<Status, Failure> {
     match command {
         LawCommand::List(args) => list(args)?,
-        LawCommand::Show(args) => show(args)?,
-        LawCommand::Synthesize(args) => synthesize::command(args)?,
-        LawCommand::Cycle(args) => cycle::command(args)?,
-        LawCommand::Compare(args) => return compare::command(args),
+        LawCommand::Show(args) => show(args, asker)?,
+        LawCommand::Synthesize(args) => synthesize::command(args, asker)?,
+        LawCommand::Cycle(args) => cycle::command(args, asker)?,
+        LawCommand::Compare(args) => return compare::command(args, asker),
     }
     Ok(Status::Answered)
 }
@@ -37,6 +38,7 @@ pub(crate) fn command(command: &LawCommand) -> Result<Status, Failure> {
 /// Writes the files, if a folder was asked for, and shows the answer: as JSON (`true`) or
 /// in a form.
 fn deliver(
+    asker: &dyn Asker,
     (args, quiet): (&OutArgs, bool),
     (findings, document): (&Findings<'_>, Value),
     rows: &Rows,
@@ -63,7 +65,7 @@ fn deliver(
         Form::Csv => Shown::File(FILES[1]),
         Form::Svg => Shown::File(FILES[2]),
     };
-    answer.deliver(folder.as_ref(), Shown::json_or(json, form))
+    asker.deliver(&answer, folder.as_ref(), Shown::json_or(json, form))
 }
 
 fn list(args: &ListArgs) -> Result<(), Failure> {
@@ -107,7 +109,7 @@ fn row(name: &str, words: &str, law: &AnyLaw) -> Result<LawRow, Failure> {
     })
 }
 
-fn show(args: &ShowArgs) -> Result<(), Failure> {
+fn show(args: &ShowArgs, asker: &dyn Asker) -> Result<(), Failure> {
     let spec = match args.run_up {
         true => AnyLaw::RunUp(run_up_law(&args.law)?),
         false => any_law(&args.law)?,
@@ -118,7 +120,7 @@ fn show(args: &ShowArgs) -> Result<(), Failure> {
     let rows = law_rows(&law, args.form.samples as usize);
     let found = (&law_findings(&row, &law), document);
     let shown = (args.form.json, args.form.form);
-    deliver((&args.form.out, false), found, &rows, shown)
+    deliver(asker, (&args.form.out, false), found, &rows, shown)
 }
 
 /// Faults of arguments; their paths are names of options after `prefix`.

@@ -3,12 +3,13 @@
 use super::args::SynthesizeArgs;
 use super::{deliver, told};
 use crate::ask::StrokeQuestion;
+use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
 use crate::fault::Fault;
 use crate::kinematics::motion::stroke::{Criterion, Skewness};
 use crate::report::law::{StrokeExtras, stroke_findings, stroke_rows};
 
-pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
+pub(super) fn command(args: &SynthesizeArgs, asker: &dyn Asker) -> Result<(), Failure> {
     let found = question(args)
         .solve("--")?
         .map_err(|faults| refused(faults, args))?;
@@ -20,6 +21,7 @@ pub(super) fn command(args: &SynthesizeArgs) -> Result<(), Failure> {
     let findings = stroke_findings(&found.words(), &found.stroke, found.unit, extras);
     let shown = (args.form.json, args.form.form);
     deliver(
+        asker,
         (&args.form.out, false),
         (&findings, found.document()),
         &rows,

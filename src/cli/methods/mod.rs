@@ -4,6 +4,7 @@ mod bar;
 
 use super::answer::{Answer, Content, Document, PAGE, Shown};
 use super::args::MethodsArgs;
+use super::asker::Asker;
 use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::interrupt;
@@ -19,10 +20,10 @@ use crate::report::methods::charts::{
 };
 use crate::report::methods::{findings, methods_rows, sweep_findings, sweep_rows};
 use crate::report::plot::Plot;
+use crate::studies::RunSettings;
 use crate::studies::axis::Axis;
 use crate::studies::methods::sweep::{Sweep, sweep};
-use crate::studies::methods::{Models, Plan, Study, all_methods, models, study};
-use crate::studies::{Control, RunSettings};
+use crate::studies::methods::{Models, Now, Plan, Study, all_methods, models, study};
 use bar::PointBar;
 use std::time::Duration;
 
@@ -53,18 +54,17 @@ const SIZE: (f64, f64) = (900.0, 540.0);
 const MOST_VALUES: usize = 1000;
 
 /// Runs the command.
-pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
-    let input = Input::load(&args.scene)?;
+pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    let input = asker.input(&args.scene)?;
     let axis = args.x.as_deref().map(axis).transpose()?;
     // Of an axis the first value shows whether the scene can take it.
     let further: Vec<String> = axis.iter().map(|axis| axis.setting(axis.from)).collect();
     let (ready, models) = match args.models {
-        true => with_model(args, &input)?,
+        true => with_model((args, asker), &input)?,
         false => (input.prepare(&further)?, None),
     };
     let plan = plan(args, &ready, models.as_ref())?;
     let folder = prepare_folder(args, &ready)?;
-    let control = interrupt::budget();
     let (scene, hash) = (&ready.scene().name, &ready.scene().hash);
     let (diagram, source) = (
         Diagram::of(ready.system.model()),
@@ -79,11 +79,11 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
             quiet: args.scene.quiet,
         };
         let shown = Shown::json_or(args.scene.json, Shown::Text);
-        answer.deliver(folder.as_ref(), shown)
+        asker.deliver(&answer, folder.as_ref(), shown)
     };
     let complete = match &axis {
         None => {
-            let mut found = single(args, &ready, &plan, control)?;
+            let mut found = single((args, asker), &ready, &plan)?;
             if let Some(models) = models {
                 found = found.with_models(models);
             }
@@ -93,7 +93,7 @@ pub(crate) fn command(args: &MethodsArgs) -> Result<Status, Failure> {
             found.complete
         }
         Some(axis) => {
-            let found = over(args, &input, &ready, axis, &plan, control)?;
+            let found = over((args, asker), &input, &ready, axis, &plan)?;
             let document = Document::made(|| &found);
             let files = files_of_sweep(&found);
             let findings = sweep_findings(scene, &found, &diagram, source);
@@ -147,8 +147,11 @@ fn files_of_sweep(sweep: &Sweep) -> Files<'_> {
 const USUAL: f64 = 0.01;
 
 /// The scene with the least model that is accurate enough, and the errors of all models.
-fn with_model(args: &MethodsArgs, input: &Input) -> Result<(Ready, Option<Models>), Failure> {
-    let control = interrupt::budget();
+fn with_model(
+    (args, asker): (&MethodsArgs, &dyn Asker),
+    input: &Input<'_>,
+) -> Result<(Ready, Option<Models>), Failure> {
+    let control = asker.budget();
     let mut reading = input.decode(&[])?;
     let places = reading.places.clone();
     let diagnose = |faults: Vec<Fault>| places.diagnose(&faults);
@@ -225,17 +228,22 @@ fn method(name: &str) -> Result<Method, Failure> {
 
 /// Runs one study, with a progress bar.
 fn single(
-    args: &MethodsArgs,
+    (args, asker): (&MethodsArgs, &dyn Asker),
     ready: &Ready,
     plan: &Plan,
-    control: &Control<'_>,
 ) -> Result<Study, Failure> {
     let bar = PointBar::new(1, args.scene.quiet);
     let mut keeping = None;
-    let mut tell = |now: &_| {
-        keeping.get_or_insert_with(interrupt::keep);
+    let mut tell = |now: &Now| {
+        keeping.get_or_insert_with(|| asker.keep());
         bar.at(0, now);
+        asker.tell(
+            now.done,
+            now.total,
+            &format!("{}, {}", now.method, now.setting),
+        );
     };
+    let control = asker.budget();
     let found = study(&ready.system, &ready.settings, plan, control, &mut tell);
     bar.finish();
     found.map_err(|faults| ready.reading.places.diagnose(&faults).into())
@@ -243,19 +251,18 @@ fn single(
 
 /// A study at every value of an axis, with a progress bar.
 fn over(
-    args: &MethodsArgs,
-    input: &Input,
+    (args, asker): (&MethodsArgs, &dyn Asker),
+    input: &Input<'_>,
     first: &Ready,
     axis: &Axis,
     plan: &Plan,
-    control: &Control<'_>,
 ) -> Result<Sweep, Failure> {
     let bar = PointBar::new(axis.count, args.scene.quiet);
     let mut keeping = None;
     let found = sweep(
         axis,
         plan,
-        control,
+        asker.budget(),
         |x| {
             let ready = input.prepare(&[axis.setting(x)])?;
             Ok((ready.system, ready.settings))
@@ -268,8 +275,10 @@ fn over(
             first.reading.places.diagnose(&faults).into()
         },
         &mut |index, now| {
-            keeping.get_or_insert_with(interrupt::keep);
+            keeping.get_or_insert_with(|| asker.keep());
             bar.at(index, now);
+            let (done, of) = (index * now.total + now.done, axis.count * now.total);
+            asker.tell(done, of, &format!("{}, {}", now.method, now.setting));
         },
     );
     bar.finish();

@@ -2,6 +2,7 @@
 
 use super::args::SteadyArgs;
 use super::{Found, asked, folder, machine_document, machine_source, tell};
+use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
 use crate::cli::status::Status;
 use crate::dynamics::steady::flywheel::{Flywheel, size_of_table};
@@ -16,7 +17,7 @@ use std::path::Path;
 /// Largest file that is read at all.
 const LARGEST: u64 = 65 << 20;
 
-pub(super) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
+pub(super) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Failure> {
     let mut spec = SteadySpec::default();
     asked(&args.question, &mut spec)?;
     let Some(mean_speed) = spec.mean_speed else {
@@ -31,8 +32,8 @@ pub(super) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
         ..Question::new(mean_speed)
     };
     match &args.machine.table {
-        Some(path) => table(args, path, &spec, &question),
-        None => formulas(args, &spec, &question),
+        Some(path) => table((args, asker), path, &spec, &question),
+        None => formulas((args, asker), &spec, &question),
     }
 }
 
@@ -67,7 +68,7 @@ struct TableAnswer<'a> {
 }
 
 fn table(
-    args: &SteadyArgs,
+    (args, asker): (&SteadyArgs, &dyn Asker),
     path: &Path,
     spec: &SteadySpec,
     question: &Question,
@@ -104,11 +105,15 @@ fn table(
         halving: motion.figures.halving.as_ref(),
     };
     let found = Found::rigid(&motion, document, machine_source(&shown));
-    tell(args, found, folder.as_ref())?;
+    tell((args, asker), found, folder.as_ref())?;
     Ok(Status::Answered)
 }
 
-fn formulas(args: &SteadyArgs, spec: &SteadySpec, question: &Question) -> Result<Status, Failure> {
+fn formulas(
+    (args, asker): (&SteadyArgs, &dyn Asker),
+    spec: &SteadySpec,
+    question: &Question,
+) -> Result<Status, Failure> {
     let read =
         |name: &str, text: &str| Formula::new(name, text).map_err(|refusal| refused(&refusal));
     let machine = &args.machine;
@@ -140,6 +145,6 @@ fn formulas(args: &SteadyArgs, spec: &SteadySpec, question: &Question) -> Result
         halving: None,
     };
     let found = Found::rigid(&motion, document, machine_source(&title));
-    tell(args, found, folder.as_ref())?;
+    tell((args, asker), found, folder.as_ref())?;
     Ok(Status::Answered)
 }

@@ -4,10 +4,11 @@ pub(crate) mod args;
 mod machine;
 
 use super::answer::{self, Content, PAGE, Shown as Shape};
+use super::asker::Asker;
 use super::console;
 use super::expected;
 use super::failure::Failure;
-use super::input::{Input, Ready};
+use super::input::Ready;
 use super::output::OutputFolder;
 use super::run::doubts;
 use super::status::Status;
@@ -22,7 +23,7 @@ use crate::report::steady::{
     Shown, periodic_findings, periodic_rows, rigid_findings, rigid_rows, wittenbauer,
 };
 use crate::studies::expectations::Verdict;
-use crate::studies::steady::{Answer, ROWS, check, steady_motion};
+use crate::studies::steady::{Answer, ROWS, check, steady_motion_within};
 use crate::units::{Quantity, quantities as q};
 use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
 use serde::Serialize;
@@ -54,11 +55,11 @@ impl<'a> Found<'a> {
 }
 
 /// Runs the command.
-pub(crate) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
+pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Failure> {
     let Some(scene) = args.scene() else {
-        return machine::command(args);
+        return machine::command(args, asker);
     };
-    let input = Input::load(&scene)?;
+    let input = asker.input(&scene)?;
     let ready = input.prepare(&[])?;
     let folder = folder(args, &ready.scene().name)?;
     if !args.quiet && !ready.reading.warnings.is_empty() {
@@ -66,7 +67,7 @@ pub(crate) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
     }
     let mut spec = ready.scene().steady.clone().unwrap_or_default();
     asked(&args.question, &mut spec)?;
-    let answer = steady_motion(&ready.system, &ready.settings, &spec)
+    let answer = steady_motion_within(&ready.system, &ready.settings, &spec, asker.budget())
         .map_err(|faults| Failure::from(ready.reading.places.diagnose(&faults)))?;
     let verdicts = verdicts(args, &ready, &answer);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
@@ -93,7 +94,7 @@ pub(crate) fn command(args: &SteadyArgs) -> Result<Status, Failure> {
             diagram: None,
         },
     };
-    tell(args, found, folder.as_ref())?;
+    tell((args, asker), found, folder.as_ref())?;
     if !args.quiet {
         expected::talk(&verdicts);
     }
@@ -183,7 +184,11 @@ fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Valu
 }
 
 /// Prints the answer and writes its files.
-fn tell(args: &SteadyArgs, found: Found<'_>, folder: Option<&OutputFolder>) -> Result<(), Failure> {
+fn tell(
+    (args, asker): (&SteadyArgs, &dyn Asker),
+    found: Found<'_>,
+    folder: Option<&OutputFolder>,
+) -> Result<(), Failure> {
     let shown = match (args.form, &found.diagram) {
         (Form::Text, _) => Shape::Text,
         (Form::Csv, _) => Shape::File(FILES[1]),
@@ -204,7 +209,7 @@ fn tell(args: &SteadyArgs, found: Found<'_>, folder: Option<&OutputFolder>) -> R
         ],
         quiet: args.quiet,
     };
-    answer.deliver(folder, Shape::json_or(args.json, shown))
+    asker.deliver(&answer, folder, Shape::json_or(args.json, shown))
 }
 
 /// The source of a machine that is no scene.

@@ -9,6 +9,7 @@ use super::{NamedCurve, charts};
 use crate::kinematics::cam::DiscCam;
 use crate::report::findings::{Findings, Item, Layout, Section, Source};
 use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
+use crate::report::plot::Plots;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::cam::{CamFigures, CamForce};
 use serde_json::{Value, json};
@@ -70,7 +71,7 @@ pub fn findings<'a>(report: &CamReport<'a>, mut source: Source<'a>) -> Findings<
     let mut sections = vec![
         Section::new("Remarks").item(Item::Notes(said.collect())),
         Section::new("Cam and follower")
-            .drawing(move |_| turning(&drawn))
+            .drawing(move |plots| turning(&drawn, plots))
             .legend(
                 "Dotted: base circle; dashed: pitch curve. The mark on the cam points along the \
                  follower at φ = 0.",
@@ -122,7 +123,7 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
 }
 
 /// The drawing with its controls.
-fn turning(report: &CamReport<'_>) -> String {
+fn turning(report: &CamReport<'_>, plots: &Plots) -> String {
     let curves = drawn(report.cam);
     let view = view(report.cam, &curves);
     let [w, h] = view.size.map(|size| format!("{size:.0}"));
@@ -137,11 +138,7 @@ fn turning(report: &CamReport<'_>) -> String {
             None
         )
     );
-    format!(
-        "<style>\n{}\n</style>\n{}",
-        style(),
-        player(report, &view).figure(&picture)
-    )
+    plots.style(style()) + &player(report, &view).figure(&picture)
 }
 
 /// What the player moves: cam and follower, and readings over the turn.

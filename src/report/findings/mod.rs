@@ -6,6 +6,8 @@ mod page;
 mod table;
 mod text;
 
+#[cfg(feature = "studio")]
+pub(in crate::report) use page::WIDE;
 pub use table::{Cell, Column, Figure, Row, Table, Value};
 pub(in crate::report) use text::width;
 

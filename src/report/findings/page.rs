@@ -7,7 +7,7 @@ use crate::report::quantity::{escape, raised};
 use std::fmt::Write as _;
 
 /// Width of a chart over the whole page, of one of two beside each other, of a round one (pixels).
-const WIDE: f64 = 1184.0;
+pub(in crate::report) const WIDE: f64 = 1184.0;
 const HALF: [f64; 2] = [579.0, 300.0];
 const ROUND: [f64; 2] = [360.0, 370.0];
 /// A table of so many columns does not fit a narrow page: there its rows are lists.
@@ -152,6 +152,14 @@ impl Charts {
         match self.layout {
             _ if figures.is_empty() => figures,
             Layout::Wide(_) => figures,
+            // The studio lets no style stand in its page, and has columns of its own.
+            Layout::Grid | Layout::Panels(_) if plots.is_live() => {
+                let class = match self.layout {
+                    Layout::Grid => "plots",
+                    _ => "panels",
+                };
+                format!("<div class=\"{class}\">\n{figures}</div>\n")
+            }
             Layout::Grid => {
                 format!("<div class=\"plots\" style=\"--rows:{rows}\">\n{figures}</div>\n")
             }

@@ -5,7 +5,7 @@ pub mod runs;
 
 use crate::report::diagram::Diagram;
 use crate::report::mechanism;
-use crate::report::plot::{page::SCRIPT, palette};
+use crate::report::plot::{Plots, page::SCRIPT, palette};
 use crate::report::quantity::{escape, raised, scale, significant};
 use crate::report::svg::graph;
 use crate::report::verdict::{Sort, Verdict};
@@ -51,7 +51,8 @@ pub(in crate::report) fn header(title: &str, subtitle: &str, verdict: Option<&Ve
     )
 }
 
-fn verdict_banner(verdict: &Verdict) -> String {
+/// The answer in a sentence.
+pub(in crate::report) fn verdict_banner(verdict: &Verdict) -> String {
     let (class, sort) = match verdict.sort {
         Sort::Good => ("good", "Mechanism"),
         Sort::Mechanism => ("mechanism", "Mechanism"),
@@ -82,12 +83,12 @@ pub(in crate::report) fn warnings(warnings: &[String]) -> String {
 }
 
 /// The section with the object graph.
-pub(in crate::report) fn mechanism(diagram: &Diagram) -> String {
+pub(in crate::report) fn mechanism(diagram: &Diagram, plots: &Plots) -> String {
     format!(
         "<h2>Mechanism</h2>\n<div class=\"graph scroll\">\n{}</div>\n\
          <p class=\"soft\">Solid arrows carry the motion φ, φ̇ to what is driven; dashed ones \
          bring the force Ω back to the driver.</p>\n",
-        graph::svg(diagram, true)
+        graph::linked(diagram, plots)
     )
 }
 

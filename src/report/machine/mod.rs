@@ -51,7 +51,7 @@ impl Machine<'_> {
         };
         let style = match self.cams.is_empty() {
             true => String::new(),
-            false => format!("<style>\n{}\n</style>\n", cam::style()),
+            false => plots.style(cam::style()),
         };
         format!(
             "<h2>The machine moving</h2>\n{}{}",

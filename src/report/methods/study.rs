@@ -31,7 +31,7 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
         models(study),
         Section::new("Points").table(points(study)),
         limits(study),
-        Section::default().drawing(|_| mechanism(diagram)),
+        Section::default().drawing(|plots| mechanism(diagram, plots)),
     ];
     sections.retain(|section| !section.is_empty());
     Findings {

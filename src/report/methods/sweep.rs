@@ -35,7 +35,7 @@ pub fn sweep_findings<'a>(
     sections.extend([
         standings(sweep),
         causes(sweep),
-        Section::default().drawing(|_| mechanism(diagram)),
+        Section::default().drawing(|plots| mechanism(diagram, plots)),
     ]);
     Findings {
         title: scene.to_owned(),

@@ -51,6 +51,15 @@ impl Plots {
         self.add(plot, &frame, link);
     }
 
+    /// The style of a drawing, in its place on the page. The studio has the styles of all drawings
+    /// in its own, and lets no other stand.
+    pub(in crate::report) fn style(&self, style: &str) -> String {
+        match self.live {
+            true => String::new(),
+            false => format!("<style>{style}</style>\n"),
+        }
+    }
+
     /// True where numbers are exchanged again and again.
     pub(in crate::report) fn is_live(&self) -> bool {
         self.live

@@ -37,7 +37,7 @@ pub fn findings<'a>(
              given. Times are of single runs.",
         ));
     }
-    sections.push(Section::default().drawing(|_| mechanism(diagram)));
+    sections.push(Section::default().drawing(|plots| mechanism(diagram, plots)));
     sections.retain(|section| !section.is_empty());
     Findings {
         title: reduction.scene.clone(),

@@ -47,7 +47,7 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
     } = *report;
     let record = Rc::new(report.record.merged());
     let samples = record.times.len();
-    let mut sections = vec![Section::default().drawing(|_| mechanism(diagram))];
+    let mut sections = vec![Section::default().drawing(|plots| mechanism(diagram, plots))];
     if let Some(machine) = machine {
         let record = Rc::clone(&record);
         let moving = move |plots: &mut _| machine.section(figures, &record, plots);

@@ -2,7 +2,7 @@
 
 use crate::dynamics::model::{Closure, Coordinate};
 use crate::report::diagram::{Diagram, ObjectBox, Place};
-use crate::report::plot::{coordinate, document, fits};
+use crate::report::plot::{Plots, coordinate, document, fits};
 use crate::report::quantity::{escape, shortened, with_unit};
 
 const BOX_WIDTH: f64 = 156.0;
@@ -12,7 +12,7 @@ const ROW: f64 = BOX_HEIGHT + 46.0;
 const MARGIN: f64 = 16.0;
 
 /// Style of the picture.
-const STYLE: &str = "\
+pub(in crate::report) const STYLE: &str = "\
 .dam-graph{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'Helvetica Neue',Arial,sans-serif}\
 .dam-graph .frame{fill:var(--box);stroke:var(--ink-soft);stroke-width:1.4}\
 .dam-graph .drive .frame{fill:var(--box-drive)}\
@@ -28,9 +28,25 @@ const STYLE: &str = "\
 .dam-graph .pair-mark{fill:none;stroke:var(--accent);stroke-width:1.5}\
 .dam-graph a:hover .frame{stroke-width:2.4}";
 
-/// The picture: by itself, or with `links` as part of a page that gives the colours, every box
-/// a link to its anchor `#object-ID`.
-pub fn svg(diagram: &Diagram, links: bool) -> String {
+/// The picture by itself.
+pub fn svg(diagram: &Diagram) -> String {
+    let (size, body) = drawn(diagram, false);
+    document("dam-graph", size, "Object graph", STYLE, &body)
+}
+
+/// The picture as part of a page, which gives the colours: every box is a link to its anchor
+/// `#object-ID`.
+pub(in crate::report) fn linked(diagram: &Diagram, plots: &Plots) -> String {
+    let ([width, height], body) = drawn(diagram, true);
+    let (w, h) = (coordinate(width), coordinate(height));
+    format!(
+        "<svg class=\"dam-graph\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
+         aria-label=\"Object graph\">\n{}{body}</svg>\n",
+        plots.style(STYLE)
+    )
+}
+
+fn drawn(diagram: &Diagram, links: bool) -> ([f64; 2], String) {
     let places = diagram.places();
     let columns = places.iter().map(|p| p.column).max().unwrap_or(0) as f64;
     let rows = places.iter().map(|p| p.row).fold(0.0, f64::max);
@@ -47,14 +63,7 @@ pub fn svg(diagram: &Diagram, links: bool) -> String {
     for (one, place) in diagram.boxes.iter().zip(&places) {
         out.push_str(&object_box(one, *place, links));
     }
-    if !links {
-        return document("dam-graph", [width, height], "Object graph", STYLE, &out);
-    }
-    let (w, h) = (coordinate(width), coordinate(height));
-    format!(
-        "<svg class=\"dam-graph\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
-         aria-label=\"Object graph\">\n<style>{STYLE}</style>\n{out}</svg>\n"
-    )
+    ([width, height], out)
 }
 
 /// Upper left corner of a box.
@@ -238,15 +247,16 @@ fn pair_symbol(one: &ObjectBox, x: f64, y: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::svg;
+    use super::{linked, svg};
     use crate::report::diagram::Diagram;
     use crate::report::fixture;
+    use crate::report::plot::Plots;
 
     #[test]
     fn every_object_is_drawn_and_nothing_breaks_out() {
         let mut diagram = Diagram::of(&fixture::fan_out());
         diagram.boxes[1].kind = "<script>&".into();
-        let picture = svg(&diagram, true);
+        let picture = linked(&diagram, &Plots::default());
         for one in &diagram.boxes {
             assert!(picture.contains(&format!("href=\"#object-{}\"", one.id)));
         }
@@ -254,6 +264,6 @@ mod tests {
         assert_eq!(picture.matches("class=\"edge\"").count(), 3);
         assert_eq!(picture.matches("force-closed pair").count(), 1);
         assert_eq!(picture.matches("form-closed pair").count(), 1);
-        assert!(svg(&Diagram::default(), false).contains("</svg>"));
+        assert!(svg(&Diagram::default()).contains("</svg>"));
     }
 }

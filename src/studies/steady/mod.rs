@@ -83,13 +83,12 @@ pub fn steady_motion_within(
     })
 }
 
-fn found(
-    system: &System,
-    settings: &RunSettings,
-    spec: &SteadySpec,
-    control: &Control<'_>,
-) -> Result<Answer, Vec<Fault>> {
-    let model = system.model();
+/// Whether a model is one of those whose steady motion is found at all: of one degree of freedom,
+/// without joint friction, behind a drive that is named where there are several.
+///
+/// # Errors
+/// Why it is not.
+pub fn suits(model: &Model, spec: &SteadySpec) -> Result<(), Vec<Fault>> {
     let rubs = rubbing(model);
     if !rubs.is_empty() {
         return Err(rubs);
@@ -102,11 +101,29 @@ fn found(
             "`dam run` runs it from its start on",
         )]);
     }
-    // Where every drive is prescribed, all that is elastic moves with them.
+    match moves_with_drives(model, spec) {
+        true => Ok(()),
+        false => drive_of(model, spec.drive.as_deref()).map(|_| ()),
+    }
+}
+
+/// Where every drive is prescribed, all that is elastic moves with them.
+fn moves_with_drives(model: &Model, spec: &SteadySpec) -> bool {
     let is_free = |node: &Node| matches!(node.motion, NodeMotion::Rotor { .. });
     let is_mass = |node: &Node| matches!(node.motion, NodeMotion::Mass { .. });
     let elastic = model.nodes.iter().any(is_mass) && !model.nodes.iter().any(is_free);
-    if spec.drive.is_none() && elastic {
+    spec.drive.is_none() && elastic
+}
+
+fn found(
+    system: &System,
+    settings: &RunSettings,
+    spec: &SteadySpec,
+    control: &Control<'_>,
+) -> Result<Answer, Vec<Fault>> {
+    let model = system.model();
+    suits(model, spec)?;
+    if moves_with_drives(model, spec) {
         let answer = periodic::answer(system, settings, spec, control)?;
         return Ok(Answer::Periodic(Box::new(answer)));
     }

@@ -1,0 +1,146 @@
+//! Which questions a scene fits, and of what in it they can be asked.
+
+use super::TABS;
+use crate::ask::{Judging, Mechanism};
+use crate::dynamics::model::Model;
+use crate::frontend::scene::{BuiltIn, Document, Layered, Overrides};
+use crate::kinematics::motion::LawName;
+use crate::studies::cam::objects_with_cam;
+use crate::studies::kinematics::{Subject, linkage_of, several_of};
+use crate::studies::methods::all_methods;
+use crate::studies::steady;
+use crate::studio::commands::Asked;
+use serde::Serialize;
+use serde_json::Value;
+use std::collections::BTreeMap;
+
+/// Whether a scene fits a question.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Fit {
+    pub(super) command: &'static str,
+    /// Why it does not.
+    pub(super) why: Option<String>,
+    /// What options may be, by their names; the first is taken where one is needed.
+    pub(super) choices: BTreeMap<&'static str, Vec<String>>,
+}
+
+/// Of every question; empty: the scene has faults.
+pub(super) fn of(asked: &Asked<'_>) -> Vec<Fit> {
+    let Ok(document) = Document::parse(asked.name, asked.text.as_bytes()) else {
+        return Vec::new();
+    };
+    let catalogue = Layered(asked.catalogue, &BuiltIn);
+    let Ok(reading) = document.scene(&catalogue, &Overrides::none()) else {
+        return Vec::new();
+    };
+    let ready = Mechanism::of_within(reading, Judging::Never, &asked.budget);
+    let tree: Value = serde_json::from_str(asked.text).unwrap_or_default();
+    let one = |ready: &Mechanism, command| {
+        let (choices, why) = fit(command, ready, &tree);
+        Fit {
+            command,
+            why,
+            choices: choices.into_iter().collect(),
+        }
+    };
+    match ready {
+        Ok(ready) => TABS.iter().map(|tab| one(&ready, tab.command)).collect(),
+        Err(_) => Vec::new(),
+    }
+}
+
+type Choices = Option<(&'static str, Vec<String>)>;
+
+fn fit(command: &str, ready: &Mechanism, tree: &Value) -> (Choices, Option<String>) {
+    let model = ready.model();
+    let named = |option, names: Vec<String>, why: &str| {
+        let none = names.is_empty().then(|| why.to_owned());
+        (Some((option, names)), none)
+    };
+    match command {
+        "kinematics" => linkages(model, |id| Subject::of(model, id).err()),
+        "forces" => linkages(model, |id| linkage_of(model, id).err()),
+        "steady" => {
+            let spec = ready.scene().steady.clone().unwrap_or_default();
+            let wrong = steady::suits(model, &spec).err().unwrap_or_default();
+            let first = wrong.into_iter().next();
+            (
+                None,
+                first.map(|fault| format!("{}: {}", fault.path, fault.message)),
+            )
+        }
+        "cam" => {
+            let names = objects_with_cam(ready.scene())
+                .into_iter()
+                .map(str::to_owned);
+            named(
+                "object",
+                names.collect(),
+                "no object of the scene tells of its cam",
+            )
+        }
+        "law cycle" => {
+            let parts = model.objects.iter().map(|part| part.id.clone());
+            let follows = parts.filter(|id| ready.law_cycle(id).is_ok());
+            named(
+                "of",
+                follows.collect(),
+                "no object of the scene follows the cycle of a cam",
+            )
+        }
+        "law compare" => {
+            let mut found = Vec::new();
+            laws(&tree["objects"], "", &mut found);
+            named("at", found, "no law of motion stands in the scene")
+        }
+        "law show" => {
+            let names = LawName::ALL.map(|name| name.name().to_owned());
+            (Some(("law", names.to_vec())), None)
+        }
+        "methods" => {
+            let all = all_methods();
+            let names = all.iter().map(|method| method.name().to_owned());
+            (Some(("methods", names.collect())), None)
+        }
+        _ => (None, None),
+    }
+}
+
+/// The linkages that can be asked, where there are several by name.
+fn linkages(
+    model: &Model,
+    refused: impl Fn(Option<&str>) -> Option<String>,
+) -> (Choices, Option<String>) {
+    let fits = |id: &str| several_of(model, Some(id)).is_some() || refused(Some(id)).is_none();
+    let names = model.objects.iter().map(|part| part.id.clone());
+    let names: Vec<String> = names.filter(|id| fits(id)).collect();
+    let why = match names.is_empty() {
+        true => refused(None),
+        false => None,
+    };
+    (Some(("object", names)), why)
+}
+
+/// Addresses of laws of motion.
+fn laws(value: &Value, at: &str, found: &mut Vec<String>) {
+    let inner = |name: &str| match at {
+        "" => name.to_owned(),
+        at => format!("{at}.{name}"),
+    };
+    match value {
+        Value::Object(members) => {
+            for (name, value) in members {
+                match name == "law" && !at.is_empty() {
+                    true => found.push(inner(name)),
+                    false => laws(value, &inner(name), found),
+                }
+            }
+        }
+        Value::Array(items) => {
+            for (index, item) in items.iter().enumerate() {
+                laws(item, &format!("{at}[{index}]"), found);
+            }
+        }
+        _ => {}
+    }
+}

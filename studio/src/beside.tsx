@@ -1,0 +1,33 @@
+// What is shown beside the run: earlier runs that are pinned, and a signal over another.
+
+import { useEffect, useState } from "preact/hooks";
+import type { Answer } from "./answer";
+import type { Link } from "./link";
+
+interface Props { link: Link; answer: Answer; opened: number; stale: boolean }
+
+export function Beside({ link, answer: { pins, signals }, opened, stale }: Props) {
+  const [along, setAlong] = useState("t"), [up, setUp] = useState("");
+  const names = signals.map(([name]) => name);
+  useEffect(() => { setAlong("t"); setUp(""); }, [opened]);
+  const over = (x: string, y: string) => {
+    setAlong(x); setUp(y);
+    link.send({ type: "over", signals: y ? [x, y] : null });
+  };
+  const choice = (label: string, value: string, all: string[], set: (value: string) => void) => (
+    <label>{label} <select value={all.includes(value) ? value : ""} onChange={(event) => set(event.currentTarget.value)}>{all.map((one) => <option value={one}>{one || "–"}</option>)}</select></label>
+  );
+  return (
+    <div class="tools seen-beside" role="group" aria-label="beside the run">
+      <button type="button" disabled={stale || pins.length >= 3} title="keep this run: later ones are drawn over it, and their figures stand beside its own" onClick={() => link.send({ type: "pin", name: "" })}>Pin this run</button>
+      {pins.map((name, pin) => <span key={pin} class="pin">
+        <input type="text" size={12} value={name} aria-label={`name of pinned run ${pin + 1}`} onChange={(event) => link.send({ type: "rename", pin, name: event.currentTarget.value })} />
+        <button type="button" class="drop" aria-label={`unpin ${name}`} title="unpin" onClick={() => link.send({ type: "unpin", pin })}>×</button>
+      </span>)}
+      {pins.length > 0 && <button type="button" onClick={() => document.querySelector(".compared")?.scrollIntoView({ block: "start" })}>Figures beside each other</button>}
+      <span class="space" />
+      {choice("Chart of", up, ["", ...names], (y) => over(along, y))}
+      {choice("over", along, names, (x) => over(x, up))}
+    </div>
+  );
+}

@@ -1,0 +1,50 @@
+// An option of a command as a field, as the command declares it.
+
+import { useId } from "preact/hooks";
+
+export interface Option {
+  name: string;
+  sort: "flag" | "choice" | "text" | "optional" | "lines";
+  value: string;
+  help: string;
+  default: string;
+  choices: [string, string][];
+  required: boolean;
+}
+
+interface Props { option: Option; offered: string[]; values: string[]; set: (values: string[]) => void }
+
+export function OptionField({ option, offered, values, set }: Props) {
+  const id = useId(), { name, sort, required } = option, first = values[0] ?? "";
+  const typed = (event: Event) => {
+    const text = (event.currentTarget as HTMLInputElement).value.trim();
+    set(text === "" ? [] : [text]);
+  };
+  const hint = option.default || option.value;
+  const entry = () => {
+    if (sort === "flag") return <input id={id} type="checkbox" checked={values.length > 0} onChange={(event) => set(event.currentTarget.checked ? [""] : [])} />;
+    if (sort === "choice" || (offered.length > 0 && name !== "methods" && name !== "law" && sort === "text")) {
+      const all = sort === "choice" ? option.choices : offered.map((one): [string, string] => [one, ""]);
+      return <select id={id} value={first} onChange={(event) => set(event.currentTarget.value ? [event.currentTarget.value] : [])}>
+        {!(required && all.length) && <option value="">{option.default ? `${option.default} (default)` : "–"}</option>}
+        {all.filter(([one]) => one !== option.default).map(([one, help]) => <option value={one} title={help}>{one}</option>)}
+      </select>;
+    }
+    if (sort === "lines") return <textarea id={id} rows={Math.max(1, values.length)} placeholder={`${option.value}, one a line`} value={values.join("\n")} onChange={(event) => set(event.currentTarget.value.split("\n").map((line) => line.trim()).filter(Boolean))} />;
+    if (sort === "optional") return <>
+      <input type="checkbox" aria-label={`${name}, on`} checked={values.length > 0} onChange={(event) => set(event.currentTarget.checked ? [""] : [])} />
+      <input id={id} type="text" value={first} placeholder={option.value} onChange={(event) => set([event.currentTarget.value.trim()])} />
+    </>;
+    return <>
+      <input id={id} type="text" value={first} placeholder={hint} list={offered.length ? `${id}-list` : undefined} onChange={typed} />
+      {offered.length > 0 && <datalist id={`${id}-list`}>{offered.map((one) => <option value={one} />)}</datalist>}
+    </>;
+  };
+  return (
+    <div class="option">
+      <label for={id}>{name.replaceAll("-", " ")}</label>
+      <span class="entry">{entry()}</span>
+      <span class="help soft">{option.help}</span>
+    </div>
+  );
+}

@@ -1,0 +1,145 @@
+// Runs that are pinned, a signal over another, and what is exported.
+
+import { expect, test } from "@playwright/test";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { deltaOf, opened as openedAt, slider, textOf, watched } from "./page.mjs";
+import { Server, dam } from "./server.mjs";
+
+let server, wrong;
+test.beforeEach(async ({ page }) => {
+  server = new Server();
+  await server.start();
+  wrong = watched(page);
+});
+test.afterEach(async () => {
+  await server.end();
+  expect(wrong).toEqual([]);
+});
+const opened = (page) => openedAt(page, server.address);
+const chart = (page, title) => page.locator(".charts .chart", { has: page.locator("svg.dam-plot", { hasText: title }) }).first();
+const text = async (download) => readFileSync(await (await download).path(), "utf8");
+async function moved(page, key = "ArrowRight", times = 5) {
+  const before = await deltaOf(page);
+  await slider(page, "rocker.inertia").focus();
+  for (let k = 0; k < times; k++) await page.keyboard.press(key);
+  await expect.poll(() => deltaOf(page)).not.toBe(before);
+  await textOf(page);
+}
+// Exports a chart and returns what was saved.
+async function exported(page, place, way) {
+  await place.scrollIntoViewIfNeeded();
+  await place.locator(".export summary").click();
+  const download = page.waitForEvent("download");
+  await place.locator(".export button", { hasText: way }).click();
+  return download;
+}
+const table = (csv) => { const [head, ...rows] = csv.trimEnd().split("\n"); return { head: head.split(","), columns: head.split(",").map((_, k) => rows.map((row) => row.split(",")[k])) }; };
+
+test("a pinned run stays in the charts and beside the figures", async ({ page }) => {
+  await opened(page);
+  const delta = chart(page, "Positioning error");
+  await expect(delta).toBeVisible();
+  const first = await deltaOf(page), alone = table(await text(exported(page, delta, "CSV")));
+  await page.getByRole("button", { name: "Pin this run" }).click();
+  await expect(page.getByLabel("name of pinned run 1")).toHaveValue("run 1");
+  await moved(page);
+  await expect(delta.locator(".legend .entry")).toHaveCount(2);
+  await expect(delta.locator(".legend")).toContainText("now");
+  // Both curves: the pinned one is that of before, the other one is not.
+  const both = table(await text(exported(page, delta, "CSV")));
+  expect(both.head.filter((name) => name.includes("now"))).toHaveLength(1);
+  const pinned = both.head.findIndex((name) => name.includes("run 1"));
+  expect(both.columns[pinned].filter(Boolean)).toEqual(alone.columns[1]);
+  const now = both.columns[both.head.findIndex((name) => name.includes("now"))].filter(Boolean);
+  expect(now).not.toEqual(alone.columns[1]);
+  // Figures side by side: the pinned one to the last digit, with the difference.
+  const row = page.locator(".compared tr", { hasText: "greatest |δ|" }).first();
+  const titles = await row.locator("td span[title]").evaluateAll((all) => all.map((one) => one.title.split(" ")[0]));
+  expect(titles[1]).toBe(first);
+  expect(Number(titles[0])).toBe(server.run(await textOf(page)).objects.rocker.delta_abs);
+  await expect(row).toContainText("%");
+  // A curve is switched off in the legend.
+  const curve = delta.locator(".inside path[data-series='1']");
+  await expect(curve).toBeVisible();
+  await delta.locator(".legend .entry text", { hasText: "run 1" }).click();
+  await expect(delta.locator(".legend .entry", { hasText: "run 1" })).toHaveClass(/off/);
+  // Another name, a second pin, and both go again.
+  const name = page.getByLabel("name of pinned run 1");
+  await name.fill("before");
+  await name.blur();
+  await expect(delta.locator(".legend")).toContainText("before");
+  await page.getByRole("button", { name: "Pin this run" }).click();
+  await expect(delta.locator(".legend .entry")).toHaveCount(3);
+  await moved(page, "ArrowLeft", 2);
+  await expect(delta.locator(".legend .entry")).toHaveCount(3);
+  await page.getByRole("button", { name: "unpin before" }).click();
+  await expect(delta.locator(".legend .entry")).toHaveCount(2);
+  await page.getByRole("button", { name: "unpin run 2" }).click();
+  await expect(page.locator(".seen-beside .pin")).toHaveCount(0);
+  await expect(page.locator(".charts .legend .entry", { hasText: "now" })).toHaveCount(0);
+});
+
+test("a signal over another is a chart of the record's columns", async ({ page }) => {
+  await opened(page);
+  const tools = page.getByRole("group", { name: "beside the run" });
+  await tools.getByLabel("over").selectOption("rocker.displacement");
+  await tools.getByLabel("Chart of").selectOption("rocker.speed");
+  const portrait = chart(page, "rocker.speed over rocker.displacement");
+  await expect(portrait).toBeVisible();
+  const csv = table(await text(exported(page, portrait, "CSV")));
+  expect(csv.head).toEqual(["rocker.displacement [rad]", "rocker.speed over rocker.displacement [rad/s]"]);
+  const own = async (name) => table(await text(exported(page, page.locator("#object-rocker .chart", { hasText: name }).first(), "CSV")));
+  const displacement = await own("Displacement"), speed = await own("Speed");
+  expect(csv.columns[0]).toEqual(displacement.columns[1]);
+  expect(csv.columns[1]).toEqual(speed.columns[1]);
+  await moved(page);
+  await expect(portrait).toBeVisible();
+  await tools.getByLabel("Chart of").selectOption("");
+  await expect(portrait).toHaveCount(0);
+});
+
+test("charts, the report and the scene are saved as files", async ({ page }) => {
+  await opened(page);
+  const delta = chart(page, "Positioning error");
+  const csv = table(await text(exported(page, delta, "CSV")));
+  // The chart's own numbers, all of them to the last digit.
+  expect(csv.head).toEqual(["t [s]", "Positioning error δ [rad]"]);
+  const greatest = Math.max(...csv.columns[1].map((value) => Math.abs(Number(value))));
+  const figures = server.run(server.text()).objects.rocker;
+  expect(greatest).toBeLessThanOrEqual(figures.delta_abs);
+  expect(greatest).toBeGreaterThan(0.9 * figures.delta_abs);
+  const svg = await text(exported(page, delta, "SVG"));
+  expect(svg).toContain('xmlns="http://www.w3.org/2000/svg"');
+  expect(svg).not.toContain("var(--");
+  await page.evaluate((svg) => { const parsed = new DOMParser().parseFromString(svg, "image/svg+xml"); if (parsed.querySelector("parsererror")) throw new Error("no SVG"); }, svg);
+  const png = readFileSync(await (await exported(page, delta, "PNG")).path());
+  expect(png.subarray(1, 4).toString()).toBe("PNG");
+  expect(png.length).toBeGreaterThan(5000);
+  const saved = async (name) => {
+    const download = page.waitForEvent("download");
+    await page.getByRole("button", { name }).click();
+    return text(download);
+  };
+  expect(await saved("Export scene")).toBe(server.text());
+  const report = await saved("Export report");
+  // The page is that of the command, byte for byte.
+  const out = join(server.base, "out");
+  // A pair that opens ends the command with status 1.
+  try { execFileSync(dam, ["run", server.path(), "--out", out, "--quiet"], { stdio: "ignore" }); } catch { /* told by its files */ }
+  expect(report).toBe(readFileSync(join(out, "report.html"), "utf8"));
+  const record = table(await saved("Export record"));
+  expect(record.columns[0].length).toBeGreaterThan(100);
+});
+
+test("a map is saved with what is told of every cell", async ({ page }) => {
+  await opened(page);
+  await page.getByRole("button", { name: "Map over two numbers" }).click();
+  await expect(page.locator(".map-view")).toContainText("400 points", { timeout: 60_000 });
+  const csv = await text(exported(page, page.locator(".map-place .chart"), "CSV"));
+  const [head, ...rows] = csv.trimEnd().split("\n");
+  expect(head).toMatch(/^[^,]+ from[^,]*,[^,]+ to[^,]*,[^,]+ from[^,]*,[^,]+ to[^,]*,told/);
+  expect(rows).toHaveLength(400);
+  expect(rows[0]).toMatch(/rad/);
+});

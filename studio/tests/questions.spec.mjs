@@ -1,0 +1,182 @@
+// The tabs of other questions: what they show is what the commands tell.
+
+import { expect, test } from "@playwright/test";
+import { execFileSync } from "node:child_process";
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { opened as openedAt, slider, textOf, watched } from "./page.mjs";
+import { Server, dam } from "./server.mjs";
+
+const SCENES = {
+  "shaper.json": "scenarios/linkages/shaper.json",
+  "slider_crank.json": "scenarios/kinetostatics/slider_crank.json",
+  "engine.json": "scenarios/steady/engine.json",
+  "indexing_dwells.json": "scenarios/cams/indexing_dwells.json",
+  "flat_tappet.json": "scenarios/cams/flat_tappet.json",
+  "two_masses.json": "scenarios/rocker/two_masses.json",
+};
+let server, wrong;
+test.beforeEach(async ({ page }) => {
+  server = new Server(SCENES);
+  await server.start();
+  wrong = watched(page);
+});
+test.afterEach(async () => {
+  await server.end();
+  expect(wrong).toEqual([]);
+});
+
+const asking = (page) => page.locator("section.asking");
+async function opened(page, scene) {
+  await openedAt(page, server.address);
+  await page.locator(".top select").selectOption(scene);
+  await expect(page.locator(".top select")).toHaveValue(scene);
+  await expect(page.locator("main > .verdict")).toHaveCount(1);
+}
+const done = (page) => expect(asking(page)).toHaveAttribute("aria-busy", "false", { timeout: 60_000 });
+async function tab(page, name) {
+  await asking(page).getByRole("tab", { name, exact: true }).click();
+  await expect(page.locator(".found").locator("h2, .dam-plot, dl").first()).toBeVisible({ timeout: 60_000 });
+  await done(page);
+}
+// The command's answer to a scene, as JSON and as its page.
+function told(scene, command, ...options) {
+  const run = (more) => {
+    try { return execFileSync(dam, [...command.split(" "), server.path(scene), ...options, ...more], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28 }); } catch (error) { return error.stdout; }
+  };
+  const json = JSON.parse(run(["--json"])), out = join(server.base, `out-${Math.random()}`);
+  run(["--out", out, "--quiet"]);
+  return { json, report: join(out, "report.html") };
+}
+// Everything that is read on a page or tab: words, and numbers with all their digits.
+const read = (page, selector) => page.evaluate((selector) => {
+  const at = document.querySelector(selector);
+  const titles = [...at.querySelectorAll("span[title]")].map((one) => one.title);
+  const tables = [...at.querySelectorAll("tbody tr, dl.facts:not(.readings) > *")].map((one) => one.textContent.trim());
+  return { titles, tables, heads: [...at.querySelectorAll("h2")].map((one) => one.textContent) };
+}, selector);
+// All numbers of a document.
+function numbers(value, found = new Set()) {
+  if (typeof value === "number") found.add(value);
+  else if (value && typeof value === "object") for (const one of Object.values(value)) numbers(one, found);
+  return found;
+}
+async function same(page, scene, command, ...options) {
+  const { json, report } = told(scene, command, ...options), tab = await read(page, ".found"), other = await page.context().newPage();
+  await other.goto(`file://${report}`);
+  const own = await read(other, "main");
+  await other.close();
+  own.heads = own.heads.filter((head) => head !== "Scene");
+  expect(tab).toEqual(own);
+  expect(tab.titles.length + tab.tables.length).toBeGreaterThan(4);
+  // Numbers that are shown in their own unit stand in the document to the last digit.
+  const all = numbers(json), shown = tab.titles.map((title) => Number(title.split(" ")[0]));
+  return { json, share: shown.filter((one) => all.has(one)).length / Math.max(1, shown.length), shown };
+}
+
+for (const [name, scene, command, options] of [
+  ["Kinematics", "shaper.json", "kinematics", []],
+  ["Forces", "slider_crank.json", "forces", []],
+  ["Steady motion", "engine.json", "steady", []],
+  ["Cam", "indexing_dwells.json", "cam", []],
+  ["Laws", "flat_tappet.json", "law cycle", ["--of", "valve"]],
+]) test(`${command}: the tab shows what the command tells, to the last digit`, async ({ page }) => {
+  await opened(page, scene);
+  await tab(page, name);
+  const { json, share, shown } = await same(page, scene, command, ...options);
+  // The document is that of `--json`, all numbers of it.
+  const download = page.waitForEvent("download");
+  await asking(page).getByRole("button", { name: `${command.split(" ")[0]}.json` }).click();
+  expect(JSON.parse(readFileSync(await (await download).path(), "utf8"))).toEqual(json);
+  // The others are counted from them: degrees, differences, shares.
+  expect(shown.length).toBeGreaterThan(10);
+  expect(share).toBeGreaterThan(0.7);
+  await expect(page.locator(".found svg.dam-plot")).not.toHaveCount(0);
+});
+
+test("methods: errors and evaluations of the tab are those of the command", async ({ page }) => {
+  await opened(page, "two_masses.json");
+  await asking(page).getByRole("tab", { name: "Methods", exact: true }).click();
+  await asking(page).locator("summary", { hasText: "Options" }).click();
+  const fill = async (label, text) => { const field = asking(page).getByLabel(label, { exact: true }); await field.fill(text); await field.blur(); };
+  await fill("repeats", "1");
+  await fill("tolerances", "1e-4,1e-6");
+  await fill("methods", "exact,dop853");
+  await expect(page.locator(".found .dam-plot").first()).toBeVisible({ timeout: 60_000 });
+  await done(page);
+  const { json } = told("two_masses.json", "methods", "--repeats=1", "--tolerances=1e-4,1e-6", "--methods=exact,dop853");
+  // Times are another each time; what was computed is not.
+  const points = json.methods.flatMap((method) => method.points);
+  expect(points.length).toBeGreaterThan(1);
+  // What was asked on the way to these options may be answered before.
+  await expect(async () => {
+    const text = await page.locator(".found").textContent();
+    for (const point of points) expect(text).toContain(String(point.evaluations));
+    expect(text).not.toContain("radau");
+  }).toPass({ timeout: 30_000 });
+});
+
+test("an option is a field as the command declares it, and what is wrong is told in its words", async ({ page }) => {
+  await opened(page, "shaper.json");
+  await tab(page, "Kinematics");
+  await asking(page).locator("summary", { hasText: "Options" }).click();
+  const speed = asking(page).getByLabel("speed", { exact: true });
+  await speed.fill("20 kg");
+  await speed.blur();
+  await expect(asking(page).locator(".refused")).toContainText("--speed");
+  await expect(asking(page).locator(".stale-mark")).toBeVisible();
+  await speed.fill("20 rpm");
+  await speed.blur();
+  await expect(asking(page).locator(".refused")).toHaveCount(0);
+  await done(page);
+  await same(page, "shaper.json", "kinematics", "--speed", "20 rpm");
+  // The files are those of the command.
+  const download = page.waitForEvent("download");
+  await asking(page).getByRole("button", { name: "kinematics.json" }).click();
+  const { json } = told("shaper.json", "kinematics", "--speed", "20 rpm");
+  expect(JSON.parse(readFileSync(await (await download).path(), "utf8"))).toEqual(json);
+});
+
+test("a tab follows the text, is stale while the scene has faults, and says why a scene does not fit", async ({ page }) => {
+  await opened(page, "slider_crank.json");
+  await tab(page, "Forces");
+  const before = await read(page, ".found");
+  const cam = asking(page).getByRole("tab", { name: "Cam", exact: true });
+  await expect(cam).toHaveAttribute("title", /tells of its cam/);
+  const text = server.text("slider_crank.json"), speed = /"speed": "?[\d.]+/.exec(text);
+  expect(speed).not.toBeNull();
+  // A digit more behind the number.
+  await page.locator(".cm-line", { hasText: speed[0] }).first().click();
+  const change = async (key) => { await page.keyboard.press(key); };
+  await page.keyboard.press("Home");
+  const column = await page.evaluate((wanted) => { const view = document.querySelector(".cm-content").cmTile?.view ?? document.querySelector(".cm-content").cmView.view; const line = view.state.doc.lineAt(view.state.selection.main.head); const at = line.from + line.text.indexOf(wanted) + wanted.length; view.dispatch({ selection: { anchor: at } }); return at; }, speed[0]);
+  expect(column).toBeGreaterThan(0);
+  await change("Backspace");
+  await page.keyboard.type("7");
+  await expect.poll(async () => JSON.stringify(await read(page, ".found"))).not.toBe(JSON.stringify(before));
+  await done(page);
+  writeFileSync(server.path("changed.json"), await textOf(page));
+  await same(page, "changed.json", "forces");
+  await page.keyboard.type("x");
+  await expect(page.locator("main > .stale-mark")).toBeVisible();
+  await expect(page.locator(".found .dam-plot").first()).toBeVisible();
+  await page.keyboard.press("Backspace");
+  await expect(page.locator(".stale-mark")).toHaveCount(0);
+  await done(page);
+  await cam.click();
+  await expect(asking(page).locator(".why")).toContainText("tells of its cam");
+  await asking(page).getByRole("tab", { name: "Motion", exact: true }).click();
+  await expect(page.locator(".charts svg.dam-plot").first()).toBeVisible();
+});
+
+test("long work tells how far it is, and ends when something newer is asked", async ({ page }) => {
+  await opened(page, "two_masses.json");
+  await asking(page).getByRole("tab", { name: "Methods", exact: true }).click();
+  await expect(asking(page).locator(".working")).toContainText(/exact|taylor|rodas|radau|dop|rk4|1e/, { timeout: 30_000 });
+  // Methods would go on for long: what is newer need not wait for them.
+  await asking(page).getByRole("tab", { name: "Laws", exact: true }).click();
+  await asking(page).getByLabel("law show").check();
+  await expect(page.locator(".found h2").first()).toBeVisible({ timeout: 20_000 });
+  await expect(page.locator(".found .dam-plot").first()).toBeVisible();
+  await done(page);
+});
