@@ -12,7 +12,7 @@ pub(crate) struct PairTracker {
     pub(crate) component: usize,
     /// True of a stop: that it is open is no separation.
     pub(crate) is_stop: bool,
-    /// True: its switches and openings are listed, not only counted.
+    /// True: its switches are listed, not only counted.
     pub(crate) is_listed: bool,
     /// Components of the modes of the object's stops.
     stops: Vec<usize>,
@@ -149,7 +149,7 @@ impl PairTracker {
         let open = time - from;
         self.figures.separated_time += open;
         self.figures.longest_separation = self.figures.longest_separation.max(open);
-        if self.is_listed && open > 0.0 {
+        if open > 0.0 {
             intervals.push(Interval {
                 object: id.to_owned(),
                 from,

@@ -8,7 +8,8 @@ pub struct RecorderSettings {
     /// Number of equal intervals between samples (one more row than that); 0: no
     /// samples at all.
     pub samples: usize,
-    /// True: every switch of a pair and every opening is listed, not only counted.
+    /// True: every switch of a pair is listed, not only counted. (Openings are in any case:
+    /// by them the working order is judged.)
     pub listing: bool,
     /// True: two more rows (before, after) at every switch of a pair.
     pub switch_rows: bool,
