@@ -66,6 +66,8 @@ impl<'a> Cursor<'a> {
         }
         self.states.copy_from_slice(&self.work.states);
         self.before = self.work.out.switches.len();
+        // (Where there is no further one the run stands at the end of the last.)
+        self.passed = None;
         self.passed = Some(self.work.advance(&self.request)?);
         Ok(true)
     }

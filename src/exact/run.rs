@@ -154,6 +154,18 @@ impl Workspace<'_> {
         let (q, v) = (&mut self.q, &mut self.v);
         self.phase
             .begin::<A>(self.problem, basis, steady, self.at, q, v);
+        let passed = self.follow_phase::<A>(regime, end);
+        if passed.is_err() {
+            // The run stands where the phase began.
+            self.q.copy_from_slice(&self.q_end);
+            self.v.copy_from_slice(&self.v_end);
+        }
+        passed
+    }
+
+    /// The phase that has begun, up to its switch or to the end of its validity.
+    #[inline(always)]
+    fn follow_phase<A: Arith>(&mut self, regime: usize, end: f64) -> Result<Passed, Refusal> {
         let horizon = self.phase.local(end).min(self.phase.reach);
         self.search.restart(&self.phase);
         self.begin_tracks::<A>(regime);
@@ -166,23 +178,19 @@ impl Workspace<'_> {
         let entry = &self.regimes[regime];
         self.phase.revive(&entry.basis);
         let s = self.search.e.s;
-        self.phase.state::<A>(
-            &entry.basis,
-            &self.search.e,
-            &mut self.q_end,
-            &mut self.v_end,
-        );
-        if !self.q_end.iter().chain(&self.v_end).all(|x| x.is_finite()) {
+        self.phase
+            .state::<A>(&entry.basis, &self.search.e, &mut self.q, &mut self.v);
+        if !self.q.iter().chain(&self.v).all(|x| x.is_finite()) {
             return Err(not_finite());
         }
+        self.q_end.copy_from_slice(&self.q);
+        self.v_end.copy_from_slice(&self.v);
         let (strides, samples) = (entry.strides.as_ref(), &mut self.out.samples);
         self.sampler
             .phase::<A>(&entry.basis, strides, &self.phase, s, samples);
         self.end_tracks::<A>(regime);
         self.end_ledger::<A>(regime);
         self.at = self.phase.time(s);
-        std::mem::swap(&mut self.q, &mut self.q_end);
-        std::mem::swap(&mut self.v, &mut self.v_end);
         self.keep_zeros::<A>(regime, event);
         Ok(Passed {
             regime,

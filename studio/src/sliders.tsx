@@ -47,6 +47,8 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
   const drag = useRef(0), last = useRef(0), held = useRef(false), raw = useRef(false);
   const bar = useRef<HTMLInputElement>(null);
   const [wrong, setWrong] = useState(false);
+  // What is being typed stays, whatever comes of edits before.
+  const [typing, setTyping] = useState<string | null>(null);
   const { address, value, unit, units, si } = field;
   let span = spans.get(address);
   // A number that was set elsewhere may lie beyond.
@@ -89,6 +91,7 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
   const enter = (text: string) => {
     const own = fieldOf(editor.state, address), change = own && typed(own, other ? other.back(text) : unit ? text : text.replace(` ${shownUnit}`, ""));
     setWrong(!change);
+    setTyping(change ? null : text);
     if (change) { spans.delete(address); editor.change(change, editor.drag()); }
   };
   return (
@@ -98,11 +101,12 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
         aria-valuetext={words}
         onPointerDown={() => { held.current = true; raw.current = false; drag.current = editor.drag(); }}
         onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
-      <input type="text" id={`number ${address}`} value={words} aria-invalid={wrong} spellcheck={false} size={12}
+      <input type="text" id={`number ${address}`} value={typing ?? words} aria-invalid={wrong} spellcheck={false} size={12}
         title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}
         onFocus={(event) => event.currentTarget.select()}
+        onInput={(event) => setTyping(event.currentTarget.value)}
         onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value); }}
-        onBlur={(event) => { const given = event.currentTarget.value; if (given !== words) enter(given); }} />
+        onBlur={(event) => { const given = event.currentTarget.value; if (given !== words) enter(given); else setTyping(null); }} />
     </div>
   );
 }

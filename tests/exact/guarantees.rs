@@ -3,8 +3,8 @@
 
 use crate::support::{Series, problem, rows, sine};
 use dam::exact::{
-    ExactRun, ExactTree, LAW_DEGREE, Law, PairState, PolynomialSpan, Request, SpanSource, TimeLoad,
-    TreeMass, TreePair, TreeProblem,
+    Cursor, ExactRun, ExactTree, LAW_DEGREE, Law, PairState, PolynomialSpan, Request, SpanSource,
+    TimeLoad, TreeMass, TreePair, TreeProblem,
 };
 use std::sync::Arc;
 
@@ -402,6 +402,38 @@ fn a_search_that_takes_too_many_steps_is_an_error() {
     };
     let refused = ExactTree::new(p).run(&request).expect_err("refused");
     assert!(refused.reason.contains("2 steps"), "{refused:?}");
+}
+
+#[test]
+fn a_run_that_is_refused_stands_at_the_end_of_its_last_phase() {
+    let tree = ExactTree::new(everything());
+    let mut refused = 0;
+    for steps in 1..=12 {
+        let request = Request {
+            steps,
+            ..Request::new(0.06, 0)
+        };
+        let goes_on = || true;
+        let mut cursor = Cursor::of(&tree, &request, &goes_on).expect("a start");
+        let n = cursor.end_state().0.len();
+        let (mut q, mut v) = (vec![0.0; n], vec![0.0; n]);
+        loop {
+            let (last, time) = (cursor.end_state(), cursor.time());
+            let last = (last.0.to_vec(), last.1.to_vec());
+            match cursor.advance() {
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(_) => {
+                    refused += 1;
+                    assert_eq!(cursor.time(), time);
+                    cursor.state(cursor.local(time), &mut q, &mut v);
+                    assert_eq!((&q, &v), (&last.0, &last.1), "{steps} steps");
+                    break;
+                }
+            }
+        }
+    }
+    assert!(refused > 2, "{refused}");
 }
 
 #[test]
