@@ -12,8 +12,9 @@ const PATIENCE: i32 = 4;
 /// A longer part is so many times as long.
 const GROWTH: f64 = 4.0;
 
-/// Most parts of a step, times the lanes that are followed in each.
-const MOST: usize = 1 << 18;
+/// Most parts of a step, times the lanes that are followed in each: a tenth of a second, in
+/// which nobody asks whether the run goes on.
+const MOST: usize = 1 << 24;
 
 /// [`Track::walk`], out of line.
 pub(super) struct Walk<'a> {
