@@ -44,6 +44,36 @@ fn a_hundred_times_the_masses_need_no_more_evaluations_in_a_step() {
     }
 }
 
+/// Undamped and in flight for 16 ms: a step of the search is then thousands of turns of the fastest mode.
+#[test]
+fn a_long_undamped_chain_is_followed_between_its_bounces() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/scenarios/rocker/one_mass_undamped.json"
+    );
+    let deltas = [64, 128].map(|masses| {
+        let bytes = std::fs::read(path).expect("a scenario");
+        let document = Document::parse(path, &bytes).expect("JSON");
+        let overrides = [
+            format!("rocker.masses={masses}"),
+            "run.duration=0.05".into(),
+        ];
+        let reading = document.scene(&BuiltIn, &Overrides::new(overrides.to_vec()));
+        let reading = reading.expect("a scene");
+        let system = System::new(lower(&reading.scene).expect("a model")).expect("a system");
+        let settings = RunSettings {
+            method: Some(Method::Exact),
+            ..RunSettings::of(&reading.scene).expect("settings")
+        };
+        let result = run(&system, &settings, &Control::default(), &mut []).expect("a start");
+        assert!(result.is_complete(), "{masses}: {:?}", result.outcome);
+        result.figures.objects["rocker"].delta_max
+    });
+    // As they were when nothing limited how far the modes of a step are followed.
+    assert!((deltas[0] - 7.518242e-3).abs() < 1e-9, "{deltas:?}");
+    assert!((deltas[1] - 7.51643e-3).abs() < 1e-8, "{deltas:?}");
+}
+
 /// Levers on cams on one shaft.
 fn levers(count: usize) -> System {
     let mut objects = json!({
