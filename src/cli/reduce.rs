@@ -10,6 +10,8 @@ use super::interrupt;
 use super::output::OutputFolder;
 use super::status::Status;
 use crate::ask::Judging;
+use crate::frontend::lower::lower;
+use crate::frontend::scene::Overrides;
 use crate::report::diagram::Diagram;
 use crate::report::findings::Source;
 use crate::report::reduce::{self as shown, findings};
@@ -27,7 +29,7 @@ pub(crate) fn command(args: &ReduceArgs, asker: &dyn Asker) -> Result<Status, Fa
     if !quiet && !ready.reading.warnings.is_empty() {
         console::diagnose(&ready.reading.warnings);
     }
-    let diagram = Diagram::of(ready.system.model());
+    let given = Diagram::of(ready.system.model());
     let hash = ready.scene().hash.clone();
     let settings = ready.settings.clone();
     let mut keeping = None;
@@ -38,6 +40,11 @@ pub(crate) fn command(args: &ReduceArgs, asker: &dyn Asker) -> Result<Status, Fa
     let found = reduce(document, ready.reading, &settings, budget, &mut keep)?;
     let reduced = || format!("{}\n", found.document.text());
     let source = Source::scene(found.document.text(), &hash);
+    // (What was given stands for one mass where the level is open.)
+    let catalogue = input.catalogue();
+    let scene = found.document.scene(&catalogue, &Overrides::none());
+    let model = scene.ok().and_then(|reading| lower(&reading.scene).ok());
+    let diagram = model.as_ref().map_or(given, Diagram::of);
     let answer = Answer {
         command: "reduce",
         findings: &findings(&found, &diagram, source),

@@ -51,7 +51,9 @@ impl Told for Reduced {
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
-        let diagram = Diagram::of(self.asked.ready.model());
+        // (What was given stands for one mass where the level is open.)
+        let reduced = Mechanism::of(self.scene().decode()?)?;
+        let diagram = Diagram::of(reduced.model());
         let source = Source::scene(self.found.document.text(), self.asked.hash());
         Ok(to(&findings(&self.found, &diagram, source)))
     }
