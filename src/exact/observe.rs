@@ -124,7 +124,34 @@ pub(super) fn ahead(
         return Ahead::default();
     }
     let scene = scene(&work.regimes[regime], &work.phase, o, &work.variants);
-    work.tracks[o].ahead(scene, f, span)
+    let task = Bounded {
+        scene,
+        track: &work.tracks[o],
+        f,
+        span,
+    };
+    #[cfg(target_arch = "x86_64")]
+    if !work.plain && super::lanes::fuses() {
+        return Fused::apart(task);
+    }
+    Plain::apart(task)
+}
+
+/// Bounds of a functional over a part of a phase.
+struct Bounded<'a> {
+    scene: Scene<'a>,
+    track: &'a Track,
+    f: usize,
+    span: [f64; 2],
+}
+
+impl Task for Bounded<'_> {
+    type Output = Ahead;
+
+    #[inline(always)]
+    fn run<A: Arith>(self) -> Ahead {
+        self.track.ahead::<A>(self.scene, self.f, self.span)
+    }
 }
 
 /// Force of link 1 of object `o` and its slope at local time `s` of the phase gone

@@ -53,18 +53,20 @@ impl<'a> Step<'a> {
         (self.bases[index] + difference, slope / self.length)
     }
 
-    /// Second derivative of a signal by the time at s.
-    pub fn second(&self, index: usize, s: f64) -> f64 {
-        let (row, degree) = (self.differences(index), self.degree);
+    /// Second derivatives of the coordinates by the time at 0 ≤ s ≤ 1.
+    pub fn accelerations(&self, s: f64, out: &mut [f64]) {
+        let degree = self.degree;
         if degree < 2 {
-            return 0.0;
+            return out.fill(0.0);
         }
-        let mut room = [0.0; MAX_DEGREE + 1];
-        for (bend, three) in room.iter_mut().zip(row.windows(3)) {
-            *bend = (three[2] - three[1]) - (three[1] - three[0]);
-        }
+        let weights = weights(degree - 2, s);
         let factor = (degree * (degree - 1)) as f64 / (self.length * self.length);
-        factor * evaluate(&room[..=degree - 2], s).0
+        for (index, second) in out.iter_mut().enumerate() {
+            let threes = self.differences(index).windows(3);
+            let bends = threes.map(|three| (three[2] - three[1]) - (three[1] - three[0]));
+            let bend: f64 = weights.iter().zip(bends).map(|(w, bend)| w * bend).sum();
+            *second = factor * bend;
+        }
     }
 
     /// Time at s.
@@ -86,19 +88,19 @@ impl<'a> Step<'a> {
             }
             return;
         }
-        // All signals are weighted sums of their coefficients with the same weights.
-        let (values, slopes) = (weights(self.degree, s), weights(self.degree - 1, s));
+        // All signals are weighted sums of their coefficients with the same weights: those
+        // of the polynomial between the first and last but one coefficient, and of what the
+        // next ones add.
+        let weights = weights(self.degree - 1, s);
         let rate = self.degree as f64 / self.length;
         for index in 0..n {
             let row = self.differences(index);
             let (mut value, mut slope) = (0.0, 0.0);
-            for (k, &coefficient) in row.iter().enumerate() {
-                value += values[k] * coefficient;
+            for (weight, pair) in weights.iter().zip(row.windows(2)) {
+                value += weight * pair[0];
+                slope += weight * (pair[1] - pair[0]);
             }
-            for (k, pair) in row.windows(2).enumerate() {
-                slope += slopes[k] * (pair[1] - pair[0]);
-            }
-            y[index] = self.bases[index] + value;
+            y[index] = self.bases[index] + (value + s * slope);
             y[n + index] = rate * slope;
         }
     }

@@ -183,20 +183,24 @@ impl<'s> Figured<'s> {
         }
     }
 
-    /// States of all objects at all places, with powers and energies.
+    /// States of all objects at all places, with the powers at those that are weighted and
+    /// the energies at the end.
     fn observe_step(&mut self, step: &Step<'_>, modes: &Modes) {
         let count = self.tallies.len();
         for (index, &place) in places(step.end).iter().enumerate() {
             if index > 0 || !self.continues {
                 let states = &mut self.states[index * count..(index + 1) * count];
-                let (power, energy) = self.observer.closely(step, place, modes, states);
-                (self.powers[index], self.energy) = (power, energy);
+                self.observer.put(step, place, modes, states);
+                if WEIGHTED.contains(&index) {
+                    self.powers[index] = self.observer.power_there(step, place, modes);
+                }
                 self.sides[index] = match self.joints.is_empty() {
                     true => 0,
                     false => self.observer.friction_side(),
                 };
             }
         }
+        self.energy = self.observer.energy_there();
     }
 
     /// The edges of the window that lie in the step count for the margins.

@@ -81,7 +81,8 @@ impl<'s> Log<'s> {
         };
         Self {
             observer: Observer::new(system).of_steps(settings.implicit),
-            rows: Rows::new(system, settings.masses, settings.samples, settings.duration),
+            rows: Rows::new(system, settings.masses, settings.samples, settings.duration)
+                .with_closeups(settings.closeups),
             pairs: (0..model.objects.len()).filter_map(pair).collect(),
             switches: Vec::new(),
             separations: Vec::new(),

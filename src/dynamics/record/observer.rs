@@ -47,20 +47,33 @@ impl<'s> Observer<'s> {
     /// States of all objects at the place s of a step.
     pub(crate) fn at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
         let mut states = std::mem::take(&mut self.states);
+        self.put(step, s, modes, &mut states);
+        self.states = states;
+        &self.states
+    }
+
+    /// States of all objects at s, into `states`.
+    pub(crate) fn put(
+        &mut self,
+        step: &Step<'_>,
+        s: f64,
+        modes: &Modes,
+        states: &mut [ObjectState],
+    ) {
         step.state(s, &mut self.y);
-        let time = step.time(s);
+        let (time, system, scratch) = (step.time(s), self.system, &mut self.scratch);
         let bends = self.bends.as_mut();
         match bends.and_then(|bends| bends.read(step, s).then_some(bends)) {
-            Some(bends) => {
-                let (system, scratch) = (self.system, &mut self.scratch);
-                system.observe_bent(time, &self.y, modes, bends, scratch, &mut states);
-            }
-            None => {
-                let (system, scratch) = (self.system, &mut self.scratch);
-                system.observe(time, &self.y, modes, scratch, &mut states);
-            }
+            Some(bends) => system.observe_bent(time, &self.y, modes, bends, scratch, states),
+            None => system.observe(time, &self.y, modes, scratch, states),
         }
-        self.states = states;
+    }
+
+    /// Displacements and speeds of all objects at s; what else was seen of them stays.
+    pub(crate) fn motion_at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
+        step.state(s, &mut self.y);
+        let (scratch, states) = (&mut self.scratch, &mut self.states);
+        (self.system).observe_motion(step.time(s), &self.y, modes, scratch, states);
         &self.states
     }
 
@@ -100,24 +113,14 @@ impl<'s> Observer<'s> {
         &self.states
     }
 
-    /// What all objects are doing at s, into `states`, with powers and energies.
-    pub(crate) fn closely(
-        &mut self,
-        step: &Step<'_>,
-        s: f64,
-        modes: &Modes,
-        states: &mut [ObjectState],
-    ) -> (Power, Energy) {
-        step.state(s, &mut self.y);
-        let (time, scratch) = (step.time(s), &mut self.scratch);
-        let bends = self.bends.as_mut();
-        match bends.and_then(|bends| bends.read(step, s).then_some(bends)) {
-            Some(bends) => {
-                let system = self.system;
-                system.observe_bent(time, &self.y, modes, bends, scratch, states)
-            }
-            None => (self.system).observe_closely(time, &self.y, modes, scratch, states),
-        }
+    /// Powers at the place s of a step, where it was looked last.
+    pub(crate) fn power_there(&self, step: &Step<'_>, s: f64, modes: &Modes) -> Power {
+        (self.system).power_observed(step.time(s), &self.y, modes, &self.scratch)
+    }
+
+    /// Energies at the place of a step where it was looked last.
+    pub(crate) fn energy_there(&self) -> Energy {
+        self.system.energy_observed(&self.y, &self.scratch)
     }
 
     /// Powers at s.

@@ -28,8 +28,8 @@ pub(crate) struct Rows {
     rows: Table,
     /// Rows between the equal intervals.
     closeups: Table,
-    /// Greatest magnitude in every column.
-    greatest: Vec<f64>,
+    /// Greatest magnitude in every column, where closeups are taken.
+    greatest: Option<Vec<f64>>,
     /// Values of the row at hand.
     row: Vec<f64>,
     intervals: usize,
@@ -61,13 +61,21 @@ impl Rows {
                 values: Vec::with_capacity(room * width),
             },
             closeups: Table::default(),
-            greatest: vec![0.0; width],
+            greatest: None,
             row: vec![0.0; width],
             columns,
             pressed,
             intervals,
             duration,
             next: if wanted { 0 } else { 1 },
+        }
+    }
+
+    /// With what [`Self::is_straight`] needs.
+    pub(crate) fn with_closeups(self, wanted: bool) -> Self {
+        Self {
+            greatest: wanted.then(|| vec![0.0; self.columns.len()]),
+            ..self
         }
     }
 
@@ -123,7 +131,7 @@ impl Rows {
     /// between them, in shares of the greatest values so far.
     pub(crate) fn is_straight(&self, [a, middle, b]: [&[f64]; 3], share: f64) -> bool {
         let ends = a.iter().zip(b);
-        let mut all = ends.zip(middle).zip(&self.greatest);
+        let mut all = ends.zip(middle).zip(self.greatest.iter().flatten());
         all.all(|(((a, b), middle), greatest)| (0.5 * (a + b) - middle).abs() <= share * greatest)
     }
 
@@ -140,12 +148,9 @@ impl Rows {
             *out = seen.states[object].pressure;
         }
         // (On an edge the pressure knows no bounds, and the motion goes on.)
-        let good = objects
-            .iter()
-            .chain(masses.iter())
-            .all(|value| value.is_finite());
-        if good {
-            for (greatest, value) in self.greatest.iter_mut().zip(&self.row) {
+        let good = are_finite(objects) && are_finite(masses);
+        if let (true, Some(greatest)) = (good, &mut self.greatest) {
+            for (greatest, value) in greatest.iter_mut().zip(&self.row) {
                 *greatest = greatest.max(value.abs());
             }
         }
@@ -167,14 +172,14 @@ impl Rows {
     pub(crate) fn into_columns(self) -> (Vec<f64>, Vec<Column>, Closeups) {
         let width = self.columns.len();
         let column = |table: &Table, index: usize| -> Vec<f64> {
-            let values = table.values.iter().skip(index);
-            values.step_by(width).copied().collect()
+            let rows = table.values.chunks_exact(width);
+            rows.map(|row| row[index]).collect()
         };
         // Where a pressure has no bounds there is no figure of it either.
         let known = |&index: &usize| {
-            let own = self.columns[index].quantity == Quantity::ContactPressure;
-            let all = [&self.rows, &self.closeups].map(|table| column(table, index));
-            !own || all.iter().flatten().all(|p| p.is_finite())
+            let is_known = |table: &Table| column(table, index).iter().all(|p| p.is_finite());
+            self.columns[index].quantity != Quantity::ContactPressure
+                || [&self.rows, &self.closeups].into_iter().all(is_known)
         };
         let mut order: Vec<usize> = (0..width).filter(known).collect();
         // The masses of an object come behind the object.
@@ -215,6 +220,12 @@ pub(crate) struct Seen<'s> {
     pub(crate) masses: &'s [MassState],
 }
 
+/// True when all are finite numbers. (Without a way out: mostly all are.)
+fn are_finite(values: &[f64]) -> bool {
+    let good = |all: bool, value: &f64| all & value.is_finite();
+    values.iter().fold(true, good)
+}
+
 /// Columns without values: of all objects, of contact pressures, of all masses.
 fn columns(system: &System, pressed: &[usize], masses: bool) -> Vec<Column> {
     let objects = &system.model().objects;
@@ -242,7 +253,7 @@ fn columns(system: &System, pressed: &[usize], masses: bool) -> Vec<Column> {
 
 /// True when everything that goes into figures and rows is a number.
 pub(crate) fn is_finite(state: &ObjectState) -> bool {
-    values(state).iter().all(|value| value.is_finite())
+    are_finite(&values(state))
 }
 
 /// The quantities of a row, in the order of [`Quantity::ALL`].
@@ -337,7 +348,7 @@ mod tests {
     #[test]
     fn masses_stand_behind_their_object() {
         let system = lever();
-        let mut rows = Rows::new(&system, true, 1, 1.0);
+        let mut rows = Rows::new(&system, true, 1, 1.0).with_closeups(true);
         let masses = [1.0, 2.0].map(|force| MassState {
             force,
             ..MassState::default()

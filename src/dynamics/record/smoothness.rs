@@ -56,10 +56,10 @@ pub(super) struct Smoothness {
 impl Smoothness {
     /// For a run with a tolerance. Coefficients that fall by a factor r from one
     /// degree to the next leave r⁵ to the fifth and r¹⁰ to quadrature, which is to
-    /// stay below a ten-thousandth of the tolerance.
+    /// stay below a hundredth of the tolerance.
     pub(super) fn new(tolerance: f64) -> Self {
         Self {
-            allowed: (1e-4 * tolerance).sqrt().max(LEAST),
+            allowed: (1e-2 * tolerance).sqrt().max(LEAST),
         }
     }
 

@@ -11,7 +11,6 @@ use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
 use super::{ObjectState, Scratch, System};
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::system::{Energy, Power};
 use crate::math::polynomial;
 
 /// From so many reciprocals of a chain's fastest rate on a step is long for it: below,
@@ -54,9 +53,7 @@ impl Bends {
     pub(crate) fn read(&mut self, step: &polynomial::Step<'_>, s: f64) -> bool {
         let any = self.long.contains(&true);
         if any {
-            for (index, second) in self.second.iter_mut().enumerate() {
-                *second = step.second(index, s);
-            }
+            step.accelerations(s, &mut self.second);
         }
         any
     }
@@ -112,7 +109,7 @@ impl Frozen {
 }
 
 impl System {
-    /// As [`System::observe_closely`], with the accelerations that a step tells.
+    /// As [`System::observe`], with the accelerations that a step tells.
     pub(crate) fn observe_bent(
         &self,
         time: f64,
@@ -121,9 +118,9 @@ impl System {
         bends: &Bends,
         scratch: &mut Scratch,
         out: &mut [ObjectState],
-    ) -> (Power, Energy) {
+    ) {
         self.evaluate_fully(time, y, modes, scratch);
         self.frozen.amend(bends, &mut scratch.work);
-        self.read_closely(time, y, modes, &scratch.work, out)
+        self.read_states(time, y, modes, &scratch.work, out);
     }
 }

@@ -174,37 +174,42 @@ impl System {
         self.read_states(time, y, modes, &scratch.work, out);
     }
 
-    /// Observes the objects, with the powers of [`Self::power`] and the energies of
-    /// [`Self::energy`] from the same evaluation.
-    pub fn observe_closely(
+    /// Observes displacements and speeds alone.
+    pub(crate) fn observe_motion(
         &self,
         time: f64,
         y: &[f64],
         modes: &Modes,
         scratch: &mut Scratch,
         out: &mut [ObjectState],
-    ) -> (Power, Energy) {
-        self.evaluate_fully(time, y, modes, scratch);
-        self.read_closely(time, y, modes, &scratch.work, out)
+    ) {
+        let work = &mut scratch.work;
+        (self.frozen).motion(time, y, &modes.0, Extent::Full, work);
+        for (out, place) in out.iter_mut().zip(&self.places) {
+            out.displacement = work.displacement[place.node];
+            out.speed = work.speed[place.node];
+        }
     }
 
-    /// States, powers and energies, read off a complete evaluation.
-    pub(super) fn read_closely(
+    /// Energies, of the last complete evaluation, which was of the state `y`.
+    pub(crate) fn energy_observed(&self, y: &[f64], scratch: &Scratch) -> Energy {
+        let [kinetic, elastic] = self.frozen.energy_of(y, &scratch.work);
+        Energy { kinetic, elastic }
+    }
+
+    /// Powers, of the last complete evaluation, which was of this instant and state.
+    pub(crate) fn power_observed(
         &self,
         time: f64,
         y: &[f64],
         modes: &Modes,
-        work: &Work<f64>,
-        out: &mut [ObjectState],
-    ) -> (Power, Energy) {
-        self.read_states(time, y, modes, work, out);
-        let [kinetic, elastic] = self.frozen.energy_of(y, work);
-        let energy = Energy { kinetic, elastic };
-        (self.read_power(time, y, modes, work), energy)
+        scratch: &Scratch,
+    ) -> Power {
+        self.read_power(time, y, modes, &scratch.work)
     }
 
     /// States, read off a complete evaluation.
-    fn read_states(
+    pub(super) fn read_states(
         &self,
         time: f64,
         y: &[f64],

@@ -2,7 +2,7 @@
 
 use super::{Scene, Track};
 use crate::exact::hermite::End;
-use crate::exact::lanes::{Arith, WIDTH};
+use crate::exact::lanes::{Arith, V, WIDTH, exp};
 use crate::exact::phase::Exponentials;
 
 /// A lane with less than this share of what a signal may come to does not tell how fast
@@ -38,7 +38,8 @@ impl Ahead {
 impl Track {
     /// Bounds of functional f of its panel between two local times of the phase that was
     /// taken up last.
-    pub(crate) fn ahead(&self, scene: Scene, f: usize, [from, to]: [f64; 2]) -> Ahead {
+    #[inline(always)]
+    pub(crate) fn ahead<A: Arith>(&self, scene: Scene, f: usize, [from, to]: [f64; 2]) -> Ahead {
         let Scene { basis, panel, .. } = scene;
         let (h, slow) = (to - from, self.state.range(f, from, to));
         let mut ahead = Ahead {
@@ -46,27 +47,25 @@ impl Track {
             middle: self.state.slow4.0[f] * (h * h * h * h) / 144.0,
             ..Ahead::default()
         };
-        for k in 0..basis.lanes.len() {
-            let (b, i) = (k / WIDTH, k % WIDTH);
-            let size = panel.size(f, k) * self.state.size[b].0[i];
-            if size < LANE_ROUNDING * slow {
-                continue;
-            }
-            let size = size * (basis.re[b].0[i] * from).exp();
-            ahead.most += size;
-            if size < LANE_ROUNDING * ahead.most {
-                continue;
-            }
-            let x = basis.modulus[k] * h;
-            let (bent, level) = (x * x * x * x / 144.0, 2.0 + 0.25 * x);
-            if bent < level {
-                ahead.middle += size * bent;
-            } else {
-                ahead.flat += size * level;
-            }
-            // (Lanes come with rising rates.)
-            if size > SHARE * slow {
-                ahead.rate = basis.modulus[k];
+        for (b, moduli) in basis.modulus.chunks(WIDTH).enumerate() {
+            let faded = self.state.size[b] * exp::<A>(basis.re[b] * V::splat(from));
+            for (i, &modulus) in moduli.iter().enumerate() {
+                let size = panel.size(f, b * WIDTH + i) * faded.0[i];
+                ahead.most += size;
+                if size < LANE_ROUNDING * ahead.most {
+                    continue;
+                }
+                let x = modulus * h;
+                let (bent, level) = (x * x * x * x / 144.0, 2.0 + 0.25 * x);
+                if bent < level {
+                    ahead.middle += size * bent;
+                } else {
+                    ahead.flat += size * level;
+                }
+                // (Lanes come with rising rates.)
+                if size > SHARE * slow {
+                    ahead.rate = modulus;
+                }
             }
         }
         ahead

@@ -28,6 +28,10 @@ pub(crate) use given::Given;
 /// Two instants closer than this, in units of the clock, are one.
 const RESOLUTION: f64 = 16.0 * f64::EPSILON;
 
+/// A change of formula farther off than this, in units of the clock, is not due yet,
+/// however it is rounded.
+const NEAR: f64 = 1e-9;
+
 /// Hears of a walk.
 pub(crate) trait Listener {
     /// The start.
@@ -169,9 +173,10 @@ impl<'a> Walk<'a> {
     ) {
         let ends = self.branches.iter().map(|branch| branch.cursor.time());
         let mut cut = ends.fold(end, f64::min);
+        let mut change = f64::INFINITY;
         if let Some(tracks) = &self.tracks {
-            cut = cut.min(tracks.next(self.system, self.time, &self.modes));
-            cut = cut.min(self.paces.next(self.time));
+            change = tracks.next(self.system, self.time, &self.modes);
+            cut = cut.min(change).min(self.paces.next(self.time));
         }
         if cut - self.time > RESOLUTION * cut.abs() {
             let mut motion = Motion {
@@ -182,7 +187,9 @@ impl<'a> Walk<'a> {
         }
         self.time = cut;
         self.advance(given, listener);
-        self.pass_tracks(given, listener);
+        if change <= cut + NEAR * cut.abs() {
+            self.pass_tracks(given, listener);
+        }
         self.check_switches();
     }
 

@@ -24,6 +24,8 @@ pub(super) struct Beside<'a> {
     modes: Modes,
     /// True where it is integrated: its steps come from outside.
     pub(super) integrated: bool,
+    /// True for drives of constant speed under constant loads, and nothing else.
+    uniform: bool,
     /// What all objects beside the trees are doing, where nothing but angles changes.
     steady: Option<Vec<ObjectState>>,
     /// How far its figures have been taken (s).
@@ -55,7 +57,8 @@ impl<'a> Beside<'a> {
             observer: Observer::new(&rest.system),
             modes: Modes(vec![0; rest.modes(&route.initial.modes).0.len()]),
             integrated,
-            steady: is_uniform(rest.system.model()).then(|| vec![ObjectState::default(); objects]),
+            uniform: is_uniform(rest.system.model()),
+            steady: None,
             taken: 0.0,
             coupled: Coupled::all(route.system, &ways, settings.window),
             states: std::array::from_fn(|_| vec![ObjectState::default(); objects]),
@@ -77,7 +80,7 @@ impl<'a> Beside<'a> {
     pub(super) fn start(&mut self, modes: &Modes, period: Option<f64>) {
         self.modes = self.rest.modes(modes);
         self.figured.start(0.0, &[], &self.modes);
-        if self.steady.is_none() {
+        if !self.uniform {
             return;
         }
         self.take_nodes(None, [0.0, period.unwrap_or(0.0)]);
@@ -130,20 +133,30 @@ impl<'a> Beside<'a> {
         if self.steady.is_none() && !self.integrated {
             self.take_to(span[1]);
         }
+        if !self.may_rise(motion, span) {
+            return false;
+        }
+        self.take_nodes(motion.given, span);
+        true
+    }
+
+    /// False where what is known of the whole run tells that no force can meet in a stretch
+    /// what it has not met before.
+    pub(super) fn may_rise(&mut self, motion: &Motion<'_, '_>, span: [f64; 2]) -> bool {
         if self.coupled.is_empty() {
             return false;
         }
         self.forces.take(motion.branches, span);
         let steady = self.steady.as_ref();
-        let may_rise = |own: &Coupled| {
+        self.coupled.iter().any(|own| {
             let own_force = steady.map(|states| states[own.object].reaction);
             own.may_rise(own_force, &self.forces)
-        };
-        if !self.coupled.iter().any(may_rise) {
-            return false;
-        }
-        self.take_nodes(motion.given, span);
-        true
+        })
+    }
+
+    /// True where nothing but angles changes beside the trees.
+    pub(super) fn is_steady(&self) -> bool {
+        self.steady.is_some()
     }
 
     /// Takes figures and works of prescribed motions up to an instant.
@@ -161,7 +174,12 @@ impl<'a> Beside<'a> {
             return;
         }
         let still = still(span);
-        for k in 0..NODES {
+        // What is given in steps is that of another step at their joint.
+        let first = match given.is_none() && self.noted[1] == span[0] {
+            true => self.go_on(),
+            false => 0,
+        };
+        for k in first..NODES {
             let time = span[0] + node(k) * (span[1] - span[0]);
             let states = match given {
                 Some(given) => {
@@ -169,21 +187,33 @@ impl<'a> Beside<'a> {
                     let s = s.clamp(0.0, given.step.end);
                     self.observer.at(given.step, s, &self.modes)
                 }
+                // Nothing else changes.
+                None if self.steady.is_some() => {
+                    self.observer.motion_at(&still, node(k), &self.modes)
+                }
                 None => self.observer.at(&still, node(k), &self.modes),
             };
             for (&object, state) in self.rest.objects.iter().zip(states) {
                 self.states[k][object] = *state;
             }
-        }
-        for (slopes, way) in self.slopes.iter_mut().zip(&self.ways) {
-            for (slopes, states) in slopes.iter_mut().zip(&self.states) {
-                way.take_slopes(states, slopes);
+            for (slopes, way) in self.slopes.iter_mut().zip(&self.ways) {
+                way.take_slopes(&self.states[k], &mut slopes[k]);
             }
         }
         for own in &mut self.coupled {
             own.take(&self.states, &self.ways, &self.slopes);
         }
         self.noted = span;
+    }
+
+    /// Makes the last node of the stretch taken up last the first of the next, and gives the
+    /// node to go on with.
+    fn go_on(&mut self) -> usize {
+        self.states.swap(0, NODES - 1);
+        for slopes in &mut self.slopes {
+            slopes.swap(0, NODES - 1);
+        }
+        1
     }
 }
 

@@ -66,7 +66,7 @@ impl Loss {
         let (most, slow) = (lever.most(), lever.rate4() * share.powi(4));
         if most > 0.0 {
             self.middle += 8.0 * most * (ahead.middle + slow / 144.0 * ahead.most);
-            self.flat += most * ahead.flat * (1.0 + slow.powf(0.25) / 8.0);
+            self.flat += most * ahead.flat * (1.0 + slow.sqrt().sqrt() / 8.0);
         }
     }
 }

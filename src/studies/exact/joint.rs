@@ -113,9 +113,12 @@ impl<'a> Joint<'a> {
 
     /// Forces and rigid objects over a stretch, part by part of the grid.
     fn look(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
-        if self.beside.is_none() {
+        let Some(beside) = &mut self.beside else {
             return;
-        }
+        };
+        // A word on all its parts at once, where there are several.
+        let several = span[1] - span[0] > self.length;
+        let at_rest = several && beside.is_steady() && !beside.may_rise(motion, span);
         let mut from = span[0];
         while from < span[1] {
             let to = self.length * ((from / self.length).floor() + 1.0);
@@ -126,7 +129,9 @@ impl<'a> Joint<'a> {
                 (to + self.length).min(span[1])
             };
             let part = [from, to];
-            self.look_at_forces(motion, part, modes);
+            if !at_rest {
+                self.look_at_forces(motion, part, modes);
+            }
             self.look_at_carried(motion, part, modes);
             from = to;
         }

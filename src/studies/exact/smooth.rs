@@ -69,9 +69,9 @@ impl Smooth {
         let [_, c1, c2, c3, c4] = self.coefficients().map(f64::abs);
         let first = (c1 + 2.0 * c2 + 3.0 * c3 + 4.0 * c4) / most;
         let second = (2.0 * c2 + 6.0 * c3 + 12.0 * c4) / most;
-        let third = ((6.0 * c3 + 24.0 * c4) / most).cbrt();
+        let third = (6.0 * c3 + 24.0 * c4) / most;
         let fourth = 24.0 * c4 / most;
-        (first.powi(4).max(second.powi(2))).max(third.powi(4).max(fourth))
+        (first.powi(4).max(second.powi(2))).max(third.powf(4.0 / 3.0).max(fourth))
     }
 
     /// A bound on its magnitude: between five nodes it rises by no more than its range
