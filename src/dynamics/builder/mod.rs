@@ -17,6 +17,8 @@ mod contact;
 mod continuum;
 mod drive;
 mod driven_end;
+mod free_body;
+mod free_modes;
 pub(crate) mod left_out;
 mod level;
 mod level_of_body;
@@ -33,6 +35,7 @@ mod stop;
 pub(crate) mod written;
 
 pub use chain::ChainParameters;
+pub(crate) use free_modes::{INSTEAD_OF_STATIC, STATIC_BEHIND_A_CURVE};
 pub(crate) use driven_end::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
 pub use place::{Connected, Place};
 

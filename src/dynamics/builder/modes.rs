@@ -7,7 +7,7 @@
 //! depends on it; otherwise it is one more oscillator.
 
 use super::continuum::{Continuum, Oscillator, Reduction};
-use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
+use super::spec::{ChainSpec, ContactSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
 use super::{ChainParameters, Connected, FREE_FALL, ModelBuilder, Place};
 use crate::dynamics::model::{
     Closure, Law, Load, LoadLaw, MODE, NodeIndex, NodeMotion, ObjectPart, Pair, PartInput, Reduced,
@@ -29,6 +29,11 @@ pub(super) struct Modal<'s> {
 }
 
 impl Modal<'_> {
+    /// The damping time τ = b/c.
+    pub(super) fn delay(&self) -> f64 {
+        self.damping_capacity / (TAU * (self.stiffness / self.inertia).sqrt())
+    }
+
     /// The property that asks for it.
     fn property(&self) -> &'static str {
         match self.modes {
@@ -57,6 +62,15 @@ impl Rest {
         }
     }
 
+    /// With a contact in series, at the driven end.
+    fn in_series_with(mut self, contact: Option<ContactSpec>, body: Modal<'_>) -> Self {
+        if let Some(contact) = contact {
+            self.under_force += 1.0 / contact.stiffness;
+            self.under_acceleration += body.inertia / contact.stiffness;
+        }
+        self
+    }
+
     /// Adds a load, of which `constant` is the force at the output.
     fn give_way(&mut self, load: &LoadSpec, constant: f64) {
         self.offset += match load.law {
@@ -70,7 +84,7 @@ impl Rest {
 }
 
 /// Shares of a force at the output that inner nodes get.
-type Shares = Vec<(NodeIndex, f64)>;
+pub(super) type Shares = Vec<(NodeIndex, f64)>;
 
 impl ModelBuilder {
     /// Lowers an object that is reduced to modes behind its law.
@@ -84,6 +98,10 @@ impl ModelBuilder {
         let Some(continuum) = self.check_modal(at, spec, body) else {
             return;
         };
+        let contact = spec.pair.contact;
+        if let Some(contact) = contact.filter(|_| body.modes > 0) {
+            return self.free_modes(at, law, (spec, pair, contact), (body, continuum));
+        }
         let still = !self.followed.contains(&at.id)
             && spec.loads.iter().all(is_constant)
             && self.is_smooth(law);
@@ -130,6 +148,7 @@ impl ModelBuilder {
         self.model.reduced.push(Reduced {
             object: at.object,
             modes,
+            output: None,
             under_acceleration: rest.under_acceleration,
             offset: rest.offset,
         });
@@ -154,7 +173,7 @@ impl ModelBuilder {
         }
         let node = self.rigid(at, law.clone(), body.inertia, pair);
         self.model.objects[at.object].driven_end = Some(node);
-        let mut rest = Rest::of(reduction, body);
+        let mut rest = Rest::of(reduction, body).in_series_with(spec.pair.contact, body);
         for load in &spec.loads {
             self.load(at, load, &[node], law.driver);
             let constant = match load.law {
@@ -166,6 +185,7 @@ impl ModelBuilder {
         self.model.reduced.push(Reduced {
             object: at.object,
             modes: Vec::new(),
+            output: None,
             under_acceleration: rest.under_acceleration,
             offset: rest.offset,
         });
@@ -178,11 +198,15 @@ impl ModelBuilder {
         self.faults.positive(&at.path("stiffness"), body.stiffness);
         let path = at.path("damping_capacity");
         self.faults.not_negative(&path, body.damping_capacity);
-        if spec.pair.closure == Closure::Form {
-            let message = "modes need a pair that stays closed: they are those of the object \
-                           held at its driven end";
+        let held = spec.pair.contact.is_none() || body.modes == 0;
+        if held && spec.pair.closure == Closure::Form {
+            let message = "modes without a contact element need a pair that stays closed: they are \
+                           those of the object held at its driven end";
             let hint = "give `masses`, or closure `bilateral` or `force`";
             self.fault(at, body.property(), message, hint);
+        }
+        if body.modes == 0 {
+            self.check_static_contact(at, spec);
         }
         for load in &spec.loads {
             let weight = matches!(load.law, LoadLawSpec::Weight { .. });
@@ -224,7 +248,7 @@ impl ModelBuilder {
     }
 
     /// The node of the output: the sum of the nodes by their shares.
-    fn summed(&mut self, at: &Place, shares: &Shares, pair: Pair) -> Option<NodeIndex> {
+    pub(super) fn summed(&mut self, at: &Place, shares: &Shares, pair: Pair) -> Option<NodeIndex> {
         let connected = |node| Connected {
             port: String::new(),
             output: at.id.clone(),
@@ -250,7 +274,7 @@ impl ModelBuilder {
 
     /// A load on an object of modes: what does not depend on the motion of the output is
     /// shared out to the modes. The constant force that it is, if it is one.
-    fn modal_load(
+    pub(super) fn modal_load(
         &mut self,
         at: &Place,
         spec: &LoadSpec,
@@ -354,11 +378,10 @@ fn is_constant(load: &LoadSpec) -> bool {
 fn parameters(body: Modal<'_>, mode: &Oscillator) -> ChainParameters {
     let square = mode.frequency * mode.frequency;
     let stiffness = mode.inertia * square * body.stiffness;
-    let delay = body.damping_capacity / (TAU * (body.stiffness / body.inertia).sqrt());
     ChainParameters {
         inertias: vec![mode.inertia * body.inertia],
         stiffnesses: vec![stiffness],
-        dampings: vec![delay * stiffness],
+        dampings: vec![body.delay() * stiffness],
         driven_end: 0.0,
     }
 }
