@@ -202,7 +202,9 @@ pub(super) fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) ->
             _ => f64::INFINITY,
         };
         let output = object.output.iter();
-        let output: f64 = output.map(|&(m, share)| share * problem.displacement[m]).sum();
+        let output: f64 = output
+            .map(|&(m, share)| share * problem.displacement[m])
+            .sum();
         Track::new(
             (blocks, harmonics),
             flights,

@@ -154,7 +154,9 @@ fn chain(modes: &[FreeMode], rest: f64) -> FreeBody {
         driven: 1.0,
         output: 1.0,
     };
-    let all: Vec<FreeMode> = std::iter::once(rigid).chain(modes.iter().copied()).collect();
+    let all: Vec<FreeMode> = std::iter::once(rigid)
+        .chain(modes.iter().copied())
+        .collect();
     let rows = lanczos(&all);
     let root = |row: &[f64]| row[0].abs();
     let mut body = FreeBody {
@@ -170,7 +172,11 @@ fn chain(modes: &[FreeMode], rest: f64) -> FreeBody {
         body.stiffnesses.push(stiffness);
     }
     let share = |row: &Vec<f64>| {
-        let output: f64 = all.iter().zip(row).map(|(mode, part)| mode.output * part).sum();
+        let output: f64 = all
+            .iter()
+            .zip(row)
+            .map(|(mode, part)| mode.output * part)
+            .sum();
         row[0] * output
     };
     body.shares = rows.iter().map(share).collect();

@@ -50,10 +50,10 @@ fn the_chain_has_the_whole_inertia_and_its_masses_make_up_the_output() {
 #[test]
 fn slow_forces_at_the_contact_move_both_ends_as_those_of_the_continuum() {
     // 1/3 and −1/6 of a rod, 9/14 and −3/28 of a lever, whatever is kept.
-    for (continuum, known) in BOTH.into_iter().zip([
-        [1.0 / 3.0, -1.0 / 6.0],
-        [9.0 / 14.0, -3.0 / 28.0],
-    ]) {
+    for (continuum, known) in BOTH
+        .into_iter()
+        .zip([[1.0 / 3.0, -1.0 / 6.0], [9.0 / 14.0, -3.0 / 28.0]])
+    {
         for count in [0, 1, 3, 20] {
             let z = 1e-3;
             let found = of_chain(&continuum.free(count), z).map(|end| end + 1.0 / (z * z));
@@ -105,7 +105,10 @@ fn vibrations_are_those_of_the_free_object() {
                 Continuum::Rod => 3.0,
                 Continuum::Lever => 2.5,
             };
-            assert!(order > expected - 0.3, "{continuum:?} at {z}: {coarse} {fine}");
+            assert!(
+                order > expected - 0.3,
+                "{continuum:?} at {z}: {coarse} {fine}"
+            );
             assert!(fine < 2e-3, "{continuum:?} at {z}: {fine}");
         }
     }

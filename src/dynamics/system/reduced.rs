@@ -96,7 +96,9 @@ impl System {
         let (u, v) = y.split_at(self.frozen.coordinates);
         [out.delta, out.delta_speed] = [u, v].map(|of| {
             let shares = modal.modes.iter();
-            shares.map(|&(_, coordinate, share)| share * of[coordinate]).sum()
+            shares
+                .map(|&(_, coordinate, share)| share * of[coordinate])
+                .sum()
         });
     }
 

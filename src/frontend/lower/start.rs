@@ -73,7 +73,11 @@ fn whole_body(
     }
     let objects = &builder.model().objects;
     explicit.extend(objects.iter().enumerate().filter_map(|(object, part)| {
-        let masses = part.nodes.iter().filter(|node| modes.contains(node)).count();
+        let masses = part
+            .nodes
+            .iter()
+            .filter(|node| modes.contains(node))
+            .count();
         let of_each = |value: f64| vec![value; masses];
         (masses > 0).then(|| ExplicitStart {
             object,

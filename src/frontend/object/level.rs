@@ -101,9 +101,8 @@ impl Lumped {
 
 /// Refuses what does not go with the driving pair. `None`: refused.
 pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
-    let curved = |contact: ContactSpec| {
-        !contact.law.is_rigid() && !contact.law.has_static_stiffness()
-    };
+    let curved =
+        |contact: ContactSpec| !contact.law.is_rigid() && !contact.law.has_static_stiffness();
     if matches!(chain.body, BodySpec::Modes { modes: 0, .. })
         && chain.pair.contact.is_some_and(curved)
     {

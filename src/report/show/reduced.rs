@@ -56,26 +56,30 @@ pub(crate) struct Summand {
 
 /// What the output of a reduced object is the sum of.
 pub(crate) fn modes(model: &Model, reduced: &Reduced) -> impl Iterator<Item = Summand> {
-    reduced.modes.iter().enumerate().filter_map(|(place, &(node, share))| {
-        if reduced.output.is_some() {
-            return Some(Summand {
-                id: model.objects[reduced.object].id.clone(),
-                name: format!("mass {}", place + 1),
+    reduced
+        .modes
+        .iter()
+        .enumerate()
+        .filter_map(|(place, &(node, share))| {
+            if reduced.output.is_some() {
+                return Some(Summand {
+                    id: model.objects[reduced.object].id.clone(),
+                    name: format!("mass {}", place + 1),
+                    share,
+                    frequency: None,
+                });
+            }
+            let mut parts = model.objects.iter();
+            let part = parts.find(|part| part.nodes.contains(&node))?;
+            let stiffness = model.links[*part.links.first()?].stiffness;
+            let name = part.id.rsplit('.').next().unwrap_or(&part.id);
+            Some(Summand {
+                id: part.id.clone(),
+                name: name.to_owned(),
                 share,
-                frequency: None,
-            });
-        }
-        let mut parts = model.objects.iter();
-        let part = parts.find(|part| part.nodes.contains(&node))?;
-        let stiffness = model.links[*part.links.first()?].stiffness;
-        let name = part.id.rsplit('.').next().unwrap_or(&part.id);
-        Some(Summand {
-            id: part.id.clone(),
-            name: name.to_owned(),
-            share,
-            frequency: Some((stiffness / model.nodes[node].inertia).sqrt()),
+                frequency: Some((stiffness / model.nodes[node].inertia).sqrt()),
+            })
         })
-    })
 }
 
 /// The static correction.

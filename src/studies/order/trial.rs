@@ -243,7 +243,8 @@ impl<'s> Trials<'s> {
 
     /// Whether there is a contact element before an object.
     pub(in crate::studies) fn has_contact(&self, id: &str) -> bool {
-        self.chain(id).is_some_and(|chain| chain.pair.contact.is_some())
+        self.chain(id)
+            .is_some_and(|chain| chain.pair.contact.is_some())
     }
 
     /// The levels that an object goes through whose level is open: modes as long as its pair
