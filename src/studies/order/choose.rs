@@ -84,7 +84,7 @@ fn tell_no_limit(
 pub(in crate::studies) fn families(trials: &Trials<'_>) -> Families {
     let family = |id: &String, given: Option<Level>| match given {
         Some(level) => Family::Given(level),
-        None => trials.family(id),
+        None => Family::of(trials, id),
     };
     let objects = trials.elastic.objects.iter();
     objects

@@ -43,6 +43,15 @@ impl Family {
         }
     }
 
+    /// That of an object whose level is open: modes as long as its pair stays closed. What
+    /// strikes is told by masses: modes make the force too great where the contact is stiff.
+    pub(super) fn of(trials: &Trials<'_>, id: &str) -> Self {
+        match trials.may_be_reduced(id) && !trials.is_form_closed(id) {
+            true => Self::Modes,
+            false => Self::Masses(trials.lumping(id)),
+        }
+    }
+
     pub(in crate::studies) fn is_open(self) -> bool {
         !matches!(self, Self::Given(_))
     }

@@ -2,7 +2,6 @@
 
 use super::asked::is_count;
 use super::bound::{BaseMotion, LeftOutOf, left_out};
-use super::row::Family;
 use crate::dynamics::builder::spec::{ChainSpec, Level, Lumping};
 use crate::dynamics::model::{Closure, ContactLaw, Model};
 use crate::dynamics::record::Figures;
@@ -247,15 +246,10 @@ impl<'s> Trials<'s> {
             .is_some_and(|chain| chain.pair.contact.is_some())
     }
 
-    /// The levels that an object goes through whose level is open: modes as long as its pair
-    /// stays closed. What strikes is told by masses: modes make the force too great where the
-    /// contact is stiff.
-    pub(in crate::studies) fn family(&self, id: &str) -> Family {
-        let form = |chain: &ChainSpec| chain.pair.closure == Closure::Form;
-        match self.may_be_reduced(id) && !self.chain(id).is_some_and(form) {
-            true => Family::Modes,
-            false => Family::Masses(self.lumping(id)),
-        }
+    /// Whether the pair of an object holds it between two flanks.
+    pub(super) fn is_form_closed(&self, id: &str) -> bool {
+        self.chain(id)
+            .is_some_and(|chain| chain.pair.closure == Closure::Form)
     }
 
     /// Where the inertia of the cells of an object of masses is put: at both their ends, of
