@@ -37,7 +37,7 @@ fn problem(n: usize, load: f64, psi: f64) -> TreeProblem {
         speed: vec![0.0; n],
         objects: vec![TreeObject {
             first: 0,
-            last: n - 1,
+            output: vec![(n - 1, 1.0)],
             driver: None,
         }],
     }

@@ -160,7 +160,7 @@ fn document(rows: &[Row]) -> String {
          describe, not a machine. Limits are those of\nchains of {:?} masses of `dam` itself, balanced where no pair \
          may open, else at the far ends of their\ncells, extrapolated in the order that they show; their doubt is what \
          the last doubling changed in them. The choice of\nmodels for closed pairs is made among modes, which share \
-         nothing with chains; where pairs open it is made among chains\ntoo. Made by `cargo bench --package dam-benches \
+         nothing with chains; where pairs open it is made among chains\ntoo, and behind a contact element among modes that agree with them. Made by `cargo bench --package dam-benches \
          --bench order -- docs/model-order.md`, not by a command of the program.\n\n\
          - The stated interval holds the limit in {covered} of {} cases ({:.1} %) when the doubt of the limit is \
          allowed for, in {strictly}\n  ({:.1} %) when it is not.\n\

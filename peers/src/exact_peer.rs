@@ -36,7 +36,7 @@ pub(crate) fn tree(chain: &Chain) -> ExactTree {
         },
         objects: vec![TreeObject {
             first: 0,
-            last,
+            output: vec![(last, 1.0)],
             driver: None,
         }],
     })

@@ -159,8 +159,9 @@ class CamFollower(Tree):
         Remarks for people.
     flexibility
         `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations; its speed follows, its acceleration is that of its driven end.
-        Needs a pair that stays closed and a motion that is known beforehand.
+        without vibrations, and with it a contact element in series; its speed follows, its
+        acceleration is that of its driven end. Needs a pair that stays closed and a motion
+        that is known beforehand.
     from_
         Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
         replace its own.
@@ -190,7 +191,8 @@ class CamFollower(Tree):
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
         `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed.
+        by under slow forces stays. Needs a pair that stays closed, or a contact element,
+        behind which they are the modes of the free object.
     motion
         Whether the follower turns or slides.
     pair
@@ -432,8 +434,9 @@ class Crank(Tree):
         Remarks for people.
     flexibility
         `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations; its speed follows, its acceleration is that of its driven end.
-        Needs a pair that stays closed and a motion that is known beforehand.
+        without vibrations, and with it a contact element in series; its speed follows, its
+        acceleration is that of its driven end. Needs a pair that stays closed and a motion
+        that is known beforehand.
     from_
         Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
         replace its own.
@@ -459,7 +462,8 @@ class Crank(Tree):
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
         `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed.
+        by under slow forces stays. Needs a pair that stays closed, or a contact element,
+        behind which they are the modes of the free object.
     pair
         The driving pair. Default: {}.
     position
@@ -587,8 +591,9 @@ class Differential(Tree):
         Remarks for people.
     flexibility
         `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations; its speed follows, its acceleration is that of its driven end.
-        Needs a pair that stays closed and a motion that is known beforehand.
+        without vibrations, and with it a contact element in series; its speed follows, its
+        acceleration is that of its driven end. Needs a pair that stays closed and a motion
+        that is known beforehand.
     from_
         Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
         replace its own.
@@ -617,7 +622,8 @@ class Differential(Tree):
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
         `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed.
+        by under slow forces stays. Needs a pair that stays closed, or a contact element,
+        behind which they are the modes of the free object.
     offset
         Output where every input is at zero; default 0 (angle in rad, deg, mrad or rev; or
         length in m, mm, cm or µm)
@@ -2551,8 +2557,9 @@ class Rocker(Tree):
         Remarks for people.
     flexibility
         `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations; its speed follows, its acceleration is that of its driven end.
-        Needs a pair that stays closed and a motion that is known beforehand.
+        without vibrations, and with it a contact element in series; its speed follows, its
+        acceleration is that of its driven end. Needs a pair that stays closed and a motion
+        that is known beforehand.
     from_
         Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
         replace its own.
@@ -2578,7 +2585,8 @@ class Rocker(Tree):
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
         `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed.
+        by under slow forces stays. Needs a pair that stays closed, or a contact element,
+        behind which they are the modes of the free object.
     pair
         The driving pair. Default: {}.
     position
@@ -2905,8 +2913,9 @@ class Shaft(Tree):
         Remarks for people.
     flexibility
         `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations; its speed follows, its acceleration is that of its driven end.
-        Needs a pair that stays closed and a motion that is known beforehand.
+        without vibrations, and with it a contact element in series; its speed follows, its
+        acceleration is that of its driven end. Needs a pair that stays closed and a motion
+        that is known beforehand.
     from_
         Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
         replace its own.
@@ -2932,7 +2941,8 @@ class Shaft(Tree):
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
         `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed.
+        by under slow forces stays. Needs a pair that stays closed, or a contact element,
+        behind which they are the modes of the free object.
     pair
         The driving pair. Default: {}.
     position
@@ -3094,8 +3104,9 @@ class Slider(Tree):
         Remarks for people.
     flexibility
         `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations; its speed follows, its acceleration is that of its driven end.
-        Needs a pair that stays closed and a motion that is known beforehand.
+        without vibrations, and with it a contact element in series; its speed follows, its
+        acceleration is that of its driven end. Needs a pair that stays closed and a motion
+        that is known beforehand.
     from_
         Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here
         replace its own.
@@ -3124,7 +3135,8 @@ class Slider(Tree):
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
         `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed.
+        by under slow forces stays. Needs a pair that stays closed, or a contact element,
+        behind which they are the modes of the free object.
     pair
         The driving pair. Default: {}.
     position

@@ -1,7 +1,7 @@
 //! The cam of an object.
 
 use super::ended::Ended;
-use super::{Mechanism, Scene};
+use super::{Judging, Mechanism, Scene};
 use crate::Error;
 use crate::fault::Fault;
 use crate::frontend::diagnostics::Diagnostic;
@@ -150,13 +150,14 @@ impl Scene {
         question: &CamQuestion,
         control: &Control<'_>,
     ) -> Result<Option<LiftOff>, Error> {
-        let ready = self.prepare_within(control)?;
+        let ready = self.prepare_judging(Judging::Needed, control)?;
         let search = ready.cam(question, |found| {
             SpeedSearch::new(ready.model(), found.object, found.force)
         })?;
         let search = search.map_err(Error::question)?;
         lift_off_by_runs(&search, control, |setting, _| {
-            self.with_arguments(&[setting]).prepare_within(control)
+            self.with_arguments(&[setting])
+                .prepare_judging(Judging::Needed, control)
         })
     }
 }

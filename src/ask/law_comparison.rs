@@ -1,7 +1,7 @@
 //! Laws of motion compared at a place of a scene: each takes the other's place, and the scene runs.
 
 use super::ended::Ended;
-use super::{Mechanism, Scene};
+use super::{Judging, Mechanism, Scene};
 use crate::Error;
 use crate::dynamics::model::{Model, NodeMotion};
 use crate::frontend::object::law::stroke_law;
@@ -84,7 +84,10 @@ impl Scene {
         question: &LawQuestion,
         control: &Control<'_>,
     ) -> Result<LawComparison, Error> {
-        let prepare = |settings: &[String]| self.with_arguments(settings).prepare_within(control);
+        let prepare = |settings: &[String]| {
+            self.with_arguments(settings)
+                .prepare_judging(Judging::Needed, control)
+        };
         let run = |ready: &Mechanism, settings: &RunSettings, _| {
             let found = crate::studies::run::run(&ready.system, settings, control, &mut []);
             found.map_err(|faults| ready.diagnose(&faults))

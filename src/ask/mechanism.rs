@@ -27,7 +27,8 @@ pub struct Mechanism {
 }
 
 impl Mechanism {
-    /// Makes a scene ready that has been read.
+    /// Makes a scene ready that has been read; its model is judged where an object leaves its
+    /// level open.
     ///
     /// # Errors
     /// Every fault of the first stage that finds any: of the model, of what the scene

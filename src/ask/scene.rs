@@ -221,7 +221,9 @@ impl Scene {
         Err(found.into())
     }
 
-    /// Makes the scene ready to be asked several things.
+    /// Makes the scene ready to be asked several things. Where it leaves the level of an object
+    /// open, or says in `run.accuracy` how accurate its figures are to be, it is run at several
+    /// levels to judge that, as `dam run` does: see [`Mechanism::certificate`].
     ///
     /// # Errors
     /// Everything that is wrong with it.
@@ -229,12 +231,30 @@ impl Scene {
         self.prepare_within(&Control::default())
     }
 
-    /// The same, ended from outside: where the level of an object is chosen, scenes are run.
+    /// The same, ended from outside.
     ///
     /// # Errors
     /// As of [`Self::prepare`].
     pub fn prepare_within(&self, control: &Control<'_>) -> Result<Mechanism, Error> {
-        Mechanism::of_within(self.decode()?, Judging::Needed, control)
+        self.prepare_judging(Judging::Asked, control)
+    }
+
+    /// The same, judged as far as is said: what is not to be run needs no more than
+    /// [`Judging::Needed`].
+    ///
+    /// # Errors
+    /// As of [`Self::prepare`].
+    pub fn prepare_judging(
+        &self,
+        judging: Judging,
+        control: &Control<'_>,
+    ) -> Result<Mechanism, Error> {
+        Mechanism::of_within(self.decode()?, judging, control)
+    }
+
+    /// Ready for questions that are no run.
+    fn unjudged(&self) -> Result<Mechanism, Error> {
+        self.prepare_judging(Judging::Needed, &Control::default())
     }
 
     /// Whether the scene is right; what its user should know all the same, a line each.
@@ -242,7 +262,9 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with it.
     pub fn check(&self) -> Result<Vec<String>, Error> {
-        Ok(Mechanism::of_within(self.decode()?, Judging::Never, &Control::default())?.warnings())
+        Ok(self
+            .prepare_judging(Judging::Never, &Control::default())?
+            .warnings())
     }
 
     /// Runs the scene.
@@ -279,7 +301,7 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with the scene; what cannot be answered.
     pub fn kinematics(&self, question: &Question) -> Result<Kinematics, Error> {
-        self.prepare()?.kinematics(question)
+        self.unjudged()?.kinematics(question)
     }
 
     /// Which forces a linkage of the scene carries.
@@ -287,7 +309,7 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with the scene; what cannot be answered.
     pub fn forces(&self, question: &Question) -> Result<ForceStudy, Error> {
-        self.prepare()?.forces(question)
+        self.unjudged()?.forces(question)
     }
 
     /// The steady motion that the scene's `steady` block asks for.
@@ -295,7 +317,7 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with the scene; why there is no steady motion.
     pub fn steady(&self) -> Result<Answer, Error> {
-        self.prepare()?.steady()
+        self.unjudged()?.steady()
     }
 
     /// Whether nothing went wrong in building it.

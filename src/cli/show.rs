@@ -188,8 +188,11 @@ fn document(ready: &Ready) -> serde_json::Value {
 /// Reduction of an object: modes with their shares of the output, and what the others
 /// give way by.
 fn reduced(model: &Model, reduced: &Reduced) -> serde_json::Value {
-    let modes = modes(model, reduced).map(|(part, share, frequency)| {
-        json!({ "id": part.id, "share": share, "natural_frequency": frequency })
+    let modes = modes(model, reduced).map(|mode| match mode.frequency {
+        Some(frequency) => {
+            json!({ "id": mode.id, "share": mode.share, "natural_frequency": frequency })
+        }
+        None => json!({ "id": mode.id, "share": mode.share }),
     });
     json!({
         "id": model.objects[reduced.object].id,

@@ -29,7 +29,7 @@ use std::sync::Arc;
 
 pub use contact::{ContactElement, ContactLaw};
 pub use loads::{LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
-pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, owner_of};
+pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, SUM, owner_of};
 pub use pressing::Pressing;
 pub use stop::{Stop, StopPart};
 
@@ -304,15 +304,18 @@ pub struct MultiLinkageBody {
     pub object: usize,
 }
 
-/// An elastic object reduced to vibration modes. Its part has one node, a massless
-/// output; modes and the inertia at the driven end are parts of their own.
+/// An elastic object reduced to vibration modes. Held at its driven end, its part has one
+/// node, a massless output; modes and the inertia at the driven end are parts of their own.
+/// Behind a contact element its part is a chain of masses, and the output one of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reduced {
     /// The object concerned, index into [`Model::objects`].
     pub object: usize,
-    /// The masses of the modes, each an oscillator on the object's law, with the share of
-    /// their deviation that the output gets.
+    /// The masses of the modes, each an oscillator on the object's law, or those of the
+    /// chain, with the share of their deviation that the output gets.
     pub modes: Vec<(NodeIndex, f64)>,
+    /// The output of a chain.
+    pub output: Option<NodeIndex>,
     /// What the modes that are left out give way by under the acceleration φ̈ of the
     /// driven end: the output deviates by −`under_acceleration`·φ̈ besides (s²).
     pub under_acceleration: f64,

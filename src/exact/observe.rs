@@ -228,10 +228,14 @@ pub(super) fn tracks(problem: &TreeProblem, request: &Request, blocks: usize) ->
             TreePair::Form { gap } => gap / 2.0,
             _ => f64::INFINITY,
         };
+        let output = object.output.iter();
+        let output: f64 = output
+            .map(|&(m, share)| share * problem.displacement[m])
+            .sum();
         Track::new(
             (blocks, harmonics),
             flights,
-            problem.displacement[object.last] - base,
+            output - base,
             cap,
             request.asked,
         )

@@ -31,12 +31,13 @@ pub struct TreeProblem {
 }
 
 /// An object of the scene: a chain of masses within the tree.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TreeObject {
     /// First mass, whose link holds the driving pair.
     pub first: usize,
-    /// Last mass: the output.
-    pub last: usize,
+    /// Masses whose motions, by their shares, sum to that of the output: the last mass, or
+    /// several of one ratio, with shares that sum to 1.
+    pub output: Vec<(usize, f64)>,
     /// The mass that drives it and U′ between them (every rigid object on the
     /// way included); `None`: the law.
     pub driver: Option<(usize, f64)>,

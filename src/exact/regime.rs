@@ -103,19 +103,24 @@ fn panels(
 ) -> Vec<Vec<Panel>> {
     let make = |object: &TreeObject| {
         let mass = &problem.masses[object.first];
-        let ratio = problem.masses[object.last].ratio;
+        let ratio = problem.masses[object.first].ratio;
+        let output = |factors: [f64; 3]| -> Vec<(usize, [f64; 3])> {
+            let shares = object.output.iter();
+            let of = |&(mass, share): &(usize, f64)| (mass, factors.map(|factor| share * factor));
+            shares.map(of).collect()
+        };
         let moving = |order: usize| {
             let mut one = [0.0; 3];
             one[order] = 1.0;
             let law = one.map(|x| x * ratio);
             Functional {
-                terms: vec![(object.last, one)],
+                terms: output(one),
                 law,
                 constant: 0.0,
             }
         };
         let mut delta = Functional {
-            terms: vec![(object.last, [1.0, 0.0, 0.0])],
+            terms: output([1.0, 0.0, 0.0]),
             ..moving(0)
         };
         delta.law = [0.0; 3];

@@ -35,7 +35,7 @@ pub(crate) fn chain(
     };
     let objects = vec![TreeObject {
         first: 0,
-        last: n - 1,
+        output: vec![(n - 1, 1.0)],
         driver: None,
     }];
     TreeProblem {

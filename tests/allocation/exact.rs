@@ -33,7 +33,7 @@ fn problem() -> TreeProblem {
         speed: vec![0.0; 2],
         objects: vec![TreeObject {
             first: 0,
-            last: 1,
+            output: vec![(1, 1.0)],
             driver: None,
         }],
     }

@@ -197,7 +197,7 @@ fn two_equal_branches_switch_together() {
     one.masses[1].loads.push(TimeLoad::Constant(-40.0));
     one.displacement.truncate(2);
     one.speed.truncate(2);
-    one.objects[0].last = 1;
+    one.objects[0].output = vec![(1, 1.0)];
     let mut series = Series::new(&one, vec![PairState::Free, ENGAGED], 2e-5);
     series.run(0.1);
     assert_eq!(series.met.len(), first.len());

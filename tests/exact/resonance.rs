@@ -62,7 +62,7 @@ fn compared(
     }
     let error = motion_error(&exact, &expected);
     assert!(error < bound, "{what}: {error:e}");
-    let last = problem.objects[0].last;
+    let last = problem.objects[0].output[0].0;
     let (greatest, least) = expected.iter().fold((0.0f64, 0.0f64), |(a, b), row| {
         (a.max(row[last]), b.min(row[last]))
     });

@@ -31,7 +31,7 @@ pub(crate) fn problem(masses: Vec<dam::exact::TreeMass>, sines: Vec<Sine>) -> Tr
         speed: vec![0.0; n],
         objects: vec![TreeObject {
             first: 0,
-            last: n - 1,
+            output: vec![(n - 1, 1.0)],
             driver: None,
         }],
     }

@@ -441,3 +441,29 @@ fn comparisons_take_values_of_any_type() {
         .collect();
     assert_relative_eq!(speeds[0], 2.0 * speeds[1], max_relative = 1e-12);
 }
+
+#[test]
+fn a_scene_that_says_how_accurate_it_is_to_be_is_judged_by_the_library_too() {
+    let scene = rocker().set("rocker.masses", 2);
+    let plain = scene.prepare().expect("a mechanism");
+    assert!(plain.certificate.is_none());
+    let judged = scene.set("run.accuracy", "10 %");
+    let ready = judged.prepare().expect("a mechanism");
+    let certificate = ready.certificate.as_ref().expect("a certificate");
+    let found = &certificate.accuracy["rocker.delta_abs"];
+    assert_eq!(certificate.models["rocker"].coordinates, 2);
+    // The run is that of the model that was judged.
+    let run = judged.run().expect("a run");
+    let value = run.figures("rocker").expect("figures").delta_abs;
+    assert_relative_eq!(value, found.value, max_relative = 1e-2);
+    // The continuum's deviation under slow accelerations, 3/4 of that of one mass.
+    let limit = found.limit.expect("a limit");
+    assert!((value - limit).abs() <= found.error.expect("an error"));
+    // What is no run is not judged.
+    assert!(
+        Mechanism::of(judged.decode().expect("a scene"))
+            .unwrap()
+            .certificate
+            .is_none()
+    );
+}

@@ -7,7 +7,7 @@ use dam::ask::CamQuestion;
 use dam::report::cam::{CamReport, curves, cycle_rows, dxf, findings, picture};
 use dam::report::findings::Findings;
 use dam::studies::law::LiftOff;
-use dam::{Error, Scene};
+use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -52,7 +52,7 @@ pub(crate) fn ask(
         let message = "`tolerance` and `cutter` are positive lengths";
         return Err(vec![dam::fault::Fault::new("", message, "")].into());
     }
-    let ready = scene.prepare()?;
+    let ready = Mechanism::of(scene.decode()?)?;
     let columns = ready.cam(&question, |found| {
         super::columns(&cycle_rows(
             found.cam,

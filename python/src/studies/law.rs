@@ -12,7 +12,7 @@ use dam::report::law::{
     law_findings, law_rows, stroke_findings, stroke_rows,
 };
 use dam::studies::law::Figure;
-use dam::{Error, Scene};
+use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -68,7 +68,7 @@ pub(crate) fn cycle(
     object: String,
     samples: usize,
 ) -> Result<(Followed, Columns), Error> {
-    let ready = scene.prepare()?;
+    let ready = Mechanism::of(scene.decode()?)?;
     let found = ready.law_cycle(&object)?;
     let rows = cycle_rows(found.position, found.lever, found.units, samples);
     let columns = super::columns(&rows);
@@ -126,7 +126,7 @@ pub(crate) fn compare(
     if !found.complete {
         return Err(interrupted("the comparison"));
     }
-    let ready = scene.prepare()?;
+    let ready = Mechanism::of(scene.decode()?)?;
     Ok(Compared {
         asked: Asked { scene, ready },
         at: question.at.clone(),

@@ -7,7 +7,7 @@ use dam::report::findings::Findings;
 use dam::report::{forces as forces_report, kinematics as kinematics_report};
 use dam::studies::forces::{Course, ForceStudy};
 use dam::studies::kinematics::{Kinematics, Question, even_motion, linkage_of, several_of};
-use dam::{Error, Scene};
+use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub(crate) struct Moved {
 /// # Errors
 /// Everything that is wrong with the scene; what cannot be answered.
 pub(crate) fn kinematics(scene: Arc<Scene>, question: &Question) -> Result<Moved, Error> {
-    let ready = scene.prepare()?;
+    let ready = Mechanism::of(scene.decode()?)?;
     let found = ready.kinematics(question)?;
     let asked = Asked { scene, ready };
     Ok(Moved { asked, found })
@@ -63,7 +63,7 @@ pub(crate) struct Carried {
 /// # Errors
 /// Everything that is wrong with the scene; what cannot be answered.
 pub(crate) fn forces(scene: Arc<Scene>, question: &Question) -> Result<Carried, Error> {
-    let ready = scene.prepare()?;
+    let ready = Mechanism::of(scene.decode()?)?;
     let found = ready.forces(question)?;
     let model = ready.model();
     let fault = |what| Error::from(vec![dam::fault::Fault::new("", what, "")]);

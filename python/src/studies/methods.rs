@@ -39,7 +39,10 @@ pub(crate) fn ask(
 ) -> Result<Studied, Error> {
     let (ready, models) = match choosing {
         true => with_model(&scene, accuracy.unwrap_or(USUAL), watch)?,
-        false => (scene.prepare_within(&watch.budget())?, None),
+        false => (
+            scene.prepare_judging(Judging::Needed, &watch.budget())?,
+            None,
+        ),
     };
     let wanted = match &models {
         Some(models) => models.accuracy_of_methods(),
@@ -104,7 +107,7 @@ pub(crate) fn over(
     }
     let at = |x: f64| -> Result<Mechanism, Error> {
         crate::scene::with_setting(Scene::clone(&scene), &axis.setting(x))?
-            .prepare_within(&watch.budget())
+            .prepare_judging(Judging::Needed, &watch.budget())
     };
     let ready = at(axis.from)?;
     let mut asked = Plan::new(accuracy.unwrap_or(ready.settings.tolerance));

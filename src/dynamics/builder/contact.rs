@@ -32,13 +32,6 @@ impl ModelBuilder {
                 "give one of them, or another closure",
             );
         }
-        if let BodySpec::Modes { .. } = spec.body {
-            let message = "its modes are those of the object held at its driven end, whose inertia and \
-                           flexibility would lie on the contact";
-            let hint =
-                "give `masses` in place of `modes` and of `flexibility`, or leave the contact out";
-            self.fault(at, "pair.contact", message, hint);
-        }
         let rigid = matches!(spec.body, BodySpec::Rigid { .. });
         if contact.law.is_rigid() && !rigid {
             let message = "before an elastic object an impact would set a single fragment going, \

@@ -111,7 +111,7 @@ impl Continuum {
                 let z = lever_frequency(k);
                 // φ′(0) = 1 is ∫φ² dJ = ¾·φ(1)² (a Bessel function of order ¼), and
                 // Γ = φ′(0)/z², as φ″ = −3z²s²φ and φ′(1) = 0.
-                let [tip, _] = lever_shape(z);
+                let [tip, _] = lever_shape(z, [0.0, 1.0]);
                 let factor = 1.0 / (z * z * 0.75f64.sqrt() * tip.abs());
                 Oscillator {
                     inertia: factor * factor,
@@ -129,17 +129,17 @@ fn lever_frequency(k: usize) -> f64 {
     // μ = 4·(¾)² = 9/4.
     let near = b - 1.25 / (8.0 * b);
     let z = |a: f64| 2.0 * a / 3f64.sqrt();
-    root(&|z| lever_shape(z)[1], z(near - 0.7), z(near + 0.7))
+    let slope = |z| lever_shape(z, [0.0, 1.0])[1];
+    root(&slope, z(near - 0.7), z(near + 0.7))
 }
 
-/// φ(1) and φ′(1) of φ″ = −3z²s²φ, φ(0) = 0, φ′(0) = 1: by power series about places so
+/// φ(1) and φ′(1) of φ″ = −3z²s²φ from φ(0) and φ′(0): by power series about places so
 /// near to each other that their terms do not cancel.
-fn lever_shape(z: f64) -> [f64; 2] {
+pub(super) fn lever_shape(z: f64, [mut value, mut slope]: [f64; 2]) -> [f64; 2] {
     const TERMS: usize = 26;
     let square = 3.0 * z * z;
     let steps = square.sqrt().ceil().max(1.0);
     let h = 1.0 / steps;
-    let (mut value, mut slope) = (0.0, 1.0);
     for step in 0..steps as usize {
         let s = step as f64 * h;
         let mut c = [0.0; TERMS];

@@ -60,7 +60,7 @@ fn modes_are_orthogonal_and_of_the_inertia_and_share_of_their_shapes() {
     let shape = |continuum, z: f64, s: f64| match continuum {
         Continuum::Rod => (z * s).sin(),
         // φ(s) of the frequency z is s times φ(1) of the frequency z·s².
-        Continuum::Lever => s * lever_shape(z * s * s)[0],
+        Continuum::Lever => s * lever_shape(z * s * s, [0.0, 1.0])[0],
     };
     for continuum in BOTH {
         let modes = continuum.reduce(4).oscillators;

@@ -17,23 +17,28 @@ mod contact;
 mod continuum;
 mod drive;
 mod driven_end;
+mod free_body;
+mod free_modes;
 pub(crate) mod left_out;
 mod level;
 mod level_of_body;
 mod linkage;
 mod load;
+mod modal_output;
 mod modes;
 mod multi;
 mod nodes;
 mod pieces;
 mod place;
 mod reach;
+mod smooth;
 pub mod spec;
 mod stop;
 pub(crate) mod written;
 
 pub use chain::ChainParameters;
 pub(crate) use driven_end::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
+pub(crate) use free_modes::{INSTEAD_OF_STATIC, STATIC_BEHIND_A_CURVE};
 pub use place::{Connected, Place};
 
 use crate::dynamics::model::{Model, NodeIndex, ObjectPart, Track, TrackSource};

@@ -7,15 +7,9 @@
 //! depends on it; otherwise it is one more oscillator.
 
 use super::continuum::{Continuum, Oscillator, Reduction};
-use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
-use super::{ChainParameters, Connected, FREE_FALL, ModelBuilder, Place};
-use crate::dynamics::model::{
-    Closure, Law, Load, LoadLaw, MODE, NodeIndex, NodeMotion, ObjectPart, Pair, PartInput, Reduced,
-};
-use crate::kinematics::breaks::Breaks;
-use crate::kinematics::constraint::Constraint;
-use crate::kinematics::position::Position;
-use crate::math::jet::Jet;
+use super::spec::{ChainSpec, ContactSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
+use super::{ChainParameters, FREE_FALL, ModelBuilder, Place};
+use crate::dynamics::model::{Closure, Law, MODE, NodeIndex, ObjectPart, Pair, PartInput, Reduced};
 use std::f64::consts::TAU;
 
 /// A uniform elastic object and how many of its modes are kept.
@@ -29,6 +23,11 @@ pub(super) struct Modal<'s> {
 }
 
 impl Modal<'_> {
+    /// The damping time τ = b/c.
+    pub(super) fn delay(&self) -> f64 {
+        self.damping_capacity / (TAU * (self.stiffness / self.inertia).sqrt())
+    }
+
     /// The property that asks for it.
     fn property(&self) -> &'static str {
         match self.modes {
@@ -57,6 +56,15 @@ impl Rest {
         }
     }
 
+    /// With a contact in series, at the driven end.
+    fn in_series_with(mut self, contact: Option<ContactSpec>, body: Modal<'_>) -> Self {
+        if let Some(contact) = contact {
+            self.under_force += 1.0 / contact.stiffness;
+            self.under_acceleration += body.inertia / contact.stiffness;
+        }
+        self
+    }
+
     /// Adds a load, of which `constant` is the force at the output.
     fn give_way(&mut self, load: &LoadSpec, constant: f64) {
         self.offset += match load.law {
@@ -70,7 +78,7 @@ impl Rest {
 }
 
 /// Shares of a force at the output that inner nodes get.
-type Shares = Vec<(NodeIndex, f64)>;
+pub(super) type Shares = Vec<(NodeIndex, f64)>;
 
 impl ModelBuilder {
     /// Lowers an object that is reduced to modes behind its law.
@@ -84,6 +92,10 @@ impl ModelBuilder {
         let Some(continuum) = self.check_modal(at, spec, body) else {
             return;
         };
+        let contact = spec.pair.contact;
+        if let Some(contact) = contact.filter(|_| body.modes > 0) {
+            return self.free_modes(at, law, (spec, pair, contact), (body, continuum));
+        }
         let still = !self.followed.contains(&at.id)
             && spec.loads.iter().all(is_constant)
             && self.is_smooth(law);
@@ -130,6 +142,7 @@ impl ModelBuilder {
         self.model.reduced.push(Reduced {
             object: at.object,
             modes,
+            output: None,
             under_acceleration: rest.under_acceleration,
             offset: rest.offset,
         });
@@ -154,7 +167,7 @@ impl ModelBuilder {
         }
         let node = self.rigid(at, law.clone(), body.inertia, pair);
         self.model.objects[at.object].driven_end = Some(node);
-        let mut rest = Rest::of(reduction, body);
+        let mut rest = Rest::of(reduction, body).in_series_with(spec.pair.contact, body);
         for load in &spec.loads {
             self.load(at, load, &[node], law.driver);
             let constant = match load.law {
@@ -166,6 +179,7 @@ impl ModelBuilder {
         self.model.reduced.push(Reduced {
             object: at.object,
             modes: Vec::new(),
+            output: None,
             under_acceleration: rest.under_acceleration,
             offset: rest.offset,
         });
@@ -178,11 +192,15 @@ impl ModelBuilder {
         self.faults.positive(&at.path("stiffness"), body.stiffness);
         let path = at.path("damping_capacity");
         self.faults.not_negative(&path, body.damping_capacity);
-        if spec.pair.closure == Closure::Form {
-            let message = "modes need a pair that stays closed: they are those of the object \
-                           held at its driven end";
+        let held = spec.pair.contact.is_none() || body.modes == 0;
+        if held && spec.pair.closure == Closure::Form {
+            let message = "modes without a contact element need a pair that stays closed: they are \
+                           those of the object held at its driven end";
             let hint = "give `masses`, or closure `bilateral` or `force`";
             self.fault(at, body.property(), message, hint);
+        }
+        if body.modes == 0 {
+            self.check_static_contact(at, spec);
         }
         for load in &spec.loads {
             let weight = matches!(load.law, LoadLawSpec::Weight { .. });
@@ -222,125 +240,6 @@ impl ModelBuilder {
         self.model.objects.push(part);
         index
     }
-
-    /// The node of the output: the sum of the nodes by their shares.
-    fn summed(&mut self, at: &Place, shares: &Shares, pair: Pair) -> Option<NodeIndex> {
-        let connected = |node| Connected {
-            port: String::new(),
-            output: at.id.clone(),
-            coordinate: self.model.objects[at.object].coordinate,
-            node,
-        };
-        let all: Vec<Connected> = shares.iter().map(|share| connected(share.0)).collect();
-        let ratios = shares.iter().map(|share| share.1).collect();
-        let sum = match Constraint::linear(ratios, 0.0) {
-            Ok(constraint) => self.combine(at, &all.iter().collect::<Vec<_>>(), constraint),
-            Err(faults) => {
-                self.faults(at, "modes", faults);
-                return None;
-            }
-        };
-        let same = Position::Ratio {
-            ratio: 1.0,
-            offset: 0.0,
-        };
-        let law = self.law(at, "position", &sum, same, 1.0)?;
-        Some(self.rigid(at, law, 0.0, pair))
-    }
-
-    /// A load on an object of modes: what does not depend on the motion of the output is
-    /// shared out to the modes. The constant force that it is, if it is one.
-    fn modal_load(
-        &mut self,
-        at: &Place,
-        spec: &LoadSpec,
-        shares: &Shares,
-        output: NodeIndex,
-        driver: NodeIndex,
-    ) -> f64 {
-        if matches!(spec.law, LoadLawSpec::Weight { .. }) {
-            let nodes: Vec<NodeIndex> = shares.iter().map(|share| share.0).collect();
-            self.load(at, spec, &nodes, driver);
-            return 0.0;
-        }
-        self.load(at, spec, &[output], driver);
-        let known = |load: &Load| {
-            let given = match &load.law {
-                LoadLaw::Constant(_) | LoadLaw::Pieces { .. } => true,
-                LoadLaw::Written(written) => written.nodes().next().is_none(),
-                _ => false,
-            };
-            given && load.node == output
-        };
-        let Some(load) = self.model.loads.pop_if(|load| known(load)) else {
-            return 0.0;
-        };
-        for &(node, share) in shares {
-            let law = match &load.law {
-                LoadLaw::Pieces { track, pieces } => {
-                    let mut pieces = pieces.clone();
-                    for piece in &mut pieces {
-                        (piece.value, piece.slope) = (share * piece.value, share * piece.slope);
-                    }
-                    let track = *track;
-                    LoadLaw::Pieces { track, pieces }
-                }
-                LoadLaw::Constant(force) => LoadLaw::Constant(share * force),
-                LoadLaw::Written(written) => {
-                    let mut own = written.clone();
-                    own.factor *= share;
-                    LoadLaw::Written(own)
-                }
-                other => other.clone(),
-            };
-            let name = load.name.clone();
-            self.model.loads.push(Load { node, name, law });
-        }
-        match load.law {
-            LoadLaw::Constant(force) => force,
-            _ => 0.0,
-        }
-    }
-
-    /// True when what a law asks for is known beforehand, with a continuous acceleration:
-    /// rigid objects behind a prescribed drive.
-    fn is_smooth(&self, law: &Law) -> bool {
-        let own = |segment, x| law.position.jet(segment, x);
-        smooth(&law.position.breaks(), own)
-            && match &self.model.nodes[law.driver].motion {
-                NodeMotion::Prescribed { motion, .. } => {
-                    smooth(&motion.breaks(), |segment, time| motion.jet(segment, time))
-                }
-                NodeMotion::Rigid { law } => self.is_smooth(law),
-                NodeMotion::Mass { .. }
-                | NodeMotion::Rotor { .. }
-                | NodeMotion::Constrained { .. } => false,
-            }
-    }
-}
-
-/// Jumps of a derivative below this share of what it is nearby are rounding.
-const JUMP: f64 = 1e-6;
-
-/// True when the second derivative is continuous where the formula changes.
-fn smooth(breaks: &Breaks, jet: impl Fn(i64, f64) -> Jet) -> bool {
-    let continuous = |&x: &f64| {
-        let [before, after] = [-1.0, 1.0].map(|sense| jet(breaks.locate(x, sense), x));
-        // What is small is small beside what the segments have within.
-        let mut scale = [0.0f64; 2];
-        for segment in [-1.0, 1.0].map(|sense| breaks.locate(x, sense)) {
-            let (from, to) = breaks.edges(segment);
-            for share in [0.2, 0.4, 0.6, 0.8] {
-                let within = from + share * (to - from);
-                let within = jet(segment, if within.is_finite() { within } else { x });
-                scale[0] = scale[0].max(within.first.abs());
-                scale[1] = scale[1].max(within.second.abs());
-            }
-        }
-        let [slope, bend] = scale.map(|scale| JUMP * scale);
-        (after.first - before.first).abs() <= slope && (after.second - before.second).abs() <= bend
-    };
-    breaks.points.iter().all(continuous)
 }
 
 fn is_constant(load: &LoadSpec) -> bool {
@@ -354,11 +253,10 @@ fn is_constant(load: &LoadSpec) -> bool {
 fn parameters(body: Modal<'_>, mode: &Oscillator) -> ChainParameters {
     let square = mode.frequency * mode.frequency;
     let stiffness = mode.inertia * square * body.stiffness;
-    let delay = body.damping_capacity / (TAU * (body.stiffness / body.inertia).sqrt());
     ChainParameters {
         inertias: vec![mode.inertia * body.inertia],
         stiffnesses: vec![stiffness],
-        dampings: vec![delay * stiffness],
+        dampings: vec![body.delay() * stiffness],
         driven_end: 0.0,
     }
 }

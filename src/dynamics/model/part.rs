@@ -25,7 +25,8 @@ pub struct ObjectPart {
     /// Id in the scene; of an output `object.output`.
     pub id: String,
     /// Kind in the scene; [`OUTPUT`] of an output, [`DRIVEN_END`] of the inertia of an
-    /// elastic object that moves with its law, [`MODE`] of one of its vibration modes.
+    /// elastic object that moves with its law, [`MODE`] of one of its vibration modes,
+    /// [`SUM`] of the output of one whose masses are no places on it.
     pub kind: &'static str,
     /// Turning or sliding.
     pub coordinate: Coordinate,
@@ -96,7 +97,7 @@ impl ObjectPart {
 
     /// True of a part of an object that nothing can hang on and that no scene names.
     pub fn is_inner(&self) -> bool {
-        self.kind == DRIVEN_END || self.kind == MODE || self.kind == STOP
+        [DRIVEN_END, MODE, STOP, SUM].contains(&self.kind)
     }
 
     /// True when one of the inputs hangs on that object part.
@@ -115,6 +116,10 @@ pub const DRIVEN_END: &str = "driven_end";
 /// The kind of an object part that is a vibration mode of an elastic object:
 /// `object.mode_1`, `object.residual`.
 pub const MODE: &str = "mode";
+
+/// The kind of an object part that is the sum of the masses which an elastic object behind a
+/// contact element is reduced to: `object.output`.
+pub const SUM: &str = "sum";
 
 /// The kind of an object part that is a stop of an object: `valve.seat`.
 pub const STOP: &str = "stop";

@@ -44,9 +44,7 @@ impl Coordinates {
             })
         };
         Self {
-            deviation: system
-                .last_coordinate(object)
-                .filter(|_| system.deviates(object)),
+            deviation: system.deviation(object),
             opening: opening(),
         }
     }

@@ -251,6 +251,9 @@ impl System {
             if let (Some(modal), Some(end)) = (&place.modal, &place.driven_end) {
                 self.observe_modal(modal, end.node, (time, y), &modes.0, work, out);
             }
+            if let Some(modal) = &place.modal {
+                self.observe_sum(modal, y, work, out);
+            }
             if let Some(end) = &place.driven_end {
                 out.reaction += end.pull(work);
                 if let Body::Rigid(_, pair) = &place.body {
@@ -267,7 +270,7 @@ impl System {
     pub(crate) fn pair_speed(&self, object: usize, y: &[f64], modes: &Modes) -> Option<f64> {
         let place = &self.places[object];
         match &place.body {
-            Body::Chain(chain) if place.modal.is_none() => {
+            Body::Chain(chain) => {
                 let chain = &self.frozen.chains[*chain];
                 let (u, v) = self.frozen.deviations(chain, y);
                 let mode = self.frozen.pair_mode(chain, &modes.0);

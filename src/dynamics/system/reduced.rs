@@ -10,6 +10,8 @@ use crate::dynamics::model::{Model, Reduced};
 pub(super) struct Modal {
     /// For each mode its chain, its coordinate and its share of the output.
     modes: Vec<(usize, usize, f64)>,
+    /// Node of the output, of a chain of which it is the sum.
+    output: Option<usize>,
     /// See [`Reduced`].
     under_acceleration: f64,
     offset: f64,
@@ -33,6 +35,7 @@ impl Modal {
         let end = end.filter(|_| still).map(|node| frozen.internal[node]);
         Self {
             modes: reduced.modes.iter().filter_map(place).collect(),
+            output: reduced.output.map(|node| frozen.internal[node]),
             under_acceleration: reduced.under_acceleration,
             offset: reduced.offset,
             course: end.and_then(|node| course(frozen, node)),
@@ -66,6 +69,37 @@ impl System {
                 && !self.is_rotor(object)
                 && !self.model.objects[object].is_drive()
                 && self.stop_of(object).is_none())
+    }
+
+    /// Coordinate (in y) that is the deviation δ of an object; `None`: it has none, or one that
+    /// is a sum.
+    pub(crate) fn deviation(&self, object: usize) -> Option<usize> {
+        let sum = self.places[object].modal.is_some();
+        let own = self.last_coordinate(object).filter(|_| !sum);
+        own.filter(|_| self.deviates(object))
+    }
+
+    /// Motion of the output of a chain to which an object is reduced.
+    pub(super) fn observe_sum(
+        &self,
+        modal: &Modal,
+        y: &[f64],
+        work: &Work<f64>,
+        out: &mut ObjectState,
+    ) {
+        let Some(output) = modal.output else {
+            return;
+        };
+        out.displacement = work.displacement[output];
+        out.speed = work.speed[output];
+        out.acceleration = work.acceleration[output];
+        let (u, v) = y.split_at(self.frozen.coordinates);
+        [out.delta, out.delta_speed] = [u, v].map(|of| {
+            let shares = modal.modes.iter();
+            shares
+                .map(|&(_, coordinate, share)| share * of[coordinate])
+                .sum()
+        });
     }
 
     /// Completes the state of an object that is reduced to modes, of which the sum of its

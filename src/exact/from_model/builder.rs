@@ -281,9 +281,18 @@ impl<'m> Builder<'m> {
             }
         }
         let added = &mut self.trees[tree];
+        let last = added.problem.masses.len() - 1;
+        let place = |&(node, share): &(usize, f64)| {
+            let mass = part.nodes.iter().position(|&own| own == node)?;
+            Some((first + mass, share))
+        };
+        let output = match self.model.reduced(object) {
+            Some(reduced) => reduced.modes.iter().filter_map(place).collect(),
+            None => vec![(last, 1.0)],
+        };
         added.problem.objects.push(TreeObject {
             first,
-            last: added.problem.masses.len() - 1,
+            output,
             driver: base.map(|base| (base.mass, base.ratio)),
         });
         added.objects.push(object);
@@ -384,13 +393,18 @@ impl<'m> Builder<'m> {
             Role::Moved(_) | Role::Unfit => Holder::Other,
         };
         let mut holders: Vec<Holder> = self.model.objects.iter().map(holder).collect();
-        // The sum of modes moves with the first of them.
+        // The sum of modes moves with the first of them, be it a part of its own or not.
         for reduced in &self.model.reduced {
             let mode = reduced.modes.first().map(|(node, _)| node);
             let mut parts = self.model.objects.iter();
             let first = mode.and_then(|mode| parts.position(|part| part.nodes.contains(mode)));
             let first = first.map(|first| holders[first]);
-            holders[reduced.object] = first.unwrap_or(holders[reduced.object]);
+            let summed = reduced.output.and_then(|output| {
+                let mut parts = self.model.objects.iter();
+                parts.position(|part| part.nodes.contains(&output))
+            });
+            let summed = summed.unwrap_or(reduced.object);
+            holders[summed] = first.unwrap_or(holders[summed]);
         }
         holders
     }

@@ -231,7 +231,8 @@ impl Numbers {
     fn reduced(&self, reduced: &Reduced, kept: &[usize]) -> Option<Reduced> {
         let mut copy = reduced.clone();
         copy.object = kept.iter().position(|&own| own == copy.object)?;
-        for (node, _) in &mut copy.modes {
+        let nodes = copy.modes.iter_mut().map(|(node, _)| node);
+        for node in nodes.chain(&mut copy.output) {
             *node = self.nodes[*node]?;
         }
         Some(copy)

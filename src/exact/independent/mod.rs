@@ -83,7 +83,7 @@ fn tree(masses: Vec<TreeMass>, law: Law) -> TreeProblem {
     let n = masses.len();
     let object = |m: usize| TreeObject {
         first: m,
-        last: m,
+        output: vec![(m, 1.0)],
         driver: None,
     };
     TreeProblem {

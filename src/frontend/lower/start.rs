@@ -51,8 +51,8 @@ fn explicit(states: &BTreeMap<String, (Vec<f64>, Vec<f64>)>, builder: &mut Model
     Start::Explicit(explicit)
 }
 
-/// An object that is reduced to modes starts as a whole: every mode at its displacement
-/// and its speed.
+/// An object that is reduced to modes starts as a whole: every mode, or every mass of its
+/// chain, at its displacement and its speed.
 fn whole_body(
     builder: &mut ModelBuilder,
     modes: &[NodeIndex],
@@ -72,11 +72,18 @@ fn whole_body(
         faults.finite(&format!("{path}.{name}[0]"), values[0]);
     }
     let objects = &builder.model().objects;
-    let parts = (0..objects.len()).filter(|&o| objects[o].nodes.iter().any(|n| modes.contains(n)));
-    explicit.extend(parts.map(|object| ExplicitStart {
-        object,
-        displacement: state[0].to_vec(),
-        speed: state[1].to_vec(),
+    explicit.extend(objects.iter().enumerate().filter_map(|(object, part)| {
+        let masses = part
+            .nodes
+            .iter()
+            .filter(|node| modes.contains(node))
+            .count();
+        let of_each = |value: f64| vec![value; masses];
+        (masses > 0).then(|| ExplicitStart {
+            object,
+            displacement: of_each(state[0][0]),
+            speed: of_each(state[1][0]),
+        })
     }));
 }
 

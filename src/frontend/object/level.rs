@@ -1,7 +1,9 @@
 //! How much of an elastic object is modelled.
 
-use super::spec::{BodySpec, ChainSpec, LoadLawSpec, Lumping, MassChoice};
-use crate::dynamics::builder::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
+use super::spec::{BodySpec, ChainSpec, ContactSpec, LoadLawSpec, Lumping, MassChoice};
+use crate::dynamics::builder::{
+    BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED, INSTEAD_OF_STATIC, STATIC_BEHIND_A_CURVE,
+};
 use crate::dynamics::model::Closure;
 use crate::frontend::read::Fields;
 use crate::frontend::read::Slot;
@@ -41,11 +43,13 @@ const MOST_MODES: u64 = 100;
 pub(super) fn read_modes(fields: &mut Fields<'_>) -> Option<Option<usize>> {
     let doc = "Number of vibration modes that the uniform object is reduced to, in place of \
                `masses`: the lowest, of the object held at its driven end; what the others \
-               give way by under slow forces stays. Needs a pair that stays closed.";
+               give way by under slow forces stays. Needs a pair that stays closed, or a \
+               contact element, behind which they are the modes of the free object.";
     let modes = fields.maybe("modes", doc, |slot| slot.count(1..=MOST_MODES));
     let doc = "`static`, in place of `masses`: the uniform object gives way as under slow \
-               forces, without vibrations; its speed follows, its acceleration is that of its \
-               driven end. Needs a pair that stays closed and a motion that is known beforehand.";
+               forces, without vibrations, and with it a contact element in series; its speed \
+               follows, its acceleration is that of its driven end. Needs a pair that stays \
+               closed and a motion that is known beforehand.";
     let rest = fields.maybe("flexibility", doc, |slot| slot.choice(&[("static", 0)]));
     let (modes, rest) = (modes?, rest?);
     Some(modes.map(|modes| modes as usize).or(rest))
@@ -97,17 +101,13 @@ impl Lumped {
 
 /// Refuses what does not go with the driving pair. `None`: refused.
 pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
-    let reduced = matches!(chain.body, BodySpec::Modes { .. });
-    if chain.pair.contact.is_some() && reduced {
-        let property = match chain.body {
-            BodySpec::Modes { modes: 0, .. } => "flexibility",
-            _ => "modes",
-        };
-        let message = "a contact element is not known before modes: their inertia and \
-                       flexibility at the driven end would lie on the contact";
-        let fault = fields.refuse(property, "contradiction", message);
-        let hint = "give `masses`, or leave `contact` out";
-        fault.hints.push(hint.to_owned());
+    let curved =
+        |contact: ContactSpec| !contact.law.is_rigid() && !contact.law.has_static_stiffness();
+    if matches!(chain.body, BodySpec::Modes { modes: 0, .. })
+        && chain.pair.contact.is_some_and(curved)
+    {
+        let fault = fields.refuse("flexibility", "contradiction", STATIC_BEHIND_A_CURVE);
+        fault.hints.push(INSTEAD_OF_STATIC.to_owned());
         return None;
     }
     let rigid = chain
@@ -142,13 +142,7 @@ pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
         BodySpec::Open(_) => "masses",
         _ => return Some(()),
     };
-    if reduced && chain.pair.closure == Closure::Form {
-        let message = "modes are those of the object held at its driven end: they need a pair \
-                       that stays closed";
-        let fault = fields.refuse(property, "contradiction", message);
-        let hint = "give `masses`, or closure `bilateral` or `force`";
-        fault.hints.push(hint.to_owned());
-    }
+    check_held(fields, chain, property);
     for load in &chain.loads {
         let wanted = match load.law {
             LoadLawSpec::Weight { .. } => MassChoice::All,
@@ -166,4 +160,28 @@ pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
         }
     }
     (fields.faults() == before).then_some(())
+}
+
+/// Refuses what is held at its driven end behind a pair that does not stay closed.
+fn check_held(fields: &mut Fields<'_>, chain: &ChainSpec, property: &str) {
+    let held = match chain.body {
+        BodySpec::Modes { modes, .. } => modes == 0 || chain.pair.contact.is_none(),
+        _ => false,
+    };
+    if !held || chain.pair.closure != Closure::Form {
+        return;
+    }
+    let (message, hint) = match property {
+        "modes" => (
+            "modes without a contact element are those of the object held at its driven end: \
+             they need a pair that stays closed",
+            "give `masses`, or the pair a `contact`, or closure `bilateral` or `force`",
+        ),
+        _ => (
+            "static flexibility needs a pair that stays closed",
+            "give `modes` or `masses`, or closure `bilateral` or `force`",
+        ),
+    };
+    let fault = fields.refuse(property, "contradiction", message);
+    fault.hints.push(hint.to_owned());
 }

@@ -1,7 +1,8 @@
-//! Objects that are reduced to vibration modes: what their output is the sum of.
+//! Objects that are reduced to vibration modes: what their output is the sum of. Behind a
+//! contact element these are masses of a chain, which have no frequencies of their own.
 
 use super::units;
-use crate::dynamics::model::{Model, ObjectPart, Reduced};
+use crate::dynamics::model::{Model, Reduced};
 use crate::report::findings::Table;
 use crate::report::quantity::significant;
 
@@ -18,13 +19,13 @@ pub(super) fn table(model: &Model) -> Table {
     ]);
     for reduced in &model.reduced {
         let object = &model.objects[reduced.object];
-        for (part, share, frequency) in modes(model, reduced) {
-            let name = part.id.rsplit('.').next().unwrap_or(&part.id);
+        for mode in modes(model, reduced) {
+            let frequency = mode.frequency.map(|frequency| significant(frequency, 6));
             table.push(vec![
                 object.id.clone(),
-                name.to_owned(),
-                significant(share, 6),
-                significant(frequency, 6),
+                mode.name,
+                significant(mode.share, 6),
+                frequency.unwrap_or_default(),
                 String::new(),
             ]);
         }
@@ -41,19 +42,44 @@ pub(super) fn table(model: &Model) -> Table {
     table
 }
 
-/// The parts that an object's modes are, with their shares and natural frequencies.
-pub(crate) fn modes<'m>(
-    model: &'m Model,
-    reduced: &'m Reduced,
-) -> impl Iterator<Item = (&'m ObjectPart, f64, f64)> + 'm {
-    reduced.modes.iter().filter_map(|&(node, share)| {
-        let part = model
-            .objects
-            .iter()
-            .find(|part| part.nodes.contains(&node))?;
-        let stiffness = model.links[*part.links.first()?].stiffness;
-        Some((part, share, (stiffness / model.nodes[node].inertia).sqrt()))
-    })
+/// A mode of a reduced object, or a mass of the chain that it is reduced to.
+pub(crate) struct Summand {
+    /// Address.
+    pub(crate) id: String,
+    /// Name within the object.
+    name: String,
+    /// Share of its deviation that the output gets.
+    pub(crate) share: f64,
+    /// Natural frequency of a mode (rad/s).
+    pub(crate) frequency: Option<f64>,
+}
+
+/// What the output of a reduced object is the sum of.
+pub(crate) fn modes(model: &Model, reduced: &Reduced) -> impl Iterator<Item = Summand> {
+    reduced
+        .modes
+        .iter()
+        .enumerate()
+        .filter_map(|(place, &(node, share))| {
+            if reduced.output.is_some() {
+                return Some(Summand {
+                    id: model.objects[reduced.object].id.clone(),
+                    name: format!("mass {}", place + 1),
+                    share,
+                    frequency: None,
+                });
+            }
+            let mut parts = model.objects.iter();
+            let part = parts.find(|part| part.nodes.contains(&node))?;
+            let stiffness = model.links[*part.links.first()?].stiffness;
+            let name = part.id.rsplit('.').next().unwrap_or(&part.id);
+            Some(Summand {
+                id: part.id.clone(),
+                name: name.to_owned(),
+                share,
+                frequency: Some((stiffness / model.nodes[node].inertia).sqrt()),
+            })
+        })
 }
 
 /// The static correction.

@@ -262,7 +262,7 @@ pub(super) fn deviations(
 fn last_alone(part: &Part) -> bool {
     let objects = &part.problem().objects;
     let last = part.problem().masses.len() - 1;
-    matches!(&objects[..], [only] if only.last == last && only.driver.is_none())
+    matches!(&objects[..], [only] if only.output == [(last, 1.0)] && only.driver.is_none())
 }
 
 /// δ of the objects of a tree, from its samples.
@@ -277,7 +277,8 @@ fn sampled<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)
         }
         let delta = |row: &[f64]| {
             let base = place.driver.map_or(0.0, |(mass, ratio)| ratio * row[mass]);
-            row[place.last] - base
+            let output = place.output.iter();
+            output.map(|&(mass, share)| share * row[mass]).sum::<f64>() - base
         };
         (object, samples.chunks_exact(columns).map(delta).collect())
     })

@@ -84,8 +84,7 @@ fn tell_no_limit(
 pub(in crate::studies) fn families(trials: &Trials<'_>) -> Families {
     let family = |id: &String, given: Option<Level>| match given {
         Some(level) => Family::Given(level),
-        None if trials.may_be_reduced(id) => Family::Modes,
-        None => Family::Masses(trials.lumping(id)),
+        None => Family::of(trials, id),
     };
     let objects = trials.elastic.objects.iter();
     objects
@@ -100,7 +99,7 @@ pub fn finer(one: Level, other: Level) -> Level {
             Level::Rigid => 0,
             Level::Static => 1,
             Level::Modes { .. } => 2,
-            // Modes hold for a pair that stays closed alone.
+            // Modes without a contact element hold for a pair that stays closed alone.
             Level::Masses { .. } => 3,
         };
         (family, level.coordinates())

@@ -62,19 +62,30 @@ fn lesser(trials: &Trials<'_>, family: Family, id: &str, than: Level) -> Vec<Lev
     if than != Level::Rigid && trials.may_be_rigid(id) {
         levels.push(Level::Rigid);
     }
-    if than.coordinates() > 0 && trials.may_be_reduced(id) && family == Family::Modes {
+    if than.coordinates() > 0 && trials.may_be_static(id) && family == Family::Modes {
         levels.push(Level::Static);
     }
     let counts = (0..).map(|power| 1 << power);
     let counts = counts.take_while(|&count| count < than.coordinates());
     levels.extend(counts.map(|count| coarsened(than, count)));
+    let free = trials.has_contact(id);
     let masses = matches!(than, Level::Masses { .. });
-    if masses && trials.may_be_reduced(id) && family == Family::Modes {
-        // A pair that has been found to stay closed.
+    if masses && trials.may_be_reduced(id) && (free || family == Family::Modes) {
+        // Modes of an object that is held need a pair that has been found to stay closed.
         let counts = (0..).map(|power| 1 << power);
-        let counts = counts.take_while(|&count| count <= than.coordinates());
-        levels.extend(counts.map(|count| Level::Modes { count }));
+        let modes = counts.map(|count| Level::Modes { count });
+        levels.extend(modes.take_while(|&level| size(level, free) <= than.coordinates()));
     }
-    levels.sort_by_key(|level| level.coordinates());
+    levels.sort_by_key(|&level| size(level, free));
     levels
+}
+
+/// Coordinates of an object at a level, those that its modes bring along behind a contact
+/// element included: the rigid body, and what the output gives way by.
+fn size(level: Level, free: bool) -> usize {
+    let more = match level {
+        Level::Modes { .. } if free => 2,
+        _ => 0,
+    };
+    level.coordinates() + more
 }

@@ -20,7 +20,7 @@ const MOST_RUNS: usize = 12;
 /// The levels that an object goes through.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::studies) enum Family {
-    /// Vibration modes: of an object whose level is open, its pair stays closed.
+    /// Vibration modes: of an object whose level is open, as long as its pair stays closed.
     Modes,
     /// Masses: of an object whose level is open.
     Masses(Lumping),
@@ -40,6 +40,15 @@ impl Family {
             Self::Given(level) => level
                 .refined(times)
                 .unwrap_or(Level::Modes { count: times }),
+        }
+    }
+
+    /// That of an object whose level is open: modes as long as its pair stays closed. What
+    /// strikes is told by masses: modes make the force too great where the contact is stiff.
+    pub(super) fn of(trials: &Trials<'_>, id: &str) -> Self {
+        match trials.may_be_reduced(id) && !trials.is_form_closed(id) {
+            true => Self::Modes,
+            false => Self::Masses(trials.lumping(id)),
         }
     }
 
@@ -74,7 +83,8 @@ pub(in crate::studies) struct Row {
 
 impl Row {
     /// Refines until `enough` says so, or the most coordinates are reached. Objects whose
-    /// pair turns out to open are given masses in place of modes.
+    /// pair turns out to open, or to strike on a contact element, are given masses in place of
+    /// modes.
     ///
     /// # Errors
     /// Faults of the first model; later ones end the row.
@@ -215,13 +225,14 @@ pub(in crate::studies) fn coarsened(level: Level, count: usize) -> Level {
     }
 }
 
-/// Gives masses to objects of modes whose pair would open; true if there were any.
+/// Gives masses to objects of modes whose pair would open, or opened; true if there were any.
 fn open_pairs(trials: &Trials<'_>, families: &mut Families, made: usize) -> bool {
     let mut opened = false;
     for (id, family) in families.iter_mut() {
         let has_modes = matches!(trials.made[made].levels[id], Level::Modes { .. });
-        if *family == Family::Modes && has_modes && trials.would_open(made, id) {
-            *family = Family::Masses(Lumping::Ends);
+        let opens = || trials.would_open(made, id) || trials.switched(made, id);
+        if *family == Family::Modes && has_modes && opens() {
+            *family = Family::Masses(trials.lumping(id));
             opened = true;
         }
     }

@@ -2,7 +2,7 @@
 
 use super::asked::is_count;
 use super::bound::{BaseMotion, LeftOutOf, left_out};
-use crate::dynamics::builder::spec::{Level, Lumping};
+use crate::dynamics::builder::spec::{ChainSpec, Level, Lumping};
 use crate::dynamics::model::{Closure, ContactLaw, Model};
 use crate::dynamics::record::Figures;
 use crate::dynamics::system::System;
@@ -207,15 +207,49 @@ impl<'s> Trials<'s> {
         margin.is_some_and(|margin| margin <= 0.0)
     }
 
-    /// Whether an object may be reduced to what holds for a pair that stays closed: its
-    /// modes, its static flexibility.
+    /// True when the pair of an object opened, or closed.
+    pub(super) fn switched(&self, trial: usize, id: &str) -> bool {
+        let object = self.made[trial].figures.objects.get(id);
+        let pair = object.and_then(|object| object.pair.as_ref());
+        pair.is_some_and(|pair| pair.separations + pair.closures > 0)
+    }
+
+    fn chain(&self, id: &str) -> Option<&ChainSpec> {
+        self.scene.objects.get(id)?.object.chain()
+    }
+
+    /// Whether an object may be reduced to modes: those of the object held at its driven end,
+    /// of a pair that stays closed, or those of the free object behind a contact element.
     pub(in crate::studies) fn may_be_reduced(&self, id: &str) -> bool {
-        let entry = self.scene.objects.get(id);
-        let chain = entry.and_then(|entry| entry.object.chain());
-        chain.is_some_and(|chain| {
-            let free = chain.pair.contact.is_none() && chain.stops.is_empty();
-            free && chain.pair.closure != Closure::Form
+        self.chain(id).is_some_and(|chain| {
+            let modes = match chain.pair.contact {
+                Some(contact) => !contact.law.is_rigid(),
+                None => chain.pair.closure != Closure::Form,
+            };
+            modes && chain.stops.is_empty()
         })
+    }
+
+    /// Whether an object may be reduced to its static flexibility, that of its contact
+    /// element in series.
+    pub(in crate::studies) fn may_be_static(&self, id: &str) -> bool {
+        self.chain(id).is_some_and(|chain| {
+            let contact = chain.pair.contact.map(|contact| contact.law);
+            let linear = contact.is_none_or(ContactLaw::has_static_stiffness);
+            linear && chain.pair.closure != Closure::Form && chain.stops.is_empty()
+        })
+    }
+
+    /// Whether there is a contact element before an object.
+    pub(in crate::studies) fn has_contact(&self, id: &str) -> bool {
+        self.chain(id)
+            .is_some_and(|chain| chain.pair.contact.is_some())
+    }
+
+    /// Whether the pair of an object holds it between two flanks.
+    pub(super) fn is_form_closed(&self, id: &str) -> bool {
+        self.chain(id)
+            .is_some_and(|chain| chain.pair.closure == Closure::Form)
     }
 
     /// Where the inertia of the cells of an object of masses is put: at both their ends, of
@@ -223,9 +257,7 @@ impl<'s> Trials<'s> {
     /// strikes a stiffer one first is the first mass alone, which is then half a cell too
     /// heavy.
     pub(in crate::studies) fn lumping(&self, id: &str) -> Lumping {
-        let entry = self.scene.objects.get(id);
-        let chain = entry.and_then(|entry| entry.object.chain());
-        let contact = chain.and_then(|chain| chain.pair.contact);
+        let contact = self.chain(id).and_then(|chain| chain.pair.contact);
         let (Some(contact), Some((body, _))) = (contact, self.elastic.objects.get(id)) else {
             return Lumping::Ends;
         };
@@ -238,9 +270,7 @@ impl<'s> Trials<'s> {
 
     /// Whether an object may be rigid.
     pub(in crate::studies) fn may_be_rigid(&self, id: &str) -> bool {
-        let entry = self.scene.objects.get(id);
-        let chain = entry.and_then(|entry| entry.object.chain());
-        chain.is_some_and(|chain| {
+        self.chain(id).is_some_and(|chain| {
             chain.pair.contact.is_some() || chain.pair.closure != Closure::Form
         })
     }

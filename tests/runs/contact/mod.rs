@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod impacts;
+mod modes;
 mod pressing;
 mod restitution;
 mod rod;

@@ -6,7 +6,7 @@ use dam::integrate::Method;
 use dam::record::Quantity;
 
 /// Indentation u(t) of the spring while the contact lasts, waves of two crossings and more.
-struct Waves(f64);
+pub(super) struct Waves(pub(super) f64);
 
 impl Waves {
     fn indentation(&self, t: f64) -> f64 {
@@ -25,7 +25,7 @@ impl Waves {
     }
 
     /// The first return to zero, by bisection after the maximum.
-    fn end(&self) -> f64 {
+    pub(super) fn end(&self) -> f64 {
         let (mut low, mut high) = (2.0, 2.0);
         while self.indentation(high) > 0.0 {
             low = high;
@@ -42,7 +42,7 @@ impl Waves {
         low
     }
 
-    fn force(&self) -> f64 {
+    pub(super) fn force(&self) -> f64 {
         let steps = (0..=600_000).map(|step| f64::from(step) * 1e-5);
         let end = self.end();
         let inside = steps.take_while(|t| *t <= end);
@@ -93,7 +93,7 @@ fn the_closed_form_is_that_of_the_table() {
     }
 }
 
-fn contact(k: f64) -> String {
+pub(super) fn contact(k: f64) -> String {
     format!(r#"{{ "stiffness": {k:?} }}"#)
 }
 

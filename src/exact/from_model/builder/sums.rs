@@ -25,8 +25,8 @@ impl<'m> Builder<'m> {
                 Role::Moved(_) => {}
             }
         }
-        if self.model.reduced(object).is_some() {
-            return self.sum_of_modes(object, &roles);
+        if let Some(reduced) = self.reduced(object) {
+            return self.sum_of_modes(object, reduced, &roles);
         }
         let reason = if courses.len() < drivers.len() {
             "one of its inputs moves elastically"
@@ -49,15 +49,22 @@ impl<'m> Builder<'m> {
         self.refuse(object, reason);
     }
 
+    /// The reduced object of which a part is the sum of the modes.
+    fn reduced(&self, sum: usize) -> Option<usize> {
+        let nodes = &self.model.objects[sum].nodes;
+        let mut all = self.model.reduced.iter();
+        let own = all.find(|one| {
+            one.object == sum || one.output.is_some_and(|output| nodes.contains(&output))
+        });
+        own.map(|own| own.object)
+    }
+
     /// An object that is reduced to modes is looked at, if nothing else sees it: its
     /// modes are trees.
-    fn sum_of_modes(&mut self, object: usize, roles: &[Role<'_>]) {
-        let part = &self.model.objects[object];
-        let followed = self
-            .model
-            .objects
-            .iter()
-            .any(|other| other.is_driven_by(object));
+    fn sum_of_modes(&mut self, sum: usize, object: usize, roles: &[Role<'_>]) {
+        let part = &self.model.objects[sum];
+        let mut others = self.model.objects.iter().filter(|other| !other.is_inner());
+        let followed = others.any(|other| other.is_driven_by(object));
         let mut loads = self.model.loads.iter();
         let reason = if followed {
             "what hangs on it couples the modes that it is reduced to"

@@ -1,0 +1,89 @@
+//! The output of an object that is reduced to modes: a sum, on which loads act.
+
+use super::modes::Shares;
+use super::spec::{LoadLawSpec, LoadSpec};
+use super::{Connected, ModelBuilder, Place};
+use crate::dynamics::model::{Load, LoadLaw, NodeIndex, Pair};
+use crate::kinematics::constraint::Constraint;
+use crate::kinematics::position::Position;
+
+impl ModelBuilder {
+    /// The node of the output: the sum of the nodes by their shares.
+    pub(super) fn summed(&mut self, at: &Place, shares: &Shares, pair: Pair) -> Option<NodeIndex> {
+        let connected = |node| Connected {
+            port: String::new(),
+            output: at.id.clone(),
+            coordinate: self.model.objects[at.object].coordinate,
+            node,
+        };
+        let all: Vec<Connected> = shares.iter().map(|share| connected(share.0)).collect();
+        let ratios = shares.iter().map(|share| share.1).collect();
+        let sum = match Constraint::linear(ratios, 0.0) {
+            Ok(constraint) => self.combine(at, &all.iter().collect::<Vec<_>>(), constraint),
+            Err(faults) => {
+                self.faults(at, "modes", faults);
+                return None;
+            }
+        };
+        let same = Position::Ratio {
+            ratio: 1.0,
+            offset: 0.0,
+        };
+        let law = self.law(at, "position", &sum, same, 1.0)?;
+        Some(self.rigid(at, law, 0.0, pair))
+    }
+
+    /// A load on an object of modes: what does not depend on the motion of the output is
+    /// shared out to the modes. The constant force that it is, if it is one.
+    pub(super) fn modal_load(
+        &mut self,
+        at: &Place,
+        spec: &LoadSpec,
+        shares: &Shares,
+        output: NodeIndex,
+        driver: NodeIndex,
+    ) -> f64 {
+        if matches!(spec.law, LoadLawSpec::Weight { .. }) {
+            let nodes: Vec<NodeIndex> = shares.iter().map(|share| share.0).collect();
+            self.load(at, spec, &nodes, driver);
+            return 0.0;
+        }
+        self.load(at, spec, &[output], driver);
+        let known = |load: &Load| {
+            let given = match &load.law {
+                LoadLaw::Constant(_) | LoadLaw::Pieces { .. } => true,
+                LoadLaw::Written(written) => written.nodes().next().is_none(),
+                _ => false,
+            };
+            given && load.node == output
+        };
+        let Some(load) = self.model.loads.pop_if(|load| known(load)) else {
+            return 0.0;
+        };
+        for &(node, share) in shares {
+            let law = match &load.law {
+                LoadLaw::Pieces { track, pieces } => {
+                    let mut pieces = pieces.clone();
+                    for piece in &mut pieces {
+                        (piece.value, piece.slope) = (share * piece.value, share * piece.slope);
+                    }
+                    let track = *track;
+                    LoadLaw::Pieces { track, pieces }
+                }
+                LoadLaw::Constant(force) => LoadLaw::Constant(share * force),
+                LoadLaw::Written(written) => {
+                    let mut own = written.clone();
+                    own.factor *= share;
+                    LoadLaw::Written(own)
+                }
+                other => other.clone(),
+            };
+            let name = load.name.clone();
+            self.model.loads.push(Load { node, name, law });
+        }
+        match load.law {
+            LoadLaw::Constant(force) => force,
+            _ => 0.0,
+        }
+    }
+}
