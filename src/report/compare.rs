@@ -6,8 +6,7 @@ use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Valu
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{significant, with_unit};
-use crate::report::run::units;
+use crate::report::quantity::{significant, units, with_unit};
 use crate::report::verdict::{Sort, Verdict, verdict};
 use crate::studies::compare::{ComparedRun, Comparison, Table as Compared, TableRow};
 use crate::units::shown;

@@ -37,6 +37,20 @@ pub struct LawResponse {
     /// Lowest speed of the drive at which the pair opens in the window; null
     /// when it was not asked for.
     pub lift_off: Option<LiftOff>,
+    /// Units of these numbers.
+    #[serde(skip)]
+    pub units: ResponseUnits,
+}
+
+/// Units of a response.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ResponseUnits {
+    /// Of residual vibration and deviation.
+    pub displacement: &'static str,
+    /// Of the contact force.
+    pub force: &'static str,
+    /// Of the torque or force asked of the driver.
+    pub driver_force: &'static str,
 }
 
 /// Speed at which a pair begins to open as the drive turns faster.
@@ -114,6 +128,11 @@ pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawR
         driver_torque: torques.fold(0.0, f64::max),
         separations: figures.pair.as_ref().map(|pair| pair.separations),
         lift_off: None,
+        units: ResponseUnits {
+            displacement: Quantity::Delta.unit(part.coordinate),
+            force: Quantity::Reaction.unit(part.coordinate),
+            driver_force: Quantity::Reaction.unit(model.objects[driver].coordinate),
+        },
     })
 }
 
@@ -250,6 +269,29 @@ impl Figure {
             Self::ContactForce => "contact_force",
             Self::DriverTorque => "driver_torque",
             Self::LiftOff => "lift_off",
+        }
+    }
+
+    /// Name in sentences and heads.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Residual => "residual vibration",
+            Self::ContactForce => "contact force",
+            Self::DriverTorque => "driver torque",
+            Self::LiftOff => "lift-off speed",
+            other => other.name(),
+        }
+    }
+
+    /// Unit of the value for a law; empty of its constants.
+    pub fn unit(self, law: &ComparedLaw) -> &'static str {
+        let units = &law.response.units;
+        match self {
+            Self::Residual | Self::Deviation => units.displacement,
+            Self::ContactForce => units.force,
+            Self::DriverTorque => units.driver_force,
+            Self::LiftOff => "rad/s",
+            Self::Speed | Self::Acceleration | Self::Jerk | Self::Torque => "",
         }
     }
 

@@ -1,6 +1,6 @@
 //! The periodic motion of elastic objects.
 
-use super::rigid::{at, flywheel_figures, mean_speed, value};
+use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
 use crate::dynamics::steady::Extreme;
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
@@ -169,7 +169,10 @@ pub fn periodic_findings<'a>(
     if let Some(drive) = &answer.drive {
         let section = Section::new(format!("Steady motion of {}", drive.id));
         let charts = drive_charts(drive).into();
-        let section = section.figures(drive_figures(drive));
+        let mut section = section.figures(drive_figures(drive));
+        if let Some(wheel) = &drive.flywheel {
+            section = section.table(estimates(wheel));
+        }
         sections.push(section.charts(Layout::Wide(340.0), "cycle", charts));
     }
     for part in &answer.parts {
