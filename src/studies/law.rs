@@ -1,7 +1,7 @@
 //! Laws of motion compared by what an elastic mechanism makes of them.
 
 use super::run::RunResult;
-use crate::dynamics::model::{Law, Model, NodeMotion};
+use crate::dynamics::model::{Law, Model};
 use crate::dynamics::record::Quantity;
 use crate::kinematics::motion::law::LawConstants;
 use crate::math::jet::Jet;
@@ -72,10 +72,8 @@ const STILL: f64 = 1e-12;
 fn followed(model: &Model, object: usize) -> Option<(&Law, usize)> {
     let part = &model.objects[object];
     let driver = part.driver()?;
-    match &model.nodes[*part.nodes.first()?].motion {
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some((law, driver)),
-        _ => None,
-    }
+    let law = model.nodes[*part.nodes.first()?].motion.law()?;
+    Some((law, driver))
 }
 
 /// The response of an object from a finished run. The record is to be dense:

@@ -12,6 +12,7 @@ use super::spec::LinkageSpec;
 use super::structure::{Group, GroupKind};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
+pub(super) use misfit::is_or_are;
 use misfit::misfit;
 
 /// The bodies that the driver does not place, and the body of every link.

@@ -2,7 +2,7 @@
 
 mod chart;
 
-pub(in crate::report) use chart::chart;
+pub(in crate::report) use chart::{LEAST, chart};
 
 use crate::report::findings::{Cell, Section, Table, Value};
 use crate::report::plot::Rule;

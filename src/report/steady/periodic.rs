@@ -169,11 +169,9 @@ pub fn periodic_findings<'a>(
     if let Some(drive) = &answer.drive {
         let section = Section::new(format!("Steady motion of {}", drive.id));
         let charts = drive_charts(drive).into();
-        let mut section = section.figures(drive_figures(drive));
-        if let Some(wheel) = &drive.flywheel {
-            section = section.table(estimates(wheel));
-        }
+        let section = section.figures(drive_figures(drive));
         sections.push(section.charts(Layout::Wide(340.0), "cycle", charts));
+        sections.extend(drive.flywheel.as_ref().map(estimates));
     }
     for part in &answer.parts {
         let section = Section::new(format!("Periodic motion of {}", part.objects.join(", ")));

@@ -42,12 +42,14 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
         true => Sort::Good,
         false => Sort::Mechanism,
     };
-    let wheel = shown.flywheel.map_or_else(Section::default, |wheel| {
+    let flywheel = |make: fn(&Flywheel) -> Section<'static>| {
+        shown.flywheel.map_or_else(Section::default, make)
+    };
+    let wheel = |wheel: &Flywheel| {
         Section::new("Flywheel")
             .figures(flywheel_figures(wheel))
-            .table(estimates(wheel))
             .legend("The motion on this page is the one with the flywheel.")
-    });
+    };
     let diagram = Section::new("Energy-mass diagram")
         .charts(Layout::Wide(520.0), "", vec![wittenbauer(shown)])
         .legend(
@@ -62,7 +64,8 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
         warnings: f.warnings.clone(),
         sections: vec![
             Section::new("Figures").figures(figures(shown)),
-            wheel,
+            flywheel(wheel),
+            flywheel(estimates),
             Section::new("Motion over a cycle").charts(Layout::Grid, "cycle", charts(shown)),
             diagram,
             Section::new("Agreement").figures(agreement(shown)),
@@ -180,7 +183,7 @@ pub(super) fn flywheel_figures(wheel: &Flywheel) -> Vec<Figure> {
 }
 
 /// What textbooks say of a flywheel, and what it would do.
-pub(super) fn estimates(wheel: &Flywheel) -> Table {
+pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
     let row = |one: &Approximation| {
         vec![
             Cell::from(one.words),
@@ -193,7 +196,8 @@ pub(super) fn estimates(wheel: &Flywheel) -> Table {
         ]
     };
     let heads = ["estimate", ">inertia to add", ">off", ">gives δ"];
-    Table::new(heads).rows(wheel.approximations.iter().map(row))
+    let table = Table::new(heads).rows(wheel.approximations.iter().map(row));
+    Section::new("Flywheel by textbook estimates").table(table)
 }
 
 /// The motion over the cycle, a row a place.
