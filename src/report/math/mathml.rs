@@ -1,6 +1,6 @@
 //! Formulas as MathML Core, for pages.
 
-use super::{Expr, Index, Relation, Symbol, fraction_of_pi};
+use super::{Expr, Index, Symbol, fraction_of_pi};
 use crate::report::quantity::{escape, significant};
 
 /// The formula for inside of `<math>`; a symbol that bears the name of an object or load

@@ -4,7 +4,8 @@
 //! * [`Plot`]: what is shown over what; `field`: coloured cells with contour lines;
 //! * `scale`: how values lie along an axis, and its ticks;
 //! * `frame`: where frame, title and legend stand; `draw`: the picture;
-//! * `palette`: all colours, light and dark; `page`: the data of a page for `plot.js`.
+//! * `palette`: all colours, light and dark; `page`: the data of a page for `plot.js`, which
+//!   has `numbers.js` before it.
 
 mod draw;
 pub(in crate::report) mod field;
