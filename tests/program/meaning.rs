@@ -9,7 +9,6 @@ mod unlikely;
 use crate::browser::browser;
 use crate::browser::dom;
 use serde_json::Value;
-use serde_json::json;
 use std::path::PathBuf;
 use std::process::Command;
 use std::process::Output;
@@ -144,6 +143,16 @@ fn a_map_shows_how_far_the_object_strays() {
             "{speed}: {shown} {wanted}"
         );
     }
+}
+
+/// The JSON within the element of this id.
+fn element(page: &str, id: &str) -> Value {
+    let start = page
+        .find(&format!("id=\"{id}\""))
+        .unwrap_or_else(|| panic!("no {id}"));
+    let from = start + page[start..].find('>').unwrap() + 1;
+    let to = from + page[from..].find("</script>").unwrap();
+    serde_json::from_str(&page[from..to]).unwrap()
 }
 
 /// What a script finds in a page once its own scripts have run; `None` without a browser.

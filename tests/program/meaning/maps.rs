@@ -1,6 +1,6 @@
 //! Pages of maps answer with every cell.
 
-use super::{ROCKER, VALVE, asked, dam, json_of, text};
+use super::{ROCKER, VALVE, asked, dam, element, json_of, text};
 use serde_json::Value;
 use serde_json::json;
 

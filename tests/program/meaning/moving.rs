@@ -1,8 +1,7 @@
 //! The machine moving on the page of a run.
 
-use super::{ROCKER, asked, dam, text};
+use super::{ROCKER, asked, dam, element, text};
 use serde_json::Value;
-use serde_json::json;
 
 /// The page of a run, and the data of its player.
 fn page(scene: &str, settings: &[&str]) -> (String, Value) {
@@ -17,16 +16,6 @@ fn page(scene: &str, settings: &[&str]) -> (String, Value) {
         .unwrap_or_else(|_| panic!("{}", text(&output.stderr)));
     let data = element(&page, "machine-data");
     (page, data)
-}
-
-/// The JSON within the element of this id.
-fn element(page: &str, id: &str) -> Value {
-    let start = page
-        .find(&format!("id=\"{id}\""))
-        .unwrap_or_else(|| panic!("no {id}"));
-    let from = start + page[start..].find('>').unwrap() + 1;
-    let to = from + page[from..].find("</script>").unwrap();
-    serde_json::from_str(&page[from..to]).unwrap()
 }
 
 /// The first series of a chart of a page.

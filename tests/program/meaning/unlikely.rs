@@ -1,6 +1,6 @@
 //! What is likely not meant is warned of.
 
-use super::{Written, dam, json_of, text};
+use super::{Written, json_of};
 use serde_json::Value;
 use serde_json::json;
 use std::path::Path;
