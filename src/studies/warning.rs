@@ -185,7 +185,7 @@ mod tests {
             bound: 1e-4,
         };
         assert!(!opens.spoils_figures() && audit.spoils_figures());
-        assert!(opens.to_string().contains("30.0 % of the run"));
+        assert!(opens.to_string().contains("30 % of the run"));
         assert!(
             opens
                 .to_string()
