@@ -261,10 +261,15 @@ const live = (() => {
         }));
         if (this.data.field && this.data.field.strip) node.setAttribute("d", d.replace(/([MH])(-?[\d.]+)/g, (_, command, a) => `${command}${Math.min(Math.max(this.moved("x", +a), this.frame.left), this.frame.left + this.frame.width)}`));
       }
+      const named = [];
       for (const { node, x, y } of this.spots) {
         const [px, py] = [this.moved("x", x), this.moved("y", y)];
+        const half = 0.42 * widthOf(node.textContent);
+        const meets = named.some((one) => Math.abs(one.px - px) < one.half + half && Math.abs(one.py - py) < 14);
+        const seen = this.inside(px, py) && !(half > 0 && meets);
+        if (seen && half > 0) named.push({ px, py, half });
         node.setAttribute("transform", `translate(${px} ${py})`);
-        node.setAttribute("visibility", this.inside(px, py) ? "inherit" : "hidden");
+        node.setAttribute("visibility", seen ? "inherit" : "hidden");
       }
       this.drawGround();
       this.data.series.forEach((series, index) => this.drawSeries(series, index));

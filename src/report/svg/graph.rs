@@ -52,20 +52,26 @@ pub(in crate::report) fn linked(diagram: &Diagram, plots: &Plots) -> String {
 fn drawn(diagram: &Diagram, links: bool) -> ([f64; 2], String) {
     let places = diagram.places();
     let columns = places.iter().map(|p| p.column).max().unwrap_or(0) as f64;
-    let rows = places.iter().map(|p| p.row).fold(0.0, f64::max);
-    let tallest = diagram
-        .boxes
-        .iter()
-        .map(height_of)
-        .fold(BOX_HEIGHT, f64::max);
-    let row = tallest + GAP;
+    // Boxes above each other give the distance of rows; the middles of a row stand level.
+    let is_crowded = |index: usize| {
+        let beside = |place: &&Place| place.column == places[index].column;
+        places.iter().filter(beside).count() > 1
+    };
+    let heights: Vec<f64> = diagram.boxes.iter().map(height_of).collect();
+    let crowded = (0..heights.len()).filter(|&index| is_crowded(index));
+    let row = GAP
+        + crowded
+            .map(|index| heights[index])
+            .fold(BOX_HEIGHT, f64::max);
+    let top = |index: usize| places[index].row * row - (heights[index] - BOX_HEIGHT) / 2.0;
+    let all = || 0..heights.len();
+    let first = all().map(top).fold(0.0, f64::min);
+    let last = all().map(|index| top(index) + heights[index]);
+    let height = 2.0 * MARGIN + last.fold(BOX_HEIGHT, f64::max) - first;
     let width = 2.0 * MARGIN + columns * COLUMN + BOX_WIDTH;
-    let height = 2.0 * MARGIN + rows * row + tallest;
-    // The middles of boxes stand level, whatever their heights.
     let corner = |index: usize| -> Corner {
-        let (one, place): (&ObjectBox, Place) = (&diagram.boxes[index], places[index]);
-        let y = MARGIN + place.row * row + (tallest - height_of(one)) / 2.0;
-        (MARGIN + place.column as f64 * COLUMN, y)
+        let x = MARGIN + places[index].column as f64 * COLUMN;
+        (x, MARGIN + top(index) - first)
     };
     let mut out = String::new();
     for (index, one) in diagram.boxes.iter().enumerate() {
