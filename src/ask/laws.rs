@@ -2,7 +2,7 @@
 
 use super::Mechanism;
 use crate::Error;
-use crate::dynamics::model::{Coordinate, NodeMotion};
+use crate::dynamics::model::Coordinate;
 use crate::kinematics::position::Position;
 use crate::studies::cycle::{CycleFigures, cycle};
 use serde_json::{Value, json};
@@ -59,10 +59,8 @@ impl Mechanism {
         }
         let driver = part.driver();
         let driver = driver.ok_or_else(|| wrong("it follows several inputs, not one"))?;
-        let law = match &model.nodes[part.nodes[0]].motion {
-            NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law,
-            _ => return Err(wrong("it follows no law")),
-        };
+        let law = model.nodes[part.nodes[0]].motion.law();
+        let law = law.ok_or_else(|| wrong("it follows no law"))?;
         let figures = cycle(&law.position, law.lever).map_err(|message| wrong(&message))?;
         let unit = |coordinate: Coordinate| match coordinate {
             Coordinate::Turning => "rad",

@@ -202,8 +202,8 @@ pub(crate) struct ShowArgs {
     #[arg(long, value_enum, default_value_t = View::All)]
     pub(crate) view: View,
     /// In which form; the object graph also as DOT or SVG, the equations also as LaTeX
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    pub(crate) form: Form,
+    #[arg(long, value_enum, default_value_t = ShowForm::Text)]
+    pub(crate) form: ShowForm,
 }
 
 /// The three models of a scene.
@@ -221,7 +221,7 @@ pub(crate) enum View {
 
 /// Forms of output of `dam show`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Form {
+pub(crate) enum ShowForm {
     /// Plain text
     Text,
     /// Graphviz (graph)

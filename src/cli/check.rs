@@ -45,14 +45,14 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         }
     }
     let coordinates = start.y.len() / 2;
-    console::data(&format!(
+    console::text(&format!(
         "{} is right: {} objects, {coordinates} coordinates, hash {}\n",
         scene.name,
         scene.objects.len(),
         &scene.hash[..16]
     ))?;
     for reach in reaches {
-        console::data(&format!("{reach}\n"))?;
+        console::text(&format!("{reach}\n"))?;
     }
     Ok(Status::Answered)
 }

@@ -28,7 +28,7 @@ pub(crate) fn data(text: &str) -> Result<(), Failure> {
 /// # Errors
 /// Those of [`data`].
 pub(crate) fn text(text: &str) -> Result<(), Failure> {
-    match width() {
+    match width(Stream::Output) {
         Some(width) => data(&fitted(text, width)),
         None => data(text),
     }
@@ -39,26 +39,34 @@ pub(crate) fn text(text: &str) -> Result<(), Failure> {
 /// # Errors
 /// Those of [`data`].
 pub(crate) fn findings(found: &Findings<'_>) -> Result<(), Failure> {
-    text(&found.text(width()))
+    text(&found.text(width(Stream::Output)))
 }
 
-/// Characters a line of standard output has room for: what `COLUMNS` says, else the terminal;
-/// `None` where it is neither said nor a terminal.
-fn width() -> Option<usize> {
+/// Standard output or standard error.
+#[derive(Clone, Copy)]
+enum Stream {
+    Output,
+    Error,
+}
+
+/// Characters a line of a stream has room for: what `COLUMNS` says, else the terminal; `None`
+/// where it is neither said nor a terminal.
+fn width(stream: Stream) -> Option<usize> {
     let said = std::env::var("COLUMNS").ok();
     let said = said.and_then(|said| said.parse().ok());
     let found = || {
-        let terminal = std::io::stdout().is_terminal();
-        let size = ::console::Term::stdout()
-            .size_checked()
-            .filter(|_| terminal);
+        let (terminal, shown) = match stream {
+            Stream::Output => (::console::Term::stdout(), std::io::stdout().is_terminal()),
+            Stream::Error => (::console::Term::stderr(), std::io::stderr().is_terminal()),
+        };
+        let size = terminal.size_checked().filter(|_| shown);
         size.map(|(_, columns)| usize::from(columns))
     };
     said.or_else(found).filter(|width| *width >= 20)
 }
 
 /// Result of a write to standard output.
-pub(crate) fn checked(written: std::io::Result<()>) -> Result<(), Failure> {
+fn checked(written: std::io::Result<()>) -> Result<(), Failure> {
     match written {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(format!(
             "cannot write to standard output: {error}"
@@ -97,9 +105,13 @@ fn escaped(json: &str) -> String {
     text
 }
 
-/// Says something on standard error.
+/// Says something on standard error, in the width of the terminal.
 pub(crate) fn talk(text: &str) {
-    rendered(&printable(text));
+    let text = printable(text);
+    match width(Stream::Error) {
+        Some(width) => rendered(&fitted(&text, width)),
+        None => rendered(&text),
+    }
 }
 
 impl Failure {

@@ -10,8 +10,8 @@ use std::sync::Mutex;
 /// Name of the journal within the folder. It goes when results are written there.
 pub(crate) const NAME: &str = "map.journal";
 
-/// Largest journal that is read.
-const LARGEST: u64 = 4 << 30;
+/// Largest journal, or part of a map, that is read (bytes).
+pub(super) const LARGEST: u64 = 4 << 30;
 
 /// An open journal; rows may be added from any thread.
 #[derive(Debug)]

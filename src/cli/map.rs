@@ -6,7 +6,7 @@ use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::interrupt;
-use super::journal::Journal;
+use super::journal::{Journal, LARGEST};
 use super::output::OutputFolder;
 use super::progress::PATIENCE;
 use super::status::Status;
@@ -120,9 +120,6 @@ fn range(text: &str) -> Result<Range<usize>, String> {
     let ends = ends.and_then(|(from, to)| Some(from.trim().parse().ok()?..to.trim().parse().ok()?));
     ends.ok_or_else(|| format!("--cells {text}: give FROM:TO, as 0:100"))
 }
-
-/// Largest part that is read.
-const LARGEST: u64 = 4 << 30;
 
 /// The rows of all parts.
 fn merged(study: &Study<'_>, files: &[PathBuf]) -> Result<Known, Failure> {

@@ -38,7 +38,6 @@ use clap::Parser;
 use failure::Failure;
 use status::Status;
 use std::ffi::OsString;
-use std::io::Write;
 use std::process::ExitCode;
 use std::time::Duration;
 
@@ -88,11 +87,12 @@ fn run(command: &Command) -> Result<Status, Failure> {
 
 /// Help, the version, or what is wrong with the arguments.
 fn without_command(told: &clap::Error) -> u8 {
-    let printed = told.print().and_then(|()| std::io::stdout().flush());
+    let words = told.render().to_string();
     if told.use_stderr() {
+        console::talk(&words);
         return 2;
     }
-    match console::checked(printed) {
+    match console::text(&words) {
         Ok(()) => 0,
         Err(failure) => {
             failure.talk();

@@ -1,6 +1,6 @@
 //! `dam show`: the three models of a scene.
 
-use super::args::{Form, ShowArgs, View};
+use super::args::{ShowArgs, ShowForm, View};
 use super::console;
 use super::failure::Failure;
 use super::input::{Input, Ready};
@@ -28,20 +28,20 @@ pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
         return Ok(Status::Answered);
     }
     let out = match args.form {
-        Form::Dot => graph::dot(&Diagram::of(model)),
-        Form::Svg => svg(&Diagram::of(model)),
-        Form::Latex => latex(&equations(model)),
-        Form::Text => in_words(args.view, &ready),
+        ShowForm::Dot => graph::dot(&Diagram::of(model)),
+        ShowForm::Svg => svg(&Diagram::of(model)),
+        ShowForm::Latex => latex(&equations(model)),
+        ShowForm::Text => in_words(args.view, &ready),
     };
     console::text(&out)?;
     Ok(Status::Answered)
 }
 
-fn refuse(view: View, form: Form) -> Result<(), Failure> {
+fn refuse(view: View, form: ShowForm) -> Result<(), Failure> {
     let fits = match form {
-        Form::Text => true,
-        Form::Dot | Form::Svg => matches!(view, View::Graph | View::All),
-        Form::Latex => matches!(view, View::Equations | View::All),
+        ShowForm::Text => true,
+        ShowForm::Dot | ShowForm::Svg => matches!(view, View::Graph | View::All),
+        ShowForm::Latex => matches!(view, View::Equations | View::All),
     };
     if fits {
         return Ok(());

@@ -162,6 +162,14 @@ impl NodeMotion {
     pub fn is_free(&self) -> bool {
         matches!(self, Self::Rotor { .. } | Self::Mass { .. })
     }
+
+    /// The law that the node follows, if it follows one.
+    pub fn law(&self) -> Option<&Law> {
+        match self {
+            Self::Mass { law } | Self::Rigid { law } => Some(law),
+            Self::Prescribed { .. } | Self::Rotor { .. } | Self::Constrained { .. } => None,
+        }
+    }
 }
 
 /// U(φ_driver), the motion the driver asks for.

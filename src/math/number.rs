@@ -166,6 +166,18 @@ impl SubAssign for Dual {
     }
 }
 
+/// √x.
+pub(crate) fn sqrt<N: Number>(x: N) -> N {
+    let root = x.value().sqrt();
+    x.compose(root, 0.5 / root)
+}
+
+/// arctan x.
+pub(crate) fn atan<N: Number>(x: N) -> N {
+    let value = x.value();
+    x.compose(value.atan(), 1.0 / (1.0 + value * value))
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Dual, Number};

@@ -6,10 +6,9 @@ use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Valu
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{significant, with_unit};
-use crate::report::run::units;
+use crate::report::quantity::{significant, units, with_unit};
 use crate::report::verdict::{Sort, Verdict, verdict};
-use crate::studies::compare::{ComparedRun, Comparison, Table as Compared, TableRow};
+use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
 use crate::units::shown;
 
 /// Figures of an object in the words of a page.
@@ -174,7 +173,7 @@ fn verdicts(comparison: &Comparison) -> Table {
 }
 
 /// Figures of an object, one column a run, each with its error.
-pub(in crate::report) fn figures<'a>(table: &Compared, id: &str) -> Section<'a> {
+pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'a> {
     let own = |row: &TableRow| {
         let name = row.figure.strip_prefix(id)?.strip_prefix('.')?;
         // A row of zeros says nothing.

@@ -1,7 +1,7 @@
 //! Tables for other programs, as CSV.
 
 use crate::dynamics::record::Record;
-use crate::studies::compare::Table;
+use crate::studies::compare::FigureTable;
 
 /// A table for other programs: a head, and rows of as many fields.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -125,7 +125,7 @@ impl From<Sample> for Field {
 
 /// The table of a comparison: `figure`, `unit`, then a column of values and one of errors for
 /// every run; empty where there is none.
-pub fn table_csv(table: &Table) -> String {
+pub fn table_csv(table: &FigureTable) -> String {
     let head = table.labels.iter().flat_map(|label| {
         [
             format!("{}={label}", table.over),
@@ -157,7 +157,7 @@ pub(in crate::report) fn number(value: f64) -> String {
 mod tests {
     use super::{number, record_csv, table_csv};
     use crate::dynamics::record::{Column, Record};
-    use crate::studies::compare::{Table, TableRow};
+    use crate::studies::compare::{FigureTable, TableRow};
 
     fn record(values: Vec<f64>) -> Record {
         Record {
@@ -201,7 +201,7 @@ mod tests {
 
     #[test]
     fn a_comparison_has_values_and_errors_side_by_side() {
-        let table = Table {
+        let table = FigureTable {
             against_limit: false,
             over: "rocker.masses".to_owned(),
             labels: vec!["1".to_owned(), "2".to_owned()],

@@ -205,13 +205,11 @@ fn law_text(model: &Model, index: usize) -> String {
         return sum;
     }
     let object = &model.objects[index];
-    let motion = object.nodes.first().map(|&node| &model.nodes[node].motion);
-    match motion {
-        _ if object.kind == STOP => String::new(),
-        Some(NodeMotion::Mass { law } | NodeMotion::Rigid { law }) => {
-            position::summary(law, object.coordinate)
-        }
-        _ => String::new(),
+    let node = object.nodes.first();
+    let law = node.and_then(|&node| model.nodes[node].motion.law());
+    match law.filter(|_| object.kind != STOP) {
+        Some(law) => position::summary(law, object.coordinate),
+        None => String::new(),
     }
 }
 

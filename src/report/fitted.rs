@@ -30,7 +30,7 @@ fn folded(line: &str, width: usize) -> String {
         let least = if first { leading(&characters) } else { 0 };
         let space = (from + least + 1..=from + room)
             .rev()
-            .find(|&at| characters[at] == ' ');
+            .find(|&at| characters[at] == ' ' && !is_inside_quantity(&characters, at));
         let space =
             space.or_else(|| (from + room..characters.len()).find(|&at| characters[at] == ' '));
         let Some(space) = space else { break };
@@ -45,6 +45,25 @@ fn folded(line: &str, width: usize) -> String {
     }
     out.extend(&characters[from..]);
     out
+}
+
+/// Whether the space there parts a number from its unit, or the parts of that unit.
+fn is_inside_quantity(characters: &[char], at: usize) -> bool {
+    let word = |end: usize| -> &[char] {
+        let start = characters[..end].iter().rposition(|c| *c == ' ');
+        &characters[start.map_or(0, |space| space + 1)..end]
+    };
+    let is_number = |word: &[char]| {
+        let digits = word.strip_prefix(&['-']).unwrap_or(word);
+        digits.first().is_some_and(char::is_ascii_digit)
+            && digits.last().is_some_and(char::is_ascii_digit)
+    };
+    let before = word(at);
+    if is_number(before) {
+        return true;
+    }
+    let is_symbol = before.len() <= 2 && before.iter().all(|c| c.is_alphabetic());
+    is_symbol && at > before.len() && is_number(word(at - before.len() - 1))
 }
 
 fn leading(characters: &[char]) -> usize {
@@ -92,6 +111,14 @@ mod tests {
             "{lines}"
         );
         assert_eq!(fitted(table, 200), table);
+    }
+
+    #[test]
+    fn a_number_keeps_its_unit() {
+        let text = "an inertia of 13.26071713 kg m² to add";
+        for width in 20..36 {
+            assert!(fitted(text, width).contains("13.26071713 kg m²"), "{width}");
+        }
     }
 
     #[test]

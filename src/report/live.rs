@@ -19,7 +19,7 @@ use crate::dynamics::model::Model;
 use crate::dynamics::record::{Column, Figures, Record};
 use crate::dynamics::system::{Regime, System};
 use crate::kinematics::cam::DiscCam;
-use crate::studies::compare::Table;
+use crate::studies::compare::FigureTable;
 use crate::studies::map::{MapResult, Study};
 use crate::studies::order::Certificate;
 use crate::studies::run::RunResult;
@@ -190,7 +190,7 @@ fn compared<'a>(figures: &Figures, beside: &Beside<'_>) -> Vec<Section<'a>> {
     let pinned = beside.pins.iter().rev();
     let pinned = pinned.map(|&(name, result)| (name, &result.figures));
     let runs: Vec<(&str, &Figures)> = std::iter::once((NOW, figures)).chain(pinned).collect();
-    let table = Table::of("pinned runs", &runs);
+    let table = FigureTable::of("pinned runs", &runs);
     let words = format!("In per cent: by how much each figure differs from that of “{first}”.");
     let head = Section::new("Beside pinned runs").words(words);
     let ids = figures.objects.keys().map(String::as_str);

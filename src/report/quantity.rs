@@ -1,6 +1,10 @@
 //! Numbers for reading: significant digits, SI prefixes, escaped text.
 
+use crate::dynamics::record::{Figures, Units};
 use crate::units::shown;
+
+/// Significant digits of results on terminals and pages; files carry all of them.
+pub(in crate::report) const DIGITS: usize = 7;
 
 /// SI prefixes that engineers read at a glance, with their exponents.
 const PREFIXES: [(i32, &str); 8] = [
@@ -25,6 +29,14 @@ pub struct Scale {
     pub factor: f64,
     /// Unit of the result: `mrad`, `10⁻¹⁵ rad`, `kN m`.
     pub unit: String,
+}
+
+/// Units of an object; SI turning units when the document names none.
+pub(in crate::report) fn units(figures: &Figures, id: &str) -> Units {
+    figures.units.get(id).copied().unwrap_or(Units {
+        displacement: "rad",
+        force: "N m",
+    })
 }
 
 /// The scale in which numbers up to `magnitude` in `unit` (SI) read best:

@@ -1,8 +1,8 @@
 //! The one-line verdict of a run: what became of the mechanism, and whether
 //! the numbers can be trusted. The two are never mixed up.
 
-use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures};
-use crate::report::quantity::{significant, with_unit};
+use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures, Units};
+use crate::report::quantity::{significant, units, with_unit};
 
 /// Sort of a verdict: good news, bad news, or neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -116,7 +116,7 @@ fn pairs(figures: &Figures) -> Verdict {
         .collect();
     let failing: Vec<String> = pairs
         .iter()
-        .filter_map(|(id, pair)| complaint(id, pair))
+        .filter_map(|(id, pair)| complaint(id, pair, units(figures, id)))
         .collect();
     if !failing.is_empty() {
         return Verdict {
@@ -143,12 +143,12 @@ fn pairs(figures: &Figures) -> Verdict {
 
 /// Complaint about one pair; `None` when nothing is wrong. Without a window every
 /// separation of the run counts.
-fn complaint(id: &str, pair: &PairFigures) -> Option<String> {
+fn complaint(id: &str, pair: &PairFigures, units: Units) -> Option<String> {
     if let Some(margin) = pair.margin {
         return (margin < 0.0).then(|| {
             format!(
                 "{id} would lift off (least contact force {})",
-                significant(margin, 4)
+                with_unit(margin, units.force, 4)
             )
         });
     }

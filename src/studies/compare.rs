@@ -15,7 +15,7 @@ pub struct Comparison {
     /// interrupted.
     pub runs: Vec<ComparedRun>,
     /// The figures side by side.
-    pub table: Table,
+    pub table: FigureTable,
 }
 
 /// A run of a comparison.
@@ -29,7 +29,7 @@ pub struct ComparedRun {
 
 /// Figures side by side.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Table {
+pub struct FigureTable {
     /// Address of the parameter.
     pub over: String,
     /// Labels of the runs, the heads of the columns.
@@ -94,7 +94,7 @@ pub fn compare<E>(
             break;
         }
     }
-    let table = Table::of(over, &labelled(&runs));
+    let table = FigureTable::of(over, &labelled(&runs));
     Ok(Comparison {
         over: over.to_owned(),
         runs,
@@ -185,7 +185,7 @@ impl Comparison {
     }
 }
 
-impl Table {
+impl FigureTable {
     /// The figures of every object, and the number of switches, of runs under their labels.
     pub fn of(over: &str, runs: &[(&str, &Figures)]) -> Self {
         let found: Vec<_> = runs

@@ -1,7 +1,7 @@
 //! Laws of motion compared by what an elastic mechanism makes of them.
 
 use super::run::RunResult;
-use crate::dynamics::model::{Law, Model, NodeMotion};
+use crate::dynamics::model::{Law, Model};
 use crate::dynamics::record::Quantity;
 use crate::kinematics::motion::law::LawConstants;
 use crate::math::jet::Jet;
@@ -37,6 +37,20 @@ pub struct LawResponse {
     /// Lowest speed of the drive at which the pair opens in the window; null
     /// when it was not asked for.
     pub lift_off: Option<LiftOff>,
+    /// Units of these numbers.
+    #[serde(skip)]
+    pub units: ResponseUnits,
+}
+
+/// Units of a response.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ResponseUnits {
+    /// Of residual vibration and deviation.
+    pub displacement: &'static str,
+    /// Of the contact force.
+    pub force: &'static str,
+    /// Of the torque or force asked of the driver.
+    pub driver_force: &'static str,
 }
 
 /// Speed at which a pair begins to open as the drive turns faster.
@@ -58,10 +72,8 @@ const STILL: f64 = 1e-12;
 fn followed(model: &Model, object: usize) -> Option<(&Law, usize)> {
     let part = &model.objects[object];
     let driver = part.driver()?;
-    match &model.nodes[*part.nodes.first()?].motion {
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some((law, driver)),
-        _ => None,
-    }
+    let law = model.nodes[*part.nodes.first()?].motion.law()?;
+    Some((law, driver))
 }
 
 /// The response of an object from a finished run. The record is to be dense:
@@ -114,6 +126,11 @@ pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawR
         driver_torque: torques.fold(0.0, f64::max),
         separations: figures.pair.as_ref().map(|pair| pair.separations),
         lift_off: None,
+        units: ResponseUnits {
+            displacement: Quantity::Delta.unit(part.coordinate),
+            force: Quantity::Reaction.unit(part.coordinate),
+            driver_force: Quantity::Reaction.unit(model.objects[driver].coordinate),
+        },
     })
 }
 
@@ -250,6 +267,29 @@ impl Figure {
             Self::ContactForce => "contact_force",
             Self::DriverTorque => "driver_torque",
             Self::LiftOff => "lift_off",
+        }
+    }
+
+    /// Name in sentences and heads.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Residual => "residual vibration",
+            Self::ContactForce => "contact force",
+            Self::DriverTorque => "driver torque",
+            Self::LiftOff => "lift-off speed",
+            other => other.name(),
+        }
+    }
+
+    /// Unit of the value for a law; empty of its constants.
+    pub fn unit(self, law: &ComparedLaw) -> &'static str {
+        let units = &law.response.units;
+        match self {
+            Self::Residual | Self::Deviation => units.displacement,
+            Self::ContactForce => units.force,
+            Self::DriverTorque => units.driver_force,
+            Self::LiftOff => "rad/s",
+            Self::Speed | Self::Acceleration | Self::Jerk | Self::Torque => "",
         }
     }
 

@@ -10,15 +10,12 @@ use super::warning::Warning;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Chosen, Dynamics, Method, Situation, Vibration, choose};
 use crate::dynamics::model::{Model, NodeMotion, Start};
-use crate::dynamics::system::System;
+use crate::dynamics::system::{MANY_COORDINATES, System};
 use crate::exact::Parts;
 use crate::fault::Fault;
 
 /// Instants at which the speed of a prescribed drive is looked at.
 const LOOKS: usize = 64;
-
-/// Coordinates above which all eigenvalues take longer than many a run.
-const MANY: usize = 40;
 
 /// A mode belongs to a base frequency within this factor.
 const SAME_BASE: f64 = 3.0;
@@ -151,7 +148,7 @@ fn why_exact(parts: &Parts) -> String {
 
 /// Fastest rate of a system (1/s), and all eigenvalues where they are not too many.
 fn rates(system: &System) -> (f64, Option<Vec<[f64; 2]>>) {
-    let few = system.coordinates() <= MANY;
+    let few = system.coordinates() <= MANY_COORDINATES;
     let eigenvalues = few.then(|| system.eigenvalues()).flatten();
     let size = |[re, im]: &[f64; 2]| re.hypot(*im);
     let fastest = match &eigenvalues {

@@ -121,10 +121,12 @@ impl fmt::Display for Warning {
                 time,
             } => write!(
                 f,
-                "{object} would lift off: at {time:.6} s its motion needs a contact force of \
-                 {margin:.6} {unit}; it is rigid and goes on as if it were held. \
-                 Give it at least one mass to see the flight, or close it harder by {:.6} {unit}",
-                -margin
+                "{object} would lift off: at {} s its motion needs a contact force of \
+                 {} {unit}; it is rigid and goes on as if it were held. \
+                 Give it at least one mass to see the flight, or close it harder by {} {unit}",
+                shown(*time, 7),
+                shown(*margin, 7),
+                shown(-margin, 7)
             ),
             Self::Opens {
                 object,
@@ -133,10 +135,14 @@ impl fmt::Display for Warning {
                 share,
             } => write!(
                 f,
-                "the pair of {object} is open for {separated_time:.6} s ({:.1} % of the run, \
-                 {separations} separations): loss of working order of the mechanism, \
-                 not a failure of the computation",
-                100.0 * share
+                "the pair of {object} is open for {} s ({} % of the run, {}): loss of working \
+                 order of the mechanism, not a failure of the computation",
+                shown(*separated_time, 7),
+                shown(100.0 * share, 3),
+                match separations {
+                    1 => "1 separation".to_owned(),
+                    more => format!("{more} separations"),
+                }
             ),
             Self::SwitchesUndetermined {
                 object,
@@ -145,10 +151,11 @@ impl fmt::Display for Warning {
             } => write!(
                 f,
                 "the counts of switches of {object} are not determined: its pair switches and \
-                 switches back at one instant {returns} times, first at {time:.6} s, where the \
+                 switches back at one instant {returns} times, first at {} s, where the \
                  force that decides is smaller than rounding. The motion is not touched by it. \
                  Compare with another method, or look at the damping: a pair that is damped \
-                 this strongly opens too slowly to be told from one that stays"
+                 this strongly opens too slowly to be told from one that stays",
+                shown(*time, 7)
             ),
             Self::Undetermined { object, switches } => write!(
                 f,
@@ -178,7 +185,7 @@ mod tests {
             bound: 1e-4,
         };
         assert!(!opens.spoils_figures() && audit.spoils_figures());
-        assert!(opens.to_string().contains("30.0 % of the run"));
+        assert!(opens.to_string().contains("30 % of the run"));
         assert!(
             opens
                 .to_string()

@@ -2,7 +2,7 @@
 
 use super::commands::{Asked, Question};
 use super::limits::{ANSWER, MEMORY};
-use super::questions::{Named, refused};
+use super::questions::{Opened, refused};
 use super::served::Studio;
 use super::work::{LOOK, memory};
 use axum::Json;
@@ -27,14 +27,7 @@ impl Drop for Ends {
 }
 
 /// The questions with their forms, for a scene as it is edited at present.
-pub(super) async fn forms(
-    State(studio): State<Arc<Studio>>,
-    Query(named): Query<Named>,
-) -> Response {
-    let room = match studio.room(&named.scene) {
-        Ok(room) => room,
-        Err(message) => return refused(StatusCode::NOT_FOUND, &message),
-    };
+pub(super) async fn forms(State(studio): State<Arc<Studio>>, Opened(room): Opened) -> Response {
     let ends = Ends(Arc::default());
     let (stop, commands) = (ends.0.clone(), studio.commands);
     let work = move || {
@@ -51,14 +44,8 @@ pub(super) async fn forms(
 }
 
 /// The text at present, byte for byte.
-pub(super) async fn text(
-    State(studio): State<Arc<Studio>>,
-    Query(named): Query<Named>,
-) -> Response {
-    match studio.room(&named.scene) {
-        Ok(room) => plain(room.text()),
-        Err(message) => refused(StatusCode::NOT_FOUND, &message),
-    }
+pub(super) async fn text(Opened(room): Opened) -> Response {
+    plain(room.text())
 }
 
 /// What it is stands in its name: nothing shows it here.
@@ -69,7 +56,6 @@ fn plain(text: String) -> Response {
 /// A file of a command.
 #[derive(Deserialize)]
 pub(super) struct Wanted {
-    scene: String,
     /// The question, as JSON.
     question: String,
     name: String,
@@ -78,12 +64,9 @@ pub(super) struct Wanted {
 /// A file that a command writes: of the scene as it is edited at present.
 pub(super) async fn file(
     State(studio): State<Arc<Studio>>,
+    Opened(room): Opened,
     Query(wanted): Query<Wanted>,
 ) -> Response {
-    let room = match studio.room(&wanted.scene) {
-        Ok(room) => room,
-        Err(message) => return refused(StatusCode::NOT_FOUND, &message),
-    };
     let question: Question = match serde_json::from_str(&wanted.question) {
         Ok(question) => question,
         Err(_) => return refused(StatusCode::BAD_REQUEST, "this is no question"),

@@ -24,7 +24,7 @@ impl Edit {
 
 /// Which edits belong to one step.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Group {
+pub(super) enum EditGroup {
     /// Typing of a window: what follows at once at the same place is the same step.
     Typing(u64),
     /// A drag of a window, by its number there.
@@ -38,7 +38,7 @@ pub(super) enum Group {
 struct Step {
     /// In the order in which they were made.
     edits: Vec<Edit>,
-    group: Group,
+    group: EditGroup,
     time: Instant,
 }
 
@@ -71,14 +71,14 @@ impl History {
         let step = self.undone.pop()?;
         let edits = step.edits.clone();
         self.done.push(Step {
-            group: Group::Alone,
+            group: EditGroup::Alone,
             ..step
         });
         Some(edits)
     }
 
     /// Edits that were made; nothing that was taken back can be done again.
-    pub(super) fn remember(&mut self, mut edits: Vec<Edit>, group: Group) {
+    pub(super) fn remember(&mut self, mut edits: Vec<Edit>, group: EditGroup) {
         self.undone.clear();
         let time = Instant::now();
         if let Some(last) = self.done.last_mut()
@@ -97,12 +97,12 @@ impl History {
 }
 
 impl Step {
-    fn goes_on_with(&self, edits: &[Edit], group: &Group, now: Instant) -> bool {
+    fn goes_on_with(&self, edits: &[Edit], group: &EditGroup, now: Instant) -> bool {
         match group {
             _ if self.group != *group => false,
-            Group::Alone => false,
-            Group::Drag(..) => true,
-            Group::Typing(_) => {
+            EditGroup::Alone => false,
+            EditGroup::Drag(..) => true,
+            EditGroup::Typing(_) => {
                 let touch = self.edits.last().zip(edits.first());
                 let touch = touch.is_some_and(|(last, next)| {
                     let end = last.at + last.inserted.len();

@@ -12,8 +12,9 @@ use crate::report::live;
 use crate::studies::offer::offers;
 use crate::studies::spread::spread;
 use axum::Json;
-use axum::extract::{Query, State};
+use axum::extract::{FromRequestParts, Query};
 use axum::http::StatusCode;
+use axum::http::request::Parts;
 use axum::response::{IntoResponse, Response};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -21,8 +22,23 @@ use std::sync::Arc;
 
 /// A scene in the query.
 #[derive(Deserialize)]
-pub(super) struct Named {
-    pub(super) scene: String,
+struct Named {
+    scene: String,
+}
+
+/// The room of the scene in the query; what is asked of a scene that there is not is refused.
+pub(super) struct Opened(pub(super) Arc<Room>);
+
+impl FromRequestParts<Arc<Studio>> for Opened {
+    type Rejection = Response;
+
+    async fn from_request_parts(parts: &mut Parts, studio: &Arc<Studio>) -> Result<Self, Response> {
+        let named = Query::<Named>::from_request_parts(parts, studio).await;
+        let Query(named) = named.map_err(IntoResponse::into_response)?;
+        let room = studio.room(&named.scene);
+        room.map(Self)
+            .map_err(|message| refused(StatusCode::NOT_FOUND, &message))
+    }
 }
 
 pub(super) fn refused(status: StatusCode, message: &str) -> Response {
@@ -30,14 +46,7 @@ pub(super) fn refused(status: StatusCode, message: &str) -> Response {
 }
 
 /// What a scene may be made of: kinds, and objects of the catalogue.
-pub(super) async fn parts(
-    State(studio): State<Arc<Studio>>,
-    Query(named): Query<Named>,
-) -> Response {
-    let room = match studio.room(&named.scene) {
-        Ok(room) => room,
-        Err(message) => return refused(StatusCode::NOT_FOUND, &message),
-    };
+pub(super) async fn parts(Opened(room): Opened) -> Response {
     let registry = Registry::standard();
     let kinds = registry.kinds().iter().map(|kind| {
         let inputs = match kind.inputs {
@@ -64,8 +73,8 @@ pub(super) async fn parts(
 
 /// The dynamic model and the equations of a scene as it is edited at present; where the levels
 /// of its objects are open, those of the levels that are chosen, with their error.
-pub(super) async fn model(studio: State<Arc<Studio>>, named: Query<Named>) -> Response {
-    told(studio, named, Judging::Asked, |mechanism| {
+pub(super) async fn model(opened: Opened) -> Response {
+    told(opened, Judging::Asked, |mechanism| {
         let [model, equations] = live::model(&mechanism.system);
         let accuracy = mechanism.certificate.as_ref().map(live::accuracy);
         json!({ "model": accuracy.unwrap_or_default() + &model, "equations": equations })
@@ -74,10 +83,9 @@ pub(super) async fn model(studio: State<Arc<Studio>>, named: Query<Named>) -> Re
 }
 
 /// Its linkages, to be drawn.
-pub(super) async fn linkages(studio: State<Arc<Studio>>, named: Query<Named>) -> Response {
+pub(super) async fn linkages(opened: Opened) -> Response {
     told(
-        studio,
-        named,
+        opened,
         Judging::Never,
         |mechanism| json!({ "linkages": live::sketches(&mechanism.system) }),
     )
@@ -85,8 +93,8 @@ pub(super) async fn linkages(studio: State<Arc<Studio>>, named: Query<Named>) ->
 }
 
 /// The figures of its run that it may expect, with how closely.
-pub(super) async fn figures(studio: State<Arc<Studio>>, named: Query<Named>) -> Response {
-    told(studio, named, Judging::Asked, |mechanism| {
+pub(super) async fn figures(opened: Opened) -> Response {
+    told(opened, Judging::Asked, |mechanism| {
         let budget = Budget::FREE.within(FIGURES);
         let Ok(result) = mechanism.run_within(&budget) else {
             return json!({ "figures": [] });
@@ -102,16 +110,7 @@ pub(super) async fn figures(studio: State<Arc<Studio>>, named: Query<Named>) -> 
     .await
 }
 
-async fn told(
-    State(studio): State<Arc<Studio>>,
-    Query(named): Query<Named>,
-    judging: Judging,
-    tell: fn(&Mechanism) -> Value,
-) -> Response {
-    let room = match studio.room(&named.scene) {
-        Ok(room) => room,
-        Err(message) => return refused(StatusCode::NOT_FOUND, &message),
-    };
+async fn told(Opened(room): Opened, judging: Judging, tell: fn(&Mechanism) -> Value) -> Response {
     let worked = tokio::task::spawn_blocking(move || shown(&room, judging, tell)).await;
     match worked {
         Ok(told) => Json(told).into_response(),

@@ -6,7 +6,7 @@ use super::commands::{Commands, Question};
 use super::disk::OnDisk;
 use super::drafts::Drafts;
 use super::folder::Shelf;
-use super::history::Group;
+use super::history::EditGroup;
 use super::inquiry::{Inquirer, Inquiry};
 use super::messages::{self, Update};
 use super::state::State;
@@ -201,8 +201,8 @@ impl Room {
         let mut fault = None;
         for update in updates {
             let group = match update.drag {
-                Some(drag) => Group::Drag(window.id, drag),
-                None => Group::Typing(window.id),
+                Some(drag) => EditGroup::Drag(window.id, drag),
+                None => EditGroup::Typing(window.id),
             };
             fault = state.text.apply(&update.changes, group).err();
             if fault.is_some() {

@@ -6,12 +6,12 @@ use super::files::{self, FILE};
 use super::first;
 use super::guard::{Nonce, guard, refused};
 use super::limits::BODY;
-use super::questions::{self, Named};
+use super::questions::{self, Opened};
 use super::served::{Studio, keep};
 use super::socket;
 use crate::frontend::scene::{BuiltIn, Document, Layered, schema_of};
 use crate::report::live;
-use axum::extract::{DefaultBodyLimit, Extension, Query, State, WebSocketUpgrade};
+use axum::extract::{DefaultBodyLimit, Extension, State, WebSocketUpgrade};
 use axum::http::StatusCode;
 use axum::http::header::CONTENT_TYPE;
 use axum::response::{IntoResponse, Response};
@@ -91,12 +91,7 @@ async fn scenes(State(studio): State<Arc<Studio>>) -> Response {
 }
 
 /// The schema of a scene as it is edited at present: what may be written where.
-async fn schema(State(studio): State<Arc<Studio>>, Query(named): Query<Named>) -> Response {
-    let wrong = |message: String| (StatusCode::NOT_FOUND, Json(json!({ "error": message })));
-    let room = match studio.room(&named.scene) {
-        Ok(room) => room,
-        Err(message) => return wrong(message).into_response(),
-    };
+async fn schema(Opened(room): Opened) -> Response {
     match Document::parse(room.name(), room.text().as_bytes()) {
         Ok(document) => {
             let catalogue = room.catalogue();

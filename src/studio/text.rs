@@ -4,7 +4,7 @@
 //! Windows count in units of their own ([`super::units`]). Lines that nobody touches keep their
 //! bytes.
 
-use super::history::{Edit, Group, History};
+use super::history::{Edit, EditGroup, History};
 use super::limits::BODY;
 use super::units::{Walk, length};
 use serde_json::{Value, json};
@@ -63,7 +63,7 @@ impl Text {
     ///
     /// # Errors
     /// They do not fit the text; nothing is changed then.
-    pub(super) fn apply(&mut self, changes: &Value, group: Group) -> Result<(), String> {
+    pub(super) fn apply(&mut self, changes: &Value, group: EditGroup) -> Result<(), String> {
         let pieces = self.pieces(changes)?;
         let removed: usize = pieces.iter().map(|(range, _)| range.len()).sum();
         let inserted: usize = pieces.iter().map(|(_, text)| text.len()).sum();
@@ -136,7 +136,7 @@ impl Text {
             return Vec::new();
         }
         let changes = self.make(vec![edit.clone()]);
-        self.history.remember(vec![edit], Group::Alone);
+        self.history.remember(vec![edit], EditGroup::Alone);
         changes
     }
 
@@ -198,7 +198,7 @@ impl Text {
 
 #[cfg(test)]
 mod tests {
-    use super::super::history::Group;
+    use super::super::history::EditGroup;
     use super::super::units::length;
     use super::Text;
     use serde_json::{Value, json};
@@ -277,9 +277,9 @@ mod tests {
                 ]);
                 window = in_window(&window, &changes);
                 let group = match random.below(3) {
-                    0 => Group::Typing(1),
-                    1 => Group::Drag(1, step / 7),
-                    _ => Group::Alone,
+                    0 => EditGroup::Typing(1),
+                    1 => EditGroup::Drag(1, step / 7),
+                    _ => EditGroup::Alone,
                 };
                 text.apply(&changes, group).unwrap();
                 assert_eq!(text.shown(), window, "seed {seed}");
@@ -306,11 +306,11 @@ mod tests {
         let mut length = 3;
         for number in ["0.2", "0.35", "12", "0.4"] {
             let rest = 13 - 8 - 3;
-            text.apply(&json!([8, [length, number], rest]), Group::Drag(3, 1))
+            text.apply(&json!([8, [length, number], rest]), EditGroup::Drag(3, 1))
                 .unwrap();
             length = number.len();
         }
-        text.apply(&json!([8, [length, "9"], 2]), Group::Drag(3, 2))
+        text.apply(&json!([8, [length, "9"], 2]), EditGroup::Drag(3, 2))
             .unwrap();
         assert_eq!(text.text(), "{\"gap\": 9 }");
         text.undo();
@@ -337,7 +337,7 @@ mod tests {
             json!([[-1], 4]),
             json!([4, [0, big]]),
         ] {
-            assert!(text.apply(&wrong, Group::Alone).is_err());
+            assert!(text.apply(&wrong, EditGroup::Alone).is_err());
             assert_eq!((text.text(), text.version()), ("a😀b", 0));
         }
         assert!(Text::new("a\rb".to_owned()).is_err());

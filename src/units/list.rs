@@ -39,6 +39,10 @@ pub fn with_common_unit<S: AsRef<str>>(values: &[S]) -> Result<Vec<String>, Stri
         let value = value.as_ref().trim();
         match unit.as_deref() {
             Some("") if carried => format!("{value} {last}"),
+            Some(unit) if carried && unit.starts_with(char::is_alphabetic) => {
+                let number = value.strip_suffix(unit).unwrap_or(value).trim_end();
+                format!("{number} {unit}")
+            }
             _ => value.to_owned(),
         }
     };
@@ -53,7 +57,7 @@ mod tests {
     fn a_unit_after_the_last_value_is_that_of_all() {
         for (given, meant) in [
             (["5", "10", "20 kN/mm"], ["5 kN/mm", "10 kN/mm", "20 kN/mm"]),
-            (["-1e-3", " 0 ", "+2.5mm"], ["-1e-3 mm", "0 mm", "+2.5mm"]),
+            (["-1e-3", " 0 ", "+2.5mm"], ["-1e-3 mm", "0 mm", "+2.5 mm"]),
             (["10", "20", "90°"], ["10 °", "20 °", "90°"]),
             (["1", "2", "10"], ["1", "2", "10"]),
             (["1 rpm", "2 rpm", "3 rad/s"], ["1 rpm", "2 rpm", "3 rad/s"]),

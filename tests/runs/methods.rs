@@ -1,17 +1,28 @@
 //! Speed against accuracy: limits of stability, verdicts, recommendation,
 //! documents, and the command itself.
 
+mod command;
+mod sweeps;
+
 use dam::integrate::Method;
 use dam::lower::lower;
 use dam::model::LoadLaw;
-use dam::scene::{BuiltIn, Document, Overrides};
-use dam::studies::methods::sweep::{Sweep, sweep};
-use dam::studies::methods::{MethodLine, Plan, Point, Study, Verdict, study};
-use dam::studies::{Control, RunSettings};
+use dam::scene::BuiltIn;
+use dam::scene::Document;
+use dam::scene::Overrides;
+use dam::studies::Control;
+use dam::studies::RunSettings;
+use dam::studies::methods::MethodLine;
+use dam::studies::methods::Plan;
+use dam::studies::methods::Point;
+use dam::studies::methods::Study;
+use dam::studies::methods::Verdict;
+use dam::studies::methods::study;
 use dam::system::System;
 use serde_json::Value;
 use std::path::PathBuf;
-use std::process::{Command, Output};
+use std::process::Command;
+use std::process::Output;
 use std::time::Duration;
 
 /// A wheel turned against its shaft and released: ω₀ = √(8000/0.02) = 632.46 rad/s.
@@ -417,76 +428,6 @@ fn what_is_not_determined_is_not_judged() {
     assert!(best.figures.is_empty());
 }
 
-fn swept(axis: &str, plan: &Plan) -> Sweep {
-    let axis = dam::studies::axis::Axis::parse(axis).unwrap();
-    let prepare = |x| Ok::<_, String>(system(WHEEL, &["wheel.damping=0", &axis.setting(x)]));
-    let fail = |_, faults: Vec<dam::fault::Fault>| format!("{faults:?}");
-    sweep(
-        &axis,
-        plan,
-        &Control::default(),
-        prepare,
-        fail,
-        &mut |_, _| {},
-    )
-    .unwrap()
-}
-
-#[test]
-fn a_fixed_step_fails_where_the_scene_gets_too_stiff() {
-    let methods = [Method::Exact, Method::Rk4, Method::Dop853];
-    let found = swept(
-        "wheel.stiffness=8000:800000:5:log",
-        &plan(1e-6, &methods, &[], &[]),
-    );
-    assert_eq!(found.slices.len(), 5);
-    // Half the stable step at the first value: unstable from four times the
-    // stiffness on, and ω·h = √2·10^(k/4)·… there.
-    let step = found.fixed_step.unwrap();
-    approx::assert_relative_eq!(step * 4e5f64.sqrt(), 2f64.sqrt(), max_relative = 1e-6);
-    for slice in &found.slices {
-        let rk4 = slice.standing(Method::Rk4).unwrap();
-        let product = step * (slice.x / 0.02).sqrt();
-        let unstable = rk4.verdict == Verdict::Unstable;
-        assert_eq!(unstable, product > 8f64.sqrt(), "{product}: {}", rk4.cause);
-        let theory = rk4.stable_step_by_theory.unwrap();
-        let measured = rk4.stable_step.unwrap();
-        approx::assert_relative_eq!(measured, theory, max_relative = 0.05);
-        let dop853 = slice.standing(Method::Dop853).unwrap();
-        assert!(dop853.measured_seconds.is_some(), "{}", dop853.cause);
-    }
-    let strips = dam::report::methods::charts::regions(&found);
-    assert_eq!(strips.y.rows.len(), 3);
-    // The second method, at the first value and at the last.
-    let kinds = strips.field.unwrap().kind;
-    assert_ne!(kinds[5], kinds[9]);
-    let csv = dam::report::methods::sweep_rows(&found).csv();
-    assert!(csv.starts_with("wheel.stiffness [N m/rad],method,tolerance"));
-}
-
-#[test]
-fn a_value_that_is_no_scene_ends_a_sweep_before_it_begins() {
-    let axis = dam::studies::axis::Axis::parse("wheel.stiffness=8000:-8000:3").unwrap();
-    let mut asked = Vec::new();
-    let mut points = 0;
-    let found = sweep(
-        &axis,
-        &plan(1e-6, &[Method::Exact, Method::Rk4], &[], &[]),
-        &Control::default(),
-        |x| {
-            asked.push(x);
-            match x > 0.0 {
-                true => Ok(system(WHEEL, &[&axis.setting(x)])),
-                false => Err(x),
-            }
-        },
-        |x, _| x,
-        &mut |_, _| points += 1,
-    );
-    assert_eq!((found.unwrap_err(), points), (0.0, 0));
-    assert_eq!(asked, [8000.0, 0.0]);
-}
-
 #[test]
 fn the_table_reads_back_as_the_points() {
     let methods = [Method::Exact, Method::Rk4, Method::Dop853];
@@ -525,170 +466,4 @@ fn dam(arguments: &[&str]) -> Output {
         .args(arguments)
         .output()
         .unwrap()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-#[test]
-fn the_command_prints_and_writes_one_and_the_same_study() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = folder.path().join("wheel.json");
-    std::fs::write(&scene, WHEEL).unwrap();
-    let scene = scene.display().to_string();
-    let out = folder.path().join("out").display().to_string();
-    let common = [
-        "--methods",
-        "exact,rk4,dop853",
-        "--tolerances",
-        "1e-5,1e-9",
-        "--steps",
-        "1e-2,1e-5",
-        "--repeats",
-        "2",
-        "--accuracy",
-        "1e-7",
-    ];
-    let mut arguments = vec!["methods", &scene, "--json", "--quiet", "--out", &out];
-    arguments.extend(common);
-    let output = dam(&arguments);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    assert!(output.stderr.is_empty(), "{}", stderr(&output));
-    let printed: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let file = |name: &str| std::fs::read_to_string(PathBuf::from(&out).join(name)).unwrap();
-    let written: Value = serde_json::from_str(&file("methods.json")).unwrap();
-    assert_eq!(printed, written);
-    assert_eq!(printed["dam"], 1);
-    assert_eq!(printed["methods"][0]["method"], "exact");
-    assert_eq!(printed["methods"][1]["points"][0]["verdict"], "unstable");
-    assert_eq!(printed["accuracy"], 1e-7);
-    assert!(file("methods.csv").lines().count() == 6);
-    assert!(
-        file("error-time.svg").contains("<svg") && file("error-evaluations.svg").contains("dop853")
-    );
-    let page = file("report.html");
-    assert!(page.contains("Recommendation") && page.contains("Limits of stability"));
-    let outside = page.replace("http://www.w3.org/2000/svg", "");
-    assert!(!outside.contains("http:") && !outside.contains("https:"));
-
-    let mut arguments = vec!["methods", &scene];
-    arguments.extend(common);
-    let output = dam(&arguments);
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert!(
-        text.contains("exact: no truncation error") && text.contains("For an error of 1e-7: "),
-        "{text}"
-    );
-    assert!(text.contains("UNSTABLE: "), "{text}");
-}
-
-#[test]
-fn the_command_goes_over_a_parameter() {
-    let folder = tempfile::tempdir().unwrap();
-    let scene = folder.path().join("wheel.json");
-    std::fs::write(&scene, WHEEL).unwrap();
-    let out = folder.path().join("out");
-    let output = dam(&[
-        "methods",
-        &scene.display().to_string(),
-        "--x",
-        "wheel.stiffness=8000:80000:3:log",
-        "--methods",
-        "exact,rk4",
-        "--accuracy",
-        "1e-5",
-        "--repeats",
-        "1",
-        "--set",
-        "wheel.damping=0.1",
-        "--out",
-        &out.display().to_string(),
-    ]);
-    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert!(text.contains("methods over wheel.stiffness"), "{text}");
-    for name in ["regions.svg", "cost.svg", "report.html", "methods.csv"] {
-        assert!(out.join(name).exists(), "{name}");
-    }
-    let document = std::fs::read_to_string(out.join("methods.json")).unwrap();
-    let document: Value = serde_json::from_str(&document).unwrap();
-    assert_eq!(document["slices"].as_array().unwrap().len(), 3);
-    assert_eq!(document["axis"]["path"], "wheel.stiffness");
-    // The unit of the scene, as on a map, though none was given.
-    assert_eq!(document["axis"]["unit"], "N m/rad");
-    let report = std::fs::read_to_string(out.join("report.html")).unwrap();
-    assert!(report.contains("wheel.stiffness, N m/rad"));
-}
-
-#[test]
-fn bad_arguments_end_with_status_two_and_say_what_is_right() {
-    let scene = path("rocker/two_masses.json").display().to_string();
-    for (arguments, word) in [
-        (["--methods", "euler"], "dop853"),
-        (["--accuracy", "2"], "below 1"),
-        (["--tolerances", "1e-3,x"], "invalid"),
-        (["--steps", "-1"], "above 0"),
-        (["--repeats", "0"], "1..=1000"),
-        (["--point-limit", "0"], "above 0"),
-        (["--x", "rocker.stiffness"], "PATH=FROM:TO:COUNT"),
-        (["--x", "rocker.stiffness=1e6:1e7:9999"], "at most 1000"),
-        (["--x", "rocker.nonsense=1:2:3"], "nonsense"),
-    ] {
-        let joined = format!("{}={}", arguments[0], arguments[1]);
-        let output = dam(&["methods", &scene, &joined]);
-        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
-        assert!(
-            stderr(&output).contains(word),
-            "{arguments:?}: {}",
-            stderr(&output)
-        );
-    }
-    // Nothing elastic: there is no method to choose.
-    let rigid = path("rigid/engine_slider.json").display().to_string();
-    let output = dam(&["methods", &rigid]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(
-        stderr(&output).contains("no method to choose"),
-        "{}",
-        stderr(&output)
-    );
-}
-
-#[cfg(unix)]
-#[test]
-fn an_interrupt_keeps_what_was_done() {
-    // A busy machine may need longer for the first point.
-    let documents = [3, 30].into_iter().map(interrupted_after);
-    let points = |document: &Value| {
-        let points = document["methods"][0]["points"].as_array();
-        points.is_some_and(|points| !points.is_empty())
-    };
-    assert!(documents.into_iter().any(|document| points(&document)));
-}
-
-/// What is printed by a study that is interrupted after so many seconds.
-#[cfg(unix)]
-fn interrupted_after(seconds: u64) -> Value {
-    use std::time::Instant;
-    let scene = path("rocker/two_masses.json").display().to_string();
-    let mut child = Command::new(env!("CARGO_BIN_EXE_dam"))
-        .args(["methods", &scene, "--json", "--quiet", "--repeats", "1"])
-        .args(["--methods", "exact,rk4,dopri5", "--point-limit", "600"])
-        .stdout(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::thread::sleep(Duration::from_secs(seconds));
-    let begun = Instant::now();
-    let killed = Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(killed.unwrap().success());
-    let mut text = String::new();
-    std::io::Read::read_to_string(child.stdout.as_mut().unwrap(), &mut text).unwrap();
-    assert_eq!(child.wait().unwrap().code(), Some(130));
-    assert!(begun.elapsed() < Duration::from_secs(120));
-    let document: Value = serde_json::from_str(&text).unwrap();
-    assert_eq!(document["complete"], false);
-    document
 }

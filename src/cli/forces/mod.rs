@@ -171,14 +171,8 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
 
 /// Another mechanism than the scene's, or another question, has no expectations.
 fn verdicts(args: &ForcesArgs, ready: &Ready, object: &str, found: &ForceStudy) -> Vec<Verdict> {
-    let course = &args.course;
-    let same_course = !course.turn
-        && course.range.is_none()
-        && course.time.is_none()
+    let same_course = args.course.is_of_scene()
         && args.record.is_none()
-        && args.inputs.is_empty()
-        && args.speed.is_empty()
-        && args.acceleration.is_empty()
         && args.compare_massless.is_empty()
         && args.positions as usize == POSITIONS;
     let same_forces = args.scene.set.is_empty()

@@ -3,8 +3,8 @@
 use crate::cli::args::{ConventionName, Direction, ForcesArgs};
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
-use crate::cli::kinematics::asked_over;
-use crate::cli::kinematics::several::{self, Said};
+use crate::cli::kinematics;
+use crate::cli::kinematics::several;
 use crate::dynamics::model::{Coordinate, LinkageBody, MultiLinkageBody};
 use crate::frontend::object::Measures;
 use crate::kinematics::linkage::Linkage;
@@ -14,17 +14,6 @@ use crate::studies::forces::{
 };
 use crate::studies::kinematics::{Asked, AskedSeveral, Question, even_motion, whole_travel};
 use std::path::Path;
-
-/// What is said of the inputs.
-fn said(args: &ForcesArgs) -> Said<'_> {
-    Said {
-        inputs: &args.inputs,
-        speed: &args.speed,
-        acceleration: &args.acceleration,
-        course: &args.course,
-        positions: args.positions,
-    }
-}
 
 /// A linkage of several inputs, and what is asked of it.
 pub(super) fn of_several<'m>(
@@ -43,7 +32,7 @@ pub(super) fn of_several<'m>(
         let message = format!("{option} belongs to a linkage of one input, and `{id}` has several");
         return Err(Failure::Other(message));
     }
-    let question = several::question(&said(args), ready, &body.linkage)?;
+    let question = several::question(&args.course, args.positions, ready, &body.linkage)?;
     Ok(AskedSeveral::new(ready.system.model(), body, &question)?)
 }
 
@@ -158,20 +147,12 @@ fn question(
     input: Coordinate,
 ) -> Result<Question, Failure> {
     let own = Measures(Some(input));
-    let [speed, acceleration] = said(args).of_one(own)?;
+    let asked = kinematics::question(&args.course, args.positions, ready, own)?;
     // A speed, or a comparison over speeds, is meant for the whole travel.
-    let whole = speed.or(acceleration).is_some() || !args.compare_massless.is_empty();
-    let over = asked_over(&args.course, ready, own)?;
+    let whole = asked.speed.or(asked.acceleration).is_some() || !args.compare_massless.is_empty();
+    let over = kinematics::asked_over(&args.course, ready, own)?;
     let over = over.or_else(|| whole.then(|| whole_travel(linkage)));
-    Ok(Question {
-        object: args.course.object.clone(),
-        over,
-        positions: args.positions as usize,
-        speed,
-        acceleration,
-        duration: ready.settings.duration,
-        ..Question::default()
-    })
+    Ok(Question { over, ..asked })
 }
 
 /// Largest record that is read at all.

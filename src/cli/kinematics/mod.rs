@@ -37,7 +37,8 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     let object = args.course.object.as_deref();
     let (question, found) = match several_of(model, object) {
         Some(body) => {
-            let mut question = several::question(&said(args), &ready, &body.linkage)?;
+            let mut question =
+                several::question(&args.course, args.positions, &ready, &body.linkage)?;
             if let Some(at) = &args.svg {
                 question.also = Some(several::place(&question, at, &body.linkage)?);
             }
@@ -46,7 +47,10 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
         }
         None => {
             let subject = Subject::of(model, object)?;
-            let mut question = question(args, &ready, subject.input)?;
+            let own = Measures(Some(subject.input));
+            let over = asked_over(&args.course, &ready, own)?;
+            let mut question = question(&args.course, args.positions, &ready, own)?;
+            question.over = over;
             if let Some(at) = &args.svg {
                 place(&mut question, at, &subject.linkage, subject.input)?;
             }
@@ -104,14 +108,8 @@ enum Study<'a> {
 
 /// Another mechanism than the scene's, or another question, has no expectations.
 fn verdicts(args: &KinematicsArgs, ready: &Ready, found: &Kinematics) -> Vec<Verdict> {
-    let course = &args.course;
     let as_scene = args.scene.set.is_empty()
-        && !course.turn
-        && course.range.is_none()
-        && course.time.is_none()
-        && args.inputs.is_empty()
-        && args.speed.is_empty()
-        && args.acceleration.is_empty()
+        && args.course.is_of_scene()
         && args.svg.is_none()
         && args.positions as usize == POSITIONS;
     match as_scene {
@@ -132,41 +130,59 @@ pub(super) fn asked_over(
     ready: &Ready,
     input: Measures,
 ) -> Result<Option<Over>, Failure> {
-    Ok(match (&args.range, &args.time) {
-        (Some(range), _) => Some(range_of(range, input)?),
-        (None, Some(time)) => Some(Over::Time {
-            to: match time.as_str() {
-                "" => ready.settings.duration,
-                time => quantity("--time", time, q::TIME.into())?,
-            },
-        }),
-        (None, None) => args.turn.then_some(Over::Turn),
-    })
-}
-
-fn said(args: &KinematicsArgs) -> several::Said<'_> {
-    several::Said {
-        inputs: &args.inputs,
-        speed: &args.speed,
-        acceleration: &args.acceleration,
-        course: &args.course,
-        positions: args.positions,
+    match &args.range {
+        Some(range) => range_of(range, input).map(Some),
+        None => Ok(time(args, ready)?.or(args.turn.then_some(Over::Turn))),
     }
 }
 
-fn question(args: &KinematicsArgs, ready: &Ready, input: Coordinate) -> Result<Question, Failure> {
-    let own = Measures(Some(input));
-    let over = asked_over(&args.course, ready, own)?;
-    let [speed, acceleration] = said(args).of_one(own)?;
+/// The time asked for.
+fn time(args: &CourseArgs, ready: &Ready) -> Result<Option<Over>, Failure> {
+    let to = match args.time.as_deref() {
+        None => return Ok(None),
+        Some("") => ready.settings.duration,
+        Some(time) => quantity("--time", time, q::TIME.into())?,
+    };
+    Ok(Some(Over::Time { to }))
+}
+
+/// What is asked of a linkage of one input, but for what it is looked at over.
+pub(super) fn question(
+    args: &CourseArgs,
+    positions: u32,
+    ready: &Ready,
+    own: Measures,
+) -> Result<Question, Failure> {
+    let [speed, acceleration] = of_one(args, own)?;
     Ok(Question {
-        object: args.course.object.clone(),
-        over,
-        positions: args.positions as usize,
+        object: args.object.clone(),
+        positions: positions as usize,
         speed,
         acceleration,
         duration: ready.settings.duration,
         ..Question::default()
     })
+}
+
+/// Refuses what belongs to several inputs; speed and acceleration of the one input.
+fn of_one(args: &CourseArgs, own: Measures) -> Result<[Option<f64>; 2], Failure> {
+    if let Some(input) = args.inputs.first() {
+        return Err(Failure::Other(format!(
+            "--input {input}: the linkage has one input; give --range, --turn or --time"
+        )));
+    }
+    let read = |name: &str, texts: &[String], wanted: Wanted| match texts {
+        [] => Ok(None),
+        [text] => quantity(name, text, wanted).map(Some),
+        [_, again, ..] => {
+            let message = format!("{name} {again}: given twice, and the linkage has one input");
+            Err(Failure::Other(message))
+        }
+    };
+    Ok([
+        read("--speed", &args.speed, own.speed())?,
+        read("--acceleration", &args.acceleration, own.acceleration())?,
+    ])
 }
 
 /// The place of the picture: a time or an input coordinate. Where it is not

@@ -1,6 +1,6 @@
 //! What is asked of a linkage of several inputs.
 
-use super::{quantity, range_of};
+use super::{quantity, range_of, time};
 use crate::cli::args::CourseArgs;
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
@@ -12,46 +12,15 @@ use crate::kinematics::linkage::multi::MultiLinkage;
 use crate::studies::kinematics::{InputCourse, InputOver, Over, Question};
 use crate::units::quantities as q;
 
-/// What is said of the inputs of a linkage.
-pub(in crate::cli) struct Said<'a> {
-    pub(in crate::cli) inputs: &'a [String],
-    pub(in crate::cli) speed: &'a [String],
-    pub(in crate::cli) acceleration: &'a [String],
-    pub(in crate::cli) course: &'a CourseArgs,
-    pub(in crate::cli) positions: u32,
-}
-
-impl Said<'_> {
-    /// Refuses what belongs to several inputs; speed and acceleration of the one input.
-    pub(in crate::cli) fn of_one(&self, own: Measures) -> Result<[Option<f64>; 2], Failure> {
-        if let Some(input) = self.inputs.first() {
-            return Err(Failure::Other(format!(
-                "--input {input}: the linkage has one input; give --range, --turn or --time"
-            )));
-        }
-        let read = |name: &str, texts: &[String], wanted: Wanted| match texts {
-            [] => Ok(None),
-            [text] => quantity(name, text, wanted).map(Some),
-            [_, again, ..] => {
-                let message = format!("{name} {again}: given twice, and the linkage has one input");
-                Err(Failure::Other(message))
-            }
-        };
-        Ok([
-            read("--speed", self.speed, own.speed())?,
-            read("--acceleration", self.acceleration, own.acceleration())?,
-        ])
-    }
-}
-
 /// The question as it is put on the command line.
 pub(in crate::cli) fn question(
-    args: &Said<'_>,
+    args: &CourseArgs,
+    positions: u32,
     ready: &Ready,
     linkage: &MultiLinkage,
 ) -> Result<Question, Failure> {
     let mut inputs: Vec<InputCourse> = Vec::new();
-    for text in args.inputs {
+    for text in &args.inputs {
         let (name, over) = match text.split_once('=') {
             Some((name, value)) => (name, Some(value)),
             None => (text.as_str(), None),
@@ -72,38 +41,29 @@ pub(in crate::cli) fn question(
             Some(value) => InputOver::At(quantity("--input", value, own.displacement())?),
         });
     }
-    for text in args.speed {
+    for text in &args.speed {
         let (name, value) = of_input(linkage, "--speed", text, Measures::speed)?;
         course(&mut inputs, &name).speed = Some(value);
     }
-    for text in args.acceleration {
+    for text in &args.acceleration {
         let (name, value) = of_input(linkage, "--acceleration", text, Measures::acceleration)?;
         course(&mut inputs, &name).acceleration = Some(value);
     }
-    let over = match (args.course.range.as_deref(), &args.course.time) {
-        (Some(range), _) => {
-            let message = format!(
-                "--range {range}: say whose it is, as --input {}={range}",
-                linkage.inputs()[0].name
-            );
-            return Err(Failure::Other(message));
-        }
-        (None, Some(time)) => Some(Over::Time {
-            to: match time.as_str() {
-                "" => ready.settings.duration,
-                time => quantity("--time", time, q::TIME.into())?,
-            },
-        }),
-        (None, None) => None,
-    };
-    if args.course.turn && inputs.iter().all(|input| input.over.is_none()) {
+    if let Some(range) = &args.range {
+        let message = format!(
+            "--range {range}: say whose it is, as --input {}={range}",
+            linkage.inputs()[0].name
+        );
+        return Err(Failure::Other(message));
+    }
+    if args.turn && inputs.iter().all(|input| input.over.is_none()) {
         let first = linkage.inputs()[0].name.clone();
         course(&mut inputs, &first).over = Some(InputOver::Free);
     }
     Ok(Question {
-        object: args.course.object.clone(),
-        over,
-        positions: args.positions as usize,
+        object: args.object.clone(),
+        over: time(args, ready)?,
+        positions: positions as usize,
         duration: ready.settings.duration,
         inputs,
         ..Question::default()

@@ -50,8 +50,8 @@ pub(crate) struct FormArgs {
     #[arg(long, conflicts_with = "form")]
     pub(crate) json: bool,
     /// In which form
-    #[arg(long, value_enum, default_value_t = Form::Text)]
-    pub(crate) form: Form,
+    #[arg(long, value_enum, default_value_t = LawForm::Text)]
+    pub(crate) form: LawForm,
     /// Equal steps of the samples in CSV
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) samples: u32,
@@ -61,7 +61,7 @@ pub(crate) struct FormArgs {
 
 /// Forms of output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Form {
+pub(crate) enum LawForm {
     /// Plain text
     Text,
     /// Samples as a table
@@ -189,8 +189,8 @@ pub(crate) struct CycleArgs {
     #[arg(long, value_name = "OBJECT")]
     pub(crate) of: String,
     /// In which form
-    #[arg(long, value_enum, default_value_t = Form::Text, conflicts_with = "json")]
-    pub(crate) form: Form,
+    #[arg(long, value_enum, default_value_t = LawForm::Text, conflicts_with = "json")]
+    pub(crate) form: LawForm,
     /// Equal steps of the samples in CSV
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(crate) samples: u32,

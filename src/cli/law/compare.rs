@@ -1,6 +1,6 @@
 //! `dam law compare`: laws ranked by constants and by what a scene makes of them.
 
-use super::args::{CompareArgs, Form, RankBy};
+use super::args::{CompareArgs, LawForm, RankBy};
 use super::deliver;
 use crate::ask::{LawQuestion, compare_laws};
 use crate::cli::asker::Asker;
@@ -50,7 +50,11 @@ pub(super) fn command(args: &CompareArgs, asker: &dyn Asker) -> Result<Status, F
     let (laws, trusted) = (&compared.laws, compared.trusted);
     let found = comparison_findings(name, &args.at, laws, by, trusted, source);
     let rows = comparison_rows(laws);
-    let form = if args.csv { Form::Csv } else { Form::Text };
+    let form = if args.csv {
+        LawForm::Csv
+    } else {
+        LawForm::Text
+    };
     let shown = (args.scene.json, form);
     deliver(
         asker,

@@ -18,7 +18,7 @@ use crate::kinematics::motion::{Law, LawName, RunLawName};
 use crate::report::csv::Rows;
 use crate::report::findings::Findings;
 use crate::report::law::{LawRow, constants_rows, law_findings, law_rows, list_findings};
-use args::{Form, LawCommand, ListArgs, ShowArgs};
+use args::{LawCommand, LawForm, ListArgs, ShowArgs};
 use serde_json::{Value, json};
 
 const FILES: [&str; 4] = ["law.json", "law.csv", "law.svg", PAGE];
@@ -42,7 +42,7 @@ fn deliver(
     (args, quiet): (&OutArgs, bool),
     (findings, document): (&Findings<'_>, Value),
     rows: &Rows,
-    (json, form): (bool, Form),
+    (json, form): (bool, LawForm),
 ) -> Result<(), Failure> {
     let folder = OutputFolder::asked(args, &findings.title, &FILES)?;
     let answer = Answer {
@@ -61,9 +61,9 @@ fn deliver(
         quiet,
     };
     let form = match form {
-        Form::Text => Shown::Text,
-        Form::Csv => Shown::File(FILES[1]),
-        Form::Svg => Shown::File(FILES[2]),
+        LawForm::Text => Shown::Text,
+        LawForm::Csv => Shown::File(FILES[1]),
+        LawForm::Svg => Shown::File(FILES[2]),
     };
     asker.deliver(&answer, folder.as_ref(), Shown::json_or(json, form))
 }

@@ -26,8 +26,8 @@ pub(crate) struct SteadyArgs {
     #[arg(long)]
     pub(crate) json: bool,
     /// In which form
-    #[arg(long, value_enum, default_value_t = Form::Text, conflicts_with = "json")]
-    pub(crate) form: Form,
+    #[arg(long, value_enum, default_value_t = SteadyForm::Text, conflicts_with = "json")]
+    pub(crate) form: SteadyForm,
     /// Say nothing on standard error but errors
     #[arg(long, short)]
     pub(crate) quiet: bool,
@@ -103,7 +103,7 @@ pub(crate) enum MeanChoice {
 
 /// Forms of output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Form {
+pub(crate) enum SteadyForm {
     /// Plain text
     Text,
     /// The motion over the cycle as a table

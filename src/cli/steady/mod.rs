@@ -25,7 +25,7 @@ use crate::report::steady::{
 use crate::studies::expectations::Verdict;
 use crate::studies::steady::{Answer, ROWS, check, steady_motion_within};
 use crate::units::{Quantity, quantities as q};
-use args::{Form, MeanChoice, QuestionArgs, SteadyArgs};
+use args::{MeanChoice, QuestionArgs, SteadyArgs, SteadyForm};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -190,10 +190,10 @@ fn tell(
     folder: Option<&OutputFolder>,
 ) -> Result<(), Failure> {
     let shown = match (args.form, &found.diagram) {
-        (Form::Text, _) => Shape::Text,
-        (Form::Csv, _) => Shape::File(FILES[1]),
-        (Form::Svg, Some(diagram)) => Shape::Made(diagram.svg(PICTURE.0, PICTURE.1)),
-        (Form::Svg, None) => {
+        (SteadyForm::Text, _) => Shape::Text,
+        (SteadyForm::Csv, _) => Shape::File(FILES[1]),
+        (SteadyForm::Svg, Some(diagram)) => Shape::Made(diagram.svg(PICTURE.0, PICTURE.1)),
+        (SteadyForm::Svg, None) => {
             let why = "only machines with rigid objects have an energy-mass diagram";
             return Err(Failure::Other(why.to_owned()));
         }

@@ -212,21 +212,13 @@ fn approximations<M: Motion>(
     let [range, least, tangents] = motion.bare(inertia, fluctuation)?;
     let energy = by_energy(range, fluctuation, speed);
     let estimates = [
-        (
-            "energy",
-            "fluctuation of energy, all other inertia neglected",
-            energy,
-        ),
+        ("energy", "fluctuation of energy, no other inertia", energy),
         (
             "energy_less_own",
-            "fluctuation of energy, less the machine's least own inertia",
+            "fluctuation of energy, less own inertia",
             (energy - least).max(0.0),
         ),
-        (
-            "tangents",
-            "Wittenbauer's tangents to the energy-mass curve",
-            tangents.max(0.0),
-        ),
+        ("tangents", "Wittenbauer's tangents", tangents.max(0.0)),
     ];
     let judge = |(name, words, estimate): (&'static str, &'static str, f64)| {
         Ok(Approximation {

@@ -1,6 +1,6 @@
 //! Checks of a model's numbers and structure before it is frozen.
 
-use crate::dynamics::model::{DampingLaw, Law, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+use crate::dynamics::model::{DampingLaw, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
 use crate::fault::Fault;
 use crate::kinematics::position::Position;
 
@@ -29,15 +29,6 @@ pub(super) fn object_of(model: &Model, node: usize) -> String {
     }
 }
 
-fn law_of(motion: &NodeMotion) -> Option<&Law> {
-    match motion {
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(law),
-        NodeMotion::Prescribed { .. }
-        | NodeMotion::Rotor { .. }
-        | NodeMotion::Constrained { .. } => None,
-    }
-}
-
 /// Indices that point nowhere: a fault of the program that lowered the model,
 /// told as a fault so that nothing panics.
 fn check_indices(model: &Model, faults: &mut Vec<Fault>) {
@@ -53,7 +44,7 @@ fn check_indices(model: &Model, faults: &mut Vec<Fault>) {
         let path = || object_of(model, index);
         let (law, track) = match &node.motion {
             NodeMotion::Prescribed { track, .. } => (None, *track),
-            other => (law_of(other), law_of(other).and_then(|law| law.track)),
+            other => (other.law(), other.law().and_then(|law| law.track)),
         };
         if law.is_some_and(|law| law.driver >= index) {
             refuse(path(), "its driver does not come before it");
@@ -161,7 +152,7 @@ fn check_nodes(model: &Model, faults: &mut Vec<Fault>) {
                 },
             ));
         }
-        if law_of(&node.motion).is_some_and(|law| !law.lever.is_finite()) {
+        if node.motion.law().is_some_and(|law| !law.lever.is_finite()) {
             faults.push(Fault::new(
                 format!("{}.lever", object_of(model, index)),
                 "the lever is not a finite number",
@@ -293,7 +284,8 @@ fn check_loads(model: &Model, faults: &mut Vec<Fault>) {
 fn check_chains(model: &Model, faults: &mut Vec<Fault>) {
     let mut links_on = vec![0usize; model.nodes.len()];
     for links in chains_of(model) {
-        let driver = law_of(&model.nodes[model.links[links[0]].mass].motion).map(|law| law.driver);
+        let followed = model.nodes[model.links[links[0]].mass].motion.law();
+        let driver = followed.map(|law| law.driver);
         for &link in &links {
             let mass = model.links[link].mass;
             links_on[mass] += 1;

@@ -25,7 +25,7 @@ pub struct VibrationMode {
 }
 
 /// Coordinates above which all eigenvalues take longer than many a run.
-const MANY: usize = 40;
+pub(crate) const MANY_COORDINATES: usize = 40;
 
 /// Below this share of the highest frequency a mode is a free motion.
 const FREE: f64 = 1e-7;
@@ -113,7 +113,7 @@ impl System {
     /// Beyond some dozens of coordinates an estimate, good to a few per cent, in time
     /// in proportion to their number.
     pub fn fastest_rate(&self) -> f64 {
-        if self.coordinates() > MANY {
+        if self.coordinates() > MANY_COORDINATES {
             let (y, modes) = self.engaged_start();
             return crate::dynamics::integrate::fastest_rate(self, 0.0, &y, &modes);
         }

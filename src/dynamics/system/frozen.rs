@@ -230,6 +230,11 @@ pub(super) struct FrozenLaw {
 }
 
 impl FrozenLaw {
+    /// True when U′ is not a constant.
+    pub(super) fn bends(&self) -> bool {
+        !matches!(self.position, Position::Ratio { .. })
+    }
+
     /// lever·U and its derivatives at the driver's displacement.
     #[inline(always)]
     pub(super) fn jet(&self, modes: &[i64], displacement: f64) -> Jet {

@@ -59,6 +59,7 @@ mod tests;
 mod trains;
 mod written;
 
+pub(crate) use frequencies::MANY_COORDINATES;
 pub use frequencies::VibrationMode;
 pub(crate) use friction::StickSlip;
 pub use linearised::Regime;

@@ -8,7 +8,6 @@ use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::written::Written;
 use crate::dynamics::model::LoadLaw;
-use crate::kinematics::position::Position;
 use std::collections::BTreeSet;
 
 /// Coordinates that something depends on.
@@ -71,14 +70,9 @@ impl Frozen {
             .collect()
     }
 
-    /// True when U′ of a law is not a constant.
-    fn bends(&self, law: usize) -> bool {
-        !matches!(self.laws[law].position, Position::Ratio { .. })
-    }
-
     /// Coordinates that U′ and U″φ̇² of a law depend on.
     fn slope(&self, law: usize, place: &[Set]) -> Set {
-        if self.bends(law) {
+        if self.laws[law].bends() {
             place[self.laws[law].driver].clone()
         } else {
             Set::new()
@@ -170,7 +164,7 @@ impl Frozen {
             let mass = &slope | &of.mass[rigid.node];
             // U″·φ̇² is multiplied by the mass; without it the mass is not felt.
             let force = &slope | &of.force[rigid.node];
-            let force = if self.bends(rigid.law) {
+            let force = if self.laws[rigid.law].bends() {
                 &force | &mass
             } else {
                 force

@@ -177,8 +177,8 @@ impl System {
         let part = &self.model.objects[track.object];
         let driver = part.driver().map(|driver| &self.model.objects[driver]);
         let place = match driver.map(|driver| driver.coordinate) {
-            Some(Coordinate::Sliding) => format!("{:.9} m", edge.place),
-            _ => format!("{:.6}°", edge.place.to_degrees()),
+            Some(Coordinate::Sliding) => format!("{} m", shown(edge.place, 9)),
+            _ => format!("{}°", shown(edge.place.to_degrees(), 9)),
         };
         let driver = driver.map_or("its driver", |driver| driver.id.as_str());
         let at = format!("{driver} at {place}, reached at t = {} s", shown(time, 9));

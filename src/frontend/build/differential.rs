@@ -1,50 +1,18 @@
 //! Sums of several inputs.
 
-use super::builder;
+use super::elastic;
 use crate::frontend::read::{Node, OWN, Own};
 use crate::kinematics::constraint::ConstraintFunction;
 use std::sync::Arc;
 
-builder! {
+elastic! {
     /// A differential: its displacement is a weighted sum of those of several inputs, a
     /// planetary gear or a summing lever.
     Differential {
-        /// Remarks for people.
-        description;
         /// `"turning"` (default) or `"sliding"`.
         coordinate;
         /// Output where every input is at zero.
         offset;
-        /// Number of masses; 0: rigid. Default 1.
-        masses;
-        /// Total inertia J (kg·m² or kg).
-        inertia;
-        /// Stiffness c seen at the last mass (N·m/rad or N/m).
-        stiffness;
-        /// Specific damping capacity ψ: share of the elastic energy that is lost in one
-        /// cycle.
-        damping_capacity;
-        /// Damping b seen at the last mass (N·m·s/rad or N·s/m), in place of ψ.
-        damping;
-        /// Split of the inertia: `"cubes"`, `"equal"`, or a list of shares.
-        split;
-        /// Place of the inertia of each cell: `"ends"` (default) or `"balanced"`.
-        lumping;
-        /// Number of vibration modes, in place of `masses`.
-        modes;
-        /// `"static"`: it gives way as under slow forces, without vibrations; in place of
-        /// `masses`.
-        flexibility;
-        /// Inertia of each mass, in place of `inertia`.
-        inertias;
-        /// Stiffness of each link, in place of `stiffness`.
-        stiffnesses;
-        /// Damping of each link.
-        dampings;
-        /// Dimensions and material, in place of inertia and stiffness.
-        geometry;
-        /// The driving pair.
-        pair;
         /// Gap of a form-closed pair, in place of `pair`.
         backlash;
     }
@@ -99,18 +67,6 @@ impl Differential {
     /// A lever whose output is at this place (m) along it.
     pub fn lever(self, output: impl Into<Node>) -> Self {
         self.set("lever.output", output)
-    }
-
-    /// Adds a one-sided stop of the last mass against the ground.
-    pub fn stop(mut self, name: &str, stop: impl Into<Node>) -> Self {
-        self.0.property("stops").put(name, stop);
-        self
-    }
-
-    /// Adds a load, positive towards positive displacement.
-    pub fn load(mut self, name: &str, load: impl Into<Node>) -> Self {
-        self.0.property("loads").put(name, load);
-        self
     }
 
     fn with(mut self, name: &str, mut input: Node, key: &str, value: impl Into<Node>) -> Self {

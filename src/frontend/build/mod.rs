@@ -91,6 +91,68 @@ macro_rules! builder {
 }
 pub(crate) use builder;
 
+/// Declares the builder of an object that may be elastic: the properties of its body and its
+/// pair, loads and stops, and what it has beside these.
+macro_rules! elastic {
+    ($(#[$about:meta])* $name:ident { $($own:tt)* }) => {
+        $crate::frontend::build::builder! {
+            $(#[$about])*
+            $name {
+                /// Remarks for people.
+                description;
+                /// Number of masses; 0: rigid; `"auto"`: as the accuracy of the run needs.
+                /// Default 1.
+                masses;
+                /// Total inertia J (kg·m², or kg of what slides).
+                inertia;
+                /// Stiffness c seen at the last mass (N·m/rad or N/m).
+                stiffness;
+                /// Specific damping capacity ψ: share of the elastic energy that is lost in
+                /// one cycle.
+                damping_capacity;
+                /// Damping b seen at the last mass (N·m·s/rad or N·s/m), in place of ψ.
+                damping;
+                /// Split of the inertia: `"cubes"` (a uniform lever), `"equal"`, or a
+                /// list of shares.
+                split;
+                /// Place of the inertia of each cell: `"ends"` (default) or `"balanced"`.
+                lumping;
+                /// Number of vibration modes, in place of `masses`.
+                modes;
+                /// `"static"`: it gives way as under slow forces, without vibrations; in place
+                /// of `masses`.
+                flexibility;
+                /// Inertia of each mass, in place of `inertia`.
+                inertias;
+                /// Stiffness of each link, in place of `stiffness`.
+                stiffnesses;
+                /// Damping of each link.
+                dampings;
+                /// Dimensions and material, in place of inertia and stiffness.
+                geometry;
+                /// The driving pair.
+                pair;
+                $($own)*
+            }
+        }
+
+        impl $name {
+            /// Adds a one-sided stop of the last mass against the ground.
+            pub fn stop(mut self, name: &str, stop: impl Into<$crate::frontend::read::Node>) -> Self {
+                self.0.property("stops").put(name, stop);
+                self
+            }
+
+            /// Adds a load, positive towards positive displacement.
+            pub fn load(mut self, name: &str, load: impl Into<$crate::frontend::read::Node>) -> Self {
+                self.0.property("loads").put(name, load);
+                self
+            }
+        }
+    };
+}
+pub(crate) use elastic;
+
 /// The value at an address within a tree, objects on the way made where they are
 /// missing.
 pub(crate) fn at<'n>(node: &'n mut Node, address: &str) -> &'n mut Node {

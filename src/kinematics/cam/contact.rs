@@ -15,7 +15,7 @@
 //! normal's angle θ in the cam.
 
 use super::spec::{CamGeometry, Contact, Guide};
-use crate::math::number::Number;
+use crate::math::number::{Number, sqrt};
 
 /// A vector of the plane.
 pub(crate) type Vector<N> = [N; 2];
@@ -237,16 +237,6 @@ pub(crate) fn cross<N: Number>(a: Vector<N>, b: Vector<N>) -> N {
 pub(crate) fn rotated(a: [f64; 2], angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
     [a[0] * cos - a[1] * sin, a[0] * sin + a[1] * cos]
-}
-
-pub(crate) fn sqrt<N: Number>(x: N) -> N {
-    let root = x.value().sqrt();
-    x.compose(root, 0.5 / root)
-}
-
-pub(crate) fn atan<N: Number>(x: N) -> N {
-    let value = x.value();
-    x.compose(value.atan(), 1.0 / (1.0 + value * value))
 }
 
 fn sin_cos<N: Number>(x: N) -> (N, N) {

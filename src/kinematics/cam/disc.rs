@@ -1,13 +1,13 @@
 //! A disc cam made ready: law and geometry together.
 
 use super::check;
-use super::contact::{self, Touch, atan, plus, rotated, times};
+use super::contact::{self, Touch, plus, rotated, times};
 use super::motion::{FollowerMotion, Piece};
 use super::search::{At, extremes};
 use super::spec::{CamGeometry, Contact, Guide};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::position::Position;
-use crate::math::number::{Dual, Number};
+use crate::math::number::{Dual, Number, atan};
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;

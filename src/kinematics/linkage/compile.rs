@@ -5,13 +5,14 @@ mod misfit;
 
 use super::decompose::{Decomposition, Edge, decompose};
 use super::dyad::{Dyad, Form};
-use super::elements::{Body, Element, Part, elements, slides};
+use super::elements::{Body, Element, PairElement, elements, slides};
 use super::newton::{Joint, NewtonGroup, Side};
 use super::plan::{Driver, Plan, Step, size};
 use super::spec::LinkageSpec;
 use super::structure::{Group, GroupKind};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
+pub(super) use misfit::is_or_are;
 use misfit::misfit;
 
 /// The bodies that the driver does not place, and the body of every link.
@@ -171,7 +172,7 @@ pub(super) fn larger_group(
         match body.and_then(|body| group.iter().position(|&other| other == body)) {
             Some(index) => Side::Own {
                 body: index,
-                part: Part::new(element, &bodies.list[group[index]]),
+                part: PairElement::new(element, &bodies.list[group[index]]),
             },
             None => Side::Known(*element),
         }
@@ -238,7 +239,8 @@ pub(super) fn dyad(
         let [i, j] = sides(pair);
         if of(&i) == body { i } else { j }
     };
-    let part = |pair: usize, body: usize| Part::new(&element(pair, Some(body)), &bodies.list[body]);
+    let part =
+        |pair: usize, body: usize| PairElement::new(&element(pair, Some(body)), &bodies.list[body]);
     let known = |k: usize| {
         let [i, j] = sides(outer[k]);
         if of(&i) == Some(group[k]) { j } else { i }
@@ -247,7 +249,7 @@ pub(super) fn dyad(
     let outer_parts = [part(outer[0], group[0]), part(outer[1], group[1])];
     let inner_parts = [part(inner, group[0]), part(inner, group[1])];
     let arm = |k: usize| -> Option<Arm> {
-        let (from, to): (Part, Part) = (outer_parts[k], inner_parts[k]);
+        let (from, to): (PairElement, PairElement) = (outer_parts[k], inner_parts[k]);
         let rigid = !from.driven && !to.driven;
         rigid.then(|| Arm::new([to.point[0] - from.point[0], to.point[1] - from.point[1]]))
     };

@@ -7,7 +7,7 @@
 //! without angles; the one square root of a form carries the branch.
 
 use super::closure::{TwoCircles, circle_and_line, guide_between_pins};
-use super::elements::{Body, Element, Frame, Part};
+use super::elements::{Body, Element, Frame, PairElement};
 use super::vector::{Arm, Local, Vector};
 use crate::math::series::Series;
 
@@ -36,9 +36,9 @@ pub(super) struct Dyad {
     /// The outer pairs as elements of what is already placed.
     pub(super) known: [Element; 2],
     /// The outer pairs as parts of the two bodies.
-    pub(super) outer: [Part; 2],
+    pub(super) outer: [PairElement; 2],
     /// The inner pair as parts of the two bodies.
-    pub(super) inner: [Part; 2],
+    pub(super) inner: [PairElement; 2],
     /// From the outer to the inner element of the two bodies, where both lie on
     /// the link that carries the body's frame.
     pub(super) arms: [Option<Arm>; 2],

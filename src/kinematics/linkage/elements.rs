@@ -61,7 +61,7 @@ impl Body {
 
 /// An element of a pair in the frame of its body.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Part {
+pub(super) struct PairElement {
     /// The point, in the frame of its link (m).
     pub(super) point: [f64; 2],
     /// The direction of the guide, in the frame of its link.
@@ -70,7 +70,7 @@ pub(super) struct Part {
     pub(super) driven: bool,
 }
 
-impl Part {
+impl PairElement {
     pub(super) fn new(element: &Element, body: &Body) -> Self {
         Self {
             point: element.point,

@@ -7,7 +7,7 @@ use super::plan::Step;
 use super::rounding::directions;
 use super::solve::{Guess, Stuck};
 use super::state::Motion;
-use super::walk::{LEFT, Verdict, Walker};
+use super::walk::{LEFT, StepVerdict, Walker};
 use crate::math::roots::bisect;
 
 /// Most that a link may turn in a step (rad).
@@ -15,7 +15,7 @@ const MOST_TURNING: f64 = 0.5;
 
 impl Walker<'_> {
     /// What to do about a step from the present place to `to`.
-    pub(super) fn examine(&mut self, to: f64) -> Verdict {
+    pub(super) fn examine(&mut self, to: f64) -> StepVerdict {
         let groups = self.plan.steps.len();
         let (from, gap) = (self.place.at, to - self.place.at);
         let middle = from + 0.5 * gap;
@@ -33,7 +33,7 @@ impl Walker<'_> {
             if self.is_dyad(group) {
                 let margins = [self.place.margins[group], at_middle[group], at_end[group]];
                 let verdict = self.examine_dyad(group, to, margins);
-                if verdict != Verdict::Accept {
+                if verdict != StepVerdict::Accept {
                     return verdict;
                 }
             }
@@ -43,8 +43,8 @@ impl Walker<'_> {
         match halved.and(reached) {
             Err(Stuck(group)) if tiny && self.is_dyad(group) => self.dead(group, to),
             Err(Stuck(group)) if tiny => self.end_of(group),
-            Ok(()) if followed => Verdict::Accept,
-            _ => Verdict::Shorten(middle),
+            Ok(()) if followed => StepVerdict::Accept,
+            _ => StepVerdict::Shorten(middle),
         }
     }
 
@@ -77,24 +77,24 @@ impl Walker<'_> {
         near && links.iter().enumerate().all(turned) && (0..self.plan.steps.len()).all(same_side)
     }
 
-    fn examine_dyad(&mut self, group: usize, to: f64, margins: [Margin; 3]) -> Verdict {
+    fn examine_dyad(&mut self, group: usize, to: f64, margins: [Margin; 3]) -> StepVerdict {
         let (from, gap) = (self.place.at, to - self.place.at);
         let [a, m, b] = margins;
         let size = a.value.abs().max(b.value.abs()).max(m.value.abs());
         let cubic = hermite(0.5, gap, [a.value, a.slope, b.value, b.slope]);
         let smooth = (cubic - m.value).abs() <= 0.02 * size + tolerance(&m);
         if !smooth && gap.abs() > 1e-5 * self.unit {
-            return Verdict::Shorten(from + 0.5 * gap);
+            return StepVerdict::Shorten(from + 0.5 * gap);
         }
         let inside = |change: &Change| (from < change.at) == (change.at < to);
         if self.course.branches[group].changes.iter().any(inside) {
-            return Verdict::Accept;
+            return StepVerdict::Accept;
         }
         if a.slope * self.way < 0.0 && b.slope * self.way > 0.0 {
             return self.examine_minimum(group, to);
         }
         if b.value > tolerance(&b) {
-            return Verdict::Accept;
+            return StepVerdict::Accept;
         }
         if b.value < -tolerance(&b) {
             return self.dead(group, to);
@@ -104,7 +104,7 @@ impl Walker<'_> {
             let end = self.just_beyond(group, to, &b);
             return self.end(end, group);
         }
-        Verdict::Shorten(from + 0.73 * gap)
+        StepVerdict::Shorten(from + 0.73 * gap)
     }
 
     /// The dead position next to `to`, where the discriminant is zero but for
@@ -124,15 +124,15 @@ impl Walker<'_> {
     }
 
     /// A minimum of the discriminant lies within the step.
-    fn examine_minimum(&mut self, group: usize, to: f64) -> Verdict {
+    fn examine_minimum(&mut self, group: usize, to: f64) -> StepVerdict {
         let way = self.way;
         let lowest = self.bisect(group, to, |margin| margin.slope * way < 0.0);
         let Some(margin) = self.margin(lowest, group) else {
-            return Verdict::Shorten(self.place.at + 0.5 * (to - self.place.at));
+            return StepVerdict::Shorten(self.place.at + 0.5 * (to - self.place.at));
         };
         let tolerance = tolerance(&margin);
         if margin.value > tolerance {
-            return Verdict::Accept;
+            return StepVerdict::Accept;
         }
         if margin.value < -tolerance {
             return self.dead(group, lowest);
@@ -140,29 +140,29 @@ impl Walker<'_> {
         match self.change(group, lowest) {
             Some(change) => {
                 self.course.branches[group].changes.push(change);
-                Verdict::Again
+                StepVerdict::Again
             }
             None => self.approach(lowest, group),
         }
     }
 
     /// The discriminant goes through zero before `to`.
-    fn dead(&mut self, group: usize, to: f64) -> Verdict {
+    fn dead(&mut self, group: usize, to: f64) -> StepVerdict {
         let end = self.bisect(group, to, |margin| margin.value > 0.0);
         self.approach(end, group)
     }
 
     /// Goes a part of the way to an end, which is reached when little is left.
-    fn approach(&mut self, end: f64, group: usize) -> Verdict {
+    fn approach(&mut self, end: f64, group: usize) -> StepVerdict {
         let left = end - self.place.at;
         if left.abs() > LEFT * self.unit {
-            return Verdict::Shorten(self.place.at + 0.75 * left);
+            return StepVerdict::Shorten(self.place.at + 0.75 * left);
         }
         self.end(end, group)
     }
 
     /// The end of a group, unless another comes to its end before.
-    fn end(&mut self, end: f64, group: usize) -> Verdict {
+    fn end(&mut self, end: f64, group: usize) -> StepVerdict {
         // On the little that is left a later group may come to its end first.
         let mut first = group;
         let [near, _] = bisect([self.place.at, end], 60, |input| {
@@ -170,9 +170,9 @@ impl Walker<'_> {
             tried.map_err(|Stuck(other)| first = other).is_ok()
         });
         if (end - near).abs() > 1e-13 * self.unit.max(end.abs()) {
-            Verdict::End(near, first)
+            StepVerdict::End(near, first)
         } else {
-            Verdict::End(end, group)
+            StepVerdict::End(end, group)
         }
     }
 
@@ -197,7 +197,7 @@ impl Walker<'_> {
     }
 
     /// Where a group cannot be followed further by ever shorter steps.
-    fn end_of(&self, group: usize) -> Verdict {
+    fn end_of(&self, group: usize) -> StepVerdict {
         let here = self.place.margins[group].value;
         let mut end = self.place.at;
         if let Some(before) = &self.before {
@@ -208,7 +208,7 @@ impl Walker<'_> {
                 end += left;
             }
         }
-        Verdict::End(end, group)
+        StepVerdict::End(end, group)
     }
 }
 

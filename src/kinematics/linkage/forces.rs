@@ -8,7 +8,7 @@ use crate::math::jet::Jet;
 /// Contribution of one spring, damper or force on the input coordinate; meanings and
 /// orders as in [`Reduced`](super::Reduced).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Part {
+pub struct ForcePart {
     /// V, V′, V″ (J).
     pub potential: [f64; 3],
     /// Q, Q′ (N·m or N).
@@ -20,7 +20,7 @@ pub struct Part {
 impl Linkage {
     /// Contribution of one of [`LinkageSpec::forces`](super::spec::LinkageSpec::forces)
     /// at the position solved for.
-    pub fn force_part(&self, index: usize, workspace: &Workspace) -> Part {
+    pub fn force_part(&self, index: usize, workspace: &Workspace) -> ForcePart {
         match &self.spec().forces[index].law {
             ForceLaw::Strut {
                 from,
@@ -45,9 +45,9 @@ impl Linkage {
                 force,
                 follows,
             } => constant_force(*point, *force, *follows, workspace),
-            ForceLaw::Couple { link, couple } => Part {
+            ForceLaw::Couple { link, couple } => ForcePart {
                 force: [1, 2].map(|k| couple * workspace.transfer(*link, k)[2]),
-                ..Part::default()
+                ..ForcePart::default()
             },
             ForceLaw::CoupleTable {
                 link,
@@ -56,9 +56,9 @@ impl Linkage {
             } => {
                 let [m, dm] = interpolate(points, *period, workspace.input());
                 let [first, second] = [1, 2].map(|k| workspace.transfer(*link, k)[2]);
-                Part {
+                ForcePart {
                     force: [m * first, dm * first + m * second],
-                    ..Part::default()
+                    ..ForcePart::default()
                 }
             }
             ForceLaw::Table {
@@ -74,9 +74,9 @@ impl Linkage {
                     cos * x.first + sin * y.first,
                     cos * x.second + sin * y.second,
                 ];
-                Part {
+                ForcePart {
                     force: [f * along, df * along + f * slope],
-                    ..Part::default()
+                    ..ForcePart::default()
                 }
             }
         }
@@ -99,9 +99,9 @@ fn distance(from: PointOf, to: PointOf, workspace: &Workspace) -> Jet {
 }
 
 /// V = ½·rate·(x − free)², D = damping·x′².
-fn spring_and_damper(x: Jet, rate: f64, free: f64, damping: f64) -> Part {
+fn spring_and_damper(x: Jet, rate: f64, free: f64, damping: f64) -> ForcePart {
     let stretch = x.value - free;
-    Part {
+    ForcePart {
         potential: [
             0.5 * rate * stretch * stretch,
             rate * stretch * x.first,
@@ -116,7 +116,7 @@ fn spring_and_damper(x: Jet, rate: f64, free: f64, damping: f64) -> Part {
 }
 
 /// Adds a constant tension over the length: V = force·length.
-fn with_tension(mut part: Part, length: Jet, force: f64) -> Part {
+fn with_tension(mut part: ForcePart, length: Jet, force: f64) -> ForcePart {
     for (sum, order) in part
         .potential
         .iter_mut()
@@ -127,7 +127,12 @@ fn with_tension(mut part: Part, length: Jet, force: f64) -> Part {
     part
 }
 
-fn constant_force(point: PointOf, force: [f64; 2], follows: bool, workspace: &Workspace) -> Part {
+fn constant_force(
+    point: PointOf,
+    force: [f64; 2],
+    follows: bool,
+    workspace: &Workspace,
+) -> ForcePart {
     let [x, y] = workspace.point(point);
     let (mut now, mut change) = (force, [0.0; 2]);
     if let (true, Some(link)) = (follows, point.link) {
@@ -143,9 +148,9 @@ fn constant_force(point: PointOf, force: [f64; 2], follows: bool, workspace: &Wo
     if workspace.order() >= 2 {
         slope += change[0] * x.first + change[1] * y.first;
     }
-    Part {
+    ForcePart {
         force: [now[0] * x.first + now[1] * y.first, slope],
-        ..Part::default()
+        ..ForcePart::default()
     }
 }
 

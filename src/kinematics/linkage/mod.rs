@@ -49,7 +49,7 @@ pub(crate) mod vector;
 mod walk;
 mod workspace;
 
-pub use forces::Part as ForcePart;
+pub use forces::ForcePart;
 pub use range::{Cause, ChangePoint, End, OutOfReach, Period, Range, Reach};
 pub use reduced::Reduced;
 pub use rounding::Rounding;
@@ -66,7 +66,7 @@ use spec::LinkageSpec;
 use state::State;
 use std::f64::consts::TAU;
 use std::sync::Arc;
-use walk::{Walker, Way};
+use walk::{Walker, WayEnd};
 
 /// A planar linkage, ready to be solved. Cheap to clone, immutable.
 #[derive(Clone, Debug)]
@@ -214,7 +214,7 @@ fn explore(
     plan: &Plan,
     course: &mut Course,
     state: &mut State,
-) -> Result<[Way; 2], Vec<Fault>> {
+) -> Result<[WayEnd; 2], Vec<Fault>> {
     let start = spec.start;
     // The first position of a larger group is known to rounding already: it is
     // solved again, with derivatives, from itself.
@@ -240,20 +240,20 @@ fn explore(
     if groups == 0 && plan.driver.sliding.is_some() && spec.travel.is_none() {
         // A sliding link alone goes wherever it is sent.
         course.finish(&plan.driver);
-        return Ok([Way::Everywhere; 2]);
+        return Ok([WayEnd::Everywhere; 2]);
     }
     let limits = spec
         .travel
         .map_or([None, None], |[from, to]| [Some(from), Some(to)]);
     let up = Walker::new(plan, course, state, true).walk(limits[1]);
-    if let Way::Repeats(turns) = up {
+    if let WayEnd::Repeats(turns) = up {
         course.period = Some(TAU * turns as f64);
         course.finish(&plan.driver);
         return Ok([up; 2]);
     }
     let down = Walker::new(plan, course, state, false).walk(limits[0]);
     for (end, way) in [down, up].into_iter().enumerate() {
-        if let Way::Ends(at, cause) = way {
+        if let WayEnd::Ends(at, cause) = way {
             // The ends of the travel belong to it, dead positions do not.
             course.ends[end] = match (cause, end) {
                 (DeadPosition { .. }, _) => at,
@@ -266,22 +266,22 @@ fn explore(
     Ok([down, up])
 }
 
-fn ranged(course: &Course, ways: [Way; 2]) -> Range {
-    let end = |way: Way| match way {
-        Way::Ends(at, DeadPosition { group }) => End {
+fn ranged(course: &Course, ways: [WayEnd; 2]) -> Range {
+    let end = |way: WayEnd| match way {
+        WayEnd::Ends(at, DeadPosition { group }) => End {
             at,
             cause: DeadPosition { group: group + 1 },
         },
-        Way::Ends(at, cause) => End { at, cause },
-        Way::Repeats(_) | Way::Everywhere => End {
+        WayEnd::Ends(at, cause) => End { at, cause },
+        WayEnd::Repeats(_) | WayEnd::Everywhere => End {
             at: f64::INFINITY,
             cause: Cause::Unexplored,
         },
     };
     let (reach, period) = match ways[1] {
-        Way::Repeats(turns) => (Reach::Everywhere, Some(Period::of_turns(turns))),
-        Way::Everywhere => (Reach::Everywhere, None),
-        Way::Ends(..) => {
+        WayEnd::Repeats(turns) => (Reach::Everywhere, Some(Period::of_turns(turns))),
+        WayEnd::Everywhere => (Reach::Everywhere, None),
+        WayEnd::Ends(..) => {
             let [lower, upper] = ways.map(end);
             (Reach::Interval { lower, upper }, None)
         }

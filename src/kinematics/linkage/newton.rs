@@ -8,7 +8,7 @@
 //! matrix must balance.
 
 use super::dyad::Margin;
-use super::elements::{Body, Element, Frame, Part};
+use super::elements::{Body, Element, Frame, PairElement};
 use super::state::Scratch;
 use super::state::State;
 use super::vector::Vector;
@@ -28,7 +28,7 @@ pub(super) enum Side {
         /// Index of the body in the group.
         body: usize,
         /// The element in the frame of the body.
-        part: Part,
+        part: PairElement,
     },
 }
 

@@ -1,6 +1,7 @@
 //! How far the input of a linkage can go.
 
 use super::structure::Structure;
+use crate::units::shown;
 use std::f64::consts::TAU;
 use std::fmt;
 
@@ -118,13 +119,14 @@ impl Range {
     /// The range in words, `turning` telling degrees from metres.
     pub fn describe(&self, structure: &Structure, turning: bool) -> String {
         let number = |at: f64| match turning {
-            true => format!("{:.6} deg", unsigned(at.to_degrees(), 1e-6)),
-            false => format!("{:.9} m", unsigned(at, 1e-9)),
+            true => format!("{} deg", shown(unsigned(at.to_degrees(), 1e-6), 9)),
+            false => format!("{} m", shown(unsigned(at, 1e-9), 9)),
         };
         let mut text = match (&self.reach, self.period) {
             (Reach::Everywhere, Some(Period { turns: 1, .. })) => "turns fully".to_owned(),
             (Reach::Everywhere, Some(Period { length, turns })) => {
-                format!("turns fully, repeats after {turns} turns ({length:.6} rad)")
+                let length = shown(length, 7);
+                format!("turns fully, repeats after {turns} turns ({length} rad)")
             }
             (Reach::Everywhere, None) => "goes everywhere".to_owned(),
             (Reach::Interval { lower, upper }, _) => {

@@ -1,7 +1,7 @@
 //! The linkage as one moving mass on its input coordinate.
 
 use super::Linkage;
-use super::forces::Part;
+use super::forces::ForcePart;
 use super::workspace::Workspace;
 
 /// What a linkage amounts to on its input coordinate q:
@@ -77,7 +77,7 @@ impl Linkage {
 }
 
 impl Reduced {
-    fn add(&mut self, part: &Part) {
+    fn add(&mut self, part: &ForcePart) {
         for k in 0..3 {
             self.potential[k] += part.potential[k];
         }

@@ -33,7 +33,7 @@ pub(super) const LEFT: f64 = 1e-9;
 
 /// End of a way along the input.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Way {
+pub(super) enum WayEnd {
     /// After so many turns everything repeats.
     Repeats(usize),
     /// Nothing limits it and nothing repeats.
@@ -44,7 +44,7 @@ pub(super) enum Way {
 
 /// Order about a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Verdict {
+pub(super) enum StepVerdict {
     Accept,
     /// Try to go to this input instead.
     Shorten(f64),
@@ -98,7 +98,7 @@ impl<'a> Walker<'a> {
     }
 
     /// Goes on until it repeats, ends, or comes to `limit`.
-    pub(super) fn walk(mut self, limit: Option<f64>) -> Way {
+    pub(super) fn walk(mut self, limit: Option<f64>) -> WayEnd {
         let (start, up) = (self.course.start, self.way > 0.0);
         let first = self.anchor.clone();
         let farthest = start
@@ -127,19 +127,19 @@ impl<'a> Walker<'a> {
                 Ok(reached) => {
                     step = (2.0 * (reached - self.place_before()).abs()).min(self.base());
                     if reached == edge {
-                        return Way::Ends(edge, cause);
+                        return WayEnd::Ends(edge, cause);
                     }
                     if turns(self.plan) && reached == whole {
                         if up && limit.is_none() && self.repeats(&first) {
-                            return Way::Repeats(turn);
+                            return WayEnd::Repeats(turn);
                         }
                         turn += 1;
                     }
                 }
-                Err((end, cause)) => return Way::Ends(end, cause),
+                Err((end, cause)) => return WayEnd::Ends(end, cause),
             }
         }
-        Way::Ends(self.place.at, Cause::Unexplored)
+        WayEnd::Ends(self.place.at, Cause::Unexplored)
     }
 
     /// The greatest step here.
@@ -163,13 +163,13 @@ impl<'a> Walker<'a> {
         let mut to = to;
         for _ in 0..MOST_TRIALS {
             match self.examine(to) {
-                Verdict::Accept => {
+                StepVerdict::Accept => {
                     self.accept(to);
                     return Ok(to);
                 }
-                Verdict::Shorten(nearer) => to = nearer,
-                Verdict::Again => {}
-                Verdict::End(end, group) => return Err((end, Cause::DeadPosition { group })),
+                StepVerdict::Shorten(nearer) => to = nearer,
+                StepVerdict::Again => {}
+                StepVerdict::End(end, group) => return Err((end, Cause::DeadPosition { group })),
             }
         }
         Err((self.place.at, Cause::Unexplored))

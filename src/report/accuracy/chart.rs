@@ -8,7 +8,7 @@ use crate::report::quantity::with_unit;
 use crate::studies::order::{Certificate, FigureAccuracy, Tried};
 
 /// Relative errors below this are drawn at it.
-const LEAST: f64 = 1e-12;
+pub(in crate::report) const LEAST: f64 = 1e-12;
 
 /// Error of each figure over the coordinates of the model, every model tried a mark.
 pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {

@@ -2,7 +2,7 @@
 
 mod chart;
 
-pub(in crate::report) use chart::chart;
+pub(in crate::report) use chart::{LEAST, chart};
 
 use crate::report::findings::{Cell, Section, Table, Value};
 use crate::report::plot::Rule;
@@ -34,7 +34,7 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
             .to_vec()
     };
     let figures = Table::new(["figure", ">value", ">limit", "~error"]);
-    let objects = Table::new(["object", "model", "~why", "~less is not enough:"]);
+    let objects = Table::new(["object", "model", "~why", "~less is not enough"]);
     vec![
         Section::new("Accuracy, the error of the model included")
             .legend(

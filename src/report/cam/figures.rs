@@ -1,11 +1,11 @@
 //! The figures of a cam.
 
-use super::words::{DIGITS, clean, degrees, length};
+use super::words::{clean, degrees, length};
 use crate::kinematics::cam::closing::LetsGo;
 use crate::kinematics::cam::sizing::BaseRange;
 use crate::kinematics::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
 use crate::report::findings::{Figure, Value};
-use crate::report::quantity::{significant, with_unit};
+use crate::report::quantity::{DIGITS, significant, with_unit};
 use crate::studies::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
 use crate::studies::law::LiftOff;
 use std::f64::consts::TAU;

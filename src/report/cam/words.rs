@@ -1,7 +1,7 @@
 //! Places and lengths of a cam in words.
 
 use crate::kinematics::cam::At;
-use crate::report::quantity::{significant, with_unit};
+use crate::report::quantity::{DIGITS, significant, with_unit};
 
 pub(super) fn angle_at(at: At) -> String {
     format!("{} at {}", degrees(at.value), degrees(at.phi))
@@ -19,6 +19,3 @@ pub(super) fn length(value: f64) -> String {
 pub(super) fn clean(value: f64) -> f64 {
     if value.abs() < 1e-12 { 0.0 } else { value }
 }
-
-/// Significant digits.
-pub(super) const DIGITS: usize = 7;

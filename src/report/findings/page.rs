@@ -62,6 +62,7 @@ impl Section<'_> {
         let mut zoomed = "";
         for item in &self.items {
             match item {
+                Item::Words(words) | Item::Legend(words) if words.is_empty() => {}
                 Item::Words(words) => {
                     let _ = writeln!(out, "<p>{}</p>", prose(words));
                 }
@@ -121,7 +122,7 @@ fn facts(figures: &[Figure]) -> String {
 /// A value for reading, the full number on hover.
 fn value(value: &Value) -> String {
     match value {
-        Value::Words(words) => escape(words),
+        Value::Words(words) => prose(words),
         Value::Number { value, .. } if !value.is_finite() => "–".to_owned(),
         Value::Number {
             value,

@@ -161,30 +161,31 @@ impl Table {
             };
             lanes.into_iter().filter(|lane| lane.width > 0).collect()
         };
-        let shown = || (self.columns.iter().enumerate()).filter(|(_, column)| !column.minor);
-        let mut columns: Vec<Vec<Lane>> = shown().map(column).collect();
+        let shown = (self.columns.iter().enumerate()).filter(|(_, column)| !column.minor);
         // Sentences stand behind the last block, or below its lines.
-        let sentences = shown().position(|(_, column)| column.prose);
-        let sentences = sentences.map_or(Vec::new(), |at| columns.remove(at));
+        let (sentences, columns): (Vec<_>, Vec<_>) = shown.partition(|(_, column)| column.prose);
+        let sentences: Vec<Lane> = sentences.into_iter().flat_map(column).collect();
+        let columns: Vec<Vec<Lane>> = columns.into_iter().map(column).collect();
         let Some((first, rest)) = columns.split_first() else {
             return String::new();
         };
         let others: usize = columns.iter().map(|lanes| wide(lanes)).sum();
         let all = others + wide(&sentences);
-        let below = room.is_some_and(|room| all > room && others > room / 2);
+        let beside = |room: usize| all <= room || (sentences.len() < 2 && others <= room / 2);
+        let below = room.is_some_and(|room| !beside(room));
         let blocks = blocks(first, rest, room);
-        let sentence = |row: usize| match sentences.first() {
-            Some(lane) if below && row > 0 && !lane.cells[row].is_empty() => {
-                format!("      {}\n", lane.cells[row])
-            }
-            _ => String::new(),
+        let told = |row: usize| -> String {
+            let lanes = sentences.iter().filter(|_| below && row > 0);
+            let cells = lanes.map(|lane| lane.cells[row].as_str());
+            let said = cells.filter(|cell| !cell.is_empty());
+            said.map(|cell| format!("      {cell}\n")).collect()
         };
         let block = |(at, part): (usize, &&[Vec<Lane>])| -> String {
             let mut lanes: Vec<&Lane> = first.iter().chain(part.iter().flatten()).collect();
             let last = at + 1 == blocks.len();
             lanes.extend(sentences.iter().filter(|_| last && !below));
             let row = |row: usize| match last {
-                true => line(&lanes, row) + &sentence(row),
+                true => line(&lanes, row) + &told(row),
                 false => line(&lanes, row),
             };
             (0..=rows.len()).map(row).collect()

@@ -2,12 +2,12 @@
 
 use super::changes::{massless, sensitivities};
 use super::charts::{groups, ratio_chart};
-use super::{DIGITS, ForcesReport, WIDE, drawing, value};
+use super::{ForcesReport, WIDE, drawing, value};
 use crate::kinematics::linkage::spec::PairSpec;
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Plot, page::hodograph};
-use crate::report::quantity::{significant, with_unit};
+use crate::report::quantity::{DIGITS, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::forces::{Extreme, Extremes, ForceStudy};
 use std::fmt::Write as _;

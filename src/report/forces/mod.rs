@@ -12,18 +12,15 @@ pub use drawing::drawing;
 pub use findings::{findings, rows};
 
 use crate::report::findings::{Layout, Value};
-use crate::report::quantity::significant;
+use crate::report::quantity::{DIGITS, significant};
 use crate::studies::forces::{ForceStudy, MasslessComparison, Zone};
 
 /// Height of charts over the whole page (pixels).
 const WIDE: Layout = Layout::Wide(420.0);
 
-/// Significant digits.
-const DIGITS: usize = 6;
-
 /// A quantity of the study.
 fn value(value: f64, unit: &str) -> Value {
-    Value::new(value, unit, DIGITS)
+    Value::new(value, &unit.replace("^2", "²"), DIGITS)
 }
 
 /// Everything that is told of a study.

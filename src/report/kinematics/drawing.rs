@@ -31,7 +31,7 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
             })
             .collect()
     };
-    let points: Vec<Point<'_>> = points(found);
+    let points: Vec<MovingPoint<'_>> = points(found);
     let take = |values: &[f64]| -> Vec<f64> { rows.iter().map(|&row| values[row]).collect() };
     let vectors = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
         rows.iter().map(|&row| [x[row], y[row]]).collect()
@@ -74,12 +74,12 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
 }
 
 /// A named point that moves: x, y, speed, acceleration over the rows.
-struct Point<'a> {
+struct MovingPoint<'a> {
     owner: &'a str,
     values: [&'a [f64]; 6],
 }
 
-fn points<'a>(found: &'a Kinematics) -> Vec<Point<'a>> {
+fn points<'a>(found: &'a Kinematics) -> Vec<MovingPoint<'a>> {
     let find = |owner: &str, quantity: Quantity| {
         let mut columns = found.columns.iter();
         columns.find(|column| column.owner == owner && column.quantity == quantity)
@@ -105,9 +105,9 @@ fn points<'a>(found: &'a Kinematics) -> Vec<Point<'a>> {
         let moves = values[..2].iter().any(|values| spread(values) > 0.0);
         let twice = points
             .iter()
-            .any(|other: &Point<'_>| same_path(other, values[0], values[1]));
+            .any(|other: &MovingPoint<'_>| same_path(other, values[0], values[1]));
         if moves && !twice {
-            points.push(Point { owner, values });
+            points.push(MovingPoint { owner, values });
         }
     }
     points
@@ -126,7 +126,7 @@ fn spread(values: &[f64]) -> f64 {
 }
 
 /// True when two points are one pin of two links.
-fn same_path(other: &Point<'_>, x: &[f64], y: &[f64]) -> bool {
+fn same_path(other: &MovingPoint<'_>, x: &[f64], y: &[f64]) -> bool {
     let near = |a: &[f64], b: &[f64]| {
         let size = a.iter().fold(0.0, |size: f64, value| size.max(value.abs()));
         let pairs = a.iter().zip(b);

@@ -4,7 +4,7 @@ use super::{drawing, input, place, plots, several};
 use crate::dynamics::model::Coordinate;
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
-use crate::report::quantity::{significant, with_unit};
+use crate::report::quantity::{DIGITS, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::kinematics::{
     AnyLinkage, Column, Equilibrium, Extremes, Kinematics, Quantity, Stroke,
@@ -13,9 +13,6 @@ use std::f64::consts::TAU;
 
 /// An error above this share of a quantity would be seen in its digits.
 const SHOWN: f64 = 1e-8;
-
-/// Significant digits of values.
-const DIGITS: usize = 7;
 
 /// Structure, drawing, strokes, transmission angles, charts, equilibria, extremes.
 pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> Findings<'a> {

@@ -3,7 +3,7 @@
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
-use crate::report::quantity::significant;
+use crate::report::quantity::with_unit;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::law::{ComparedLaw, Figure, LiftOff};
 
@@ -28,7 +28,7 @@ pub fn comparison_findings<'a>(
         [] => "none".to_owned(),
         best => best.join(", "),
     };
-    let headline = format!("Best by {}: {best}.", by.name());
+    let headline = format!("Best by {}: {best}.", by.words());
     let text = format!("Of {} laws.{doubt}", laws.len());
     Findings {
         title: scene.to_owned(),
@@ -53,7 +53,10 @@ fn table(laws: &[ComparedLaw], by: Figure) -> Table {
         .into_iter()
         .filter(|figure| laws.iter().any(|law| figure.of(law).is_some()))
         .collect();
-    let names: Vec<String> = shown.iter().map(|one| format!(">{}", one.name())).collect();
+    let names: Vec<String> = shown
+        .iter()
+        .map(|one| format!(">{}", one.words()))
+        .collect();
     let rows = order.iter().map(|&index| {
         let cells = shown.iter().map(|figure| cell(*figure, laws, index));
         let name = Cell::from(laws[index].name.as_str());
@@ -65,7 +68,7 @@ fn table(laws: &[ComparedLaw], by: Figure) -> Table {
 /// Value and place: `4.888 (2)`.
 fn cell(figure: Figure, laws: &[ComparedLaw], index: usize) -> Cell {
     let law = &laws[index];
-    let value = Value::new(figure.of(law).unwrap_or(f64::NAN), "", 5);
+    let value = Value::new(figure.of(law).unwrap_or(f64::NAN), figure.unit(law), 5);
     let value = match (figure, law.response.lift_off) {
         (Figure::LiftOff, Some(LiftOff::Above(_))) => format!("> {}", value.words()).into(),
         (Figure::LiftOff, Some(LiftOff::Below(_))) => format!("< {}", value.words()).into(),
@@ -94,7 +97,7 @@ fn others(laws: &[ComparedLaw], by: Figure) -> Vec<String> {
         let named = best(laws, figure);
         let other = !named.is_empty() && !named.iter().any(|name| chosen.contains(name));
         let list = named.join(", ");
-        other.then(|| format!("by {} alone it would have been: {list}", figure.name()))
+        other.then(|| format!("by {} alone it would have been: {list}", figure.words()))
     });
     misleading.collect()
 }
@@ -138,15 +141,15 @@ fn chart(laws: &[ComparedLaw]) -> Plot {
                 note: format!(
                     "{}: {} = {}",
                     law.name,
-                    figure.name(),
-                    significant(value, 6)
+                    figure.words(),
+                    with_unit(value, figure.unit(law), 6)
                 ),
             });
         }
         let series = Series {
             look: Look::Points,
             marks,
-            ..Series::line(figure.name(), points)
+            ..Series::line(figure.words(), points)
         };
         (!series.points.is_empty()).then_some(series)
     });
@@ -197,7 +200,7 @@ mod tests {
         let text = text.text(None);
         let place = |name: &str| text.find(&format!("\n  {name}")).unwrap();
         assert!(place("cycloidal") < place("parabolic"), "{text}");
-        assert!(text.contains("Best by residual: cycloidal"));
+        assert!(text.contains("Best by residual vibration: cycloidal"));
         assert!(text.contains("by C_a alone it would have been: parabolic"));
         let csv = comparison_rows(&laws).csv();
         assert!(csv.starts_with("law,C_v,C_v place"), "{csv}");

@@ -2,7 +2,7 @@
 
 use super::Machine;
 use super::way::{Picture, Way};
-use crate::dynamics::model::{NodeMotion, ObjectPart};
+use crate::dynamics::model::ObjectPart;
 use crate::kinematics::cam::{DiscCam, Guide};
 use crate::report::cam::{Follower, bodies, drawing, drawn, view};
 use crate::report::html::player::Shown;
@@ -17,10 +17,7 @@ pub(super) fn picture(
     elastic: bool,
 ) -> Option<Picture> {
     let (_, cam) = machine.cams.iter().find(|(id, _)| *id == part.id)?;
-    let lever = match &machine.model.nodes[*part.nodes.last()?].motion {
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law.lever,
-        _ => return None,
-    };
+    let lever = machine.model.nodes[*part.nodes.last()?].motion.law()?.lever;
     let curves = drawn(cam);
     let view = view(cam, &curves);
     let outward = cam.geometry().outward;

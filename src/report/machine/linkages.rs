@@ -1,7 +1,7 @@
 //! Linkages of the machine: to scale, over their input coordinate.
 
 use super::way::{Picture, Way};
-use crate::dynamics::model::{Model, MultiLinkageBody, NodeMotion, ObjectPart};
+use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::kinematics::linkage::{Linkage, Pose};
 use crate::report::html::player::{Body, Shown};
@@ -94,10 +94,7 @@ fn placement(pose: Pose) -> Placement {
 /// The linkage that an object's law is the short form of; `way` and `column` are those
 /// of its driver.
 pub(super) fn law(model: &Model, part: &ObjectPart, way: &Way, column: usize) -> Option<Picture> {
-    let law = match &model.nodes[*part.nodes.last()?].motion {
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law,
-        _ => return None,
-    };
+    let law = model.nodes[*part.nodes.last()?].motion.law()?;
     let linkage = Linkage::new(law.position.as_linkage(way.start)?).ok()?;
     Some(drawn(&linkage, way, column))
 }

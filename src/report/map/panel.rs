@@ -10,8 +10,6 @@ use crate::report::plot::{
 use crate::studies::axis::Axis as Parameter;
 use crate::studies::map::{Cell, Study, Verdict};
 
-/// Height of the strip of verdicts under a curve.
-pub(super) const STRIP: f64 = 20.0;
 /// Contour lines in a plot, about.
 const LEVELS: usize = 6;
 /// Marks of verdicts are drawn as long as there are fewer points than this.

@@ -2,12 +2,12 @@
 //! verdicts marked in both; and its parts for a page.
 
 use super::looks::{hatching, plain};
-use super::panel::{Panel, STRIP, undetermined};
+use super::panel::{Panel, undetermined};
 use super::values::Values;
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;
 use crate::report::plot::palette::{SHADES, STYLE, shade};
-use crate::report::plot::{Entry, Plot, coordinate, document, legend_rows};
+use crate::report::plot::{Entry, Plot, STRIP, coordinate, document, legend_rows};
 use crate::report::quantity::{escape, shortened};
 use crate::studies::map::{MapResult, Study, Verdict};
 use std::collections::BTreeMap;

@@ -1,6 +1,6 @@
 //! Formulas as MathML Core, for pages.
 
-use super::{Expr, Index, Relation, Symbol, fraction_of_pi};
+use super::{Expr, Index, Symbol, fraction_of_pi};
 use crate::report::quantity::{escape, significant};
 
 /// The formula for inside of `<math>`; a symbol that bears the name of an object or load
@@ -20,7 +20,7 @@ pub(super) fn write(expr: &Expr) -> String {
             format!(
                 "{}{}{}",
                 write(left),
-                operator(sign(*relation)),
+                operator(relation.sign()),
                 write(right)
             )
         }
@@ -49,16 +49,6 @@ fn operator(text: &str) -> String {
 /// Blanks at the ends of a text element count for nothing unless they do not break.
 fn words(text: &str) -> String {
     format!("<mtext>{}</mtext>", escape(&text.replace(' ', "\u{a0}")))
-}
-
-fn sign(relation: Relation) -> &'static str {
-    match relation {
-        Relation::Equal => "=",
-        Relation::Less => "<",
-        Relation::AtMost => "≤",
-        Relation::Greater => ">",
-        Relation::Unequal => "≠",
-    }
 }
 
 /// The terms with their signs; a sum within a sum is taken apart.

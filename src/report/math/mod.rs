@@ -54,6 +54,19 @@ pub enum Relation {
     Unequal,
 }
 
+impl Relation {
+    /// Its sign.
+    fn sign(self) -> &'static str {
+        match self {
+            Self::Equal => "=",
+            Self::Less => "<",
+            Self::AtMost => "≤",
+            Self::Greater => ">",
+            Self::Unequal => "≠",
+        }
+    }
+}
+
 /// A formula.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expr {

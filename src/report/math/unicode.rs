@@ -1,6 +1,6 @@
 //! Formulas as Unicode text.
 
-use super::{Expr, Index, Relation, Symbol, fraction_of_pi};
+use super::{Expr, Index, Symbol, fraction_of_pi};
 use crate::report::quantity::{significant, subscript, superscript};
 
 /// The formula on one line; cases separated by semicolons.
@@ -25,7 +25,7 @@ pub(super) fn write(expr: &Expr) -> String {
             cases.iter().map(case).collect::<Vec<_>>().join("; ")
         }
         Expr::Compare(left, relation, right) => {
-            format!("{} {} {}", write(left), sign(*relation), write(right))
+            format!("{} {} {}", write(left), relation.sign(), write(right))
         }
         Expr::All(conditions) => {
             let all: Vec<_> = conditions.iter().map(write).collect();
@@ -42,16 +42,6 @@ fn condition_text(condition: &Expr) -> String {
     match condition {
         Expr::Words(words) => words.clone(),
         other => format!("while {}", write(other)),
-    }
-}
-
-fn sign(relation: Relation) -> &'static str {
-    match relation {
-        Relation::Equal => "=",
-        Relation::Less => "<",
-        Relation::AtMost => "≤",
-        Relation::Greater => ">",
-        Relation::Unequal => "≠",
     }
 }
 

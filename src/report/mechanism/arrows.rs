@@ -6,30 +6,9 @@ use crate::report::plot::coordinate;
 use crate::report::quantity::with_unit;
 use std::fmt::Write as _;
 
-/// Share of the mechanism's extent that the longest arrow of a set takes.
-const LONGEST: f64 = 0.24;
-
-/// Greatest length of a vector of the set over all positions (SI); 0 of none.
-pub(super) fn greatest(set: &ArrowSet) -> f64 {
-    let vectors = set.arrows.iter().flat_map(|arrow| &arrow.vector);
-    let lengths = vectors.map(|[x, y]| x.hypot(*y));
-    lengths
-        .filter(|length| length.is_finite())
-        .fold(0.0, f64::max)
-}
-
-/// Metres for a unit of the set's quantity in a mechanism of this extent; 0
-/// where all vectors are zero.
-pub(super) fn metres(set: &ArrowSet, extent: f64) -> f64 {
-    match greatest(set) {
-        length if length > 0.0 => LONGEST * extent / length,
-        _ => 0.0,
-    }
-}
-
 /// Pixels for a unit of the set's quantity.
 pub(super) fn pixels(set: &ArrowSet, view: &View) -> f64 {
-    metres(set, view.extent) * view.scale
+    set.metres(view.extent) * view.scale
 }
 
 /// Heads of the arrows.
@@ -94,6 +73,6 @@ pub(super) fn caption(set: &ArrowSet) -> String {
     format!(
         "{}, longest {}",
         set.name,
-        with_unit(greatest(set), &set.unit, 4)
+        with_unit(set.greatest(), &set.unit, 4)
     )
 }

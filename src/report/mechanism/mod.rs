@@ -5,6 +5,7 @@
 
 mod arrows;
 mod guides;
+mod names;
 mod parts;
 mod section;
 mod shape;
@@ -104,6 +105,29 @@ pub struct ArrowSet {
     pub shown: bool,
     /// The arrows.
     pub arrows: Vec<Arrow>,
+}
+
+/// Share of the mechanism's extent that the longest arrow of a set takes.
+const LONGEST: f64 = 0.24;
+
+impl ArrowSet {
+    /// Greatest length of a vector over all positions (SI); 0 of none.
+    fn greatest(&self) -> f64 {
+        let vectors = self.arrows.iter().flat_map(|arrow| &arrow.vector);
+        let lengths = vectors.map(|[x, y]| x.hypot(*y));
+        lengths
+            .filter(|length| length.is_finite())
+            .fold(0.0, f64::max)
+    }
+
+    /// Metres for a unit of the quantity in a mechanism of this extent; 0 where all vectors
+    /// are zero.
+    fn metres(&self, extent: f64) -> f64 {
+        match self.greatest() {
+            length if length > 0.0 => LONGEST * extent / length,
+            _ => 0.0,
+        }
+    }
 }
 
 /// An arrow over all positions.

@@ -1,10 +1,11 @@
 //! The parts of the picture: ground, guides, links, pins, labels.
 
 use super::guides::{block_height, on_axis, place, rails, stem, travel, yoke};
+use super::names::{NAME, names, shown_end};
 use super::shape::{self, Block};
 use super::view::View;
 use super::{Drawing, Placement};
-use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
+use crate::kinematics::linkage::spec::PairKind;
 use crate::report::plot::coordinate;
 use crate::report::quantity::escape;
 use std::fmt::Write as _;
@@ -12,10 +13,6 @@ use std::fmt::Write as _;
 /// Half the width of a bar and the radius of a pin (pixels).
 const BAR: f64 = 13.0;
 const PIN: f64 = 4.2;
-/// Where the name of a pin begins, right of it and above (pixels).
-const NAME: [f64; 2] = [8.0, 8.0];
-/// Width of a letter of it, about (pixels).
-const LETTER: f64 = 7.0;
 
 /// The picture of one position, between `<svg …>` and `</svg>`.
 pub(super) fn picture(drawing: &Drawing<'_>, view: &View, frame: usize) -> String {
@@ -211,58 +208,4 @@ fn pins(drawing: &Drawing<'_>, view: &View, frame: Option<&Vec<Placement>>) -> S
         );
     }
     out
-}
-
-/// Every pin in every position (m), and how far its name reaches to the right of
-/// it (pixels).
-pub(super) fn named_pins<'a>(
-    drawing: &'a Drawing<'_>,
-) -> impl Iterator<Item = ([f64; 2], f64)> + 'a {
-    let pairs = drawing.spec.pairs.iter().enumerate();
-    pairs.flat_map(move |(index, pair)| {
-        let names = names(drawing.spec, index);
-        let room = names.map(|names| NAME[0] + LETTER * names.chars().count() as f64);
-        room.into_iter().flat_map(move |room| {
-            let end = shown_end(pair);
-            let frames = drawing.frames.iter();
-            frames.map(move |frame| (place(frame, end), room))
-        })
-    })
-}
-
-/// The end of a pair that its pin is drawn at.
-fn shown_end(pair: &PairSpec) -> &PointOf {
-    match pair.link.link {
-        Some(_) => &pair.link,
-        None => &pair.on,
-    }
-}
-
-/// The names of all pins in the place of this one; `None` unless it is the
-/// first of them.
-fn names(spec: &LinkageSpec, index: usize) -> Option<String> {
-    let pairs = &spec.pairs;
-    let meet = |one: &PairSpec, other: &PairSpec| {
-        let ends = [other.on, other.link];
-        !other.slides() && (ends.contains(&one.on) || ends.contains(&one.link))
-    };
-    if pairs[index].slides() {
-        return None;
-    }
-    // From pin to pin over the points that they share.
-    let (mut group, mut seen) = (vec![index], 0);
-    while seen < group.len() {
-        for other in 0..pairs.len() {
-            if !group.contains(&other) && meet(&pairs[group[seen]], &pairs[other]) {
-                group.push(other);
-            }
-        }
-        seen += 1;
-    }
-    group.sort_unstable();
-    let names: Vec<&str> = group
-        .iter()
-        .map(|pair| pairs[*pair].name.as_str())
-        .collect();
-    (group[0] == index).then(|| names.join(", "))
 }

@@ -1,7 +1,7 @@
 //! A slider-crank drawn in three positions.
 
 use super::view::View;
-use super::{Arrow, ArrowSet, Axis, Drawing, Path, Placement, guides, parts, shape};
+use super::{Arrow, ArrowSet, Axis, Drawing, Path, Placement, guides, names, shape};
 use crate::kinematics::linkage::spec::{
     LinkSpec, LinkageSpec, NamedPoint, PairKind, PairSpec, PointOf,
 };
@@ -276,7 +276,7 @@ fn nothing_is_cut_on_the_way() {
         inside([end, 0.2 + 8.0 / view.scale], 5.0);
         inside([end, -0.2 - 8.0 / view.scale], 5.0);
     }
-    let names: Vec<_> = parts::named_pins(&drawing).collect();
+    let names: Vec<_> = names::named_pins(&drawing).collect();
     assert_eq!(names.len(), 3 * drawing.frames.len());
     for (at, room) in names {
         inside(at, room);

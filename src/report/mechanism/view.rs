@@ -1,6 +1,7 @@
 //! The part of the plane that is shown, and its scale.
 
-use super::{Drawing, Placement, arrows, guides, parts, shape};
+use super::names::named_pins;
+use super::{Drawing, Placement, guides, shape};
 
 /// Largest picture (pixels).
 const WIDEST: f64 = 860.0;
@@ -56,7 +57,7 @@ impl View {
             }
         }
         for set in &drawing.arrows {
-            let scale = arrows::metres(set, extent);
+            let scale = set.metres(extent);
             for arrow in &set.arrows {
                 for (at, vector) in arrow.at.iter().zip(&arrow.vector) {
                     area.take(*at);
@@ -117,7 +118,7 @@ impl View {
 fn right_margin(drawing: &Drawing<'_>, area: &Area, margin: f64) -> f64 {
     let scale = View::around(area, margin).scale;
     let beyond = |([x, _], room): ([f64; 2], f64)| EDGE + room - (area.high[0] - x) * scale;
-    let widest = parts::named_pins(drawing).map(beyond);
+    let widest = named_pins(drawing).map(beyond);
     let widest = widest.filter(|room| room.is_finite());
     widest.fold(MARGIN, f64::max).min(0.5 * WIDEST)
 }

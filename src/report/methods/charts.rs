@@ -47,23 +47,13 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
         Against::Time => ("time", "median wall-clock time", "s"),
         Against::Evaluations => ("evaluations", "evaluations of the right-hand side", ""),
     };
-    let refused: Vec<&str> = study
-        .methods
-        .iter()
-        .filter(|line| line.points.iter().all(|p| p.verdict == Verdict::Refused))
-        .map(|line| line.method.name())
-        .collect();
-    let refused = match refused.is_empty() {
-        true => String::new(),
-        false => format!(" (refused: {})", refused.join(", ")),
-    };
     let methods = study.methods.iter();
     let methods = methods.map(|line| series(line, against));
     let methods: Vec<Series> = methods.filter(|series| !series.points.is_empty()).collect();
     let reference = study.reference.as_ref();
     let shaded = reference.filter(|r| r.resolution > 3e-15);
     Plot {
-        title: format!("{}: error against {name}{refused}", study.scene),
+        title: format!("{}: error against {name}", study.scene),
         x: Axis {
             log: true,
             ..Axis::new(label, unit)

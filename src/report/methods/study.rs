@@ -8,7 +8,7 @@ use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, T
 use crate::report::html::mechanism;
 use crate::report::quantity::{significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
-use crate::studies::methods::{GROWN, MethodLine, ModelError, Point, Reference, Study};
+use crate::studies::methods::{GROWN, MethodLine, ModelError, Point, Reference, Study, Verdict};
 
 /// Which method to take, speed against accuracy, the models, every point, and the limits of
 /// stability.
@@ -18,7 +18,9 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
         Section::new(heading).charts(Layout::Wide(HEIGHT), link, vec![plot])
     };
     let mut sections = vec![
-        chart("Error against time", Against::Time, "time").legend(TIMING),
+        chart("Error against time", Against::Time, "time")
+            .legend(TIMING)
+            .legend(refused(study)),
         chart(
             "Error against evaluations",
             Against::Evaluations,
@@ -62,6 +64,21 @@ fn answer(study: &Study) -> Answer {
     };
     let text = capitalised(&study.recommendation.text);
     Answer::answer(sort, headline, format!("{text}.{interrupted}"))
+}
+
+/// The methods that no line stands for.
+fn refused(study: &Study) -> String {
+    let refused = |line: &&MethodLine| {
+        let mut points = line.points.iter();
+        points.all(|point| point.verdict == Verdict::Refused)
+    };
+    let names: Vec<&str> = (study.methods.iter().filter(refused))
+        .map(|line| line.method.name())
+        .collect();
+    match names.as_slice() {
+        [] => String::new(),
+        names => format!("Refused: {}.", names.join(", ")),
+    }
 }
 
 /// What the errors are taken against, and how far they mean something.

@@ -40,7 +40,7 @@ impl Plot {
 
     fn inside(&self, frame: &Frame, index: usize) -> String {
         let [x, y, w, h] = [frame.left, frame.top, frame.width, frame.height].map(coordinate);
-        let strip = if self.strip().is_some() { STRIP } else { 0.0 };
+        let strip = if self.has_strip() { STRIP } else { 0.0 };
         let (field, labels) = match &self.field {
             Some(field) => field.draw(frame),
             None => Default::default(),
@@ -149,16 +149,12 @@ impl Plot {
 
     fn marks(&self, series: &Series, frame: &Frame, index: usize) -> String {
         let style = palette::style(series.style.unwrap_or(index));
+        let kinds = self.field.as_ref().map_or(&[][..], |field| &field.kinds);
+        let colour = |kind: usize| kinds.get(kind).map(|kind| kind.colour);
         let mut out = format!("<g data-series=\"{index}\">");
         for (point, mark) in series.points.iter().zip(&series.marks) {
             if let Some(spot) = frame.spot(*point) {
-                out.push_str(&marks::mark(
-                    spot,
-                    style,
-                    mark.shape,
-                    &mark.note,
-                    self.field.as_ref(),
-                ));
+                out.push_str(&marks::mark(spot, style, mark.shape, &mark.note, colour));
             } else if mark.shape != Shape::None {
                 // The script counts on one mark a point.
                 out.push_str("<g class=\"mark\" visibility=\"hidden\"></g>");

@@ -153,8 +153,13 @@ impl Field {
                 );
             }
         }
+        // Labels stand clear of the edges of the mechanism, and of other lines where there is
+        // such a place.
+        for line in self.lines.iter().filter(|line| line.edge) {
+            taken.extend(beads(line, frame));
+        }
         let mut labels = String::new();
-        for line in &self.lines {
+        for (index, line) in self.lines.iter().enumerate() {
             let path: String = line
                 .parts
                 .iter()
@@ -172,7 +177,10 @@ impl Field {
                 out,
                 "<path class=\"{back}\" d=\"{path}\"/><path class=\"{front}\" d=\"{path}\"/>"
             );
-            labels.push_str(&label(line, frame, &mut taken));
+            let others = self.lines.iter().enumerate();
+            let others = others.filter(|(other, line)| *other != index && !line.edge);
+            let others: Vec<[f64; 4]> = others.flat_map(|(_, line)| beads(line, frame)).collect();
+            labels.push_str(&label(line, frame, &mut taken, &others));
         }
         (out, rings + &labels)
     }
@@ -247,34 +255,56 @@ fn polyline(part: &[(f64, f64)], frame: &Frame) -> String {
     out
 }
 
-/// The label of a line on its longest part, where neither a ring nor another label stands.
-fn label(line: &Contour, frame: &Frame, taken: &mut Vec<[f64; 4]>) -> String {
+/// Small boxes along a line.
+fn beads(line: &Contour, frame: &Frame) -> Vec<[f64; 4]> {
+    let mut found = Vec::new();
+    for ends in line.parts.iter().flat_map(|part| part.windows(2)) {
+        let [a, b] = [ends[0], ends[1]].map(|(x, y)| [frame.x(x), frame.y(y)]);
+        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+        let count = (length / 6.0).ceil().clamp(1.0, 200.0);
+        for k in 0..=count as usize {
+            let share = k as f64 / count;
+            let [x, y] = [0, 1].map(|axis| a[axis] + share * (b[axis] - a[axis]));
+            found.push([x - 3.0, x + 3.0, y - 3.0, y + 3.0]);
+        }
+    }
+    found
+}
+
+/// Shares of a line at which its label is tried.
+const SHARES: [f64; 11] = [0.5, 0.3, 0.7, 0.15, 0.85, 0.4, 0.6, 0.22, 0.78, 0.05, 0.95];
+
+/// The label of a line on its longest part, where neither a ring nor another label nor an edge
+/// stands; where it crosses none of the `others`, if there is such a place.
+fn label(line: &Contour, frame: &Frame, taken: &mut Vec<[f64; 4]>, others: &[[f64; 4]]) -> String {
     let longest = line.parts.iter().max_by_key(|part| part.len());
     let Some(part) = longest.filter(|part| part.len() >= SHORT && !line.label.is_empty()) else {
         return String::new();
     };
     let half = 0.42 * width_of(&line.label);
-    for share in [0.5, 0.3, 0.7, 0.15, 0.85, 0.4, 0.6, 0.22, 0.78, 0.05, 0.95] {
+    let place = |share: f64| {
         let (x, y) = part[(share * (part.len() - 1) as f64) as usize];
-        let x = frame
-            .x(x)
-            .clamp(frame.left + half, frame.left + frame.width - half);
-        let y = frame
-            .y(y)
-            .clamp(frame.top + 10.0, frame.top + frame.height - 6.0);
-        let own = [x - half - 3.0, x + half + 3.0, y - 7.0, y + 7.0];
-        if taken.iter().any(|other| meet(&own, other)) {
-            continue;
-        }
-        taken.push(own);
-        return format!(
-            "<text class=\"level\" transform=\"translate({} {})\" dy=\"3.5\" text-anchor=\"middle\">{}</text>",
-            coordinate(x),
-            coordinate(y),
-            escape(&line.label)
-        );
-    }
-    String::new()
+        let [left, top] = [frame.left + half, frame.top + 10.0];
+        let x = frame.x(x).clamp(left, frame.left + frame.width - half);
+        let y = frame.y(y).clamp(top, frame.top + frame.height - 6.0);
+        (x, y, [x - half - 3.0, x + half + 3.0, y - 7.0, y + 7.0])
+    };
+    let free: Vec<_> = SHARES
+        .map(place)
+        .into_iter()
+        .filter(|(.., own)| !taken.iter().any(|other| meet(own, other)))
+        .collect();
+    let alone = |(.., own): &&(f64, f64, [f64; 4])| !others.iter().any(|other| meet(own, other));
+    let Some(&(x, y, own)) = free.iter().find(alone).or(free.first()) else {
+        return String::new();
+    };
+    taken.push(own);
+    format!(
+        "<text class=\"level\" transform=\"translate({} {})\" dy=\"3.5\" text-anchor=\"middle\">{}</text>",
+        coordinate(x),
+        coordinate(y),
+        escape(&line.label)
+    )
 }
 
 /// Whether two boxes (left, right, top, foot) have a point in common.

@@ -1,6 +1,5 @@
 //! Where frame, title and legend of a chart stand, and which ranges it shows.
 
-use super::field::Field;
 use super::scale::{Scale, ticks};
 use super::{Axis, Look, Plot, Series, coordinate, fits, marks, palette, width_of};
 use crate::report::quantity::{escape, shortened};
@@ -11,7 +10,7 @@ const FOOT: f64 = 42.0;
 const ROW: f64 = 18.0;
 pub(super) const LANE: f64 = 26.0;
 /// Height of the strip of verdicts under a frame, with its distance from it.
-pub(super) const STRIP: f64 = 20.0;
+pub(in crate::report) const STRIP: f64 = 20.0;
 /// Height of the strips of bands at the foot, one a series.
 pub(super) const BAND: f64 = 6.0;
 
@@ -124,9 +123,9 @@ impl Plot {
         let (legend, legend_height) = rows(self.entries(), [left, width - RIGHT], HEAD + 8.0);
         let lane_height = if lane { LANE } else { 0.0 };
         let top = HEAD + legend_height + lane_height;
-        let foot = match (self.plane, self.strip()) {
+        let foot = match (self.plane, self.has_strip()) {
             (true, _) => 8.0,
-            (_, Some(_)) => FOOT + STRIP,
+            (_, true) => FOOT + STRIP,
             _ => FOOT,
         };
         let place = [
@@ -165,9 +164,9 @@ impl Plot {
         }
     }
 
-    /// The field that lies under the frame as a strip.
-    pub(super) fn strip(&self) -> Option<&Field> {
-        self.field.as_ref().filter(|field| field.strip)
+    /// Whether a field lies under the frame as a strip.
+    pub(super) fn has_strip(&self) -> bool {
+        self.field.as_ref().is_some_and(|field| field.strip)
     }
 
     /// Room for the labels of the vertical axis.
@@ -295,7 +294,7 @@ fn sample(series: &Series, index: usize) -> String {
         .iter()
         .any(|mark| mark.shape == super::Shape::Good);
     match marked || series.look == Look::Points {
-        true => line + &marks::mark([13.0, 0.0], style, super::Shape::Good, "", None),
+        true => line + &marks::mark([13.0, 0.0], style, super::Shape::Good, "", |_| None),
         false => line,
     }
 }

@@ -47,7 +47,7 @@ impl Plot {
                 );
             }
         }
-        let strip = if self.strip().is_some() { STRIP } else { 0.0 };
+        let strip = if self.has_strip() { STRIP } else { 0.0 };
         let low = frame.top + frame.height + strip;
         for tick in thinned(frame.x.ticks(frame.width, PITCH_X), frame.width, 8.0) {
             let at = frame.left + tick.share * frame.width;

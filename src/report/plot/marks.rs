@@ -1,16 +1,16 @@
 //! The marks of points.
 
-use super::field::Field;
 use super::{Shape, coordinate, palette};
 use crate::report::quantity::escape;
 
 /// The mark of a point: circle, square, triangle or diamond by series, about its place.
+/// `colour`: that of a kind of cells.
 pub(super) fn mark(
     [x, y]: [f64; 2],
     style: usize,
     shape: Shape,
     note: &str,
-    field: Option<&Field>,
+    colour: impl Fn(usize) -> Option<&'static str>,
 ) -> String {
     let body = |fill: &str| match style % 4 {
         0 => format!("<circle class=\"{fill}\" r=\"4\"/>"),
@@ -29,10 +29,7 @@ pub(super) fn mark(
         }
         Shape::Ring => "<circle class=\"ring\" r=\"3.2\"/>".to_owned(),
         Shape::Kind(kind) => {
-            let kinds = field.map_or(&[][..], |field| &field.kinds);
-            let colour = kinds
-                .get(kind)
-                .map_or(palette::map_verdicts::STOPPED, |kind| kind.colour);
+            let colour = colour(kind).unwrap_or(palette::map_verdicts::STOPPED);
             format!("<circle fill=\"{colour}\" stroke=\"none\" r=\"2.6\"/>")
         }
     };

@@ -4,7 +4,8 @@
 //! * [`Plot`]: what is shown over what; `field`: coloured cells with contour lines;
 //! * `scale`: how values lie along an axis, and its ticks;
 //! * `frame`: where frame, title and legend stand; `draw`: the picture;
-//! * `palette`: all colours, light and dark; `page`: the data of a page for `plot.js`.
+//! * `palette`: all colours, light and dark; `page`: the data of a page for `plot.js`, which
+//!   has `numbers.js` before it.
 
 mod draw;
 pub(in crate::report) mod field;
@@ -20,7 +21,7 @@ mod script_tests;
 mod tests;
 
 pub use field::{Contour, Field, Fill, Kind};
-pub(in crate::report) use frame::{Entry, Frame, rows as legend_rows};
+pub(in crate::report) use frame::{Entry, Frame, STRIP, rows as legend_rows};
 pub use page::Plots;
 
 /// A chart as data: quantities over one another.

@@ -7,7 +7,12 @@ use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
 /// Script that makes the charts of a page interactive.
-pub(in crate::report) const SCRIPT: &str = include_str!("plot.js");
+pub(in crate::report) const SCRIPT: &str =
+    concat!(include_str!("numbers.js"), include_str!("plot.js"));
+
+/// Numbers of that script, which stand before the rest.
+#[cfg(test)]
+pub(super) const NUMBERS: &str = include_str!("numbers.js");
 
 /// The charts of a page: their numbers once, however many of them show the same.
 #[derive(Clone, Debug, Default)]

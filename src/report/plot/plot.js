@@ -1,96 +1,10 @@
-"use strict";
 // Makes the charts of a page answer. Every chart is drawn already; here it is fitted to the
 // page's width, zoomed (drag, wheel, buttons; a double click shows everything), told of at the
 // pointer, and its series are switched in the legend. Colours and shapes are those of the
 // drawing. Cursors over one quantity go together, and with what moves on the page.
-// A page has its numbers in it; the studio brings them later, again and again (`live`).
+// A page has its numbers in it; the studio brings them later, again and again (`live`);
+// numbers are written by numbers.js, which stands before.
 const page = JSON.parse((document.getElementById("data") || { textContent: '{"columns":[],"plots":[]}' }).textContent);
-const numbers = (() => {
-  const PREFIXES = { "-12": "p", "-9": "n", "-6": "µ", "-3": "m", 0: "", 3: "k", 6: "M", 9: "G" };
-  const TAKE_ALL = ["N", "J", "W", "Pa", "Hz", "Nm"], TAKE_SMALL = ["s", "m", "rad"];
-  const superscript = (n) => String(n).replace(/./g, (c) => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[+c]);
-  const minus = (text) => text.replace(/-/g, "−");
-
-  // The scale in which a unit is to be shown; nothing: the one in which it reads best.
-  let preferred = () => undefined;
-  const prefer = (scales) => { preferred = scales; };
-
-  // As `scale` of quantity.rs: small prefixes of a kilogram stand before the gram.
-  function scaleFor(magnitude, unit) {
-    const own = preferred(unit);
-    if (own) return own;
-    if (!(magnitude > 0) || !isFinite(magnitude) || !unit || unit.startsWith("1")) return { factor: 1, unit };
-    let exponent = Math.floor((Math.log10(magnitude) + 1e-9) / 3) * 3;
-    const first = unit.split(/[ /]/)[0], gram = first === "kg", all = TAKE_ALL.includes(first);
-    const some = all || gram || TAKE_SMALL.includes(first);
-    if ((!all && exponent === 3) || (!some && exponent === -3)) exponent = 0;
-    const factor = 10 ** exponent;
-    if (exponent === 0) return { factor, unit };
-    const prefix = all || (some && exponent < 0) ? PREFIXES[gram ? exponent + 3 : exponent] : undefined;
-    if (prefix === undefined) return { factor, unit: `10${superscript(exponent)} ${unit}` };
-    return { factor, unit: prefix + (gram ? unit.slice(1) : unit) };
-  }
-
-  // As `significant` of quantity.rs.
-  function significant(value, digits) {
-    if (value === null || !isFinite(value)) return "–";
-    if (value === 0) return "0";
-    const [mantissa, power] = value.toExponential(digits - 1).split("e");
-    if (+power >= -3 && +power < 6) return minus(String(+value.toFixed(Math.max(0, digits - 1 - power))));
-    const lead = minus(String(+mantissa));
-    return `${lead === "1" ? "" : lead === "−1" ? "−" : `${lead}·`}10${superscript(+power)}`;
-  }
-
-  function withUnit(value, unit, digits) {
-    const scale = scaleFor(Math.abs(value), unit);
-    return `${significant(value / scale.factor, digits)}${scale.unit.startsWith("10") ? "·" : " "}${scale.unit}`.trim();
-  }
-
-  function ticks(low, high, count) {
-    const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
-    const step = ([1, 2, 5].find((f) => raw <= f * power * (1 + 1e-9)) || 10) * power;
-    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
-    const decimals = Math.min(17, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
-    const list = [];
-    for (let i = first; i <= last && list.length < 60; i++) {
-      const text = (i * step).toFixed(decimals);
-      list.push([i * step, minus(/[1-9]/.test(text) ? text : text.replace("-", ""))]);
-    }
-    return list;
-  }
-
-  const WIDE = 2.5;
-  // How the values of an axis between two ends are shown.
-  function shown(axis, ends) {
-    const size = Math.max(...ends.map((end) => Math.abs(axis.log ? 10 ** end : end)));
-    if (axis.fixed || (axis.log && Math.abs(ends[1] - ends[0]) > WIDE)) return { factor: 1, unit: axis.unit };
-    return scaleFor(0.94 * size, axis.unit);
-  }
-
-  // As `ticks` of scale.rs: [place on the axis, label, class] of every tick; places are logarithms of a log axis.
-  function marksOf(axis, ends, pixels, pitch) {
-    if (axis.rows.length) return axis.rows.map((name, row) => [row + 0.5, name, "gridline"]);
-    const { factor } = shown(axis, ends), count = Math.floor(Math.max(2, pixels / pitch));
-    const low = Math.min(...ends), high = Math.max(...ends);
-    if (!axis.log) return ticks(low / factor, high / factor, count).map(([v, label]) => [v * factor, label, v === 0 ? "zero" : "gridline"]);
-    const decades = high - low;
-    if (decades < 0.7) return ticks(10 ** low / factor, 10 ** high / factor, count).map(([v, label]) => [Math.log10(v * factor), label, "gridline"]);
-    const every = Math.max(1, Math.ceil(decades / count)), some = 3 * decades <= 1.6 * count, list = [];
-    for (let decade = Math.floor(low); decade <= Math.ceil(high); decade++) for (let lead = 1; lead <= 9; lead++) {
-      const place = decade + Math.log10(lead);
-      if (place < low - 1e-9 || place > high + 1e-9 || (lead > 1 && decades > 7)) continue;
-      const named = lead === 1 ? decade % every === 0 : (lead === 2 || lead === 5) && some;
-      const power = decade === 0 ? "1" : decade === 1 ? "10" : `10${superscript(decade)}`;
-      const wide = lead === 1 ? power : decade === 0 ? String(lead) : `${lead}·${power}`;
-      const label = decades <= WIDE ? significant(lead * 10 ** decade / factor, 3) : wide;
-      list.push([place, named ? label : "", lead > 1 ? "minor" : "gridline"]);
-    }
-    return list;
-  }
-
-  return { minus, prefer, scaleFor, significant, withUnit, ticks, shown, marksOf };
-})();
-
 // Words beside the pointer; none hides them.
 const pointed = (() => {
   const tip = Object.assign(document.createElement("div"), { className: "tip", hidden: true });
@@ -347,10 +261,15 @@ const live = (() => {
         }));
         if (this.data.field && this.data.field.strip) node.setAttribute("d", d.replace(/([MH])(-?[\d.]+)/g, (_, command, a) => `${command}${Math.min(Math.max(this.moved("x", +a), this.frame.left), this.frame.left + this.frame.width)}`));
       }
+      const named = [];
       for (const { node, x, y } of this.spots) {
         const [px, py] = [this.moved("x", x), this.moved("y", y)];
+        const half = 0.42 * widthOf(node.textContent);
+        const meets = named.some((one) => Math.abs(one.px - px) < one.half + half && Math.abs(one.py - py) < 14);
+        const seen = this.inside(px, py) && !(half > 0 && meets);
+        if (seen && half > 0) named.push({ px, py, half });
         node.setAttribute("transform", `translate(${px} ${py})`);
-        node.setAttribute("visibility", this.inside(px, py) ? "inherit" : "hidden");
+        node.setAttribute("visibility", seen ? "inherit" : "hidden");
       }
       this.drawGround();
       this.data.series.forEach((series, index) => this.drawSeries(series, index));

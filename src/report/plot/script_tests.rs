@@ -4,7 +4,7 @@
 //! (as `.ci/run` does) that browser must be there.
 
 use super::Axis;
-use super::page::SCRIPT;
+use super::page::NUMBERS;
 use super::scale::{Scale, Tick};
 use crate::report::quantity::{significant, with_unit};
 use serde_json::{Value, json};
@@ -17,10 +17,10 @@ use page_in::{browser, dom};
 /// What an expression over `cases` comes to behind the numbers of the script.
 fn told(browser: &str, cases: &Value, expression: &str) -> Value {
     let folder = tempfile::tempdir().unwrap();
-    let numbers = SCRIPT.split("// Words beside").next().unwrap();
     let page = format!(
         "<!DOCTYPE html><meta charset=\"utf-8\"><pre id=\"answer\"></pre>\
-         <script id=\"data\" type=\"application/json\">{cases}</script>\n<script>{numbers}\n\
+         <script id=\"data\" type=\"application/json\">{cases}</script>\n<script>{NUMBERS}\n\
+         const page = JSON.parse(document.getElementById(\"data\").textContent);\n\
          document.getElementById(\"answer\").textContent = JSON.stringify({expression});</script>"
     );
     let dom = dom(browser, &page, folder.path());

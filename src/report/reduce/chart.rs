@@ -1,14 +1,11 @@
 //! Error against cost over models.
 
 use crate::frontend::scene::in_words;
-use crate::report::accuracy::asked_rule;
+use crate::report::accuracy::{LEAST, asked_rule};
 use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
 use crate::studies::order::FigureAccuracy;
 use crate::studies::reduce::{ModelTried, Reduction, Role};
-
-/// Errors below this share of a figure are drawn at it.
-const LEAST: f64 = 1e-12;
 
 /// How far each figure may be off by every model that was run, over the time of its run;
 /// `None`: no figure has a limit that a share can be taken of.

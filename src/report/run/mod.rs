@@ -5,8 +5,6 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
-pub(in crate::report) use tables::units;
-
 use super::accuracy;
 use super::diagram::{Diagram, ObjectBox};
 use super::findings::{Cell, Findings, Item, Section, Source, Table, Value};
@@ -150,7 +148,7 @@ fn spread<'a>(spread: &Spread) -> Section<'a> {
         let mark = if figure.determined {
             ""
         } else {
-            "NOT DETERMINED"
+            "not determined"
         };
         vec![
             figure.figure.as_str().into(),
@@ -160,7 +158,7 @@ fn spread<'a>(spread: &Spread) -> Section<'a> {
             Cell::from(mark).judged((!figure.determined).then_some(false)),
         ]
     };
-    let heads = ["figure", ">value", ">by loads", ">by tolerance", ""];
+    let heads = ["figure", ">value", ">by loads", ">by tolerance", "~verdict"];
     Section::new("Spread")
         .words(format!(
             "Loads and gaps changed by {}, tolerance by {}.",

@@ -4,18 +4,7 @@ use crate::dynamics::record::{
     EnergyAudit, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
 };
 use crate::report::findings::{Cell, Figure, Table, Value};
-use crate::report::quantity::{significant, with_unit};
-
-/// Significant digits; files carry all of them.
-const DIGITS: usize = 7;
-
-/// Units of an object; SI turning units when the document names none.
-pub(in crate::report) fn units(figures: &Figures, id: &str) -> Units {
-    figures.units.get(id).copied().unwrap_or(Units {
-        displacement: "rad",
-        force: "N m",
-    })
-}
+use crate::report::quantity::{DIGITS, significant, units, with_unit};
 
 fn value(value: f64, unit: &str) -> Cell {
     Value::new(value, unit, DIGITS).into()

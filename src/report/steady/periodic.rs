@@ -1,6 +1,6 @@
 //! The periodic motion of elastic objects.
 
-use super::rigid::{at, flywheel_figures, mean_speed, value};
+use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
 use crate::dynamics::steady::Extreme;
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
@@ -171,6 +171,7 @@ pub fn periodic_findings<'a>(
         let charts = drive_charts(drive).into();
         let section = section.figures(drive_figures(drive));
         sections.push(section.charts(Layout::Wide(340.0), "cycle", charts));
+        sections.extend(drive.flywheel.as_ref().map(estimates));
     }
     for part in &answer.parts {
         let section = Section::new(format!("Periodic motion of {}", part.objects.join(", ")));

@@ -2,9 +2,9 @@
 
 use super::Shown;
 use super::charts::{charts, wittenbauer};
-use crate::dynamics::steady::flywheel::Flywheel;
+use crate::dynamics::steady::flywheel::{Approximation, Flywheel};
 use crate::report::csv::Rows;
-use crate::report::findings::{Figure, Findings, Layout, Section, Source, Value};
+use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::quantity::significant;
 use crate::report::verdict::{Sort, Verdict};
 
@@ -42,12 +42,13 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
         true => Sort::Good,
         false => Sort::Mechanism,
     };
-    let wheel = flywheel(shown);
-    let wheel = match wheel.is_empty() {
-        true => Section::default(),
-        false => Section::new("Flywheel")
-            .figures(wheel)
-            .legend("The motion on this page is the one with the flywheel."),
+    let flywheel = |make: fn(&Flywheel) -> Section<'static>| {
+        shown.flywheel.map_or_else(Section::default, make)
+    };
+    let wheel = |wheel: &Flywheel| {
+        Section::new("Flywheel")
+            .figures(flywheel_figures(wheel))
+            .legend("The motion on this page is the one with the flywheel.")
     };
     let diagram = Section::new("Energy-mass diagram")
         .charts(Layout::Wide(520.0), "", vec![wittenbauer(shown)])
@@ -63,7 +64,8 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
         warnings: f.warnings.clone(),
         sections: vec![
             Section::new("Figures").figures(figures(shown)),
-            wheel,
+            flywheel(wheel),
+            flywheel(estimates),
             Section::new("Motion over a cycle").charts(Layout::Grid, "cycle", charts(shown)),
             diagram,
             Section::new("Agreement").figures(agreement(shown)),
@@ -165,35 +167,37 @@ fn agreement(shown: &Shown<'_>) -> Vec<Figure> {
     figures
 }
 
-fn flywheel(shown: &Shown<'_>) -> Vec<Figure> {
-    shown.flywheel.map_or_else(Vec::new, flywheel_figures)
-}
+/// What becomes of a machine without enough inertia.
+const STOPS: &str = "the machine would stop";
 
-/// A flywheel: the inertia to add, and what textbooks say of it.
+/// A flywheel: the inertia to add.
 pub(super) fn flywheel_figures(wheel: &Flywheel) -> Vec<Figure> {
-    let stops = "the machine would stop";
-    let mut figures = vec![
+    vec![
         value("δ asked for", wheel.fluctuation, ""),
         match wheel.fluctuation_without {
             Some(without) => value("δ without a flywheel", without, ""),
-            None => Figure::new("without a flywheel", stops),
+            None => Figure::new("without a flywheel", STOPS),
         },
         value("inertia to add", wheel.inertia, "kg m²"),
-    ];
-    for one in &wheel.approximations {
-        let error = one.error;
-        let error = error.map_or(String::new(), |error| {
-            format!("({:+.2} %), ", 100.0 * error)
-        });
-        let gives = match one.fluctuation {
-            Some(found) => format!("gives δ = {}", significant(found, 5)),
-            None => stops.to_owned(),
-        };
-        let name = format!("by {}", one.words);
-        let inertia = Figure::number(&name, one.inertia, "kg m²", 7);
-        figures.push(inertia.with(error + &gives));
-    }
-    figures
+    ]
+}
+
+/// What textbooks say of a flywheel, and what it would do.
+pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
+    let row = |one: &Approximation| {
+        vec![
+            Cell::from(one.words),
+            Value::new(one.inertia, "kg m²", 7).into(),
+            Cell::known(one.error.map(|error| 100.0 * error), "%", 3),
+            match one.fluctuation {
+                Some(found) => Value::new(found, "", 5).into(),
+                None => STOPS.into(),
+            },
+        ]
+    };
+    let heads = ["estimate", ">inertia to add", ">off", ">gives δ"];
+    let table = Table::new(heads).rows(wheel.approximations.iter().map(row));
+    Section::new("Flywheel by textbook estimates").table(table)
 }
 
 /// The motion over the cycle, a row a place.

@@ -8,7 +8,10 @@ use crate::report::quantity::{escape, shortened, with_unit};
 const BOX_WIDTH: f64 = 156.0;
 const BOX_HEIGHT: f64 = 74.0;
 const COLUMN: f64 = BOX_WIDTH + 236.0;
-const ROW: f64 = BOX_HEIGHT + 46.0;
+/// Distance between boxes above each other.
+const GAP: f64 = 46.0;
+/// Height that the arrows of one of several inputs need, with their label.
+const INPUT: f64 = 37.0;
 const MARGIN: f64 = 16.0;
 
 /// Style of the picture.
@@ -49,33 +52,52 @@ pub(in crate::report) fn linked(diagram: &Diagram, plots: &Plots) -> String {
 fn drawn(diagram: &Diagram, links: bool) -> ([f64; 2], String) {
     let places = diagram.places();
     let columns = places.iter().map(|p| p.column).max().unwrap_or(0) as f64;
-    let rows = places.iter().map(|p| p.row).fold(0.0, f64::max);
+    // Boxes above each other give the distance of rows; the middles of a row stand level.
+    let is_crowded = |index: usize| {
+        let beside = |place: &&Place| place.column == places[index].column;
+        places.iter().filter(beside).count() > 1
+    };
+    let heights: Vec<f64> = diagram.boxes.iter().map(height_of).collect();
+    let crowded = (0..heights.len()).filter(|&index| is_crowded(index));
+    let row = GAP
+        + crowded
+            .map(|index| heights[index])
+            .fold(BOX_HEIGHT, f64::max);
+    let top = |index: usize| places[index].row * row - (heights[index] - BOX_HEIGHT) / 2.0;
+    let all = || 0..heights.len();
+    let first = all().map(top).fold(0.0, f64::min);
+    let last = all().map(|index| top(index) + heights[index]);
+    let height = 2.0 * MARGIN + last.fold(BOX_HEIGHT, f64::max) - first;
     let width = 2.0 * MARGIN + columns * COLUMN + BOX_WIDTH;
-    let height = 2.0 * MARGIN + rows * ROW + BOX_HEIGHT;
+    let corner = |index: usize| -> Corner {
+        let x = MARGIN + places[index].column as f64 * COLUMN;
+        (x, MARGIN + top(index) - first)
+    };
     let mut out = String::new();
     for (index, one) in diagram.boxes.iter().enumerate() {
         for (k, input) in one.inputs.iter().enumerate() {
-            let arrival = Arrival::of(k, one.inputs.len());
-            let (from, to) = (places[input.driver], places[index]);
-            out.push_str(&edge(one, &input.name, from, to, arrival));
+            let from = corner(input.driver);
+            let leaves = Arrival::leaving(&diagram.boxes[input.driver]);
+            out.push_str(&edge((one, k), &input.name, (from, leaves), corner(index)));
         }
     }
-    for (one, place) in diagram.boxes.iter().zip(&places) {
-        out.push_str(&object_box(one, *place, links));
+    for (index, one) in diagram.boxes.iter().enumerate() {
+        out.push_str(&object_box(one, corner(index), links));
     }
     ([width, height], out)
 }
 
 /// Upper left corner of a box.
-fn corner(place: Place) -> (f64, f64) {
-    (
-        MARGIN + place.column as f64 * COLUMN,
-        MARGIN + place.row * ROW,
-    )
+type Corner = (f64, f64);
+
+/// Height of a box: room for the arrows of all its inputs.
+fn height_of(one: &ObjectBox) -> f64 {
+    BOX_HEIGHT.max(INPUT * one.inputs.len() as f64)
 }
 
-fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
-    let (x, y) = corner(place);
+fn object_box(one: &ObjectBox, (x, y): Corner, links: bool) -> String {
+    let height = height_of(one);
+    let words = y + (height - BOX_HEIGHT) / 2.0;
     let turning = match one.coordinate {
         Coordinate::Turning => "turning",
         Coordinate::Sliding => "sliding",
@@ -84,7 +106,7 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
     let text = |class: &str, dy: f64, text: &str, size: f64| {
         format!(
             "<text class=\"{class}\" x=\"{middle}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-            coordinate(y + dy),
+            coordinate(words + dy),
             escape(&shortened(text, fits(BOX_WIDTH - 12.0, size)))
         )
     };
@@ -94,13 +116,14 @@ fn object_box(one: &ObjectBox, place: Place, links: bool) -> String {
     };
     let body = format!(
         "<title>{title}</title><rect class=\"frame\" x=\"{x}\" y=\"{y}\" width=\"{BOX_WIDTH}\" \
-         height=\"{BOX_HEIGHT}\" rx=\"{radius}\"/>{id}{kind}{detail}",
+         height=\"{height}\" rx=\"{radius}\"/>{id}{kind}{detail}",
         title = escape(&format!(
             "{}: {}, {turning}, {}",
             one.id, one.kind, one.detail
         )),
         x = coordinate(x),
         y = coordinate(y),
+        height = coordinate(height),
         radius = if one.is_drive() { 22 } else { 5 },
         id = text("id", 26.0, &one.id, 15.5),
         kind = text("kind", 45.0, &one.kind.replace('_', " "), 12.5),
@@ -130,11 +153,21 @@ impl Arrival {
         back: 48.0,
     };
 
-    fn of(input: usize, inputs: usize) -> Self {
+    /// Of the arrows between a box and what it drives.
+    fn leaving(driver: &ObjectBox) -> Self {
+        let lower = (height_of(driver) - BOX_HEIGHT) / 2.0;
+        Self {
+            forward: Self::ALONE.forward + lower,
+            back: Self::ALONE.back + lower,
+        }
+    }
+
+    fn of(input: usize, one: &ObjectBox) -> Self {
+        let inputs = one.inputs.len();
         if inputs < 2 {
             return Self::ALONE;
         }
-        let share = BOX_HEIGHT / inputs as f64;
+        let share = height_of(one) / inputs as f64;
         let top = share * input as f64;
         Self {
             forward: top + 0.35 * share,
@@ -145,13 +178,17 @@ impl Arrival {
 
 /// The two arrows between a driver and what it drives: motion forward, force back.
 /// `name`: what the connection is called; empty: by its position function.
-fn edge(one: &ObjectBox, name: &str, from: Place, to: Place, arrival: Arrival) -> String {
+fn edge(
+    (one, input): (&ObjectBox, usize),
+    name: &str,
+    ((x1, y1), leaves): (Corner, Arrival),
+    (x2, y2): Corner,
+) -> String {
     let law = if name.is_empty() { &one.position } else { name };
-    let (x1, y1) = corner(from);
-    let (x2, y2) = corner(to);
+    let arrival = Arrival::of(input, one);
     let (start, end) = (x1 + BOX_WIDTH, x2);
-    let (forward_from, forward_to) = (y1 + Arrival::ALONE.forward, y2 + arrival.forward);
-    let (back_from, back_to) = (y1 + Arrival::ALONE.back, y2 + arrival.back);
+    let (forward_from, forward_to) = (y1 + leaves.forward, y2 + arrival.forward);
+    let (back_from, back_to) = (y1 + leaves.back, y2 + arrival.back);
     let bend = start + 34.0;
     let path = |class: &str, from: f64, to: f64| {
         let (s, e) = (coordinate(start), coordinate(end));
@@ -181,6 +218,11 @@ fn edge(one: &ObjectBox, name: &str, from: Place, to: Place, arrival: Arrival) -
         ),
         false => String::new(),
     };
+    // The pair is one for all inputs.
+    let pair = match input + 1 == one.inputs.len() {
+        true => pair_symbol(one, label_x - 40.0, back_to + 16.0),
+        false => String::new(),
+    };
     format!(
         "<g>{}{}{}{}<text class=\"law\" x=\"{}\" y=\"{}\" text-anchor=\"middle\">\
          <title>{}</title>{}</text>{ports}{}</g>\n",
@@ -192,7 +234,7 @@ fn edge(one: &ObjectBox, name: &str, from: Place, to: Place, arrival: Arrival) -
         coordinate(forward_to - 9.0),
         escape(law),
         escape(&cut(law, room.min(26))),
-        pair_symbol(one, label_x - 40.0, back_to + 16.0),
+        pair,
     )
 }
 

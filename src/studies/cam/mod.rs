@@ -12,11 +12,10 @@ pub use force::{CamForce, ForceFigures, Reserve, SpringAnswer};
 pub use result::{Answer, CamFigures, FaceFigures, Question, Radii, figures};
 pub use speed_search::SpeedSearch;
 
-use crate::dynamics::model::{Closure, Model, NodeMotion};
+use crate::dynamics::model::{Closure, Model};
 use crate::fault::{Fault, Faults};
 use crate::frontend::scene::TypedScene;
 use crate::kinematics::cam::DiscCam;
-use crate::kinematics::position::Position;
 
 /// Ids of the objects of a scene that tell of their cam, ascending.
 pub fn objects_with_cam(scene: &TypedScene) -> Vec<&str> {
@@ -61,11 +60,8 @@ pub fn disc_cam(scene: &TypedScene, model: &Model, id: &str) -> Result<DiscCam, 
     };
     let part = model.objects.iter().find(|part| part.id == id);
     let node = part.and_then(|part| part.nodes.first());
-    let position: Option<&Position> = node.and_then(|&node| match &model.nodes[node].motion {
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(&law.position),
-        _ => None,
-    });
-    let Some(position) = position else {
+    let law = node.and_then(|&node| model.nodes[node].motion.law());
+    let Some(position) = law.map(|law| &law.position) else {
         return Err(vec![Fault::new(id, "it follows no law", "")]);
     };
     if let Some(chain) = object.object.chain() {

@@ -9,7 +9,7 @@
 //! turned into the direction in which the pair opens.
 
 use crate::dynamics::model::{
-    Closure, Law, LinearPiece, Load, LoadLaw, Model, NodeMotion, Pair, Track, TrackSource,
+    Closure, Law, LinearPiece, Load, LoadLaw, Model, Pair, Track, TrackSource,
 };
 use crate::dynamics::trajectory::transfer;
 use crate::kinematics::cam::closing::{ClosingSpring, Demand};
@@ -49,7 +49,8 @@ impl<'m> Reduction<'m> {
     pub(super) fn new(model: &'m Model, object: usize, cam: &DiscCam) -> Result<Self, String> {
         let part = &model.objects[object];
         let first = part.nodes[0];
-        let law = law_of(model, first).ok_or_else(|| format!("`{}` follows no law", part.id))?;
+        let law = model.nodes[first].motion.law();
+        let law = law.ok_or_else(|| format!("`{}` follows no law", part.id))?;
         let mut members = vec![false; model.objects.len()];
         members[object] = true;
         // A follower may stand before what drives it in the list of objects.
@@ -205,7 +206,7 @@ impl<'m> Reduction<'m> {
                 first: 1.0,
                 ..Jet::default()
             };
-            let ratio = match law_of(self.model, node) {
+            let ratio = match self.model.nodes[node].motion.law() {
                 Some(law) if law.driver != self.law.driver || node != self.first => {
                     match self.nodes.iter().position(|&other| other == law.driver) {
                         Some(place) => {
@@ -276,15 +277,6 @@ impl<'m> Reduction<'m> {
             }
             TrackSource::Time => phi,
         }
-    }
-}
-
-fn law_of(model: &Model, node: usize) -> Option<&Law> {
-    match &model.nodes[node].motion {
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(law),
-        NodeMotion::Prescribed { .. }
-        | NodeMotion::Rotor { .. }
-        | NodeMotion::Constrained { .. } => None,
     }
 }
 

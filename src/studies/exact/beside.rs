@@ -2,14 +2,14 @@
 
 use super::coupled::Coupled;
 use super::forces::Forces;
-use super::lever::Way;
+use super::lever::Drivetrain;
 use super::smooth::{NODES, node};
 use crate::dynamics::integrate::{Modes, SwitchEvent};
 use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
 use crate::dynamics::record::{Figured, Observer, RecorderSettings};
 use crate::dynamics::system::ObjectState;
 use crate::exact::Rest;
-use crate::exact::walk::{Given, Motion, Way as Route};
+use crate::exact::walk::{Given, Motion, Way};
 use crate::kinematics::motion::DriveMotion;
 use crate::math::polynomial::Step;
 
@@ -31,7 +31,7 @@ pub(super) struct Beside<'a> {
     /// How far its figures have been taken (s).
     taken: f64,
     pub(super) coupled: Vec<Coupled>,
-    ways: Vec<Way>,
+    ways: Vec<Drivetrain>,
     /// What all objects of the whole are doing at the nodes of a stretch, as far as they
     /// are beside the trees.
     states: [Vec<ObjectState>; NODES],
@@ -46,11 +46,11 @@ pub(super) struct Beside<'a> {
 impl<'a> Beside<'a> {
     /// What is beside the trees of a route; true with it where it is integrated.
     pub(super) fn new(
-        route: Route<'a>,
+        route: Way<'a>,
         settings: &RecorderSettings,
         (rest, integrated): (&'a Rest, bool),
     ) -> Self {
-        let ways = Way::of_all(route.system, route.parts);
+        let ways = Drivetrain::of_all(route.system, route.parts);
         let objects = route.system.model().objects.len();
         Self {
             figured: Figured::new(&rest.system, settings),

@@ -3,13 +3,13 @@
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::record::{Log, Sampled, Tally};
 use crate::dynamics::system::ObjectState;
-use crate::exact::walk::{Motion, Way as Route};
+use crate::exact::walk::{Motion, Way};
 
 /// What is looked at in a tree: rigid objects that its masses carry, sums of modes, and
 /// elastic objects with inertia at their driven end, for the force there; what presses on a
 /// cam, for the pressure.
-pub(super) fn carried(route: Route<'_>, window: Option<[f64; 2]>) -> Vec<(usize, usize, Tally)> {
-    let Route { system, parts, .. } = route;
+pub(super) fn carried(route: Way<'_>, window: Option<[f64; 2]>) -> Vec<(usize, usize, Tally)> {
+    let Way { system, parts, .. } = route;
     let objects = 0..system.model().objects.len();
     let own = |object: usize| {
         let part = &system.model().objects[object];

@@ -9,7 +9,7 @@
 //! tree are: cut at the summits of its cubics until nothing is left above.
 
 use super::forces::Forces;
-use super::lever::Way;
+use super::lever::Drivetrain;
 use super::smooth::{NODES, Smooth};
 use crate::dynamics::record::Tally;
 use crate::dynamics::system::{ObjectState, System};
@@ -73,7 +73,7 @@ impl Loss {
 
 impl Coupled {
     /// Every object that some tree hangs on.
-    pub(super) fn all(system: &System, ways: &[Way], window: Option<[f64; 2]>) -> Vec<Self> {
+    pub(super) fn all(system: &System, ways: &[Drivetrain], window: Option<[f64; 2]>) -> Vec<Self> {
         let parts = system.model().objects.iter().enumerate();
         let carries = |object: usize| ways.iter().any(|way| way.passes(object));
         parts
@@ -115,7 +115,7 @@ impl Coupled {
     pub(super) fn take(
         &mut self,
         states: &[Vec<ObjectState>; NODES],
-        ways: &[Way],
+        ways: &[Drivetrain],
         slopes: &[[Vec<f64>; NODES]],
     ) {
         let own = std::array::from_fn(|k| states[k][self.object].reaction);

@@ -16,7 +16,7 @@ use crate::dynamics::record::{Failure, Log, Recorded, RecorderSettings, Tally, d
 use crate::dynamics::segment::Segment;
 use crate::dynamics::system::ObjectState;
 use crate::exact::Rest;
-use crate::exact::walk::{Branch, Listener, Motion, Way as Route};
+use crate::exact::walk::{Branch, Listener, Motion, Way};
 use crate::math::polynomial::Step;
 
 /// Stretches in a turn of the drive over which prescribed motions are looked at.
@@ -31,7 +31,7 @@ const RADIANS: f64 = 1.5;
 
 /// Records a walk.
 pub(super) struct Joint<'a> {
-    route: Route<'a>,
+    route: Way<'a>,
     settings: RecorderSettings,
     log: Log<'a>,
     /// By tree, then by object of the tree.
@@ -52,7 +52,7 @@ impl<'a> Joint<'a> {
     /// For a walk; `rest` where more is wanted than the figures of the trees' own
     /// objects, and true with it where it is integrated.
     pub(super) fn new(
-        route: Route<'a>,
+        route: Way<'a>,
         settings: RecorderSettings,
         rest: Option<(&'a Rest, bool)>,
     ) -> Self {

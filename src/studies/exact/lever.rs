@@ -42,7 +42,7 @@ fn holder(model: &Model, node: NodeIndex) -> Option<usize> {
 
 /// The way from a tree to its drives, the tree's own law first.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Way {
+pub(super) struct Drivetrain {
     steps: Vec<Step>,
     /// Nodes with several drivers, whose motion no object shows.
     sums: Vec<(NodeIndex, Constraint, Vec<NodeIndex>)>,
@@ -50,7 +50,7 @@ pub(super) struct Way {
     objects: Vec<(NodeIndex, usize)>,
 }
 
-impl Way {
+impl Drivetrain {
     /// Ways of all trees. Objects are counted as in the whole model.
     pub(super) fn of_all(system: &System, parts: &Parts) -> Vec<Self> {
         let model = system.model();

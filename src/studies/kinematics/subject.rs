@@ -141,21 +141,12 @@ pub fn reaches(model: &Model) -> Vec<String> {
 
 /// The law of an object that moves by the short form of a linkage.
 fn short<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
-    let law = law_of(model, *part.nodes.first()?)?;
+    let law = model.nodes[*part.nodes.first()?].motion.law()?;
     let linkage = matches!(
         law.position,
         Position::SliderCrank(_) | Position::FourBar(_) | Position::SlottedLink(_)
     );
     linkage.then_some(law)
-}
-
-fn law_of(model: &Model, node: NodeIndex) -> Option<&Law> {
-    match &model.nodes[node].motion {
-        NodeMotion::Mass { law } | NodeMotion::Rigid { law } => Some(law),
-        NodeMotion::Prescribed { .. }
-        | NodeMotion::Rotor { .. }
-        | NodeMotion::Constrained { .. } => None,
-    }
 }
 
 /// Displacement of a node at the start, every mass on its law.

@@ -152,8 +152,8 @@ fn broken_off(
     let (found, total) = (timed.trace.switches.len(), truth.trace.switches.len());
     (found > total + CHATTER.max(total)).then(|| {
         let cause = format!(
-            "{found} switches by t = {:.6} s, where the run was stopped; in truth {total} in all",
-            timed.outcome.time
+            "{found} switches by t = {} s, where the run was stopped; in truth {total} in all",
+            shown(timed.outcome.time, 7)
         );
         (Verdict::Chatter, with_limit(cause, timed, bound))
     })
@@ -168,7 +168,7 @@ fn stopped(
     bound: Option<&Bound>,
 ) -> Option<(Verdict, String)> {
     let time = timed.outcome.time;
-    let at = format!("at t = {time:.6} s");
+    let at = format!("at t = {} s", shown(time, 7));
     let found = match &timed.outcome.stop {
         Stop::Complete | Stop::Physical(_) => return None,
         Stop::Interrupted => (Verdict::TimeLimit, format!("interrupted {at}")),
@@ -242,8 +242,9 @@ fn ended(
             _ => "its end".to_owned(),
         };
         let cause = format!(
-            "ends at t = {:.6} s ({stop}), where the reference goes on to {:.6} s",
-            timed.outcome.time, truth.end
+            "ends at t = {} s ({stop}), where the reference goes on to {} s",
+            shown(timed.outcome.time, 7),
+            shown(truth.end, 7)
         );
         return (Verdict::Inaccurate, cause);
     };

@@ -122,17 +122,18 @@ impl<'a> PhaseMap<'a> {
             (at, modes) = (sink.last.y, sink.modes);
             let speed = at[self.system.coordinates() + self.rotor];
             if gained < STILL && speed.abs() < STILL * self.nominal() {
-                let place = at[self.rotor];
+                let place = shown(at[self.rotor], 7);
                 return Err(format!(
-                    "the drive comes to rest at φ = {place:.6} rad: what drives it is too weak \
+                    "the drive comes to rest at φ = {place} rad: what drives it is too weak \
                      for what it carries"
                 ));
             }
             if gained < 0.0 && speed < 0.0 {
-                let place = at[self.rotor];
+                let place = shown(at[self.rotor], 7);
                 return Err(format!(
-                    "the drive stalls and is turned backwards, at φ = {place:.6} rad after \
-                     {time:.3} s: what drives it is too weak for what it carries"
+                    "the drive stalls and is turned backwards, at φ = {place} rad after \
+                     {} s: what drives it is too weak for what it carries",
+                    shown(time, 4)
                 ));
             }
             self.pace.set(if speed > 0.0 {
@@ -142,10 +143,11 @@ impl<'a> PhaseMap<'a> {
             });
         }
         Err(format!(
-            "the drive does not get from φ = {start:.6} to {target:.6} rad: after {time} s it \
-             stands at {:.6} rad",
-            at[self.rotor],
-            time = shown(time, 4)
+            "the drive does not get from φ = {} to {} rad: after {} s it stands at {} rad",
+            shown(start, 7),
+            shown(target, 7),
+            shown(time, 4),
+            shown(at[self.rotor], 7)
         ))
     }
 

@@ -1,7 +1,7 @@
 //! The lowest orders of a series: the state, and the laws along the way expected.
 
 use super::law::polynomial;
-use super::{HIGHEST, Start, Taylor, ZERO, bends};
+use super::{HIGHEST, Start, Taylor, ZERO};
 use crate::dynamics::system::frozen::{Chain, Frozen, Step, segment};
 use crate::dynamics::system::passes::{Extent, Work};
 
@@ -79,7 +79,7 @@ impl Frozen {
         let law = &self.laws[index];
         let (driver, length) = (law.driver, taylor.length);
         let phi = taylor.displacement[driver][0];
-        if bends(law) {
+        if law.bends() {
             let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
             let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
             let radius = (MARGIN * way).max(LEAST_REACH * (1.0 + phi.abs()));

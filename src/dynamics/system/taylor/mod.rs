@@ -29,7 +29,6 @@ use super::passes::Work;
 use super::stops::FrozenStop;
 use super::written::WrittenSeries;
 use crate::dynamics::model::{Closure, LoadLaw};
-use crate::kinematics::position::Position;
 use law::{LawSeries, Series, against, product};
 use loads::LoadSeries;
 
@@ -170,7 +169,7 @@ impl Frozen {
         }
         let bending = self.laws.iter().zip(&taylor.laws);
         let ways = bending
-            .filter(|(law, _)| bends(law))
+            .filter(|(law, _)| law.bends())
             .map(|(_, series)| series.way(degree) / BEYOND);
         // Speeds are known to one order less.
         let loads = self.loads.iter().zip(&taylor.loads);
@@ -436,9 +435,4 @@ impl Frozen {
             taylor.acceleration[chain.first_node][order] = (place + base) / twice;
         }
     }
-}
-
-/// True when U′ of a law is not a constant.
-fn bends(law: &super::frozen::FrozenLaw) -> bool {
-    !matches!(law.position, Position::Ratio { .. })
 }

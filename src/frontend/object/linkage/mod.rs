@@ -132,7 +132,7 @@ fn driven_pair(mut slot: Slot<'_>, names: &Names) -> Option<usize> {
 }
 
 /// What moves a linkage.
-enum Way {
+enum MovedBy {
     /// The pair of its one input.
     Driver(usize),
     /// Its inputs by name.
@@ -150,15 +150,15 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
     way.case("driver", doc, |slot| {
-        driven_pair(slot, &names).map(Way::Driver)
+        driven_pair(slot, &names).map(MovedBy::Driver)
     });
     let doc = "In place of `input`, `driver`, `position`, `start` and `travel`: its independent coordinates by name, as many as its mobility. Each is an output too, `press.left`.";
     way.case("inputs", doc, |slot| {
-        inputs::read(slot, &names, pairs.as_deref(), context).map(Way::Inputs)
+        inputs::read(slot, &names, pairs.as_deref(), context).map(MovedBy::Inputs)
     });
     let way = way.finish();
     let driven = match way {
-        Some(Way::Driver(pair)) => Some(pair),
+        Some(MovedBy::Driver(pair)) => Some(pair),
         _ => None,
     };
     let kind = driven
@@ -189,11 +189,11 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
         outputs,
     };
     match way? {
-        Way::Inputs(written) => {
+        MovedBy::Inputs(written) => {
             let spec = inputs::driven(fields, written, linkage, loads)?;
             Some(Driven::Several(spec))
         }
-        Way::Driver(_) => Some(Driven::One(DrivenLinkage {
+        MovedBy::Driver(_) => Some(Driven::One(DrivenLinkage {
             coordinate: kind?,
             position: of_one.position,
             joint_friction: of_one.joint_friction,

@@ -104,7 +104,8 @@ fn redundant(
     true
 }
 
-fn is_or_are(names: &str) -> String {
+/// Names as the subject of a sentence.
+pub(in crate::kinematics::linkage) fn is_or_are(names: &str) -> String {
     let word = if names.contains(',') { "are" } else { "is" };
     format!("{names} {word}")
 }

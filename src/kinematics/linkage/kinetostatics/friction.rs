@@ -87,7 +87,7 @@ impl Term {
 }
 
 /// −1, 0 or 1.
-fn sign(x: f64) -> f64 {
+pub(super) fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 

@@ -3,6 +3,7 @@
 //! beforehand.
 
 use super::Kinetostatics;
+use super::friction::sign as sign_of;
 use super::place::AT_REST;
 use super::positions::Positions;
 use crate::kinematics::breaks::Breaks;
@@ -256,9 +257,4 @@ impl Course<'_> {
 fn noise([low, high]: [f64; 2], [a, b]: [[f64; 3]; 2]) -> f64 {
     let change = (high - low) * a[1].abs().max(b[1].abs());
     AT_REST * a[0].abs().max(b[0].abs()).max(change).max(AT_REST)
-}
-
-/// −1, 0 or 1.
-fn sign_of(x: f64) -> f64 {
-    if x == 0.0 { 0.0 } else { x.signum() }
 }

@@ -5,7 +5,7 @@ use super::dynamics::MultiReduced;
 use super::plan::MultiPlan;
 use super::twist::at;
 use crate::kinematics::linkage::spec::{ForceLaw, LinkageSpec, PairKind, PointOf};
-use crate::math::number::Number;
+use crate::math::number::{Number, sqrt};
 
 /// What dampers and forces take and give at an instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -55,7 +55,7 @@ impl<N: Number> Surroundings<'_, N> {
         if !(square.value() > 0.0) {
             return None;
         }
-        let length = root(square);
+        let length = sqrt(square);
         let drawn = apart[0] * (w[0] - v[0]) + apart[1] * (w[1] - v[1]);
         Some(Strut {
             ends: [p, q],
@@ -77,12 +77,6 @@ impl<N: Number> Surroundings<'_, N> {
         let rate = |link: Option<usize>| self.columns.velocity[self.plan.body(link)][0];
         [self.angle(j) - self.angle(i), rate(j) - rate(i)]
     }
-}
-
-/// √x as a number with derivatives.
-fn root<N: Number>(x: N) -> N {
-    let root = x.value().sqrt();
-    x.compose(root, 0.5 / root)
 }
 
 impl<N: Number> MultiReduced<N> {

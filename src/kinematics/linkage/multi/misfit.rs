@@ -2,7 +2,7 @@
 
 use super::spec::MultiSpec;
 use crate::fault::{Fault, Faults};
-use crate::kinematics::linkage::compile::Bodies;
+use crate::kinematics::linkage::compile::{Bodies, is_or_are};
 use crate::kinematics::linkage::elements::Body;
 use crate::kinematics::linkage::structure::{explanation, mobility};
 
@@ -77,9 +77,4 @@ pub(super) fn misfit(
         Err(found) => found,
         Ok(()) => Vec::new(),
     }
-}
-
-fn is_or_are(names: &str) -> String {
-    let word = if names.contains(',') { "are" } else { "is" };
-    format!("{names} {word}")
 }

@@ -22,7 +22,7 @@ pub struct AskedSeveral<'a> {
     /// Displacements of the inputs at the start of the scene.
     pub(super) starts: Vec<f64>,
     pub(super) trajectories: Option<Vec<Trajectory<'a>>>,
-    pub(super) way: Way,
+    pub(super) way: Advance,
     /// True: the one input that moves goes through a turn.
     pub(super) closed: bool,
     /// Ends of what it can go through.
@@ -33,7 +33,7 @@ pub struct AskedSeveral<'a> {
 
 /// What leads from row to row.
 #[derive(Clone, Debug)]
-pub(super) enum Way {
+pub(super) enum Advance {
     /// Time, under the motions of the scene's drives, until here (s).
     Time { to: f64 },
     /// A straight way of the inputs.
@@ -89,7 +89,7 @@ impl<'a> AskedSeveral<'a> {
                 .map(|&node| start_of(model, node))
                 .collect(),
             trajectories,
-            way: Way::Time {
+            way: Advance::Time {
                 to: question.duration,
             },
             closed: false,
@@ -192,7 +192,7 @@ impl<'a> AskedSeveral<'a> {
         if !(to.is_finite() && to > 0.0) {
             return Err("the time must be a number above zero".to_owned());
         }
-        self.way = Way::Time { to };
+        self.way = Advance::Time { to };
         Ok(())
     }
 
@@ -261,7 +261,7 @@ impl<'a> AskedSeveral<'a> {
                 .and_then(|course| course.acceleration)
                 .unwrap_or(0.0),
         });
-        self.way = Way::Path {
+        self.way = Advance::Path {
             along,
             span,
             rate,

@@ -1,7 +1,7 @@
 //! What is known of a question about a linkage of several inputs: its way, and where that leads.
 
 use super::super::columns::unit_of;
-use super::ask::{AskedSeveral, Leg, Way};
+use super::ask::{Advance, AskedSeveral, Leg};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::MultiLinkage;
 use crate::math::jet::Jet;
@@ -26,8 +26,8 @@ impl AskedSeveral<'_> {
     /// True where every input has the speed of its way, and no acceleration.
     pub(in crate::studies) fn goes_its_way(&self) -> bool {
         match &self.way {
-            Way::Time { .. } => true,
-            Way::Path { rate, legs, .. } => {
+            Advance::Time { .. } => true,
+            Advance::Path { rate, legs, .. } => {
                 (legs.iter()).all(|leg| leg.speed == rate * leg.slope && leg.acceleration == 0.0)
             }
         }
@@ -36,11 +36,11 @@ impl AskedSeveral<'_> {
     /// Name and SI unit of what leads from row to row.
     pub(in crate::studies) fn axis(&self) -> (&'static str, &'static str) {
         match self.way {
-            Way::Time { .. } => ("time", "s"),
-            Way::Path { along: Some(_), .. } => {
+            Advance::Time { .. } => ("time", "s"),
+            Advance::Path { along: Some(_), .. } => {
                 ("input coordinate", unit_of(self.first_coordinate()))
             }
-            Way::Path { along: None, .. } => ("path", ""),
+            Advance::Path { along: None, .. } => ("path", ""),
         }
     }
 
@@ -58,7 +58,7 @@ impl AskedSeveral<'_> {
     /// Whether the input along the axis, or the first, turns or slides.
     pub(super) fn first_coordinate(&self) -> Coordinate {
         match self.way {
-            Way::Path {
+            Advance::Path {
                 along: Some(input), ..
             } => self.inputs[input],
             _ => self.inputs[0],
@@ -68,23 +68,23 @@ impl AskedSeveral<'_> {
     /// First and last place on the axis.
     pub(in crate::studies) fn span(&self) -> [f64; 2] {
         match self.way {
-            Way::Time { to } => [0.0, to],
-            Way::Path { span, .. } => span,
+            Advance::Time { to } => [0.0, to],
+            Advance::Path { span, .. } => span,
         }
     }
 
     /// Rate of the axis.
     pub(in crate::studies) fn rate_of_way(&self) -> f64 {
         match self.way {
-            Way::Time { .. } => 1.0,
-            Way::Path { rate, .. } => rate,
+            Advance::Time { .. } => 1.0,
+            Advance::Path { rate, .. } => rate,
         }
     }
 
     /// Motions of all inputs at a place of the axis.
     pub(in crate::studies) fn inputs_at(&self, place: f64) -> Vec<Jet> {
         match (&self.way, &self.trajectories) {
-            (Way::Path { legs, .. }, _) => {
+            (Advance::Path { legs, .. }, _) => {
                 let jet = |leg: &Leg| Jet {
                     value: leg.base + leg.slope * place,
                     first: leg.speed,
@@ -93,9 +93,9 @@ impl AskedSeveral<'_> {
                 };
                 legs.iter().map(jet).collect()
             }
-            (Way::Time { .. }, Some(all)) => all.iter().map(|one| one.at(place)).collect(),
+            (Advance::Time { .. }, Some(all)) => all.iter().map(|one| one.at(place)).collect(),
             // (Refused before.)
-            (Way::Time { .. }, None) => vec![Jet::UNKNOWN; self.inputs.len()],
+            (Advance::Time { .. }, None) => vec![Jet::UNKNOWN; self.inputs.len()],
         }
     }
 
@@ -112,7 +112,7 @@ impl AskedSeveral<'_> {
 
     /// Motion of the inputs, in words.
     pub(in crate::studies) fn motion(&self) -> String {
-        let Way::Path { legs, along, .. } = &self.way else {
+        let Advance::Path { legs, along, .. } = &self.way else {
             return "by the scene's drives".to_owned();
         };
         let one = |(input, leg): (usize, &Leg)| {

@@ -18,7 +18,7 @@ use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, Stopped, Stroke, Tran
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::NotAssembled;
 use crate::math::roots::bisect;
-use ask::Way;
+use ask::Advance;
 use course::SeveralInputs;
 
 /// Positions, speeds and accelerations of a linkage of several inputs over what was asked.
@@ -103,8 +103,8 @@ fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled
         }
     });
     let input = match asked.way {
-        Way::Time { .. } => asked.inputs_at(at)[0].value,
-        Way::Path { .. } => at,
+        Advance::Time { .. } => asked.inputs_at(at)[0].value,
+        Advance::Path { .. } => at,
     };
     Stopped {
         at,

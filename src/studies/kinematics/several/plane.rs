@@ -1,7 +1,7 @@
 //! What lies over the ranges of the inputs: singular curves over two, positions over all.
 
 use super::super::{Grid, Plane, PlaneInput};
-use super::ask::{AskedSeveral, Way};
+use super::ask::{Advance, AskedSeveral};
 use super::course::frames;
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiMotion, singular_curves};
@@ -26,8 +26,8 @@ impl AskedSeveral<'_> {
         let (first, last) = (self.inputs_at(from), self.inputs_at(to));
         let mut order: Vec<usize> = (0..self.inputs.len()).collect();
         let moves = |&input: &usize| match self.way {
-            Way::Time { .. } => false,
-            Way::Path { .. } => first[input].value == last[input].value,
+            Advance::Time { .. } => false,
+            Advance::Path { .. } => first[input].value == last[input].value,
         };
         order.sort_by_key(moves);
         order
@@ -37,8 +37,8 @@ impl AskedSeveral<'_> {
     /// to both sides as the linkage is long; more where the way goes further.
     fn range(&self, input: usize) -> [f64; 2] {
         let ends = match self.way {
-            Way::Time { .. } => [self.beginning()[input]; 2],
-            Way::Path { span, .. } => span.map(|place| self.inputs_at(place)[input].value),
+            Advance::Time { .. } => [self.beginning()[input]; 2],
+            Advance::Path { span, .. } => span.map(|place| self.inputs_at(place)[input].value),
         };
         let (least, most) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let half = match self.inputs[input] {
