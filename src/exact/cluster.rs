@@ -310,6 +310,9 @@ impl Cluster {
     }
 
     fn refusal(&self) -> String {
+        if !self.mean.norm().is_finite() {
+            return "a mode of it is faster than double precision can tell".to_owned();
+        }
         format!(
             "{} of its modes coincide at |λ| = {} rad/s and cannot be told apart",
             self.members.len(),

@@ -134,3 +134,16 @@ fn a_catalogue_folder_with_pipes_and_links_out_of_it_is_safe() {
         );
     }
 }
+
+/// A mode that decays within less than the least number is no mode to be shown.
+#[test]
+fn a_mode_without_a_rate_is_told_in_words() {
+    let shaft = "scenarios/shafts/free_vibration.json";
+    let damped = "wheel.damping_capacity=2.5e+299";
+    let found = output(&["show", shaft, "--view", "model", "--set", damped]);
+    assert_eq!(found.status.code(), Some(0), "{}", text(&found.stderr));
+    let told = text(&found.stdout);
+    let reason = "wheel: a mode of it is faster than double precision can tell";
+    assert!(told.contains(reason), "{told}");
+    assert!(!told.contains("not a number"), "{told}");
+}
