@@ -20,7 +20,9 @@ import pytest
 import dam
 
 LONG = """
-import dam, sys, time
+import dam, signal, sys, time
+# (Where the tests run in the background interrupts are ignored from the start.)
+signal.signal(signal.SIGINT, signal.default_int_handler)
 scene = dam.load(sys.argv[1]).set("run.duration", 5000.0).set("run.method", "dop853")
 print("begun", flush=True)
 try:
