@@ -111,6 +111,19 @@ pub(crate) fn fuses() -> bool {
     std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")
 }
 
+/// Does a task out of line in the best arithmetic of this processor; with `plain` in that of
+/// every processor.
+#[inline]
+pub(crate) fn apart<T: Task>(plain: bool, task: T) -> T::Output {
+    #[cfg(target_arch = "x86_64")]
+    if !plain && fuses() {
+        return Fused::apart(task);
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = plain;
+    Plain::apart(task)
+}
+
 /// Numbers in a vector.
 pub(crate) const WIDTH: usize = 4;
 

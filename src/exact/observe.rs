@@ -2,9 +2,7 @@
 
 use super::audit::{Instant, law_at};
 use super::hermite::End;
-#[cfg(target_arch = "x86_64")]
-use super::lanes::Fused;
-use super::lanes::{Arith, Plain, Task};
+use super::lanes::{Arith, Task, apart};
 use super::phase::{Exponentials, Phase};
 use super::problem::{TreeObject, TreePair, TreeProblem};
 use super::regime::Regime;
@@ -83,11 +81,7 @@ pub(super) fn state(
         q,
         v,
     };
-    #[cfg(target_arch = "x86_64")]
-    if !work.plain && super::lanes::fuses() {
-        return Fused::apart(task);
-    }
-    Plain::apart(task);
+    apart(work.plain, task);
 }
 
 /// The state at an instant of a phase.
@@ -130,11 +124,7 @@ pub(super) fn ahead(
         f,
         span,
     };
-    #[cfg(target_arch = "x86_64")]
-    if !work.plain && super::lanes::fuses() {
-        return Fused::apart(task);
-    }
-    Plain::apart(task)
+    apart(work.plain, task)
 }
 
 /// Bounds of a functional over a part of a phase.
@@ -166,17 +156,14 @@ pub(super) fn force(
     if !work.variants[o].1 {
         return End { s, f: 0.0, g: 0.0 };
     }
+    let plain = work.plain;
     let task = Force {
         scene: scene(&work.regimes[regime], &work.phase, o, &work.variants),
         track: &mut work.tracks[o],
         s,
         e,
     };
-    #[cfg(target_arch = "x86_64")]
-    if !work.plain && super::lanes::fuses() {
-        return Fused::apart(task);
-    }
-    Plain::apart(task)
+    apart(plain, task)
 }
 
 /// A force at an instant of a phase.

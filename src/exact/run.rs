@@ -1,13 +1,11 @@
 //! The run: phases and switches in turn.
 
-use super::lanes::Fused;
-use super::lanes::{Arith, Plain};
+use super::lanes::{Arith, Task, apart};
 use super::observe::Tracks;
 use super::problem::Refusal;
 use super::request::{ExactRun, ExactSwitch, Halt, Request};
 use super::search::Step;
 use super::workspace::Workspace;
-#[cfg(target_arch = "x86_64")]
 use crate::units::shown;
 
 /// Steps of the search between two looks at whether the run is to go on; a
@@ -41,24 +39,22 @@ fn not_finite() -> Refusal {
 
 /// Passes one phase more in the best arithmetic of this processor.
 fn forward(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
-    #[cfg(target_arch = "x86_64")]
-    if !work.plain && super::lanes::fuses() {
-        // SAFETY: the processor has the features the function is compiled for.
-        #[allow(unsafe_code)]
-        return unsafe { forward_fused(work, end) };
+    apart(work.plain, Pass { work, end })
+}
+
+/// A phase to be passed.
+struct Pass<'a, 'p> {
+    work: &'a mut Workspace<'p>,
+    end: f64,
+}
+
+impl Task for Pass<'_, '_> {
+    type Output = Result<Passed, Refusal>;
+
+    #[inline(always)]
+    fn run<A: Arith>(self) -> Self::Output {
+        self.work.pass_phase::<A>(self.end)
     }
-    forward_plain(work, end)
-}
-
-#[cfg(target_arch = "x86_64")]
-#[target_feature(enable = "avx2,fma")]
-fn forward_fused(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
-    work.pass_phase::<Fused>(end)
-}
-
-/// Passes one phase more without special instructions.
-fn forward_plain(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
-    work.pass_phase::<Plain>(end)
 }
 
 impl Workspace<'_> {

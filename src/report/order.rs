@@ -2,7 +2,8 @@
 
 use crate::dynamics::model::{Model, PartInput};
 
-/// Indices of the objects, each after its drivers; among equals by their order.
+/// Indices of the objects, each after its drivers; among equals by their order. The sum that
+/// is the output of an object is shown with the object.
 pub(super) fn drivers_first(model: &Model) -> Vec<usize> {
     let mut order: Vec<usize> = Vec::with_capacity(model.objects.len());
     let roots = (0..model.objects.len()).filter(|&o| model.objects[o].is_drive());
@@ -14,7 +15,7 @@ pub(super) fn drivers_first(model: &Model) -> Vec<usize> {
         let driven = |&o: &usize| {
             let object = &model.objects[o];
             let waits = object.is_driven_by(driver) && !order.contains(&o);
-            waits && object.inputs.iter().all(placed)
+            object.is_reported() && waits && object.inputs.iter().all(placed)
         };
         let followers: Vec<usize> = (0..model.objects.len()).filter(driven).collect();
         order.extend(followers);

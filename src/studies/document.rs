@@ -194,17 +194,18 @@ pub(super) fn document(
     run: RunSummary,
     warnings: &[Warning],
 ) -> Figures {
-    let parts = || model.objects.iter();
-    let with_id =
-        |(part, figures): (&ObjectPart, &ObjectFigures)| (part.id.clone(), figures.clone());
+    let figured = model.objects.iter().zip(figures);
+    let reported = || figured.clone().filter(|(part, _)| part.is_reported());
     Figures {
         dam: 1,
         scene: settings.scene.clone(),
         hash: settings.hash.clone(),
-        units: parts()
-            .map(|part| (part.id.clone(), units(part.coordinate)))
+        units: reported()
+            .map(|(part, _)| (part.id.clone(), units(part.coordinate)))
             .collect(),
-        objects: parts().zip(figures).map(with_id).collect(),
+        objects: reported()
+            .map(|(part, figures)| (part.id.clone(), figures.clone()))
+            .collect(),
         run,
         warnings: warnings.iter().map(ToString::to_string).collect(),
     }

@@ -100,6 +100,12 @@ impl ObjectPart {
         [DRIVEN_END, MODE, STOP, SUM].contains(&self.kind)
     }
 
+    /// False of the sum that is the output of an object: its motion and its figures are those
+    /// of the object.
+    pub fn is_reported(&self) -> bool {
+        self.kind != SUM
+    }
+
     /// True when one of the inputs hangs on that object part.
     pub fn is_driven_by(&self, other: usize) -> bool {
         self.inputs.iter().any(|input| input.driver == other)

@@ -25,6 +25,8 @@ pub(crate) struct Rows {
     columns: Vec<Column>,
     /// Objects whose contact pressure is known.
     pressed: Vec<usize>,
+    /// Objects whose columns are those of another one.
+    unreported: Vec<String>,
     rows: Table,
     /// Rows between the equal intervals.
     closeups: Table,
@@ -65,6 +67,7 @@ impl Rows {
             row: vec![0.0; width],
             columns,
             pressed,
+            unreported: unreported(system),
             intervals,
             duration,
             next: if wanted { 0 } else { 1 },
@@ -181,7 +184,8 @@ impl Rows {
             self.columns[index].quantity != Quantity::ContactPressure
                 || [&self.rows, &self.closeups].into_iter().all(is_known)
         };
-        let mut order: Vec<usize> = (0..width).filter(known).collect();
+        let reported = |index: &usize| !self.unreported.contains(&self.columns[*index].object);
+        let mut order: Vec<usize> = (0..width).filter(known).filter(reported).collect();
         // The masses of an object come behind the object.
         let mut ids: Vec<&str> = Vec::new();
         for column in &self.columns {
@@ -224,6 +228,13 @@ pub(crate) struct Seen<'s> {
 fn are_finite(values: &[f64]) -> bool {
     let good = |all: bool, value: &f64| all & value.is_finite();
     values.iter().fold(true, good)
+}
+
+/// Ids of the objects that stand for others.
+fn unreported(system: &System) -> Vec<String> {
+    let objects = system.model().objects.iter();
+    let others = objects.filter(|part| !part.is_reported());
+    others.map(|part| part.id.clone()).collect()
 }
 
 /// Columns without values: of all objects, of contact pressures, of all masses.

@@ -13,7 +13,7 @@ pub fn cycle_rows(cam: &DiscCam, unit: &str, force: Option<&CamForce<'_>>, count
         "phi [rad]".to_owned(),
         format!("s [{unit}]"),
         format!("s1 [{unit}/rad]"),
-        format!("s2 [{unit}/rad^2]"),
+        format!("s2 [{unit}/rad²]"),
         "pressure_angle [rad]".to_owned(),
         "pitch_radius [m]".to_owned(),
         "profile_radius [m]".to_owned(),

@@ -20,7 +20,7 @@ const WIDE: Layout = Layout::Wide(420.0);
 
 /// A quantity of the study.
 fn value(value: f64, unit: &str) -> Value {
-    Value::new(value, &unit.replace("^2", "²"), DIGITS)
+    Value::new(value, unit, DIGITS)
 }
 
 /// Everything that is told of a study.

@@ -57,7 +57,7 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
         }),
         Column::new(
             "acceleration",
-            &format!("{coordinate}/s^2"),
+            &format!("{coordinate}/s²"),
             false,
             |row, _| Some(row.motion.acceleration),
         ),
@@ -106,7 +106,7 @@ pub fn columns_of_inputs(spec: &MultiSpec) -> Vec<Column> {
             f.inputs[k].coordinate
         });
         add("speed", unit("/s"), false, |f, k| f.inputs[k].speed);
-        add("acceleration", unit("/s^2"), false, |f, k| {
+        add("acceleration", unit("/s²"), false, |f, k| {
             f.inputs[k].acceleration
         });
         add("drive", force.to_owned(), true, |f, k| f.drives[k]);
@@ -258,7 +258,7 @@ fn of_changes(linkage: &LinkageSpec, force: &str) -> Vec<Column> {
         let name = format!("drive_by.{}.moment", link.name);
         list.push(Column::new(
             name,
-            &format!("{force}/(kg m^2)"),
+            &format!("{force}/(kg m²)"),
             false,
             move |_, f| f.sensitivities.as_ref().map(|found| found.moment[index]),
         ));

@@ -92,14 +92,15 @@ pub(in crate::studies) fn families(trials: &Trials<'_>) -> Families {
         .collect()
 }
 
-/// The level of two that models more of an object.
+/// The level of two that models more of an object; of modes and masses the masses, which hold
+/// in any pair. (How many of them do what the modes did is another question.)
 pub fn finer(one: Level, other: Level) -> Level {
     let rank = |level: Level| {
         let family = match level {
             Level::Rigid => 0,
             Level::Static => 1,
             Level::Modes { .. } => 2,
-            // Modes without a contact element hold for a pair that stays closed alone.
+            // (Modes without a contact element hold for a pair that stays closed alone.)
             Level::Masses { .. } => 3,
         };
         (family, level.coordinates())

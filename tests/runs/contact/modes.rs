@@ -3,6 +3,7 @@
 
 use super::rod::{Waves, contact};
 use super::{INTEGRATED, Wall, pair, run_text};
+use crate::levels::modes_carry_followers;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use dam::integrate::Method;
 use dam::prelude::*;
@@ -199,30 +200,7 @@ fn exact_and_integrated_runs_of_modes_in_a_play_agree() {
 
 #[test]
 fn what_hangs_on_modes_behind_a_contact_moves_as_behind_a_long_chain() {
-    let deviations = |level: &str| {
-        let text = format!(
-            r#"{{ "dam": 1, "name": "Follower", "objects": {{
-                "motor": {{ "kind": "drive", "motor": {{ "inertia": 1, "speed": 4,
-                    "torque": {{ "linear": {{ "stall_torque": 9, "no_load_speed": 8 }} }} }} }},
-                "one": {{ "kind": "shaft", "input": "motor", "position": {{ "ratio": 1 }},
-                    "inertia": 0.4, "stiffness": 300, "damping_capacity": 0.4, {level},
-                    "pair": {{ "closure": "bilateral", "contact": {{ "stiffness": 900 }} }},
-                    "loads": {{ "brake": {{ "viscous": 0.3 }} }} }},
-                "slide": {{ "kind": "slider", "input": "one", "position": {{ "sine": {{ "amplitude": 0.3 }} }},
-                    "inertia": 2, "stiffness": 4000, "damping_capacity": 0.4 }} }},
-                "run": {{ "duration": 3, "tolerance": 1e-9, "samples": 20 }} }}"#
-        );
-        let run = run_text(&text, None);
-        let error = run.audit.error();
-        assert!(error < 1e-6, "{level}: {error}");
-        ["one", "slide"].map(|id| run.figures.objects[id].delta_abs)
-    };
-    let long = deviations(r#""masses": 64, "lumping": "balanced""#);
-    for (level, within) in [(r#""modes": 1"#, 1e-2), (r#""modes": 3"#, 1e-3)] {
-        for (found, expected) in deviations(level).into_iter().zip(long) {
-            assert_relative_eq!(found, expected, max_relative = within);
-        }
-    }
+    modes_carry_followers(r#""closure": "bilateral", "contact": { "stiffness": 900 }"#);
 }
 
 #[test]
@@ -335,4 +313,22 @@ fn what_does_not_go_with_a_contact_is_refused_by_name() {
         &format!(r#""modes": 2, {}"#, pair("force", crossley)),
         &["without damping", "damping_capacity"],
     );
+}
+
+#[test]
+fn the_sum_that_is_the_output_is_told_as_the_object() {
+    let run = behind("rocker", r#""modes": 2"#, BILATERAL, DAMPED);
+    let told: Vec<&String> = run.figures.objects.keys().collect();
+    assert_eq!(told, ["body", "drive"]);
+    let columns = &run.record.columns;
+    assert!(
+        columns
+            .iter()
+            .all(|column| *column.object != *"body.output")
+    );
+    let last = columns
+        .iter()
+        .find(|column| column.object == "body" && column.unit == "rad")
+        .and_then(|column| column.values.last());
+    assert_eq!(last, Some(&run.figures.objects["body"].end.displacement));
 }

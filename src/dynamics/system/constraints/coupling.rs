@@ -182,7 +182,9 @@ impl Frozen {
                     sum += one[node] * other[node] / work.mass[node];
                 }
                 Step::Chain(index) if chains == Chains::Free && !self.is_held(index, work) => {
-                    for node in self.chains[index].nodes() {
+                    let chain = &self.chains[index];
+                    // (Nothing hangs on a massless point.)
+                    for node in chain.nodes().skip(chain.points()) {
                         if self.is_grounded(node, work) {
                             continue;
                         }

@@ -2,7 +2,7 @@
 
 use super::{
     Entry, LONGEST_WRITTEN_OUT, Section, contact, inertia_side, inputs, loads, of_mass, of_object,
-    output_name, reflected,
+    output, output_name, reflected,
 };
 use crate::dynamics::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
@@ -44,12 +44,15 @@ pub(super) fn section(model: &Model, object: usize) -> Section {
         let (left, right) = equation(model, object, mass);
         section.line(left, right, "");
         if mass == 1 && count > LONGEST_WRITTEN_OUT {
-            generic(model, part, &mut section);
+            generic(model, object, &mut section);
         }
     }
-    output_name(model, object, &mut section, of_mass("φ", count));
+    if !output::lines(model, object, &mut section) {
+        output_name(model, object, &mut section, of_mass("φ", count));
+    }
     inputs::legend(model, object, &mut section);
     legend(model, part, &mut section);
+    output::legend(model, object, &mut section);
     loads::write(model, object, &mut section);
     section
 }
@@ -188,7 +191,8 @@ fn equation(model: &Model, object: usize, mass: usize) -> (Expr, Expr) {
     }
     right.extend(loads::terms(model, part, mass));
     let (inertia, displacement) = (of_mass("J", mass).expr(), of_mass("φ", mass));
-    if mass < count {
+    right.extend(output::share_of_reaction(model, object, mass));
+    if mass < count || output::of(model, object).is_some() {
         let left = inertia.times(displacement.rate().rate());
         return (left, Expr::sum(right));
     }
@@ -220,7 +224,8 @@ fn opposite(sum: Expr) -> Expr {
 }
 
 /// The equation of an inner mass m of a long chain.
-fn generic(model: &Model, part: &ObjectPart, section: &mut Section) {
+fn generic(model: &Model, object: usize, section: &mut Section) {
+    let part = &model.objects[object];
     let any = |letter: &'static str, offset: i8| symbol(letter, Index::Any(offset));
     let before = |letter, back: usize| any(letter, if back == 0 { 0 } else { -1 });
     let after = |letter, back: usize| any(letter, if back == 0 { 1 } else { 0 });
@@ -230,6 +235,7 @@ fn generic(model: &Model, part: &ObjectPart, section: &mut Section) {
     if !loaded.is_empty() {
         right.push(any("W", 0).expr());
     }
+    right.extend(output::share(model, object, any("w", 0)));
     let left = any("J", 0).expr().times(any("φ", 0).rate().rate());
     section.line(left, Expr::sum(right), format!("m = 2 … {}", count - 1));
     if let Some(&first) = loaded.first() {
@@ -278,7 +284,7 @@ fn legend(model: &Model, part: &ObjectPart, section: &mut Section) {
 }
 
 /// One entry for a letter's values: each by itself, or all in a row.
-fn list(
+pub(super) fn list(
     section: &mut Section,
     letter: &'static str,
     values: Vec<f64>,

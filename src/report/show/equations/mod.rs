@@ -13,6 +13,7 @@ mod linkage;
 mod loads;
 #[cfg(feature = "studio")]
 mod mathml;
+mod output;
 mod several;
 mod sources;
 mod text;
@@ -157,7 +158,8 @@ fn only_looked_at(model: &Model, object: usize) -> bool {
 
 /// The letter with an object's id: φ_shaft.
 fn of_object(letter: &'static str, model: &Model, object: usize) -> Symbol {
-    symbol(letter, Index::Word(model.objects[object].id.clone()))
+    let shown = output::owner(model, object);
+    symbol(letter, Index::Word(model.objects[shown].id.clone()))
 }
 
 /// The letter with the number of a mass.
@@ -202,7 +204,7 @@ struct Transfer {
 fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Reflected) {
     let followers = (0..model.objects.len()).filter(|&o| {
         let part = &model.objects[o];
-        part.is_driven_by(driver) && part.kind != STOP
+        part.is_driven_by(driver) && part.kind != STOP && part.is_reported()
     });
     for follower in followers {
         let object = &model.objects[follower];

@@ -2,6 +2,8 @@ use super::{Index, equations, inertia_side, latex, reflected, symbol, text};
 use crate::dynamics::model::{
     Coordinate, Law, LoadLaw, Model, Node, NodeMotion, ObjectPart, PartInput,
 };
+use crate::frontend::lower::lower;
+use crate::frontend::scene::{BuiltIn, Document, Overrides};
 use crate::kinematics::position::Position;
 use crate::report::fixture;
 use crate::report::math::{Expr, Symbol};
@@ -9,7 +11,7 @@ use crate::report::math::{Expr, Symbol};
 /// The golden texts. `DAM_BLESS=1 cargo test --lib golden` writes them anew;
 /// read them before committing.
 #[test]
-fn golden_texts_of_three_models() {
+fn golden_texts_of_four_models() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/report/show/golden");
     let fan_out = equations(&fixture::fan_out());
     let found = [
@@ -17,6 +19,7 @@ fn golden_texts_of_three_models() {
         ("rocker_10.txt", text(&equations(&fixture::rocker(10)))),
         ("fan_out.txt", text(&fan_out)),
         ("fan_out.tex", latex(&fan_out)),
+        ("modes.txt", text(&equations(&modes_behind_a_contact()))),
     ];
     for (name, found) in found {
         let path = folder.join(name);
@@ -26,6 +29,25 @@ fn golden_texts_of_three_models() {
         let expected = std::fs::read_to_string(&path).unwrap();
         assert_eq!(found, expected, "{name}, found:\n{found}");
     }
+}
+
+/// A lever of one mode behind a contact element, which carries a rigid and an elastic object
+/// and a brake: its output is a sum.
+fn modes_behind_a_contact() -> Model {
+    let text = r#"{ "dam": 1, "name": "Modes", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": 60 } },
+        "lever": { "kind": "rocker", "input": "shaft", "position": { "sine": { "amplitude": 0.1 } },
+            "inertia": 0.01, "stiffness": 400, "damping_capacity": 0.2, "modes": 1,
+            "pair": { "closure": "force", "contact": { "stiffness": 900 } },
+            "loads": { "closing": { "constant": -6 }, "brake": { "viscous": 0.3 } } },
+        "ram": { "kind": "slider", "input": "lever", "position": { "ratio": 0.2 },
+            "inertia": 2, "masses": 0 },
+        "arm": { "kind": "rocker", "input": "lever", "position": { "ratio": 2 },
+            "inertia": 0.001, "stiffness": 100, "masses": 1 } },
+        "run": { "duration": 1 } }"#;
+    let document = Document::parse("modes.json", text.as_bytes()).unwrap();
+    let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+    lower(&reading.scene).unwrap()
 }
 
 #[test]
