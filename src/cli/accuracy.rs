@@ -1,10 +1,8 @@
 //! The accuracy that arguments ask for.
 
 use super::failure::Failure;
+use crate::studies::order::USUAL_SHARE;
 use serde_json::Value;
-
-/// How accurate figures are to be of which nothing is said.
-const USUAL: &str = "1 %";
 
 /// The setting of `run.accuracy` that `--accuracy` and `--figure` stand for: a share of all
 /// figures, or one for each. None where nothing is said.
@@ -26,9 +24,10 @@ pub(super) fn setting(accuracies: &[String], figures: &[String]) -> Result<Vec<S
         return Ok(vec![format!("run.accuracy={share}")]);
     }
     let mut all = serde_json::Map::new();
+    let usual = format!("{} %", 100.0 * USUAL_SHARE);
     for figure in figures {
         let figure = figure.trim().to_owned();
-        all.insert(figure, value(share.unwrap_or(USUAL)));
+        all.insert(figure, value(share.unwrap_or(&usual)));
     }
     for one in of_one {
         if let Some((figure, accuracy)) = one.split_once('=') {

@@ -24,6 +24,7 @@ use crate::studies::RunSettings;
 use crate::studies::axis::Axis;
 use crate::studies::methods::sweep::{Sweep, sweep};
 use crate::studies::methods::{Models, Now, Plan, Study, all_methods, models, study};
+use crate::studies::order::USUAL_SHARE;
 use bar::PointBar;
 use std::time::Duration;
 
@@ -143,9 +144,6 @@ fn files_of_sweep(sweep: &Sweep) -> Files<'_> {
         .collect()
 }
 
-/// How accurate max|δ| is to be where nothing is said.
-const USUAL: f64 = 0.01;
-
 /// The scene with the least model that is accurate enough, and the errors of all models.
 fn with_model(
     (args, asker): (&MethodsArgs, &dyn Asker),
@@ -156,7 +154,7 @@ fn with_model(
     let places = reading.places.clone();
     let diagnose = |faults: Vec<Fault>| places.diagnose(&faults);
     let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
-    let asked = args.accuracy.unwrap_or(USUAL);
+    let asked = args.accuracy.unwrap_or(USUAL_SHARE);
     let found = models(&mut reading.scene, &settings, asked, control).map_err(diagnose)?;
     let ready = Ready::of_within(reading, Judging::Never, control)?;
     Ok((ready, Some(found)))

@@ -110,19 +110,21 @@ impl ModelBuilder {
     }
 }
 
+/// Digits of a place: edges are told closely.
+const DIGITS: usize = 9;
+
 pub(super) fn place(displacement: f64, coordinate: Coordinate) -> String {
     match coordinate {
-        Coordinate::Turning => format!("{:.6} deg", displacement.to_degrees()),
-        Coordinate::Sliding => format!("{displacement:.9} m"),
+        Coordinate::Turning => format!("{} deg", shown(displacement.to_degrees(), DIGITS)),
+        Coordinate::Sliding => format!("{} m", shown(displacement, DIGITS)),
     }
 }
 
 pub(super) fn range((from, to): (f64, f64), coordinate: Coordinate) -> String {
-    match coordinate {
-        Coordinate::Turning => {
-            let (from, to) = (from.to_degrees(), to.to_degrees());
-            format!("between {from:.6} and {to:.6} deg")
-        }
-        Coordinate::Sliding => format!("between {from:.9} and {to:.9} m"),
-    }
+    let (from, to, unit) = match coordinate {
+        Coordinate::Turning => (from.to_degrees(), to.to_degrees(), "deg"),
+        Coordinate::Sliding => (from, to, "m"),
+    };
+    let (from, to) = (shown(from, DIGITS), shown(to, DIGITS));
+    format!("between {from} and {to} {unit}")
 }

@@ -265,9 +265,10 @@ pub(super) fn warnings(
     let mut warnings = Vec::new();
     if ratio < ALMOST_STOPS {
         warnings.push(format!(
-            "the machine almost stops at φ = {position:.6} rad: its kinetic energy falls to \
-             {ratio} of the greatest",
-            ratio = shown(ratio, 2)
+            "the machine almost stops at φ = {} rad: its kinetic energy falls to {} of the \
+             greatest",
+            shown(position, 7),
+            shown(ratio, 2)
         ));
     }
     if !(level.miss <= question.tolerance) {

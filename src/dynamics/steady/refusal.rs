@@ -108,24 +108,27 @@ impl Refusal {
             Self::Surplus { work, range, .. } => {
                 let does = if *work > 0.0 { "gains" } else { "loses" };
                 let share = work.abs() / range.max(f64::MIN_POSITIVE);
-                let share = match share < 1e-3 {
-                    true => shown(share, 2),
-                    false => format!("{share:.4}"),
-                };
                 format!(
-                    "no steady motion: the forces do {work:.7} J of work in a cycle ({share} of \
-                     its range), so the machine {does} speed from cycle to cycle"
+                    "no steady motion: the forces do {} J of work in a cycle ({} of its range), \
+                     so the machine {does} speed from cycle to cycle",
+                    shown(*work, 7),
+                    shown(share, 4)
                 )
             }
             Self::Inertia { position, inertia } => format!(
-                "the reduced moment of inertia is {inertia} kg·m² at φ = {position:.6} rad; it \
-                 must be above zero"
+                "the reduced moment of inertia is {inertia} kg·m² at φ = {} rad; it must be above \
+                 zero",
+                shown(*position, 7)
             ),
             Self::Moment { position } => {
-                format!("the reduced moment is not a finite number at φ = {position:.6} rad")
+                format!(
+                    "the reduced moment is not a finite number at φ = {} rad",
+                    shown(*position, 7)
+                )
             }
             Self::Rough { position } => format!(
-                "the reduced inertia or moment changes too roughly near φ = {position:.6} rad"
+                "the reduced inertia or moment changes too roughly near φ = {} rad",
+                shown(*position, 7)
             ),
             Self::TooSlow {
                 wanted,
@@ -134,12 +137,15 @@ impl Refusal {
                 position,
             } => format!(
                 "no motion without a stop has the mean speed {wanted} rad/s ({}): the lowest mean \
-                 is {lowest:.7} rad/s, at which the machine stops at φ = {position:.6} rad",
-                mean.words()
+                 is {} rad/s, at which the machine stops at φ = {} rad",
+                mean.words(),
+                shown(*lowest, 7),
+                shown(*position, 7)
             ),
             Self::Stalls { position, speed } => format!(
-                "the machine stalls at φ = {position:.6} rad in a cycle that begins with \
-                 {speed:.6} rad/s"
+                "the machine stalls at φ = {} rad in a cycle that begins with {} rad/s",
+                shown(*position, 7),
+                shown(*speed, 7)
             ),
             Self::NoCycle { why } => format!("no cycle returns to its speed: {why}"),
             Self::Fluctuation {
@@ -148,7 +154,7 @@ impl Refusal {
                 why,
             } => {
                 let without = match without {
-                    Some(found) => format!("it is {found:.6}"),
+                    Some(found) => format!("it is {}", shown(*found, 7)),
                     None => "the machine would stop".to_owned(),
                 };
                 format!(
@@ -163,7 +169,8 @@ impl Refusal {
     pub fn hint(&self) -> String {
         match self {
             Self::Surplus { moment, .. } => format!(
-                "`balance` adds the constant moment {moment:.7} N·m that makes the work zero"
+                "`balance` adds the constant moment {} N·m that makes the work zero",
+                shown(*moment, 7)
             ),
             Self::TooSlow { mean, .. } if *mean != Mean::Time => {
                 "ask for a higher mean, or take the mean over time".to_owned()

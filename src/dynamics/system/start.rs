@@ -6,6 +6,7 @@ use super::{InitialState, System};
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::{Closure, ExplicitStart, Start};
 use crate::fault::Fault;
+use crate::units::shown;
 
 impl System {
     /// State just after t = 0, as the model's `start` asks.
@@ -206,7 +207,10 @@ impl System {
                 let place = law.map_or(0.0, |law| work.displacement[frozen.laws[law].driver]);
                 faults.push(Fault::new(
                     format!("{}.position", part.id),
-                    format!("at t = 0 the driver is at {place:.6}, outside the reach of this position function"),
+                    format!(
+                        "at t = 0 the driver is at {}, outside the reach of this position function",
+                        shown(place, 7)
+                    ),
                     "another position of the drive at t = 0",
                 ));
             } else if !(work.displacement[node].is_finite() && work.speed[node].is_finite()) {

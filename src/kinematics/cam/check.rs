@@ -74,9 +74,9 @@ pub(super) fn refuse_start(geometry: &CamGeometry, faults: &mut Faults) {
                 length(offset)
             );
             let hint = format!(
-                "give a base radius above {:.6} m, or an offset below {:.6} m",
-                offset.abs() + shift,
-                geometry.prime_radius()
+                "give a base radius above {}, or an offset below {}",
+                length(offset.abs() + shift),
+                length(geometry.prime_radius())
             );
             faults.add("cam.base_radius", message, &hint);
         }
@@ -88,7 +88,11 @@ pub(super) fn refuse_start(geometry: &CamGeometry, faults: &mut Faults) {
         ) => {
             let message = format!("the face does not reach a base circle of {base}");
             let (low, high) = ((-face_offset).max(0.0), centre_distance - face_offset);
-            let hint = format!("give a base radius between {low:.6} and {high:.6} m");
+            let hint = format!(
+                "give a base radius between {} and {}",
+                length(low),
+                length(high)
+            );
             faults.add("cam.base_radius", message, &hint);
         }
         (
@@ -106,9 +110,9 @@ pub(super) fn refuse_start(geometry: &CamGeometry, faults: &mut Faults) {
             );
             let (low, high) = ((centre_distance - arm).abs(), centre_distance + arm);
             let hint = format!(
-                "give a base radius between {:.6} and {:.6} m",
-                (low + shift).max(0.0),
-                high + shift
+                "give a base radius between {} and {}",
+                length((low + shift).max(0.0)),
+                length(high + shift)
             );
             faults.add("cam.base_radius", message, &hint);
         }

@@ -8,6 +8,7 @@ use super::spec::{CamGeometry, Contact, Guide};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::position::Position;
 use crate::math::number::{Dual, Number, atan};
+use crate::units::shown;
 use serde::Serialize;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
@@ -118,9 +119,9 @@ impl DiscCam {
                 let sum = touch.point[0] + touch.point[1] + touch.pressure + touch.bend;
                 if !(sum + touch.rate + touch.lever).is_finite() || touch.rate == 0.0 {
                     let message = format!(
-                        "at φ = {:.4} deg the follower touches no place of the cam that could be \
+                        "at φ = {} deg the follower touches no place of the cam that could be \
                          computed",
-                        phi.to_degrees()
+                        shown(phi.to_degrees(), 6)
                     );
                     let hint = "give a geometry of the size of the stroke";
                     return faults.add("cam", message, hint);
@@ -142,15 +143,15 @@ impl DiscCam {
         );
         if most >= end {
             let message = format!(
-                "the follower would swing to {:.4} deg from the line of centres, beyond {} deg",
-                most.to_degrees(),
+                "the follower would swing to {} deg from the line of centres, beyond {} deg",
+                shown(most.to_degrees(), 6),
                 end.to_degrees()
             );
             let hint = format!(
-                "it starts at {:.4} deg: the stroke may be up to {:.4} deg; give a smaller base \
-                 circle or a greater centre distance",
-                self.start.to_degrees(),
-                (end - self.start).to_degrees()
+                "it starts at {} deg: the stroke may be up to {} deg; give a smaller base circle or \
+                 a greater centre distance",
+                shown(self.start.to_degrees(), 6),
+                shown((end - self.start).to_degrees(), 6)
             );
             faults.add("cam", message, &hint);
             return;
@@ -162,8 +163,8 @@ impl DiscCam {
         let [least, _] = extremes(&self.motion, &turning);
         if least.value <= 1e-9 {
             let message = format!(
-                "at φ = {:.4} deg the follower turns as fast as the cam: no flat face can be driven so",
-                least.phi.to_degrees()
+                "at φ = {} deg the follower turns as fast as the cam: no flat face can be driven so",
+                shown(least.phi.to_degrees(), 6)
             );
             let hint = "keep |U′| below 1 where the follower turns with the cam, or let it swing against the cam";
             faults.add("cam", message, hint);

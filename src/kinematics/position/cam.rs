@@ -5,6 +5,7 @@ use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::{Law, LawSpec};
 use crate::math::jet::Jet;
+use crate::units::shown;
 use std::f64::consts::TAU;
 
 /// A cam: θ = φ + phase runs through rise, upper dwell, return and rest, once
@@ -73,8 +74,8 @@ impl Cam {
         let total = spec.rise + spec.dwell + spec.return_angle;
         if total > TAU + NO_ANGLE {
             let message = format!(
-                "rise, dwell and return make {:.6} deg, more than a turn",
-                total.to_degrees()
+                "rise, dwell and return make {} deg, more than a turn",
+                shown(total.to_degrees(), 7)
             );
             let hint = "make rise + dwell + return at most 360 deg; what is left is the rest";
             faults.add("cam", message, hint);

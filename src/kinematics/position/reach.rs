@@ -7,6 +7,7 @@
 //! other.
 
 use crate::math::order::by_first;
+use crate::units::shown;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
@@ -22,7 +23,8 @@ impl fmt::Display for OutOfReach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, (from, to)) in self.intervals.iter().enumerate() {
             let word = if index > 0 { " or " } else { "" };
-            write!(f, "{word}from {from:.6} to {to:.6}")?;
+            let (from, to) = (shown(*from, 7), shown(*to, 7));
+            write!(f, "{word}from {from} to {to}")?;
         }
         Ok(())
     }

@@ -20,6 +20,7 @@ pub(in crate::report) use view::view;
 
 use crate::fault::Fault;
 use crate::kinematics::cam::{DiscCam, Polygon};
+use crate::units::shown;
 
 /// A curve of a cam, to be drawn or cut.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,7 +96,7 @@ fn check_cutter(cam: &DiscCam, cutter: f64) -> Result<(), Fault> {
     {
         return refuse(
             format!("a cutter of radius {cutter} m does not reach all of the profile"),
-            format!("it may be up to {:.6} m", most.value),
+            format!("it may be up to {} m", shown(most.value, 6)),
         );
     }
     Ok(())

@@ -6,8 +6,10 @@ use crate::frontend::scene::{Accuracy, AccuracySpec, Elastic, Expected, TypedSce
 use crate::studies::expectations::of_run;
 use crate::studies::limit::without_limit;
 
-/// Accuracy of figures of which none is said.
-pub(in crate::studies) const USUAL: Accuracy = Accuracy::Share(0.01);
+/// Share of a figure that it may be off by where nothing is said.
+pub const USUAL_SHARE: f64 = 0.01;
+/// The same as an accuracy.
+pub(in crate::studies) const USUAL: Accuracy = Accuracy::Share(USUAL_SHARE);
 
 /// A figure that is asked for.
 #[derive(Clone, Debug, PartialEq)]

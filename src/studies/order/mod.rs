@@ -23,6 +23,7 @@ pub(super) mod trial;
 
 pub use asked::Asked;
 pub(in crate::studies) use asked::USUAL;
+pub use asked::USUAL_SHARE;
 pub use certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };

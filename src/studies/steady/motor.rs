@@ -27,7 +27,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 /// Share of a coordinate's usual accelerations that counts where it moves evenly.
-const USUAL: f64 = 1e-3;
+const SHARE_OF_SCALE: f64 = 1e-3;
 /// Places of a cycle at which accelerations are compared with those a cycle later.
 const LOOKS: usize = 97;
 
@@ -125,7 +125,7 @@ fn check_cycle(
     }
     // What moves evenly has accelerations of nothing but rounding.
     let turn = map.nominal();
-    let usual = |index: usize| USUAL * system.scales()[count + index] * turn;
+    let usual = |index: usize| SHARE_OF_SCALE * system.scales()[count + index] * turn;
     let astray =
         (0..count).find(|&index| !(worst[index] <= AFTER_A_CYCLE * (sizes[index] + usual(index))));
     astray.map_or(Ok(()), |index| {

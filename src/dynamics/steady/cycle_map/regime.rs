@@ -100,8 +100,9 @@ impl Machine<'_> {
         }
         Err(Refusal::NoCycle {
             why: format!(
-                "after {MOST_CYCLES} cycles from a mean of {guess:.4} rad/s the energy still \
+                "after {MOST_CYCLES} cycles from a mean of {} rad/s the energy still \
                  changes by {} of itself in a cycle",
+                shown(guess, 7),
                 shown((end.energy / energy - 1.0).abs(), 2)
             ),
         })

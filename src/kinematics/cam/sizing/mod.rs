@@ -8,6 +8,7 @@ use super::search::{At, greatest};
 use super::spec::{Contact, Guide, Surface};
 use crate::fault::Fault;
 use crate::math::optimise::golden;
+use crate::units::shown;
 use serde::Serialize;
 use std::f64::consts::FRAC_PI_2;
 
@@ -82,9 +83,9 @@ impl DiscCam {
                     }]),
                     false => {
                         let message = format!(
-                            "the pressure angle is the face's inclination, {:.4} deg, on every \
-                             base circle",
-                            inclination.to_degrees().abs()
+                            "the pressure angle is the face's inclination, {} deg, on every base \
+                             circle",
+                            shown(inclination.to_degrees().abs(), 6)
                         );
                         let path = "cam.contact.flat.inclination";
                         Err(Fault::new(path, message, "incline the face less"))
@@ -173,14 +174,14 @@ impl DiscCam {
         }
         let angle = |tangent: f64| (tangent * limits.outward.tan()).atan().to_degrees();
         let message = format!(
-            "no base circle keeps the pressure angle within {:.4} deg",
-            limits.outward.to_degrees()
+            "no base circle keeps the pressure angle within {} deg",
+            shown(limits.outward.to_degrees(), 6)
         );
         let hint = format!(
-            "the least that can be had here is {:.4} deg, on a base circle of {:.6} m; change arm, \
+            "the least that can be had here is {} deg, on a base circle of {} m; change arm, \
              centre distance, sense of swing or the law",
-            angle(found.best.1),
-            found.best.0
+            shown(angle(found.best.1), 6),
+            shown(found.best.0, 6)
         );
         Err(Fault::new("cam.base_radius", message, hint))
     }
@@ -222,8 +223,8 @@ impl DiscCam {
             true => {
                 let message = "no base circle makes the profile smooth enough";
                 let hint = format!(
-                    "nearest is a base circle of {:.6} m; change arm, centre distance or the law",
-                    found.best.0
+                    "nearest is a base circle of {} m; change arm, centre distance or the law",
+                    shown(found.best.0, 6)
                 );
                 Err(Fault::new("cam.base_radius", message, hint))
             }
