@@ -224,7 +224,7 @@ fn a_start_beyond_the_reach_is_a_fault_with_the_interval() {
     assert_eq!(faults[0].path, "m.start");
     // The rod reaches the guide up to asin(30/50).
     assert!(
-        faults[0].hint.contains("-36.869898 and 36.869898 deg"),
+        faults[0].hint.contains("-36.8698976 and 36.8698976 deg"),
         "{faults:?}"
     );
 }

@@ -394,7 +394,7 @@ fn the_command_refuses_in_words() {
     refused(&["cam", &scene, "--object", "tabel"], "these do: table");
     refused(
         &["cam", &scene, "--set", "table.cam.base_radius=0.2"],
-        "between 0.0120",
+        "between 0.012 m and ",
     );
     refused(
         &["cam", &scene, "--pressure-angle", "95 deg"],

@@ -119,7 +119,7 @@ mod tests {
         }
         let outside = arcs.reach_from(0.1).unwrap_err();
         assert_eq!(outside.intervals.len(), 2);
-        assert!(outside.to_string().contains("from 0.500000 to 2.891593"));
+        assert!(outside.to_string().contains("from 0.5 to 2.891593"));
         let free = ForbiddenArcs {
             centre: 1.0,
             half_widths: [None, None],

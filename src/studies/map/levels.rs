@@ -88,12 +88,12 @@ impl Point {
         Some(accuracy.all(|found| found.holds))
     }
 
-    /// True when an object has masses where modes were chosen here.
+    /// True when an object has masses where modes or static flexibility were chosen here.
     fn differs(&self, levels: &Levels) -> bool {
         let masses = |id: &String| matches!(levels.get(id), Some(Level::Masses { .. }));
-        let modes =
-            |(id, level): (&String, &Level)| matches!(level, Level::Modes { .. }) && masses(id);
-        self.own.iter().any(modes)
+        let gives_way = |level: &Level| matches!(level, Level::Modes { .. } | Level::Static);
+        let mut own = self.own.iter();
+        own.any(|(id, level)| gives_way(level) && masses(id))
     }
 
     /// True when the figures are accurate enough by these levels.

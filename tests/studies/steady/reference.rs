@@ -238,7 +238,7 @@ fn failures_are_refused_in_their_words() {
         matches!(refusal, Refusal::Surplus { work: 5.0, .. }),
         "{refusal:?}"
     );
-    assert!(refusal.message().contains("gains speed") && refusal.message().contains("5.0"));
+    assert!(refusal.message().contains("gains speed") && refusal.message().contains("do 5 J"));
     assert!(refusal.hint().contains("balance") && refusal.hint().contains("-0.7957747"));
     let balanced = Question {
         balance: true,

@@ -394,5 +394,5 @@ fn a_weak_motor_stalls_under_its_load() {
         position: 4.0,
         speed: 2.0,
     };
-    assert!(refusal.message().contains("4.000000 rad"));
+    assert!(refusal.message().contains("φ = 4 rad"));
 }

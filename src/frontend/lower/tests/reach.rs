@@ -11,11 +11,11 @@ fn a_linkage_that_cannot_be_assembled_at_the_start_is_a_fault() {
     ]))
     .unwrap_err();
     assert_eq!(faults[0].path, "ram.position");
-    assert!(faults[0].message.contains("`drive` at 90.000000 deg"));
+    assert!(faults[0].message.contains("`drive` at 90 deg"));
     assert!(
         faults[0]
             .hint
-            .contains("between -53.130102 and 53.130102 deg"),
+            .contains("between -53.1301024 and 53.1301024 deg"),
         "{}",
         faults[0].hint
     );

@@ -207,7 +207,7 @@ fn a_cam_that_cannot_be_is_refused_with_what_can() {
     refused(
         turning(0.2, 0.008, 1.0),
         "cam.base_radius",
-        "between 0.0120",
+        "between 0.012 m and 0.152 m",
     );
     let open = CamGeometry {
         range: Some((0.0, 9.0)),

@@ -1,7 +1,7 @@
 //! Equations of a chain of masses behind its driving pair.
 
 use super::{
-    Entry, LONGEST_WRITTEN_OUT, Section, contact, inertia_side, inputs, loads, of_mass, of_object,
+    LONGEST_WRITTEN_OUT, Section, contact, inertia_side, inputs, list, loads, of_mass, of_object,
     output, output_name, reflected,
 };
 use crate::dynamics::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
@@ -281,29 +281,4 @@ fn legend(model: &Model, part: &ObjectPart, section: &mut Section) {
             section.entry(symbol("κ", Index::None), kappa, unit, "contact damping");
         }
     }
-}
-
-/// One entry for a letter's values: each by itself, or all in a row.
-pub(super) fn list(
-    section: &mut Section,
-    letter: &'static str,
-    values: Vec<f64>,
-    unit: &'static str,
-    meaning: &'static str,
-) {
-    let count = values.len();
-    let equal = values.windows(2).all(|pair| pair[0] == pair[1]);
-    if count == 1 || (count <= LONGEST_WRITTEN_OUT && !equal) {
-        for (place, value) in values.into_iter().enumerate() {
-            section.entry(of_mass(letter, place + 1), value, unit, meaning);
-        }
-        return;
-    }
-    section.legend.push(Entry {
-        symbol: of_mass(letter, 1).expr(),
-        until: Some(of_mass(letter, count).expr()),
-        values: if equal { values[..1].to_vec() } else { values },
-        unit,
-        meaning,
-    });
 }

@@ -295,5 +295,30 @@ fn output_name(model: &Model, object: usize, section: &mut Section, last: Symbol
     }
 }
 
+/// One entry for a letter's values: each by itself, or all in a row.
+fn list(
+    section: &mut Section,
+    letter: &'static str,
+    values: Vec<f64>,
+    unit: &'static str,
+    meaning: &'static str,
+) {
+    let count = values.len();
+    let equal = values.windows(2).all(|pair| pair[0] == pair[1]);
+    if count == 1 || (count <= LONGEST_WRITTEN_OUT && !equal) {
+        for (place, value) in values.into_iter().enumerate() {
+            section.entry(of_mass(letter, place + 1), value, unit, meaning);
+        }
+        return;
+    }
+    section.legend.push(Entry {
+        symbol: of_mass(letter, 1).expr(),
+        until: Some(of_mass(letter, count).expr()),
+        values: if equal { values[..1].to_vec() } else { values },
+        unit,
+        meaning,
+    });
+}
+
 #[cfg(test)]
 mod tests;

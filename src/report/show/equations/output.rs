@@ -2,8 +2,7 @@
 //! contact element. What acts on the output is shared out to the masses as their motions are
 //! to it.
 
-use super::chain::list;
-use super::{LONGEST_WRITTEN_OUT, Section, loads, of_mass, of_object, reflected};
+use super::{LONGEST_WRITTEN_OUT, Section, list, loads, of_mass, of_object, reflected};
 use crate::dynamics::model::{Model, Reduced};
 use crate::report::math::{Expr, Index, Symbol, symbol};
 
