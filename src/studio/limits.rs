@@ -19,6 +19,8 @@ pub(super) const ROOMS: usize = 32;
 /// Runs that a window may pin, and characters of their names.
 pub(super) const PINS: usize = 3;
 pub(super) const NAME: usize = 40;
+/// Windows that are gone whose view a document keeps for their tabs.
+pub(super) const LEFT: usize = 4;
 /// Largest answer to a question that is sent, and largest file that is made of one (bytes).
 pub(super) const ANSWER: usize = 32 << 20;
 /// Messages that may wait for a window before it is given up.

@@ -14,6 +14,9 @@ pub(super) enum Said {
     Hello {
         /// The token.
         token: String,
+        /// The tab that it is in, which it is when it is loaded or connected anew too.
+        #[serde(default)]
+        tab: String,
     },
     /// Opens a scene of the folder.
     Open {

@@ -145,6 +145,7 @@ impl Room {
         let mut state = self.lock();
         window.forget();
         window.send(state.opened(&self.name).into());
+        let again = state.back(window);
         state.windows.insert(window.id, window.clone());
         window.send(state.told_status().into());
         if let Some(checked) = &state.checked {
@@ -153,16 +154,14 @@ impl Room {
         if let Some(answer) = &state.answer {
             window.answer(answer.clone());
         }
+        if again {
+            self.ask_again(&state);
+        }
     }
 
     /// A window is gone, or looks at another.
-    pub(super) fn leave(&self, window: u64) {
-        let mut state = self.lock();
-        state.windows.remove(&window);
-        state.asked.remove(&window);
-        state.questions.remove(&window);
-        state.views.remove(&window);
-        state.answers.remove(&window);
+    pub(super) fn leave(&self, window: &Window) {
+        self.lock().part(window);
     }
 
     /// A window sees these charts: those that come into its sight it is sent with their numbers.

@@ -42,7 +42,7 @@ impl Opened {
             base.path().join("open/scene.json"),
         )
         .unwrap();
-        let (room, window) = (room(base.path()), Arc::new(Window::new(7)));
+        let (room, window) = (room(base.path()), Arc::new(Window::new(7, "one")));
         room.join(&window);
         Self { base, room, window }
     }
@@ -155,7 +155,7 @@ fn a_question_is_answered_anew_as_the_text_changes_and_no_longer_than_it_is_aske
 fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
     let opened = Opened::new();
     opened.told("answer", |one| one["version"] == 0);
-    let other = Arc::new(Window::new(8));
+    let other = Arc::new(Window::new(8, ""));
     opened.room.join(&other);
     opened.room.pin(7, "first").unwrap();
     let both = opened.told("answer", |one| one["pins"] == json!(["first"]));
@@ -203,6 +203,32 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
     }
     let alone = opened.told("answer", |one| one["pins"] == json!([]));
     assert_eq!(alone["compared"], "");
+}
+
+#[test]
+fn a_tab_that_is_loaded_anew_has_its_pinned_runs() {
+    let mut opened = Opened::new();
+    opened.told("answer", |one| one["version"] == 0);
+    opened.room.pin(7, "first").unwrap();
+    opened.told("answer", |one| one["pins"] == json!(["first"]));
+    let window = |id: u64, tab: &str| Arc::new(Window::new(id, tab));
+    let joined = |opened: &mut Opened, new: Arc<Window>| {
+        opened.room.join(&new);
+        std::mem::replace(&mut opened.window, new)
+    };
+    // Before the old window was missed, and after.
+    let old = joined(&mut opened, window(9, "one"));
+    opened.told("answer", |one| one["pins"] == json!(["first"]));
+    opened.room.leave(&old);
+    opened.room.leave(&opened.window);
+    joined(&mut opened, window(10, "one"));
+    opened.told("answer", |one| one["pins"] == json!(["first"]));
+    // Another tab, and one that says nothing, see the run alone.
+    for tab in ["two", ""] {
+        joined(&mut opened, window(11, tab));
+        let alone = opened.told("answer", |_| true);
+        assert_eq!(alone["pins"], json!([]), "{tab}");
+    }
 }
 
 #[test]
@@ -279,7 +305,7 @@ fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
 #[test]
 fn edits_upon_edits_on_the_way_are_taken_where_no_other_window_came_between() {
     let opened = Opened::new();
-    let other = Arc::new(Window::new(8));
+    let other = Arc::new(Window::new(8, ""));
     opened.room.join(&other);
     // A blank more at the end of the text; true: it was taken.
     let push = |window: &Window, version: u64, heard: u64| {
@@ -406,7 +432,7 @@ fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
         drafts.keep(&path, &saved, &draft).unwrap();
         let again = Opened {
             room: room(opened.base.path()),
-            window: Arc::new(Window::new(8)),
+            window: Arc::new(Window::new(8, "")),
             base: tempfile::tempdir().unwrap(),
         };
         again.room.join(&again.window);

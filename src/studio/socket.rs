@@ -39,14 +39,14 @@ pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
     let Ok(Some(Ok(Message::Text(text)))) = hello else {
         return;
     };
-    let known = match serde_json::from_str(&text) {
-        Ok(Said::Hello { token }) => studio.token().is(&token),
-        _ => false,
+    let tab = match serde_json::from_str(&text) {
+        Ok(Said::Hello { token, tab }) if studio.token().is(&token) => tab,
+        _ => return,
     };
-    let Some(_place) = known.then(|| Place::take(&studio)).flatten() else {
+    let Some(_place) = Place::take(&studio) else {
         return;
     };
-    let window = Arc::new(Window::new(NEXT.fetch_add(1, Ordering::Relaxed)));
+    let window = Arc::new(Window::new(NEXT.fetch_add(1, Ordering::Relaxed), &tab));
     let welcome = json!({
         "type": "welcome",
         "window": window.id.to_string(),
@@ -64,7 +64,7 @@ pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
     // What goes wrong with the connection ends the visit.
     let _ = visit.last(&mut socket).await;
     if let Some(room) = visit.room.take() {
-        room.leave(visit.window.id);
+        room.leave(&visit.window);
     }
 }
 
@@ -172,7 +172,7 @@ impl Visit {
             tokio::task::spawn_blocking(move || recent.remember(&path));
         }
         if let Some(before) = self.room.replace(room.clone()) {
-            before.leave(self.window.id);
+            before.leave(&self.window);
         }
         room.join(&self.window);
         Ok(())

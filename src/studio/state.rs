@@ -3,6 +3,7 @@
 use super::answer::Answer;
 use super::commands::Question;
 use super::disk::OnDisk;
+use super::limits::LEFT;
 use super::messages::Asked;
 use super::text::Text;
 use super::view::View;
@@ -30,6 +31,8 @@ pub(super) struct State {
     /// What windows see besides, and the answers as they see them.
     pub(super) views: BTreeMap<u64, View>,
     pub(super) answers: BTreeMap<u64, Arc<Answer>>,
+    /// What windows saw that are gone, by their tabs, the last one last.
+    left: Vec<(String, View)>,
     status: String,
     /// Who made the last edits, and the version from which on all are theirs.
     stretch: (u64, u64),
@@ -48,9 +51,50 @@ impl State {
             result: None,
             views: BTreeMap::new(),
             answers: BTreeMap::new(),
+            left: Vec::new(),
             status: String::new(),
             stretch: (0, 0),
         }
+    }
+
+    /// A window goes; what it saw waits for its tab, which may only be loaded anew.
+    pub(super) fn part(&mut self, window: &Window) {
+        let id = window.id;
+        self.windows.remove(&id);
+        self.asked.remove(&id);
+        self.questions.remove(&id);
+        self.answers.remove(&id);
+        let Some(view) = self.views.remove(&id) else {
+            return;
+        };
+        if !window.tab.is_empty() {
+            self.left.retain(|(tab, _)| *tab != window.tab);
+            self.left.push((window.tab.clone(), view));
+            let over = self.left.len().saturating_sub(LEFT);
+            self.left.drain(..over);
+        }
+    }
+
+    /// A window comes: whether it sees again what its tab saw.
+    pub(super) fn back(&mut self, window: &Window) -> bool {
+        if window.tab.is_empty() {
+            return false;
+        }
+        let own = self.left.iter().position(|(tab, _)| *tab == window.tab);
+        let view = match own {
+            Some(place) => Some(self.left.remove(place).1),
+            // The one that it replaces has not been missed yet.
+            None => {
+                let mut others = self.windows.values();
+                let same = others.find(|other| other.tab == window.tab);
+                same.and_then(|other| self.views.get(&other.id).cloned())
+            }
+        };
+        let again = view.is_some();
+        if let Some(view) = view {
+            self.views.insert(window.id, view);
+        }
+        again
     }
 
     /// The answer as a window sees it.

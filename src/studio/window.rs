@@ -2,7 +2,7 @@
 //! next only once the one before was taken up.
 
 use super::answer::{Answer, Had};
-use super::limits::WAITING;
+use super::limits::{NAME, WAITING};
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::Notify;
@@ -12,6 +12,8 @@ use tokio::sync::Notify;
 pub(super) struct Window {
     /// Its number among all.
     pub(super) id: u64,
+    /// The tab that it is in; empty: it says nothing of it.
+    pub(super) tab: String,
     queue: Mutex<Queue>,
     pub(super) wake: Notify,
 }
@@ -65,9 +67,10 @@ pub(super) enum Sent {
 }
 
 impl Window {
-    pub(super) fn new(id: u64) -> Self {
+    pub(super) fn new(id: u64, tab: &str) -> Self {
         Self {
             id,
+            tab: tab.chars().take(NAME).collect(),
             queue: Mutex::default(),
             wake: Notify::new(),
         }

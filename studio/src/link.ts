@@ -2,7 +2,7 @@
 
 export type Message = { type: string } & Record<string, any>;
 
-const KEY = "dam-studio-token", SCENE = "dam-studio-scene";
+const KEY = "dam-studio-token", SCENE = "dam-studio-scene", TAB = "dam-studio-tab";
 
 // The token comes behind the # of the first address, where no server sees it, and stays in
 // this window alone.
@@ -14,6 +14,15 @@ function token(): string | null {
     history.replaceState(null, "", location.pathname);
   }
   return sessionStorage.getItem(KEY);
+}
+
+// The tab, the same when it is loaded or connected anew: runs that were pinned in it are there.
+function tab(): string {
+  const kept = sessionStorage.getItem(TAB);
+  if (kept) return kept;
+  const made = Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, "0")).join("");
+  sessionStorage.setItem(TAB, made);
+  return made;
 }
 
 // The scene that this window shows, so that it does when it is loaded anew; empty: the first page.
@@ -59,7 +68,7 @@ export class Link {
     const socket = new WebSocket(`ws://${location.host}/ws`);
     socket.binaryType = "arraybuffer";
     this.socket = socket;
-    socket.onopen = () => socket.send(JSON.stringify({ type: "hello", token: this.token }));
+    socket.onopen = () => socket.send(JSON.stringify({ type: "hello", token: this.token, tab: tab() }));
     socket.onmessage = (event) => {
       if (typeof event.data !== "string") { this.answer(event.data); return; }
       const message = JSON.parse(event.data) as Message;

@@ -74,6 +74,11 @@ test("a pinned run stays in the charts and beside the figures", async ({ page })
   await expect(delta.locator(".legend .entry")).toHaveCount(3);
   await moved(page, "ArrowLeft", 2);
   await expect(delta.locator(".legend .entry")).toHaveCount(3);
+  // Loaded anew, the page has them still.
+  await page.reload();
+  await expect(page.getByLabel("name of pinned run 1")).toHaveValue("before");
+  await expect(page.getByLabel("name of pinned run 2")).toHaveValue("run 2");
+  await expect(delta.locator(".legend .entry")).toHaveCount(3);
   await page.getByRole("button", { name: "unpin before" }).click();
   await expect(delta.locator(".legend .entry")).toHaveCount(2);
   await page.getByRole("button", { name: "unpin run 2" }).click();

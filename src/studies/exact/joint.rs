@@ -32,6 +32,8 @@ const RADIANS: f64 = 1.5;
 /// Records a walk.
 pub(super) struct Joint<'a> {
     route: Way<'a>,
+    /// Whether the walk goes on: what is looked at in one stretch may be long.
+    goes_on: &'a dyn Fn() -> bool,
     settings: RecorderSettings,
     log: Log<'a>,
     /// By tree, then by object of the tree.
@@ -52,7 +54,7 @@ impl<'a> Joint<'a> {
     /// For a walk; `rest` where more is wanted than the figures of the trees' own
     /// objects, and true with it where it is integrated.
     pub(super) fn new(
-        route: Way<'a>,
+        (route, goes_on): (Way<'a>, &'a dyn Fn() -> bool),
         settings: RecorderSettings,
         rest: Option<(&'a Rest, bool)>,
     ) -> Self {
@@ -80,6 +82,7 @@ impl<'a> Joint<'a> {
             found: Vec::new(),
             settings,
             route,
+            goes_on,
         }
     }
 
@@ -111,7 +114,8 @@ impl<'a> Joint<'a> {
         beside.or(self.log.failure())
     }
 
-    /// Forces and rigid objects over a stretch, part by part of the grid.
+    /// Forces and rigid objects over a stretch, part by part of the grid; as far as the walk
+    /// goes on.
     fn look(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
         let Some(beside) = &mut self.beside else {
             return;
@@ -132,7 +136,9 @@ impl<'a> Joint<'a> {
             if !at_rest {
                 self.look_at_forces(motion, part, modes);
             }
-            self.look_at_carried(motion, part, modes);
+            if !self.look_at_carried(motion, part, modes) {
+                return;
+            }
             from = to;
         }
     }
@@ -157,7 +163,13 @@ impl<'a> Joint<'a> {
         }
     }
 
-    fn look_at_carried(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
+    /// False where the walk ended meanwhile.
+    fn look_at_carried(
+        &mut self,
+        motion: &mut Motion<'_, '_>,
+        span: [f64; 2],
+        modes: &Modes,
+    ) -> bool {
         let [from, to] = span;
         let model = self.route.system.model();
         let summed = |object: usize| {
@@ -170,10 +182,13 @@ impl<'a> Joint<'a> {
         let trees = trees.chain(0..if all { motion.branches.len() } else { 0 });
         let rates = trees.map(|tree| motion.branches[tree].rate_ahead(span));
         let Some(rate) = rates.reduce(f64::max) else {
-            return;
+            return true;
         };
         let count = (rate * (to - from) / RADIANS).ceil().clamp(1.0, 1e6);
         for k in 0..count as usize {
+            if !(self.goes_on)() {
+                return false;
+            }
             let at = |k: f64| from + (to - from) * (k / count);
             let mut looked = Looked {
                 log: &mut self.log,
@@ -188,6 +203,7 @@ impl<'a> Joint<'a> {
                 }
             });
         }
+        true
     }
 
     /// Ends the recording of a walk that stands at `time` in the state `y`.

@@ -112,7 +112,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     let clock = Clock::new(&limits);
     let goes_on = || clock.goes_on();
     let asked = |number: usize| request(&parts.trees[number], &limits, duration, None);
-    let mut joint = Joint::new(way, settings, Some((&rest, false)));
+    let mut joint = Joint::new((way, &goes_on), settings, Some((&rest, false)));
     let mut counted = Counted {
         joint: &mut joint,
         observer: Observer::new(&system),

@@ -170,7 +170,11 @@ pub(super) fn follow(
     let clock = Clock::new(limits);
     let goes_on = || clock.goes_on();
     let request = |number: usize| request(&parts.trees[number], limits, end, wanted);
-    let mut joint = Joint::new(way, settings, rest.as_ref().map(|rest| (rest, false)));
+    let mut joint = Joint::new(
+        (way, &goes_on),
+        settings,
+        rest.as_ref().map(|rest| (rest, false)),
+    );
     let mut walk = match Walk::new(way, &request, &clock, &goes_on) {
         Ok(walk) => walk,
         Err(stop) => return never_begun(joint, initial, stop),
@@ -346,7 +350,7 @@ pub(super) fn follow_beside(
     let clock = Clock::new(limits);
     let goes_on = || clock.goes_on();
     let request = |number: usize| request(&parts.trees[number], limits, end, None);
-    let joint = Joint::new(way, settings, Some((rest, true)));
+    let joint = Joint::new((way, &goes_on), settings, Some((rest, true)));
     let walk = match Walk::new(way, &request, &clock, &goes_on) {
         Ok(walk) => walk,
         Err(stop) => return never_begun(joint, initial, stop),

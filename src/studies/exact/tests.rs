@@ -13,7 +13,11 @@ use std::time::Duration;
 const TWO_MASSES: &[u8] = include_bytes!("../../../scenarios/rocker/two_masses.json");
 
 fn prepared(overrides: &[&str]) -> (System, RunSettings) {
-    let document = Document::parse("two_masses.json", TWO_MASSES).unwrap();
+    read(TWO_MASSES, overrides)
+}
+
+fn read(text: &[u8], overrides: &[&str]) -> (System, RunSettings) {
+    let document = Document::parse("scene.json", text).unwrap();
     let overrides = Overrides::new(overrides.iter().copied());
     let reading = document.scene(&BuiltIn, &overrides).unwrap();
     let settings = RunSettings {
@@ -177,6 +181,26 @@ fn a_run_without_end_stops_when_it_is_told() {
     });
     assert_eq!(stopped.outcome.stop, Stop::Interrupted);
     assert!(stopped.outcome.time > 0.0 && stopped.outcome.statistics.switches > 0);
+}
+
+/// A lever that vibrates sixteen million times a second carries a slider, which is looked at
+/// some hundred million times before anything else is: the run ends when it is told.
+#[test]
+fn looking_at_what_a_fast_mass_carries_ends_in_time() {
+    let text = br#"{ "dam": 1, "name": "fast", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": 60 } },
+        "lever": { "kind": "rocker", "input": "shaft", "position": { "sine": { "amplitude": 1 } },
+            "inertia": 1e-9, "stiffness": 1e7, "masses": 1 },
+        "ram": { "kind": "slider", "input": "lever", "position": { "ratio": 1 },
+            "inertia": 1e-12, "masses": 0 } },
+        "run": { "duration": 10 } }"#;
+    let (system, settings) = read(text, &[]);
+    let limit = Duration::from_millis(50);
+    let begun = std::time::Instant::now();
+    let control = Control::FREE.within(limit);
+    let stopped = recorded(&system, &settings, &control, &mut []).unwrap();
+    assert_eq!(stopped.outcome.stop, Stop::WallClock { limit });
+    assert!(begun.elapsed() < 60 * limit, "{:?}", begun.elapsed());
 }
 
 #[test]
