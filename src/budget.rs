@@ -11,6 +11,14 @@ use std::time::{Duration, Instant};
 pub struct Budget<'a> {
     deadline: Option<Deadline>,
     interrupt: Option<&'a AtomicBool>,
+    listener: Option<&'a dyn Listener>,
+}
+
+/// Who has an ear for what comes from outside on the thread that computes itself, and raises the
+/// flag then.
+pub trait Listener: Sync + std::fmt::Debug {
+    /// A computation looks whether it may go on: it may do so often, and on several threads.
+    fn listen(&self);
 }
 
 /// The instant at which a computation is to end.
@@ -38,13 +46,23 @@ impl<'a> Budget<'a> {
     pub const FREE: Budget<'static> = Budget {
         deadline: None,
         interrupt: None,
+        listener: None,
     };
 
     /// Ends once `flag` is raised.
     pub fn interrupted_by(flag: &'a AtomicBool) -> Self {
         Self {
-            deadline: None,
             interrupt: Some(flag),
+            ..Self::FREE
+        }
+    }
+
+    /// This budget; `listener` is told whenever somebody asks whether it was interrupted.
+    #[must_use]
+    pub fn heard_by(self, listener: &'a dyn Listener) -> Self {
+        Self {
+            listener: Some(listener),
+            ..self
         }
     }
 
@@ -69,12 +87,16 @@ impl<'a> Budget<'a> {
     pub fn uninterrupted(self) -> Self {
         Self {
             interrupt: None,
+            listener: None,
             ..self
         }
     }
 
     /// True once the flag is raised.
     pub fn is_interrupted(&self) -> bool {
+        if let Some(listener) = self.listener {
+            listener.listen();
+        }
         self.interrupt
             .is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
@@ -111,8 +133,8 @@ impl std::fmt::Display for Spent {
 
 #[cfg(test)]
 mod tests {
-    use super::{Budget, Spent};
-    use std::sync::atomic::{AtomicBool, Ordering};
+    use super::{Budget, Listener, Spent};
+    use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
     use std::time::Duration;
 
     #[test]
@@ -130,5 +152,29 @@ mod tests {
         flag.store(true, Ordering::Relaxed);
         assert_eq!(budget.spent(), Some(Spent::Interrupted));
         assert_eq!(budget.uninterrupted().spent(), None);
+    }
+
+    #[derive(Debug, Default)]
+    struct Third {
+        times: AtomicUsize,
+        flag: AtomicBool,
+    }
+
+    impl Listener for Third {
+        fn listen(&self) {
+            let times = self.times.fetch_add(1, Ordering::Relaxed) + 1;
+            self.flag.store(times == 3, Ordering::Relaxed);
+        }
+    }
+
+    #[test]
+    fn who_listens_is_told_at_each_look_and_may_end_it() {
+        let third = Third::default();
+        let budget = Budget::interrupted_by(&third.flag).heard_by(&third);
+        let alone = budget.uninterrupted();
+        assert_eq!((budget.spent(), budget.is_interrupted()), (None, false));
+        assert_eq!((alone.spent(), alone.is_interrupted()), (None, false));
+        assert_eq!(budget.spent(), Some(Spent::Interrupted));
+        assert_eq!(third.times.load(Ordering::Relaxed), 3);
     }
 }

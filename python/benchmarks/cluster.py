@@ -59,11 +59,16 @@ class Problem:
         # Long runs cost in proportion to their length; what is once a cell is left out.
         while spent < seconds / 200:
             self.cycles *= 2
-            begun = processor_time()
-            self._scene().map(*few, threads=1)
-            spent = processor_time() - begun
-        wanted = 1.15 * seconds / (spent * cells**2 / 64)
-        self.last(self.cycles * wanted)
+            spent = self.costs(few)
+        self.last(self.cycles * 0.1 * seconds / (spent * cells**2 / 64))
+        # The few are not like all.
+        self.last(self.cycles * 1.25 * seconds / self.costs(self.axes))
+
+    def costs(self, axes: tuple[str, str]) -> float:
+        """Processor time of a map."""
+        begun = processor_time()
+        self._scene().map(*axes, threads=1)
+        return processor_time() - begun
 
     def last(self, cycles: float) -> None:
         """Sets how many turns each run lasts."""

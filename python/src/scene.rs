@@ -4,7 +4,7 @@ use crate::answer::Answer;
 use crate::fault;
 use crate::studies::{cam, compare, law, linkages, map, methods, reduce, run, steady};
 use crate::tree::node;
-use crate::work::{compute, directly};
+use crate::work::{compute, compute_here, directly};
 use dam::ask::{CamQuestion, Judging, StrokeQuestion};
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::motion::stroke::{Criterion, Skewness};
@@ -172,7 +172,7 @@ impl Scene {
     #[pyo3(signature = (progress=None))]
     fn run(&self, py: Python<'_>, progress: Option<Py<PyAny>>) -> PyResult<(Answer, bool)> {
         let scene = self.asked();
-        let found = compute(py, progress.as_ref(), move |watch| run::ask(scene, watch))?;
+        let found = compute_here(py, progress, |watch| run::ask(scene, watch))?;
         let trusted = found.is_trusted();
         Ok((Answer::new(found), trusted))
     }

@@ -1,9 +1,10 @@
 //! Computing without the interpreter: a question is worked out on a thread of its own
 //! while the calling one, without the interpreter's lock, waits for it, hears signals and
-//! tells how far it is.
+//! tells how far it is. A run is often shorter than threads take to tell one another, and
+//! goes on the calling thread, which listens whenever the run looks whether it may go on.
 
 use crate::fault;
-use dam::budget::Budget;
+use dam::budget::{Budget, Listener};
 use pyo3::prelude::*;
 use std::any::Any;
 use std::cell::RefCell;
@@ -11,6 +12,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::thread::ThreadId;
 use std::time::{Duration, Instant};
 
 /// Time between two looks at signals and progress.
@@ -30,12 +32,69 @@ pub(crate) struct Watch {
     stop: AtomicBool,
     share: AtomicU64,
     raised: Mutex<Option<PyErr>>,
+    /// Of what is computed on the calling thread.
+    ear: Option<Ear>,
+}
+
+/// What the calling thread hears while it computes.
+#[derive(Debug)]
+struct Ear {
+    thread: ThreadId,
+    progress: Option<Py<PyAny>>,
+    /// When it last listened, and the share that it told then.
+    last: Mutex<(Instant, f64)>,
+}
+
+impl Listener for Watch {
+    fn listen(&self) {
+        let Some(ear) = &self.ear else {
+            return;
+        };
+        if ear.thread != std::thread::current().id() {
+            return;
+        }
+        let told = {
+            let mut last = ear.last.lock().unwrap_or_else(PoisonError::into_inner);
+            if last.0.elapsed() < LOOK {
+                return;
+            }
+            let share = self.share();
+            let before = std::mem::replace(&mut *last, (Instant::now(), share));
+            (share > before.1).then_some(share)
+        };
+        let heard = Python::attach(|py| hear(py, ear.progress.as_ref(), told));
+        if let Err(error) = heard {
+            self.raise(error);
+        }
+    }
+}
+
+/// Hears signals, and tells a share that is done.
+fn hear(py: Python<'_>, progress: Option<&Py<PyAny>>, share: Option<f64>) -> PyResult<()> {
+    py.check_signals()?;
+    if let (Some(progress), Some(share)) = (progress, share) {
+        progress.call1(py, (share,))?;
+    }
+    Ok(())
 }
 
 impl Watch {
+    /// Of a computation on this thread.
+    fn here(progress: Option<Py<PyAny>>) -> Self {
+        let ear = Ear {
+            thread: std::thread::current().id(),
+            progress,
+            last: Mutex::new((Instant::now(), 0.0)),
+        };
+        Self {
+            ear: Some(ear),
+            ..Self::default()
+        }
+    }
+
     /// The budget that ends with it.
     pub(crate) fn budget(&self) -> Budget<'_> {
-        Budget::interrupted_by(&self.stop)
+        Budget::interrupted_by(&self.stop).heard_by(self)
     }
 
     /// Says which share is done.
@@ -200,13 +259,10 @@ fn wait<T: Send>(
             Err(RecvTimeoutError::Disconnected) => return Ok(None),
             Err(RecvTimeoutError::Timeout) => {}
         }
-        let mut heard = py.check_signals();
         let share = watch.share();
-        if let (Ok(()), Some(progress), true) = (&heard, progress, share > told) {
-            told = share;
-            heard = progress.call1(py, (share,)).map(drop);
-        }
-        if let Err(error) = heard {
+        let more = (share > told).then_some(share);
+        told = share;
+        if let Err(error) = hear(py, progress, more) {
             watch.end();
             let begun = Instant::now();
             py.detach(|| {
@@ -228,7 +284,24 @@ fn words(panic: &(dyn Any + Send)) -> String {
     text.unwrap_or_else(|| "an unknown panic".to_owned())
 }
 
-/// What needs no thread of its own: short, without a look at signals.
+/// Works a question out on the calling thread. `progress` is called as in [`compute`].
+///
+/// # Errors
+/// As of [`compute`].
+pub(crate) fn compute_here<T: Send>(
+    py: Python<'_>,
+    progress: Option<Py<PyAny>>,
+    question: impl FnOnce(&Watch) -> Result<T, dam::Error> + Send,
+) -> PyResult<T> {
+    let own = progress.as_ref().map(|progress| progress.clone_ref(py));
+    let found = watched_here(py, &Arc::new(Watch::here(own)), question)?;
+    if let Some(progress) = progress {
+        progress.call1(py, (1.0,))?;
+    }
+    Ok(found)
+}
+
+/// What needs no look at signals: short.
 ///
 /// # Errors
 /// As of [`compute`].
@@ -236,10 +309,17 @@ pub(crate) fn directly<T: Send>(
     py: Python<'_>,
     question: impl FnOnce() -> Result<T, dam::Error> + Send,
 ) -> PyResult<T> {
-    let watch = Arc::new(Watch::default());
+    watched_here(py, &Arc::default(), |_| question())
+}
+
+fn watched_here<T: Send>(
+    py: Python<'_>,
+    watch: &Arc<Watch>,
+    question: impl FnOnce(&Watch) -> Result<T, dam::Error> + Send,
+) -> PyResult<T> {
     let outcome = py.detach(|| {
-        let _at = At::new(&watch);
-        catch_unwind(AssertUnwindSafe(question))
+        let _at = At::new(watch);
+        catch_unwind(AssertUnwindSafe(|| question(watch)))
     });
     if let Some(error) = watch.raised() {
         return Err(error);

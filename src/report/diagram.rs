@@ -177,9 +177,15 @@ fn detail(model: &Model, object: &ObjectPart) -> String {
         Some(NodeMotion::Rigid { .. }) => rigid(model, object),
         _ => match object.nodes.len() {
             1 => "1 mass".into(),
+            count if is_of_modes(model, object) => format!("modes, as {count} masses"),
             count => format!("{count} masses"),
         },
     }
+}
+
+/// True of a chain that modes behind a contact are.
+fn is_of_modes(model: &Model, object: &ObjectPart) -> bool {
+    (model.reduced.iter()).any(|reduced| model.objects[reduced.object].id == object.id)
 }
 
 /// A linkage of several inputs, or an output of it.

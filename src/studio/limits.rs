@@ -46,6 +46,9 @@ pub(super) const MASSES: usize = 200;
 pub(super) const CELLS: [usize; 3] = [5, 10, 20];
 /// How long nothing newer comes before a map is made finer: longer than from one move to the next.
 pub(super) const REST: Duration = Duration::from_millis(20);
+/// From one coarse map to the next while a number moves: oftener than that nobody sees more of
+/// them, and the browser draws nothing else.
+pub(super) const PACE: Duration = Duration::from_millis(50);
 /// Memory that runs may take beyond what the server had (bytes).
 pub(super) const MEMORY: u64 = 2 << 30;
 /// How long undone steps are kept: characters of all of them.

@@ -13,7 +13,7 @@ use super::state::State;
 use super::text::Text;
 use super::view::View;
 use super::window::Window;
-use super::work::Desk;
+use super::work::{Desk, Rank};
 use desks::{Kept, failed, failed_question};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
@@ -83,7 +83,7 @@ impl Room {
                 room.work(&question, stop, &mut kept);
             }
         };
-        let runs = Desk::new("run", run, move || failed(&other))?;
+        let runs = Desk::new("run", Rank::Beside, run, move || failed(&other))?;
         let (one, other) = (Arc::downgrade(&room), Arc::downgrade(&room));
         let mut known = BTreeMap::new();
         let chart = move |question, stop: &AtomicBool| {
@@ -91,7 +91,7 @@ impl Room {
                 room.chart(&question, stop, &mut known);
             }
         };
-        let maps = Desk::new("map", chart, move || failed(&other))?;
+        let maps = Desk::new("map", Rank::Behind, chart, move || failed(&other))?;
         let (one, other) = (Arc::downgrade(&room), Arc::downgrade(&room));
         let (shelf, exhausted) = (room.shelf.clone(), room.exhausted_question.clone());
         let mut inquirer = Inquirer::new(commands, shelf, exhausted);
@@ -100,7 +100,9 @@ impl Room {
                 inquirer.work(&room.name, &inquiry, stop);
             }
         };
-        let questions = Desk::new("question", answer, move || failed_question(&other))?;
+        let questions = Desk::new("question", Rank::Beside, answer, move || {
+            failed_question(&other)
+        })?;
         // They are set here alone.
         let _ = (room.runs.set(runs), room.maps.set(maps));
         let _ = room.questions.set(questions);

@@ -30,6 +30,34 @@ struct Running {
     patient: bool,
 }
 
+/// What of the processor a desk gets where there is not enough for all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Rank {
+    /// As much as everything else.
+    Beside,
+    /// What the others leave: the browser, and the answers that it waits for.
+    Behind,
+}
+
+impl Rank {
+    /// Takes it, for this thread and those that it starts.
+    fn take(self) {
+        if self == Self::Behind {
+            stand_back();
+        }
+    }
+}
+
+/// Of Linux alone: elsewhere this would be of the whole program.
+#[cfg(target_os = "linux")]
+fn stand_back() {
+    // Without it all is as right, and slower.
+    let _ = rustix::process::nice(10);
+}
+
+#[cfg(not(target_os = "linux"))]
+fn stand_back() {}
+
 impl<Q: Send + 'static> Desk<Q> {
     /// A desk with a thread that works on what is laid there. Work is given the flag that ends
     /// it; what it panics with is told, and the next question is taken.
@@ -38,6 +66,7 @@ impl<Q: Send + 'static> Desk<Q> {
     /// There is no thread to be had.
     pub(super) fn new(
         name: &str,
+        rank: Rank,
         mut work: impl FnMut(Q, &AtomicBool) + Send + 'static,
         mut failed: impl FnMut() + Send + 'static,
     ) -> Result<Arc<Self>, String> {
@@ -51,6 +80,7 @@ impl<Q: Send + 'static> Desk<Q> {
         });
         let own = desk.clone();
         let run = move || {
+            rank.take();
             while let Some((question, stop)) = own.wait() {
                 let done = catch_unwind(AssertUnwindSafe(|| work(question, &stop)));
                 if done.is_err() {
@@ -171,7 +201,7 @@ pub(super) fn memory() -> u64 {
 
 #[cfg(test)]
 mod tests {
-    use super::Desk;
+    use super::{Desk, Rank};
     use std::sync::atomic::{AtomicBool, Ordering};
     use std::sync::mpsc::channel;
     use std::time::{Duration, Instant};
@@ -187,7 +217,7 @@ mod tests {
             }
             tell.send(question).unwrap();
         };
-        let desk = Desk::new("test", work, move || failed.send(0).unwrap()).unwrap();
+        let desk = Desk::new("test", Rank::Beside, work, move || failed.send(0).unwrap()).unwrap();
         let next = || told.recv_timeout(Duration::from_secs(20)).unwrap();
         desk.ask(1);
         let begun = Instant::now();
@@ -206,5 +236,27 @@ mod tests {
         desk.ask(4);
         assert_eq!(next(), 4);
         desk.close();
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_a_desk_behind_starts_leaves_the_processor_to_others() {
+        let own = || rustix::process::getpriority_process(None).unwrap();
+        let of = |rank| {
+            let (tell, told) = channel();
+            let work = move |(), _: &AtomicBool| {
+                let started = std::thread::spawn(move || own()).join().unwrap();
+                tell.send(started).unwrap();
+            };
+            let desk = Desk::new("test", rank, work, || {}).unwrap();
+            desk.ask(());
+            let found = told.recv_timeout(Duration::from_secs(20)).unwrap();
+            desk.close();
+            found
+        };
+        let here = own();
+        assert_eq!(of(Rank::Beside), here);
+        assert_eq!(of(Rank::Behind), (here + 10).min(19));
+        assert_eq!(own(), here);
     }
 }

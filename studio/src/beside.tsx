@@ -3,6 +3,7 @@
 import { useEffect, useState } from "preact/hooks";
 import type { Answer } from "./answer";
 import type { Link } from "./link";
+import { useTyping } from "./typing";
 
 interface Props { link: Link; answer: Answer; opened: number; stale: boolean }
 
@@ -21,7 +22,7 @@ export function Beside({ link, answer: { pins, signals }, opened, stale }: Props
     <div class="tools seen-beside" role="group" aria-label="beside the run">
       <button type="button" disabled={stale || pins.length >= 3} title="keep this run: later ones are drawn over it, and their figures stand beside its own" onClick={() => link.send({ type: "pin", name: "" })}>Pin this run</button>
       {pins.map((name, pin) => <span key={pin} class="pin">
-        <input type="text" size={12} value={name} aria-label={`name of pinned run ${pin + 1}`} onChange={(event) => link.send({ type: "rename", pin, name: event.currentTarget.value })} />
+        <Name text={name} label={`name of pinned run ${pin + 1}`} take={(name) => link.send({ type: "rename", pin, name })} />
         <button type="button" class="drop" aria-label={`unpin ${name}`} title="unpin" onClick={() => link.send({ type: "unpin", pin })}>×</button>
       </span>)}
       {pins.length > 0 && <button type="button" onClick={() => document.querySelector(".compared")?.scrollIntoView({ block: "start" })}>Figures beside each other</button>}
@@ -30,4 +31,8 @@ export function Beside({ link, answer: { pins, signals }, opened, stale }: Props
       {choice("over", along, names, (x) => over(x, up))}
     </div>
   );
+}
+
+function Name({ text, label, take }: { text: string; label: string; take: (text: string) => void }) {
+  return <input type="text" size={12} aria-label={label} {...useTyping(text, take)} />;
 }

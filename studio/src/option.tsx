@@ -1,6 +1,7 @@
 // An option of a command as a field, as the command declares it.
 
 import { useId } from "preact/hooks";
+import { useTyping } from "./typing";
 
 export interface Option {
   name: string;
@@ -16,10 +17,8 @@ interface Props { option: Option; offered: string[]; values: string[]; set: (val
 
 export function OptionField({ option, offered, values, set }: Props) {
   const id = useId(), { name, sort, required } = option, first = values[0] ?? "";
-  const typed = (event: Event) => {
-    const text = (event.currentTarget as HTMLInputElement).value.trim();
-    set(text === "" ? [] : [text]);
-  };
+  const lines = useTyping(values.join("\n"), (text) => set(text.split("\n").map((line) => line.trim()).filter(Boolean)));
+  const line = useTyping(first, (text) => set(text.trim() === "" && sort !== "optional" ? [] : [text.trim()]));
   const hint = option.default || option.value;
   const entry = () => {
     if (sort === "flag") return <input id={id} type="checkbox" checked={values.length > 0} onChange={(event) => set(event.currentTarget.checked ? [""] : [])} />;
@@ -30,13 +29,13 @@ export function OptionField({ option, offered, values, set }: Props) {
         {all.filter(([one]) => one !== option.default).map(([one, help]) => <option value={one} title={help}>{one}</option>)}
       </select>;
     }
-    if (sort === "lines") return <textarea id={id} rows={Math.max(1, values.length)} placeholder={`${option.value}, one a line`} value={values.join("\n")} onChange={(event) => set(event.currentTarget.value.split("\n").map((line) => line.trim()).filter(Boolean))} />;
+    if (sort === "lines") return <textarea id={id} rows={Math.max(1, values.length)} placeholder={`${option.value}, one a line`} {...lines} />;
     if (sort === "optional") return <>
       <input type="checkbox" aria-label={`${name}, on`} checked={values.length > 0} onChange={(event) => set(event.currentTarget.checked ? [""] : [])} />
-      <input id={id} type="text" value={first} placeholder={option.value} onChange={(event) => set([event.currentTarget.value.trim()])} />
+      <input id={id} type="text" placeholder={option.value} {...line} />
     </>;
     return <>
-      <input id={id} type="text" value={first} placeholder={hint} list={offered.length ? `${id}-list` : undefined} onChange={typed} />
+      <input id={id} type="text" placeholder={hint} list={offered.length ? `${id}-list` : undefined} {...line} />
       {offered.length > 0 && <datalist id={`${id}-list`}>{offered.map((one) => <option value={one} />)}</datalist>}
     </>;
   };

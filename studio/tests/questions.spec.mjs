@@ -42,11 +42,11 @@ async function tab(page, name) {
 // The command's answer to a scene, as JSON and as its page.
 function told(scene, command, ...options) {
   const run = (more) => {
-    try { return execFileSync(dam, [...command.split(" "), server.path(scene), ...options, ...more], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28 }); } catch (error) { return error.stdout; }
+    try { return execFileSync(dam, [...command.split(" "), ...(scene ? [server.path(scene)] : []), ...options, ...more], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28 }); } catch (error) { return error.stdout; }
   };
   const json = JSON.parse(run(["--json"])), out = join(server.base, `out-${Math.random()}`);
   run(["--out", out, "--quiet"]);
-  return { json, report: join(out, "report.html") };
+  return { json, report: join(out, "report.html"), out };
 }
 // Everything that is read on a page or tab: words, and numbers with all their digits.
 const read = (page, selector) => page.evaluate((selector) => {
@@ -92,6 +92,38 @@ for (const [name, scene, command, options] of [
   expect(shown.length).toBeGreaterThan(10);
   expect(share).toBeGreaterThan(0.7);
   await expect(page.locator(".found svg.dam-plot")).not.toHaveCount(0);
+});
+
+for (const [name, scene, command, fields, options] of [
+  ["Laws", "flat_tappet.json", "law compare", { law: "cycloidal\n3-4-5" }, ["--at=valve.position.cam.law", "--law=cycloidal", "--law=3-4-5"]],
+  ["Laws", "flat_tappet.json", "law synthesize", { "run up": "sine", stroke: "10 mm", span: "90 deg", "uniform span": "0.2" }, ["--run-up=sine", "--stroke=10 mm", "--span=90 deg", "--uniform-span=0.2"]],
+  ["Reduction", "two_masses.json", "reduce", { accuracy: "5 %" }, ["--accuracy=5 %"]],
+]) test(`${command}: with options that its tab gives, figures and file are those of the command`, async ({ page }) => {
+  await opened(page, scene);
+  await asking(page).getByRole("tab", { name, exact: true }).click();
+  const part = asking(page).getByLabel(command, { exact: true });
+  if (await part.count()) await part.check();
+  const closed = asking(page).locator("details.options:not([open]) > summary");
+  if (await closed.count()) await closed.click();
+  for (const [label, text] of Object.entries(fields)) {
+    const field = asking(page).getByLabel(label, { exact: true });
+    await field.fill(text);
+    await field.blur();
+  }
+  const { json, out } = told(command === "law synthesize" ? null : scene, command, ...options);
+  // The scene that is left, else the document.
+  const [file, own] = command === "reduce" ? ["reduced.json", JSON.parse(readFileSync(join(out, "reduced.json"), "utf8"))] : ["law.json", json];
+  expect(numbers(json).size).toBeGreaterThan(10);
+  await expect(page.locator(".found h2").first()).toBeVisible({ timeout: 60_000 });
+  // What was asked on the way to these options may be answered before.
+  await expect(async () => {
+    await done(page);
+    const download = page.waitForEvent("download", { timeout: 10_000 });
+    await asking(page).getByRole("button", { name: file }).click();
+    expect(JSON.parse(readFileSync(await (await download).path(), "utf8"))).toEqual(own);
+  }).toPass({ timeout: 60_000 });
+  const shown = (await read(page, ".found")).titles.map((title) => Number(title.split(" ")[0])), all = numbers(json);
+  expect(shown.filter((one) => all.has(one)).length).toBeGreaterThan(4);
 });
 
 test("methods: errors and evaluations of the tab are those of the command", async ({ page }) => {

@@ -10,18 +10,23 @@ use crate::report::quantity::significant;
 /// gets, the mode's natural frequency with the driven end held, and what the modes that
 /// are left out give way by.
 pub(super) fn table(model: &Model) -> Table {
-    let mut table = Table::new([
-        "object",
-        "part",
-        ">share of the output",
-        ">rad/s",
-        "besides",
-    ]);
+    let chains = model.reduced.iter().all(|reduced| reduced.output.is_some());
+    let mut names = vec!["object", "part", ">share of the output"];
+    // A chain has nothing to say there.
+    if !chains {
+        names.extend([">rad/s", "besides"]);
+    }
+    let columns = names.len();
+    let mut table = Table::new(names);
+    let mut push = |mut row: Vec<String>| {
+        row.truncate(columns);
+        table.push(row);
+    };
     for reduced in &model.reduced {
         let object = &model.objects[reduced.object];
         for mode in modes(model, reduced) {
             let frequency = mode.frequency.map(|frequency| significant(frequency, 6));
-            table.push(vec![
+            push(vec![
                 object.id.clone(),
                 mode.name,
                 significant(mode.share, 6),
@@ -30,7 +35,7 @@ pub(super) fn table(model: &Model) -> Table {
             ]);
         }
         if reduced.under_acceleration != 0.0 {
-            table.push(vec![
+            push(vec![
                 object.id.clone(),
                 "the others".to_owned(),
                 String::new(),

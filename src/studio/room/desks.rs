@@ -9,7 +9,7 @@ use crate::studio::answer::{self, Asked, Ran};
 use crate::studio::chart::{Task, Told};
 use crate::studio::folder::Shelf;
 use crate::studio::inquiry::Inquiry;
-use crate::studio::limits::{QUICK, REST};
+use crate::studio::limits::{PACE, QUICK, REST};
 use crate::studio::state::State;
 use crate::studio::view::View;
 use crate::studio::window::Window;
@@ -226,6 +226,7 @@ impl Room {
         stop: &AtomicBool,
         known: &mut BTreeMap<u64, String>,
     ) {
+        let begun = Instant::now();
         known.retain(|id, _| question.asked.iter().any(|(window, _)| window.id == *id));
         for (window, asked) in &question.asked {
             let task = Task {
@@ -245,6 +246,9 @@ impl Room {
             };
             if task.make(stop, &Teller { window, desk }) {
                 known.insert(window.id, key);
+            } else {
+                // Something newer waits.
+                std::thread::sleep(PACE.saturating_sub(begun.elapsed()));
             }
         }
     }

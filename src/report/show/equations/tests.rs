@@ -5,8 +5,10 @@ use crate::dynamics::model::{
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{BuiltIn, Document, Overrides};
 use crate::kinematics::position::Position;
+use crate::report::diagram::Diagram;
 use crate::report::fixture;
 use crate::report::math::{Expr, Symbol};
+use crate::report::show::reduced;
 
 /// The golden texts. `DAM_BLESS=1 cargo test --lib golden` writes them anew;
 /// read them before committing.
@@ -48,6 +50,18 @@ fn modes_behind_a_contact() -> Model {
     let document = Document::parse("modes.json", text.as_bytes()).unwrap();
     let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
     lower(&reading.scene).unwrap()
+}
+
+#[test]
+fn modes_behind_a_contact_are_called_so_and_leave_no_column_empty() {
+    let model = modes_behind_a_contact();
+    let boxes = Diagram::of(&model).boxes;
+    let lever = boxes.iter().find(|one| one.id == "lever").unwrap();
+    assert_eq!(lever.detail, "modes, as 3 masses");
+    let table = reduced::table(&model).text();
+    let head = table.lines().next().unwrap();
+    assert_eq!(head.trim(), "object  part    share of the output");
+    assert_eq!(table.lines().count(), 4, "{table}");
 }
 
 #[test]
