@@ -245,7 +245,7 @@ mod tests {
         let of = |rank| {
             let (tell, told) = channel();
             let work = move |(), _: &AtomicBool| {
-                let started = std::thread::spawn(move || own()).join().unwrap();
+                let started = std::thread::spawn(own).join().unwrap();
                 tell.send(started).unwrap();
             };
             let desk = Desk::new("test", rank, work, || {}).unwrap();
