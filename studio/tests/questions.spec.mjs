@@ -169,6 +169,22 @@ test("an option is a field as the command declares it, and what is wrong is told
   expect(JSON.parse(readFileSync(await (await download).path(), "utf8"))).toEqual(json);
 });
 
+test("what is typed into an option stays, whatever is told meanwhile", async ({ page }) => {
+  await opened(page, "two_masses.json");
+  await asking(page).getByRole("tab", { name: "Methods", exact: true }).click();
+  await asking(page).locator("summary", { hasText: "Options" }).click();
+  const tolerances = asking(page).getByLabel("tolerances", { exact: true }), now = () => asking(page).locator(".working").textContent();
+  const before = await now();
+  await tolerances.click();
+  await page.keyboard.type("1e-4,");
+  // The page was drawn anew in between.
+  await expect.poll(now).not.toBe(before);
+  await expect(tolerances).toHaveValue("1e-4,");
+  await page.keyboard.type("1e-5");
+  await tolerances.blur();
+  await expect(tolerances).toHaveValue("1e-4,1e-5");
+});
+
 test("a tab follows the text, is stale while the scene has faults, and says why a scene does not fit", async ({ page }) => {
   await opened(page, "slider_crank.json");
   await tab(page, "Forces");
