@@ -2,6 +2,7 @@
 
 use crate::dynamics::record::Record;
 use crate::studies::compare::FigureTable;
+use std::fmt::Write as _;
 
 /// A table for other programs: a head, and rows of as many fields.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -107,20 +108,18 @@ pub fn record_csv(record: &Record) -> Result<String, String> {
         let (name, found) = (&column.object, column.values.len());
         return Err(format!("{name}: {found} values at {count} instants"));
     }
-    let rows = record.times.iter().enumerate().map(|(row, time)| {
-        let values = record.columns.iter().map(move |column| column.values[row]);
-        std::iter::once(*time).chain(values).map(Sample)
-    });
-    Ok(Rows::new(std::iter::once("time [s]".to_owned()).chain(header), rows).csv())
-}
-
-/// A value of a record, that shows what is not finite as well.
-struct Sample(f64);
-
-impl From<Sample> for Field {
-    fn from(sample: Sample) -> Self {
-        Self(number(sample.0))
+    let header = std::iter::once("time [s]".to_owned()).chain(header);
+    let mut out = line(header.collect::<Vec<_>>().iter().map(String::as_str));
+    // Hundreds of thousands of rows are usual: written where they stay, what is not finite too.
+    for (row, &time) in record.times.iter().enumerate() {
+        push_number(&mut out, time);
+        for column in &record.columns {
+            out.push(',');
+            push_number(&mut out, column.values[row]);
+        }
+        out.push('\n');
     }
+    Ok(out)
 }
 
 /// The table of a comparison: `figure`, `unit`, then a column of values and one of errors for
@@ -144,13 +143,54 @@ pub fn table_csv(table: &FigureTable) -> String {
 
 /// The shortest decimal that reads back as the same double.
 pub(in crate::report) fn number(value: f64) -> String {
-    let plain = value.to_string();
-    let scientific = format!("{value:e}");
-    if scientific.len() < plain.len() {
-        scientific
-    } else {
-        plain
+    let mut out = String::new();
+    push_number(&mut out, value);
+    out
+}
+
+/// Writes it: with an exponent where that is shorter.
+fn push_number(out: &mut String, value: f64) {
+    let begin = out.len();
+    let _ = write!(out, "{value:e}");
+    let written = &out[begin..];
+    let sign = usize::from(written.starts_with('-'));
+    let Some((mantissa, exponent)) = written[sign..].split_once('e') else {
+        // No number.
+        return;
+    };
+    let Ok(exponent) = exponent.parse::<i32>() else {
+        return;
+    };
+    // Its digits, at most 17, and where the point stands among them.
+    let mut digits = [0; 17];
+    let mut count = 0;
+    for digit in mantissa.bytes().filter(u8::is_ascii_digit).take(17) {
+        digits[count] = digit;
+        count += 1;
     }
+    let point = exponent + 1;
+    let before = usize::try_from(point).unwrap_or(0);
+    let zeros = usize::try_from(-point).unwrap_or(0);
+    let plain = match (before, count > before) {
+        (0, _) => 2 + zeros + count,
+        (_, true) => count + 1,
+        (_, false) => before,
+    };
+    if written.len() - sign < plain {
+        return;
+    }
+    out.truncate(begin + sign);
+    if before == 0 {
+        out.push_str("0.");
+        out.extend(std::iter::repeat_n('0', zeros));
+    }
+    for (place, &digit) in digits[..count].iter().enumerate() {
+        if place == before && before > 0 {
+            out.push('.');
+        }
+        out.push(char::from(digit));
+    }
+    out.extend(std::iter::repeat_n('0', before.saturating_sub(count)));
 }
 
 #[cfg(test)]
@@ -232,5 +272,40 @@ mod tests {
         }
         assert_eq!(number(1e-7), "1e-7");
         assert_eq!(number(0.5), "0.5");
+    }
+
+    #[test]
+    fn a_number_is_the_shorter_of_both_writings() {
+        let expected = |value: f64| {
+            let (plain, scientific) = (value.to_string(), format!("{value:e}"));
+            match scientific.len() < plain.len() {
+                true => scientific,
+                false => plain,
+            }
+        };
+        let special = [
+            0.0,
+            -0.0,
+            1.0,
+            -1.0,
+            f64::NAN,
+            f64::INFINITY,
+            -f64::INFINITY,
+            f64::MAX,
+        ];
+        for value in special {
+            assert_eq!(number(value), expected(value));
+        }
+        let mut bits = 0x9e37_79b9_7f4a_7c15_u64;
+        for step in 0..200_000 {
+            bits = bits
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            // All sizes; and few digits about 1, where both writings meet.
+            let few = (bits >> 40) as f64 * 10_f64.powi(step % 24 - 14);
+            for value in [f64::from_bits(bits), -few, few, (few * 8.0).round() / 8.0] {
+                assert_eq!(number(value), expected(value));
+            }
+        }
     }
 }
