@@ -123,8 +123,12 @@ impl<'a> Joint<'a> {
         // A word on all its parts at once, where there are several.
         let several = span[1] - span[0] > self.length;
         let at_rest = several && beside.is_steady() && !beside.may_rise(motion, span);
+        if at_rest && self.carried.is_empty() {
+            return;
+        }
         let mut from = span[0];
-        while from < span[1] {
+        // There may be very many.
+        while from < span[1] && (self.goes_on)() {
             let to = self.length * ((from / self.length).floor() + 1.0);
             // Rounding must not leave one without length.
             let to = if to - from > 1e-6 * self.length {

@@ -203,6 +203,19 @@ fn looking_at_what_a_fast_mass_carries_ends_in_time() {
     assert!(begun.elapsed() < 60 * limit, "{:?}", begun.elapsed());
 }
 
+/// A wheel that nothing happens to for three years is looked at in parts of a turn.
+#[test]
+fn looking_at_a_long_free_vibration_ends_in_time() {
+    let wheel = include_bytes!("../../../scenarios/shafts/free_vibration.json");
+    let (system, settings) = read(wheel, &["run.duration=1e8"]);
+    let limit = Duration::from_millis(50);
+    let begun = std::time::Instant::now();
+    let control = Control::FREE.within(limit);
+    let stopped = recorded(&system, &settings, &control, &mut []).unwrap();
+    assert_eq!(stopped.outcome.stop, Stop::WallClock { limit });
+    assert!(begun.elapsed() < 60 * limit, "{:?}", begun.elapsed());
+}
+
 #[test]
 fn limits_of_time_steps_and_switches_end_a_run() {
     let scene = prepared(&[]);
