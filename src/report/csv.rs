@@ -110,7 +110,7 @@ pub fn record_csv(record: &Record) -> Result<String, String> {
     }
     let header = std::iter::once("time [s]".to_owned()).chain(header);
     let mut out = line(header.collect::<Vec<_>>().iter().map(String::as_str));
-    // Hundreds of thousands of rows are usual: written where they stay, what is not finite too.
+    // There may be hundreds of thousands of rows. What is not finite is shown as well.
     for (row, &time) in record.times.iter().enumerate() {
         push_number(&mut out, time);
         for column in &record.columns {

@@ -21,7 +21,7 @@ pub struct ObjectBox {
     pub id: String,
     /// Kind in the scene.
     pub kind: String,
-    /// `rigid`, `2 masses`, `20π rad/s`, `motor`.
+    /// `rigid`, `2 masses`, `modes`, `20π rad/s`, `motor`.
     pub detail: String,
     /// Inputs with what drives them, in their order; empty for a drive.
     pub inputs: Vec<BoxInput>,
@@ -177,7 +177,7 @@ fn detail(model: &Model, object: &ObjectPart) -> String {
         Some(NodeMotion::Rigid { .. }) => rigid(model, object),
         _ => match object.nodes.len() {
             1 => "1 mass".into(),
-            count if is_of_modes(model, object) => format!("modes, as {count} masses"),
+            _ if is_of_modes(model, object) => "modes".into(),
             count => format!("{count} masses"),
         },
     }

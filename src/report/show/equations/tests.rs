@@ -57,7 +57,7 @@ fn modes_behind_a_contact_are_called_so_and_leave_no_column_empty() {
     let model = modes_behind_a_contact();
     let boxes = Diagram::of(&model).boxes;
     let lever = boxes.iter().find(|one| one.id == "lever").unwrap();
-    assert_eq!(lever.detail, "modes, as 3 masses");
+    assert_eq!(lever.detail, "modes");
     let table = reduced::table(&model).text();
     let head = table.lines().next().unwrap();
     assert_eq!(head.trim(), "object  part    share of the output");
