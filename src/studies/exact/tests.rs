@@ -209,7 +209,7 @@ fn ends_in_time((system, settings): &(System, RunSettings)) {
     let limit = Duration::from_millis(50);
     let begun = std::time::Instant::now();
     let control = Control::FREE.within(limit);
-    let stopped = recorded(&system, &settings, &control, &mut []).unwrap();
+    let stopped = recorded(system, settings, &control, &mut []).unwrap();
     assert_eq!(stopped.outcome.stop, Stop::WallClock { limit });
     assert!(begun.elapsed() < 60 * limit, "{:?}", begun.elapsed());
 }
