@@ -2,7 +2,7 @@
 //! first position of every larger group.
 
 use super::choice::{Wrong, asked_branch, mismatch, names, short, start_in_words};
-use super::course::{Branch, Course, Table};
+use super::course::{Branch, Course, Table, nearest_turn};
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
 use super::guesses;
@@ -35,6 +35,8 @@ pub(super) fn assemble(
     state: &mut State,
 ) -> Result<Vec<Branch>, Vec<Fault>> {
     drive::<1>(plan, state, spec.start);
+    state.reduced = spec.start;
+    driven_angle(plan, state);
     placed_by_the_driver(spec, plan, state)?;
     self::groups(spec, plan, groups, state, &mut |_, _| {})
 }
@@ -79,10 +81,13 @@ pub(super) fn groups(
             }
         };
         match sign {
-            Ok(sign) => branches.push(Branch {
-                sign,
-                changes: Vec::new(),
-            }),
+            Ok(sign) => {
+                angles_of(step, state);
+                branches.push(Branch {
+                    sign,
+                    changes: Vec::new(),
+                });
+            }
             Err((message, hint)) => {
                 let path = path(spec, &groups[index + 1], &choices);
                 return Err(vec![Fault::new(path, message, hint)]);
@@ -91,6 +96,36 @@ pub(super) fn groups(
     }
     far_places(spec, plan, state, &in_other)?;
     Ok(branches)
+}
+
+/// The angle of the link that the driver places, over whole turns: that of its pair is the input.
+fn driven_angle(plan: &Plan, state: &mut State) {
+    let driver = &plan.driver;
+    let (link, input) = match (driver.on.link, driver.link.link) {
+        (None, Some(link)) => (link, state.reduced),
+        (Some(link), None) => (link, -state.reduced),
+        _ => return,
+    };
+    let angle = state.links[link].angle();
+    state.near[link] = match driver.sliding {
+        None => nearest_turn(angle, input),
+        Some(_) => angle,
+    };
+}
+
+/// The angles of the bodies of a group, over whole turns.
+fn angles_of(step: &Step, state: &mut State) {
+    for body in step.bodies() {
+        let angle = state.links[body.base].angle();
+        state.near[body.base] = match step {
+            Step::Dyad(_) => angle,
+            Step::Newton(_) => nearest_turn(angle, state.near[body.base]),
+        };
+        if let Some(driven) = body.driven {
+            let turned = state.near[body.base] + state.relative_angle::<1>().value();
+            state.near[driven] = nearest_turn(state.links[driven].angle(), turned);
+        }
+    }
 }
 
 /// Refuses approximate places that no assembly comes near.

@@ -1,6 +1,7 @@
 //! Checks of the plain numbers of a linkage, all at once.
 
 use super::choice::short;
+use super::couplings;
 use super::spec::{AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf};
 use crate::fault::{Fault, Faults};
 
@@ -36,6 +37,12 @@ pub(super) fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
     for pair in &spec.pairs {
         self::pair(spec, pair, found);
     }
+    names(
+        found,
+        "couplings",
+        spec.couplings.iter().map(|coupling| &coupling.name),
+    );
+    couplings::check(spec, found);
     match spec.pairs.get(spec.driver) {
         Some(_) => {}
         None => found.add("driver", "there is no such pair", "name one of the pairs"),

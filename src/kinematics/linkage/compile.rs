@@ -3,12 +3,13 @@
 
 mod misfit;
 
-use super::decompose::{Decomposition, Edge, decompose};
+use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
+use super::geared::{Geared, Second};
 use super::newton::{Joint, NewtonGroup, Side};
 use super::plan::{Driver, Plan, Step, size};
-use super::spec::LinkageSpec;
+use super::spec::{CouplingSpec, LinkageSpec};
 use super::structure::{Group, GroupKind};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
@@ -34,12 +35,13 @@ pub(super) fn compile(
     let others: Vec<usize> = (0..spec.pairs.len())
         .filter(|&p| p != spec.driver)
         .collect();
-    let edges: Vec<Edge> = others
+    let mut ties: Vec<Tie> = others
         .iter()
-        .map(|&pair| elements(&spec.pairs[pair]).each_ref().map(of))
+        .map(|&pair| Tie::pair(elements(&spec.pairs[pair]).each_ref().map(of)))
         .collect();
+    ties.extend(couplings(spec, &bodies));
     sliding_loops(spec, &mut faults);
-    let found = decompose(bodies.list.len(), &edges);
+    let found = decompose(bodies.list.len(), &ties);
     let groups = match found {
         Decomposition::Groups(groups) => groups,
         Decomposition::Unfit { held, free } => {
@@ -51,18 +53,13 @@ pub(super) fn compile(
     let mut steps = Vec::new();
     let mut listed = vec![driver_group(spec)];
     for group in &groups {
-        let pairs: Vec<usize> = others
-            .iter()
-            .zip(&edges)
-            .filter(|(_, edge)| edge.iter().flatten().any(|body| group.contains(body)))
-            .filter(|(_, edge)| is_last(edge, group, &groups))
-            .map(|(&pair, _)| pair)
-            .collect();
+        let own = |tie: &Tie| tie.belongs_to(group, &groups);
+        let (pairs, geared) = members(&ties, &others, own);
         let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
             ([one, other], [_, _, _]) if closed_forms => {
                 dyad(spec, &bodies, [*one, *other], &pairs, &mut faults)
             }
-            _ => larger_group(spec, &bodies, group, &pairs),
+            _ => larger_group(spec, &bodies, group, &pairs, &geared),
         };
         let mut links: Vec<usize> = group
             .iter()
@@ -74,6 +71,7 @@ pub(super) fn compile(
             kind,
             links,
             pairs,
+            couplings: geared,
             branch: None,
         });
     }
@@ -93,15 +91,33 @@ fn driver_group(spec: &LinkageSpec) -> Group {
         kind: GroupKind::Driver,
         links: pair.on.link.into_iter().chain(pair.link.link).collect(),
         pairs: vec![spec.driver],
+        couplings: Vec::new(),
         branch: None,
     }
 }
 
-/// A pair belongs to the group that comes last of those it touches.
-pub(super) fn is_last(edge: &Edge, group: &[usize], groups: &[Vec<usize>]) -> bool {
-    let place = |body: usize| groups.iter().position(|group| group.contains(&body));
-    let here = group.first().and_then(|&body| place(body));
-    edge.iter().flatten().all(|&body| place(body) <= here)
+/// The couplings as ties between the bodies.
+fn couplings<'a>(spec: &'a LinkageSpec, bodies: &'a Bodies) -> impl Iterator<Item = Tie> + 'a {
+    spec.couplings.iter().map(|coupling| {
+        let body = |link: Option<usize>| link.and_then(|link| bodies.of_link[link]);
+        Tie::coupling(coupling.links().map(body))
+    })
+}
+
+/// The pairs of a group, and its couplings, the ties being those of the pairs in `others` and
+/// then those of all couplings.
+pub(super) fn members(
+    ties: &[Tie],
+    others: &[usize],
+    own: impl Fn(&Tie) -> bool,
+) -> (Vec<usize>, Vec<usize>) {
+    let (pairs, couplings) = ties.split_at(others.len());
+    let pairs = others.iter().zip(pairs).filter(|(_, tie)| own(tie));
+    let couplings = couplings.iter().enumerate().filter(|(_, tie)| own(tie));
+    (
+        pairs.map(|(&pair, _)| pair).collect(),
+        couplings.map(|(coupling, _)| coupling).collect(),
+    )
 }
 
 fn bodies(spec: &LinkageSpec, driver: &Driver) -> Bodies {
@@ -166,6 +182,7 @@ pub(super) fn larger_group(
     bodies: &Bodies,
     group: &[usize],
     pairs: &[usize],
+    couplings: &[usize],
 ) -> (Option<Step>, GroupKind) {
     let own = |element: &Element| -> Side {
         let body = element.link.and_then(|link| bodies.of_link[link]);
@@ -181,12 +198,41 @@ pub(super) fn larger_group(
         sides: elements(&spec.pairs[pair]).each_ref().map(own),
         slides: slides(&spec.pairs[pair]),
     });
+    let geared = couplings
+        .iter()
+        .filter_map(|&coupling| geared(spec, &spec.couplings[coupling], own));
     let newton = NewtonGroup {
         bodies: group.iter().map(|&body| bodies.list[body]).collect(),
         joints: joints.collect(),
+        couplings: geared.collect(),
     };
     let links = newton.bodies.iter().flat_map(Body::links).count();
     (Some(Step::Newton(newton)), GroupKind::Newton { links })
+}
+
+/// A coupling made ready, its sides being found by `own`.
+fn geared(
+    spec: &LinkageSpec,
+    coupling: &CouplingSpec,
+    own: impl Fn(&Element) -> Side,
+) -> Option<Geared> {
+    // What does not meet was refused before.
+    let meeting = coupling.meeting(&spec.pairs).ok()?;
+    let side = |link: Option<usize>| own(&Element::of_link(link));
+    let second = match meeting.guide {
+        None => Second::Wheel(side(coupling.wheels[1])),
+        Some((guide, sense)) => {
+            let sides = elements(&spec.pairs[guide]).each_ref().map(&own);
+            Second::Rack(sides, sense)
+        }
+    };
+    Some(Geared {
+        wheel: side(coupling.wheels[0]),
+        second,
+        carrier: side(coupling.carrier),
+        ratio: coupling.kind.ratio(),
+        offset: coupling.offset,
+    })
 }
 
 pub(super) fn dyad(

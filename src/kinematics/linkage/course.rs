@@ -151,18 +151,24 @@ impl Table {
     }
 
     /// Takes the present position in as the last place; the angles continue
-    /// those of the place before.
+    /// those of the place before, at the first those that the state expects.
     pub(super) fn push(&mut self, input: f64, state: &State) {
         self.links = state.links.len();
         let before = self.rows.len().checked_sub(self.links);
         for (link, motion) in state.links.iter().enumerate() {
             let angle = motion.angle();
-            let near = before.map_or(angle, |first| self.rows[first + link][2]);
+            let near = before.map_or(state.near[link], |first| self.rows[first + link][2]);
             let [x, y] = motion.at;
             let (angle, turning) = (nearest_turn(angle, near), motion.turning()[0]);
             self.rows.push([x[0], y[0], angle, x[1], y[1], turning]);
         }
         self.inputs.push(input);
+    }
+
+    /// The angle of a link at the last place.
+    pub(super) fn last_angle(&self, link: usize) -> f64 {
+        let last = self.rows.len().saturating_sub(self.links) + link;
+        self.rows.get(last).map_or(0.0, |row| row[2])
     }
 
     /// Puts the places of a table that begins with the same place and goes the

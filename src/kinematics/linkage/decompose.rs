@@ -1,6 +1,7 @@
 //! Decomposition into Assur groups.
 //!
-//! Each pair gives two equations, each body needs three. The equations are
+//! Each pair gives two equations, each coupling of wheels one, each body needs
+//! three. The equations are
 //! handed out to the bodies they join, moving them along chains of bodies where
 //! one has too many and another too few (a maximum flow). What cannot be handed
 //! out holds a part of the linkage more than once, what is missing leaves a part
@@ -12,8 +13,47 @@
 //! bodies for each of them but one. That is asked for every body in turn, as if it
 //! were the one, with the pairs to what is placed left out.
 
-/// A pair between two bodies; `None`: what is placed already.
-pub(super) type Edge = [Option<usize>; 2];
+/// What ties bodies together: a pair, or a coupling of wheels.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Tie {
+    /// The bodies, each once; of what is placed already nothing is said.
+    bodies: Vec<usize>,
+    /// One of its links is placed already.
+    placed: bool,
+    /// Equations that it gives.
+    equations: usize,
+}
+
+impl Tie {
+    /// A pair between two bodies; `None`: what is placed already.
+    pub(super) fn pair(ends: [Option<usize>; 2]) -> Self {
+        Self::new(&ends, 2)
+    }
+
+    /// A coupling between these bodies.
+    pub(super) fn coupling(ends: [Option<usize>; 3]) -> Self {
+        Self::new(&ends, 1)
+    }
+
+    fn new(ends: &[Option<usize>], equations: usize) -> Self {
+        let mut bodies: Vec<usize> = ends.iter().flatten().copied().collect();
+        bodies.sort_unstable();
+        bodies.dedup();
+        Self {
+            bodies,
+            placed: ends.contains(&None),
+            equations,
+        }
+    }
+
+    /// True when it belongs to this group: it touches it, and no group after it.
+    pub(super) fn belongs_to(&self, group: &[usize], groups: &[Vec<usize>]) -> bool {
+        let place = |body: usize| groups.iter().position(|group| group.contains(&body));
+        let here = group.first().and_then(|&body| place(body));
+        self.bodies.iter().any(|body| group.contains(body))
+            && self.bodies.iter().all(|&body| place(body) <= here)
+    }
+}
 
 /// Equations a body needs.
 const NEEDED: usize = 3;
@@ -25,34 +65,34 @@ pub(super) enum Decomposition {
     Groups(Vec<Vec<usize>>),
     /// The numbers of equations and unknowns do not fit.
     Unfit {
-        /// Bodies that are held more than once (with the pairs that hold them).
+        /// Bodies that are held more than once (with the ties that hold them).
         held: Vec<Held>,
         /// Bodies that are free to move with the driver standing still.
         free: Vec<usize>,
     },
 }
 
-/// Who was given the equations of a pair.
+/// Who was given the equations of a tie.
 struct Handing<'a> {
-    edges: &'a [Edge],
-    /// Two equations of every pair: the body that has it.
-    owner: Vec<[Option<usize>; 2]>,
+    ties: &'a [Tie],
+    /// Of every equation of every tie the body that has it.
+    owner: Vec<Vec<Option<usize>>>,
     /// Number of equations of every body.
     count: Vec<usize>,
     /// Number of equations that every body needs.
     needed: Vec<usize>,
 }
 
-/// Bodies that are held more than once, and the pairs that hold them.
+/// Bodies that are held more than once, and the ties that hold them.
 pub(super) type Held = (Vec<usize>, Vec<usize>);
 
-/// Splits `bodies` joined by `edges` into groups.
-pub(super) fn decompose(bodies: usize, edges: &[Edge]) -> Decomposition {
-    let mut handing = Handing::new(edges, vec![NEEDED; bodies]);
+/// Splits `bodies` joined by `ties` into groups.
+pub(super) fn decompose(bodies: usize, ties: &[Tie]) -> Decomposition {
+    let mut handing = Handing::new(ties, vec![NEEDED; bodies]);
     let mut held = handing.hand_out();
     let free = handing.free();
     if held.is_empty() && free.is_empty() {
-        held.extend(held_among_themselves(bodies, edges));
+        held.extend(held_among_themselves(bodies, ties));
     }
     if !held.is_empty() || !free.is_empty() {
         held.dedup();
@@ -62,26 +102,26 @@ pub(super) fn decompose(bodies: usize, edges: &[Edge]) -> Decomposition {
 }
 
 /// A part with more equations among its own bodies than hold them together.
-fn held_among_themselves(bodies: usize, edges: &[Edge]) -> Option<Held> {
-    let inner = |edge: &Edge| match *edge {
-        [Some(_), Some(_)] => *edge,
-        _ => [None, None],
+fn held_among_themselves(bodies: usize, ties: &[Tie]) -> Option<Held> {
+    let inner = |tie: &Tie| match tie.placed {
+        false => tie.clone(),
+        true => Tie::new(&[], tie.equations),
     };
-    let edges: Vec<Edge> = edges.iter().map(inner).collect();
+    let ties: Vec<Tie> = ties.iter().map(inner).collect();
     (0..bodies).find_map(|body| {
         let mut needed = vec![NEEDED; bodies];
         needed[body] = 0;
-        let held = Handing::new(&edges, needed).hand_out();
-        // Nobody takes the equations of the pairs that are left out.
+        let held = Handing::new(&ties, needed).hand_out();
+        // Nobody takes the equations of the ties that are left out.
         held.into_iter().find(|(bodies, _)| !bodies.is_empty())
     })
 }
 
 impl<'a> Handing<'a> {
-    fn new(edges: &'a [Edge], needed: Vec<usize>) -> Self {
+    fn new(ties: &'a [Tie], needed: Vec<usize>) -> Self {
         Self {
-            edges,
-            owner: vec![[None; 2]; edges.len()],
+            ties,
+            owner: ties.iter().map(|tie| vec![None; tie.equations]).collect(),
             count: vec![0; needed.len()],
             needed,
         }
@@ -92,17 +132,16 @@ impl Handing<'_> {
     /// Hands out all equations; what holds a part more than once.
     fn hand_out(&mut self) -> Vec<Held> {
         let mut held = Vec::new();
-        for edge in 0..self.edges.len() {
-            for unit in 0..2 {
+        for (tie, given) in self.ties.iter().enumerate() {
+            for unit in 0..given.equations {
                 let mut seen = vec![false; self.count.len()];
-                let ends = self.edges[edge];
-                let mut ends = ends.iter().flatten().copied();
+                let mut ends = given.bodies.iter().copied();
                 match ends.find(|&body| self.make_room(body, &mut seen)) {
                     Some(body) => {
-                        self.owner[edge][unit] = Some(body);
+                        self.owner[tie][unit] = Some(body);
                         self.count[body] += 1;
                     }
-                    None => held.push(self.held_by(&seen, edge)),
+                    None => held.push(self.held_by(&seen, tie)),
                 }
             }
         }
@@ -118,16 +157,15 @@ impl Handing<'_> {
         if self.count[body] < self.needed[body] {
             return true;
         }
-        for edge in 0..self.edges.len() {
-            for unit in 0..2 {
-                if self.owner[edge][unit] != Some(body) {
+        let ties = self.ties;
+        for (tie, given) in ties.iter().enumerate() {
+            for unit in 0..given.equations {
+                if self.owner[tie][unit] != Some(body) {
                     continue;
                 }
-                let Some(other) = self.other(edge, body) else {
-                    continue;
-                };
-                if self.make_room(other, seen) {
-                    self.owner[edge][unit] = Some(other);
+                let mut others = given.bodies.iter().filter(|&&other| other != body);
+                if let Some(&other) = others.find(|&&other| self.make_room(other, seen)) {
+                    self.owner[tie][unit] = Some(other);
                     self.count[other] += 1;
                     self.count[body] -= 1;
                     return true;
@@ -137,26 +175,21 @@ impl Handing<'_> {
         false
     }
 
-    fn other(&self, edge: usize, body: usize) -> Option<usize> {
-        let [a, b] = self.edges[edge];
-        if a == Some(body) { b } else { a }
-    }
-
-    /// The bodies that could not make room, and the pairs that fill them.
-    fn held_by(&self, seen: &[bool], edge: usize) -> Held {
+    /// The bodies that could not make room, and the ties that fill them.
+    fn held_by(&self, seen: &[bool], tie: usize) -> Held {
         let bodies: Vec<usize> = (0..seen.len()).filter(|&body| seen[body]).collect();
-        let inside = |edge: &Edge| edge.iter().flatten().all(|&body| seen[body]);
-        let mut pairs: Vec<usize> = (0..self.edges.len())
+        let inside = |tie: &Tie| tie.bodies.iter().all(|&body| seen[body]);
+        let mut ties: Vec<usize> = (0..self.ties.len())
             .filter(|&index| {
                 let given = self.owner[index].iter().any(Option::is_some);
-                given && inside(&self.edges[index]) && self.edges[index] != [None, None]
+                given && inside(&self.ties[index]) && !self.ties[index].bodies.is_empty()
             })
             .collect();
-        if !pairs.contains(&edge) {
-            pairs.push(edge);
+        if !ties.contains(&tie) {
+            ties.push(tie);
         }
-        pairs.sort_unstable();
-        (bodies, pairs)
+        ties.sort_unstable();
+        (bodies, ties)
     }
 
     /// Bodies with too few equations, and those from which they could take one.
@@ -166,13 +199,12 @@ impl Handing<'_> {
         let mut grew = true;
         while grew {
             grew = false;
-            for (edge, owner) in self.edges.iter().zip(&self.owner) {
-                let [Some(a), Some(b)] = *edge else { continue };
-                for (taker, giver) in [(a, b), (b, a)] {
-                    if free[taker] && !free[giver] && owner.contains(&Some(giver)) {
-                        free[giver] = true;
-                        grew = true;
-                    }
+            for (tie, owner) in self.ties.iter().zip(&self.owner) {
+                if !tie.bodies.iter().any(|&taker| free[taker]) {
+                    continue;
+                }
+                for giver in owner.iter().flatten() {
+                    grew |= !std::mem::replace(&mut free[*giver], true);
                 }
             }
         }
@@ -184,7 +216,8 @@ impl Handing<'_> {
         let mut dependencies = vec![Vec::new(); self.count.len()];
         for (index, owner) in self.owner.iter().enumerate() {
             for body in owner.iter().flatten() {
-                dependencies[*body].extend(self.other(index, *body));
+                let others = self.ties[index].bodies.iter();
+                dependencies[*body].extend(others.filter(|other| *other != body));
             }
         }
         dependencies
@@ -226,14 +259,14 @@ fn groups(dependencies: &[Vec<usize>]) -> Vec<Vec<usize>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Decomposition, decompose};
+    use super::{Decomposition, Tie, decompose};
 
     const PLACED: Option<usize> = None;
 
     #[test]
     fn dyads_come_one_after_the_other() {
         // Two dyads, the second (0, 1) standing on the first (2, 3).
-        let edges = [
+        let pairs = [
             [PLACED, Some(2)],
             [Some(2), Some(3)],
             [Some(3), PLACED],
@@ -242,13 +275,13 @@ mod tests {
             [Some(1), PLACED],
         ];
         let wanted = Decomposition::Groups(vec![vec![2, 3], vec![0, 1]]);
-        assert_eq!(decompose(4, &edges), wanted);
+        assert_eq!(decompose(4, &pairs.map(Tie::pair)), wanted);
     }
 
     #[test]
     fn a_triad_stays_together() {
         // One body with three pins, a lever on each.
-        let edges = [
+        let pairs = [
             [PLACED, Some(1)],
             [PLACED, Some(2)],
             [PLACED, Some(3)],
@@ -257,13 +290,13 @@ mod tests {
             [Some(0), Some(3)],
         ];
         let wanted = Decomposition::Groups(vec![vec![0, 1, 2, 3]]);
-        assert_eq!(decompose(4, &edges), wanted);
+        assert_eq!(decompose(4, &pairs.map(Tie::pair)), wanted);
     }
 
     #[test]
     fn a_rigid_part_and_a_loose_part_are_named() {
         // Body 0 is pinned twice to the ground, bodies 1 to 3 form an open chain.
-        let edges = [
+        let pairs = [
             [PLACED, Some(0)],
             [Some(0), PLACED],
             [PLACED, Some(1)],
@@ -271,7 +304,7 @@ mod tests {
             [Some(2), Some(3)],
             [Some(3), PLACED],
         ];
-        let Decomposition::Unfit { held, free } = decompose(4, &edges) else {
+        let Decomposition::Unfit { held, free } = decompose(4, &pairs.map(Tie::pair)) else {
             panic!("it does not fit");
         };
         assert_eq!(held, [(vec![0], vec![0, 1])]);
@@ -281,7 +314,7 @@ mod tests {
     #[test]
     fn a_part_that_is_held_more_than_once_by_itself_is_named() {
         // Bodies 1 and 2 are pinned together twice; the count of all fits.
-        let edges = [
+        let pairs = [
             [PLACED, Some(0)],
             [Some(0), Some(1)],
             [Some(1), Some(2)],
@@ -293,6 +326,29 @@ mod tests {
             held: vec![(vec![1, 2], vec![2, 3])],
             free: Vec::new(),
         };
-        assert_eq!(decompose(4, &edges), wanted);
+        assert_eq!(decompose(4, &pairs.map(Tie::pair)), wanted);
+    }
+
+    #[test]
+    fn couplings_order_what_they_tie() {
+        // Two wheels on pins of what is placed: 1 meshes with what is placed, 0 with 1.
+        let mut ties = [[PLACED, Some(0)], [PLACED, Some(1)]]
+            .map(Tie::pair)
+            .to_vec();
+        ties.push(Tie::coupling([PLACED, Some(1), Some(0)]));
+        let loose = Decomposition::Unfit {
+            held: Vec::new(),
+            free: vec![0, 1],
+        };
+        assert_eq!(decompose(2, &ties), loose);
+        ties.push(Tie::coupling([PLACED, PLACED, Some(1)]));
+        let wanted = Decomposition::Groups(vec![vec![1], vec![0]]);
+        assert_eq!(decompose(2, &ties), wanted);
+        ties.push(Tie::coupling([PLACED, PLACED, Some(0)]));
+        let held = Decomposition::Unfit {
+            held: vec![(vec![0, 1], vec![0, 1, 2, 3, 4])],
+            free: Vec::new(),
+        };
+        assert_eq!(decompose(2, &ties), held);
     }
 }

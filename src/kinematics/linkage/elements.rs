@@ -14,6 +14,17 @@ pub(super) struct Element {
     pub(super) along: [f64; 2],
 }
 
+impl Element {
+    /// A link alone, whose angle counts.
+    pub(super) fn of_link(link: Option<usize>) -> Self {
+        Self {
+            link,
+            point: [0.0, 0.0],
+            along: [1.0, 0.0],
+        }
+    }
+}
+
 /// The two elements of a pair: of link i (`on`) and of link j (`link`).
 pub(super) fn elements(pair: &PairSpec) -> [Element; 2] {
     let (on, link) = match pair.kind {

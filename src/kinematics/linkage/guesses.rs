@@ -194,6 +194,12 @@ fn settle(
 fn put(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
     for (index, body) in group.bodies.iter().enumerate() {
         state.put(body, &NewtonGroup::frame::<1>(scratch, index));
+        // Where nothing counts the turns it is the angle in (−π, π].
+        let angle = scratch.unknowns[3 * index + 2][0];
+        state.near[body.base] = match group.couplings.is_empty() {
+            true => state.links[body.base].angle(),
+            false => angle,
+        };
     }
 }
 

@@ -23,12 +23,14 @@ mod check;
 mod choice;
 pub(crate) mod closure;
 mod compile;
+pub(crate) mod couplings;
 mod course;
 mod decompose;
 mod dyad;
 mod elements;
 mod examine;
 mod forces;
+mod geared;
 mod guesses;
 pub mod kinetostatics;
 pub mod multi;
@@ -218,7 +220,7 @@ fn explore(
     let start = spec.start;
     // The first position of a larger group is known to rounding already: it is
     // solved again, with derivatives, from itself.
-    let here = solve::Anchor::new(start, state);
+    let here = solve::Anchor::new(start, state, |link| state.near[link]);
     let at = (start, start);
     let groups = plan.steps.len();
     if let Err(Stuck(group)) =

@@ -1,7 +1,7 @@
 //! Larger Assur groups: all equations of the group by Newton's method, and
 //! their transfer functions by the same matrix.
 //!
-//! Two equations a pair, three unknowns a body (its origin over a typical
+//! Two equations a pair, one a coupling, three unknowns a body (its origin over a typical
 //! length, its angle). The power series of the unknowns follow one order after
 //! the other from one factorisation: with the coefficients up to k − 1 known
 //! and the k-th set to zero, the k-th coefficient of the equations is what the
@@ -9,6 +9,7 @@
 
 use super::dyad::Margin;
 use super::elements::{Body, Element, Frame, PairElement};
+use super::geared::Geared;
 use super::state::Scratch;
 use super::state::State;
 use super::vector::Vector;
@@ -46,8 +47,10 @@ pub(super) struct Joint {
 pub(super) struct NewtonGroup {
     /// Bodies of the group.
     pub(super) bodies: Vec<Body>,
-    /// Pairs of the group, as many as 3/2 of its bodies.
+    /// Pairs of the group; two equations of each and one of each coupling are three a body.
     pub(super) joints: Vec<Joint>,
+    /// Gears, belts and racks.
+    pub(super) couplings: Vec<Geared>,
 }
 
 /// The iteration did not come to an end.
@@ -231,6 +234,10 @@ impl NewtonGroup {
                 row.store(&mut scratch.equations[2 * index + k]);
             }
         }
+        for (index, coupling) in self.couplings.iter().enumerate() {
+            let row = coupling.error::<N>(self, state, scratch, size);
+            row.store(&mut scratch.equations[2 * self.joints.len() + index]);
+        }
     }
 
     /// The derivatives of the closing errors by the unknowns.
@@ -266,6 +273,10 @@ impl NewtonGroup {
                     scratch.matrix[at + n + 2] += turned[1];
                 }
             }
+        }
+        for (index, coupling) in self.couplings.iter().enumerate() {
+            let top = (2 * self.joints.len() + index) * n;
+            coupling.derivatives(self, state, scratch, size, top);
         }
     }
 }

@@ -106,6 +106,9 @@ impl Plan {
             relative: Motion::GROUND,
             margins: vec![Margin::default(); self.steps.len()],
             scratch: Scratch::new(most.max().unwrap_or(0)),
+            reduced: 0.0,
+            near: vec![0.0; self.links],
+            turned: self.driver.sliding.is_none(),
         }
     }
 }

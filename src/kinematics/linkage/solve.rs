@@ -1,11 +1,12 @@
 //! Solving a linkage at one input, group by group.
 
-use super::course::{Course, Table};
+use super::course::{Course, Table, nearest_turn};
 use super::dyad::{Around, Dyad};
 use super::elements::{Frame, inverse};
+use super::geared::Geared;
 use super::newton::NewtonGroup;
 use super::plan::{Plan, Step};
-use super::state::State;
+use super::state::{Motion, State};
 
 /// Positions to start an iteration from.
 #[derive(Clone, Copy, Debug)]
@@ -26,16 +27,17 @@ pub(super) struct Anchor {
 }
 
 impl Anchor {
-    /// The present position.
-    pub(super) fn new(at: f64, state: &State) -> Self {
-        let series = |motion: &super::state::Motion| {
+    /// The present position, with the angles over whole turns next to those in `near`.
+    pub(super) fn new(at: f64, state: &State, near: impl Fn(usize) -> f64) -> Self {
+        let series = |(link, motion): (usize, &Motion)| {
             let [first, second, third] = motion.turning();
-            let angle = [motion.angle(), first, second / 2.0, third / 6.0];
+            let value = nearest_turn(motion.angle(), near(link));
+            let angle = [value, first, second / 2.0, third / 6.0];
             [motion.at[0], motion.at[1], angle]
         };
         Self {
             at,
-            series: state.links.iter().map(series).collect(),
+            series: state.links.iter().enumerate().map(series).collect(),
         }
     }
 
@@ -62,6 +64,7 @@ pub(super) fn solve<const N: usize>(
     groups: usize,
 ) -> Result<(), Stuck> {
     drive::<N>(plan, state, input);
+    state.reduced = reduced;
     for (index, step) in plan.steps[..groups].iter().enumerate() {
         match step {
             Step::Dyad(dyad) => place::<N>(plan, course, dyad, state, reduced, index)?,
@@ -144,6 +147,12 @@ fn iterate<const N: usize>(
         for (unknown, value) in unknowns.iter_mut().zip(values) {
             unknown[0] = value;
         }
+    }
+    for link in group.couplings.iter().flat_map(Geared::known_links) {
+        state.near[link] = match guess {
+            Guess::Table(table) => table.near(place, link, reduced)[2],
+            Guess::Near(anchor) => anchor.near(link, reduced)[2],
+        };
     }
     let found = group.place::<N>(state, &mut scratch, plan.size);
     if let Ok(margin) = found {

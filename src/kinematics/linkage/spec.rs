@@ -1,9 +1,11 @@
-//! A planar linkage in plain numbers: links, pairs, driver, outputs, forces.
+//! A planar linkage in plain numbers: links, pairs, couplings, driver, outputs, forces.
 //!
 //! SI units; x to the right, y up, angles counterclockwise. Lists stand in the
 //! order of their names, so that nothing depends on the order in a file.
 
-/// A planar linkage of rigid links and lower pairs with one degree of freedom.
+pub use super::couplings::{CouplingKind, CouplingSpec};
+
+/// A planar linkage of rigid links, lower pairs, gears, belts and racks with one degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkageSpec {
     /// The moving links.
@@ -12,6 +14,8 @@ pub struct LinkageSpec {
     pub ground: Vec<NamedPoint>,
     /// The kinematic pairs.
     pub pairs: Vec<PairSpec>,
+    /// Gears, belts and racks between links.
+    pub couplings: Vec<CouplingSpec>,
     /// The pair whose relative motion is the input coordinate, index into
     /// [`Self::pairs`].
     pub driver: usize,

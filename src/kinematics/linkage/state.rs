@@ -3,8 +3,10 @@
 use super::dyad::Margin;
 use super::elements::Body;
 
+use super::course::nearest_turn;
 use super::elements::Frame;
 use super::vector::Vector;
+use crate::math::series::Series;
 
 /// The frame of a link as power series.
 #[derive(Clone, Copy, Debug)]
@@ -64,6 +66,13 @@ pub(super) struct State {
     pub(super) margins: Vec<Margin>,
     /// For the groups solved by iteration.
     pub(super) scratch: Scratch,
+    /// The input, within the first period.
+    pub(super) reduced: f64,
+    /// Of every link an angle over whole turns that is near its own: at the start its own,
+    /// afterwards that expected, where a coupling needs it (rad).
+    pub(super) near: Vec<f64>,
+    /// True where the driver turns.
+    pub(super) turned: bool,
 }
 
 impl State {
@@ -80,6 +89,23 @@ impl State {
     #[inline(always)]
     pub(super) fn relative_frame<const N: usize>(&self) -> Frame<N> {
         self.relative.frame()
+    }
+
+    /// The angle of a link over whole turns, the one next to [`Self::near`].
+    pub(super) fn angle<const N: usize>(&self, link: usize) -> Series<N> {
+        let motion = &self.links[link];
+        let [first, second, third] = motion.turning();
+        let angle = nearest_turn(motion.angle(), self.near[link]);
+        Series::load(&[angle, first, second / 2.0, third / 6.0])
+    }
+
+    /// The angle of the driven link less that of the other.
+    pub(super) fn relative_angle<const N: usize>(&self) -> Series<N> {
+        if self.turned {
+            Series::variable(self.reduced)
+        } else {
+            Series::constant(self.relative.angle())
+        }
     }
 
     /// Puts a body, with the driven link if it has one, into its place.

@@ -36,6 +36,7 @@ impl fmt::Display for GroupKind {
             Self::Rpr => f.write_str("dyad RPR"),
             Self::Prp => f.write_str("dyad PRP"),
             Self::Rpp => f.write_str("dyad RPP"),
+            Self::Newton { links: 1 } => f.write_str("geared link"),
             Self::Newton { links } => write!(f, "group of {links} links"),
         }
     }
@@ -64,6 +65,8 @@ pub struct Group {
     pub links: Vec<usize>,
     /// Pairs of the group, indices into [`LinkageSpec::pairs`].
     pub pairs: Vec<usize>,
+    /// Its couplings, indices into [`LinkageSpec::couplings`].
+    pub couplings: Vec<usize>,
     /// +1 or −1 at the start, for dyads with two assemblies.
     pub branch: Option<f64>,
 }
@@ -77,8 +80,8 @@ pub struct Structure {
     pub explanation: String,
     /// The groups in the order of solution, the driver first.
     pub groups: Vec<Group>,
-    /// Names of links and pairs, for display.
-    names: [Vec<String>; 2],
+    /// Names of links, pairs and couplings, for display.
+    names: [Vec<String>; 3],
 }
 
 impl Structure {
@@ -90,6 +93,10 @@ impl Structure {
             names: [
                 spec.links.iter().map(|link| link.name.clone()).collect(),
                 spec.pairs.iter().map(|pair| pair.name.clone()).collect(),
+                spec.couplings
+                    .iter()
+                    .map(|coupling| coupling.name.clone())
+                    .collect(),
             ],
         }
     }
@@ -109,13 +116,18 @@ impl Structure {
         } else {
             "pairs"
         };
+        let coupled = match group.couplings.as_slice() {
+            [] => String::new(),
+            [one] => format!(", coupling {}", names(2, &[*one])),
+            several => format!(", couplings {}", names(2, several)),
+        };
         let branch = match group.branch {
             Some(branch) if branch < 0.0 => ", branch -",
             Some(_) => ", branch +",
             None => "",
         };
         format!(
-            "{}: {} ({word} {}){branch}",
+            "{}: {} ({word} {}{coupled}){branch}",
             group.kind,
             names(0, &group.links),
             names(1, &group.pairs)
@@ -133,9 +145,9 @@ impl fmt::Display for Structure {
     }
 }
 
-/// 3n − 2p.
+/// 3n − 2p − c.
 pub(super) fn mobility(spec: &LinkageSpec) -> i64 {
-    3 * spec.links.len() as i64 - 2 * spec.pairs.len() as i64
+    3 * spec.links.len() as i64 - 2 * spec.pairs.len() as i64 - spec.couplings.len() as i64
 }
 
 /// The count in words: `3 links, 4 pairs: 3·3 − 2·4 = 1 degree of freedom`.
@@ -144,8 +156,12 @@ pub(super) fn explanation(spec: &LinkageSpec) -> String {
     let many =
         |count: usize, word: &str| format!("{count} {word}{}", if count == 1 { "" } else { "s" });
     let word = if f == 1 { "degree" } else { "degrees" };
+    let (coupled, less) = match spec.couplings.len() {
+        0 => (String::new(), String::new()),
+        c => (format!(", {}", many(c, "coupling")), format!(" − {c}")),
+    };
     format!(
-        "{}, {}: 3·{n} − 2·{p} = {f} {word} of freedom",
+        "{}, {}{coupled}: 3·{n} − 2·{p}{less} = {f} {word} of freedom",
         many(n, "moving link"),
         many(p, "pair")
     )

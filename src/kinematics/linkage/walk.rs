@@ -86,7 +86,7 @@ impl<'a> Walker<'a> {
     pub(super) fn new(plan: &'a Plan, course: &'a mut Course, state: &State, up: bool) -> Self {
         let start = course.start;
         Self {
-            anchor: Anchor::new(start, state),
+            anchor: Anchor::new(start, state, |link| state.near[link]),
             place: Place::of(start, state),
             before: None,
             probe: state.clone(),
@@ -204,7 +204,6 @@ impl<'a> Walker<'a> {
         let groups = self.plan.steps.len();
         // It could be solved a moment ago, to a lower order.
         let _ = self.try_at::<4>(to, groups);
-        self.anchor = Anchor::new(to, &self.probe);
         let place = Place::of(to, &self.probe);
         self.before = Some(std::mem::replace(&mut self.place, place));
         let table = if self.way > 0.0 {
@@ -213,6 +212,7 @@ impl<'a> Walker<'a> {
             &mut self.course.below
         };
         table.push(to, &self.probe);
+        self.anchor = Anchor::new(to, &self.probe, |link| table.last_angle(link));
     }
 
     /// Everything is as it was at first.

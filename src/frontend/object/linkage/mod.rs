@@ -1,5 +1,6 @@
 //! Linkages: any planar mechanism of rigid links, with one degree of freedom or several.
 
+mod couplings;
 mod forces;
 mod inputs;
 mod links;
@@ -28,7 +29,8 @@ use serde_json::json;
 /// ```
 ///
 /// Parameters: `ground` and `links` with named points (m), masses (kg), centres
-/// of mass and moments of inertia about them (kg·m²); `pairs`; `driver`, the
+/// of mass and moments of inertia about them (kg·m²); `pairs`; `couplings`, gears, belts and racks
+/// between them; `driver`, the
 /// pair whose coordinate q is the driver's displacement (times `position`);
 /// `assembly` and `start`, which way it is put together; `gravity`, `forces`;
 /// `outputs`, on which other objects hang.
@@ -147,6 +149,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     let mut names = Names::new(fields.node());
     let parts = links::read(fields, &mut names);
     let pairs = pairs::read(fields, &names, several);
+    let couplings = couplings::read(fields, &names, pairs.as_deref());
     let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
     way.case("driver", doc, |slot| {
@@ -180,6 +183,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
         links,
         ground,
         pairs: pairs?,
+        couplings: couplings?,
         driver: driven.unwrap_or_default(),
         assembly: assembly?,
         start: of_one.start,
@@ -258,6 +262,9 @@ fn not_of_one(fields: &mut Fields<'_>) -> bool {
         let hint = "leave it out: each of the `inputs` has its own `ratio`, `offset` and `start`";
         found |= fields.forbid(property, &message, hint);
     }
+    let message = "gears, belts and racks couple the links of a linkage of one input alone";
+    let hint = "leave it out: wheels on the ground are coupled by objects, a `shaft` with a `ratio` that moves an input";
+    found |= fields.forbid("couplings", message, hint);
     let message = "in a run, friction of the joints is found for one input alone";
     let hint = "leave it out: in `dam run` the pairs of a linkage of several inputs move freely; \
                 their `friction` counts in `dam forces`";

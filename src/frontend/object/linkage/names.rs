@@ -88,6 +88,33 @@ impl Names {
         found
     }
 
+    /// Reads the name of a link or of the ground (`None`).
+    pub(super) fn link_or_ground(&self, mut slot: Slot<'_>) -> Option<Option<usize>> {
+        let name = slot.look(|slot| slot.text())?;
+        if name == GROUND {
+            return Some(None);
+        }
+        let found = self.position(&name);
+        if found.is_none() {
+            let mut known = self.link_names();
+            known.push(GROUND);
+            let message = format!("there is no link `{name}`");
+            unknown(&mut slot, message, &name, &known);
+        }
+        found.map(Some)
+    }
+
+    /// What a link or the ground is called.
+    pub(super) fn of_link(&self, link: Option<usize>) -> &str {
+        link.and_then(|link| self.links.get(link))
+            .map_or(GROUND, |link| link.0.as_str())
+    }
+
+    /// How many links there are.
+    pub(super) fn links(&self) -> usize {
+        self.links.len()
+    }
+
     /// Reads the name of a pair; its index.
     pub(super) fn pair(&self, mut slot: Slot<'_>) -> Option<usize> {
         let name = slot.look(|slot| slot.text())?;

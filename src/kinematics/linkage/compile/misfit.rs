@@ -42,18 +42,19 @@ pub(super) fn misfit(
         let message = format!("not one degree of freedom: {}", explanation(spec));
         faults.add("pairs", message, hint);
     }
-    for (list, pairs) in held {
-        let names: Vec<&str> = pairs
+    for (list, ties) in held {
+        let named: Vec<[&str; 2]> = ties
             .iter()
-            .map(|&pair| spec.pairs[others[pair]].name.as_str())
+            .map(|&tie| tie_named(spec, others, tie))
             .collect();
-        let last = names.last().copied().unwrap_or_default();
+        let names: Vec<&str> = named.iter().map(|[_, name]| *name).collect();
+        let [place, last] = named.last().copied().unwrap_or_default();
         let what = match list.as_slice() {
             [] => "the ground and the driven link are joined twice".to_owned(),
             list => format!("{} held more than once", is_or_are(&links(list))),
         };
         faults.add(
-            format!("pairs.{last}"),
+            format!("{place}.{last}"),
             format!(
                 "statically indeterminate: {what}, by the pairs {}",
                 names.join(", ")
@@ -69,6 +70,14 @@ pub(super) fn misfit(
         );
         let hint = "join them with further pairs, or leave them out";
         faults.add(format!("links.{name}"), message, hint);
+    }
+}
+
+/// Where a tie stands in the description, and its name: the pairs in `others`, then the couplings.
+fn tie_named<'a>(spec: &'a LinkageSpec, others: &[usize], tie: usize) -> [&'a str; 2] {
+    match others.get(tie) {
+        Some(&pair) => ["pairs", &spec.pairs[pair].name],
+        None => ["couplings", &spec.couplings[tie - others.len()].name],
     }
 }
 

@@ -1,6 +1,6 @@
 //! Equilibrium of the links: W·F = B − P − T, three rows a link.
 //!
-//! Unknowns F: two of every pair, and the driver's force. Rows: forces along x
+//! Unknowns F: two of every pair, one of every coupling, and the driver's force. Rows: forces along x
 //! and y, moment about the centre of mass. Moments are divided by the length
 //! scale ℓ of the linkage, so that all entries are of the order of one and all
 //! unknowns are forces.
@@ -37,6 +37,13 @@ impl Kinetostatics {
                     w.factors.add(row, column, value);
                 });
             }
+        }
+        for coupling in 0..self.spec.couplings.len() {
+            let column = 2 * self.spec.pairs.len() + coupling;
+            let places = (w.pairs.as_slice(), w.links.as_slice(), w.centres.as_slice());
+            self.each_coupling_row(coupling, places, |row, value| {
+                w.factors.add(row, column, value);
+            });
         }
         match unknown {
             Unknown::Drive => {

@@ -1,8 +1,8 @@
 //! Kinetostatics: reactions, driving force and friction of a linkage whose
 //! motion is given.
 //!
-//! Free-body equations of all links, W·F = B − P − T, with two unknowns a pair
-//! and the driver's force; W depends on the position alone and is factorised
+//! Free-body equations of all links, W·F = B − P − T, with two unknowns a pair, one a
+//! coupling (gears, belt, rack) and the driver's force; W depends on the position alone and is factorised
 //! once. Coulomb's friction in pins and in both corners of blocks; sliding
 //! directions just after the position, in the direction of motion. The same
 //! equations with the driver's force given and the acceleration unknown
@@ -20,6 +20,7 @@
 //! (1987), the equations derived anew: printed signs are wrong in places.
 
 mod accelerate;
+mod couplings;
 mod equations;
 mod external;
 mod friction;
@@ -48,6 +49,7 @@ pub use sensitivity::Sensitivities;
 pub use solve::{BAD_CONDITION, ForceFailure, Options, Solved};
 pub use workspace::ForceWorkspace;
 
+use super::couplings::Meeting;
 use super::multi::spec::{InputCoordinate, MultiSpec};
 use super::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::fault::{Fault, Faults};
@@ -86,6 +88,8 @@ pub struct Kinetostatics {
     directions: Vec<[f64; 2]>,
     /// Places of each block's corners along its guide (m).
     corners: Vec<[f64; 2]>,
+    /// How the pairs of each coupling stand to its carrier.
+    meetings: Vec<Meeting>,
     /// Factors of friction of each pair that has any, without sign.
     friction_factors: Vec<Option<Law>>,
     /// Size of the inertia in the column of the acceleration (kg or kg·m).
@@ -99,7 +103,7 @@ impl Kinetostatics {
     ///
     /// Negative or non-finite masses, moments of inertia, coefficients of
     /// friction, diameters or heights; a block without length; a number of
-    /// pairs other than (3n − 1)/2.
+    /// pairs and couplings with 2·pairs + couplings other than 3n − 1.
     pub fn new(spec: &LinkageSpec) -> Result<Self, Vec<Fault>> {
         check(spec, 1)?;
         if spec.driver >= spec.pairs.len() {
@@ -116,7 +120,7 @@ impl Kinetostatics {
     ///
     /// # Errors
     ///
-    /// As of [`Self::new`], with 3n = 2·pairs + inputs.
+    /// As of [`Self::new`], with 3n = 2·pairs + couplings + inputs.
     pub fn of_inputs(spec: &MultiSpec) -> Result<Self, Vec<Fault>> {
         check(&spec.linkage, spec.inputs.len())?;
         let drivers = spec.inputs.iter().map(|input| input.coordinate);
@@ -137,6 +141,7 @@ impl Kinetostatics {
             directions: pairs.iter().map(direction).collect(),
             corners: pairs.iter().map(|pair| corners(pair, length)).collect(),
             friction_factors: pairs.iter().map(|pair| friction(pair, length)).collect(),
+            meetings: couplings::meetings(spec),
             inertia_scale: if inertia > 0.0 { inertia } else { 1.0 },
             spec: spec.clone(),
         }
@@ -291,18 +296,33 @@ fn check(spec: &LinkageSpec, inputs: usize) -> Result<(), Vec<Fault>> {
             }
         }
     }
+    let before = faults.len();
+    super::couplings::check(spec, &mut faults);
+    if faults.len() == before {
+        count(spec, inputs, &mut faults);
+    }
+    faults.check()
+}
+
+/// As many equations as unknowns.
+fn count(spec: &LinkageSpec, inputs: usize, faults: &mut Faults) {
     let (links, pairs) = (spec.links.len(), spec.pairs.len());
-    if 2 * pairs + inputs != 3 * links {
+    let unknowns = 2 * pairs + spec.couplings.len() + inputs;
+    if unknowns != 3 * links {
+        let coupled = match spec.couplings.len() {
+            0 => String::new(),
+            couplings => format!(" and {couplings} couplings"),
+        };
         let message = format!(
-            "{pairs} pairs between {links} moving links give {} equations for {} unknowns",
+            "{pairs} pairs{coupled} between {links} moving links give {} equations for {unknowns} unknowns",
             3 * links,
-            2 * pairs + inputs
         );
         let hint = match inputs {
-            1 => "one degree of freedom and statically determinate reactions need 3n = 2·pairs + 1",
-            _ => "statically determinate reactions need 3n = 2·pairs + inputs",
+            1 => {
+                "one degree of freedom and statically determinate reactions need 3n = 2·pairs + couplings + 1"
+            }
+            _ => "statically determinate reactions need 3n = 2·pairs + couplings + inputs",
         };
         faults.add("pairs", message, hint);
     }
-    faults.check()
 }

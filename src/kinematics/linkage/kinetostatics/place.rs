@@ -83,6 +83,6 @@ impl Kinetostatics {
 }
 
 /// The frame of a link or of the ground.
-fn frame(links: &[LinkPosition], link: Option<usize>) -> LinkPosition {
+pub(super) fn frame(links: &[LinkPosition], link: Option<usize>) -> LinkPosition {
     link.map_or(LinkPosition::GROUND, |link| links[link])
 }

@@ -245,6 +245,7 @@ impl Kinetostatics {
             }
         }
         self.add_floating_drives(w, &mut sum);
+        self.add_couplings_on_frame(w, &mut sum);
         sum
     }
 

@@ -7,7 +7,7 @@ use super::plan::{Group, InnerJoint, MultiPlan, Screw, driver_of};
 use super::spec::{InputCoordinate, InputSpec, MultiSpec};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::compile;
-use crate::kinematics::linkage::decompose::{Decomposition, Edge, decompose};
+use crate::kinematics::linkage::decompose::{Decomposition, Tie, decompose};
 use crate::kinematics::linkage::dyad::Form;
 use crate::kinematics::linkage::elements::{Body, Element, elements};
 use crate::kinematics::linkage::plan::{Plan, Step, size};
@@ -26,11 +26,11 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
         .filter(|pair| !driving.contains(pair))
         .collect();
     let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
-    let edges: Vec<Edge> = others
+    let ties: Vec<Tie> = others
         .iter()
-        .map(|&pair| elements(&linkage.pairs[pair]).each_ref().map(of))
+        .map(|&pair| Tie::pair(elements(&linkage.pairs[pair]).each_ref().map(of)))
         .collect();
-    let groups = match decompose(bodies.list.len(), &edges) {
+    let groups = match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(groups) => groups,
         Decomposition::Unfit { held, free } => {
             let further = |wanted| further(spec, wanted);
@@ -41,18 +41,13 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
     let mut steps = Vec::new();
     let mut found = Vec::new();
     for group in &groups {
-        let pairs: Vec<usize> = others
-            .iter()
-            .zip(&edges)
-            .filter(|(_, edge)| edge.iter().flatten().any(|body| group.contains(body)))
-            .filter(|(_, edge)| compile::is_last(edge, group, &groups))
-            .map(|(&pair, _)| pair)
-            .collect();
+        let own = |tie: &Tie| tie.belongs_to(group, &groups);
+        let (pairs, _) = compile::members(&ties, &others, own);
         let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
             ([one, other], [_, _, _]) => {
                 compile::dyad(linkage, &bodies, [*one, *other], &pairs, &mut faults)
             }
-            _ => compile::larger_group(linkage, &bodies, group, &pairs),
+            _ => compile::larger_group(linkage, &bodies, group, &pairs, &[]),
         };
         let mut links: Vec<usize> = group
             .iter()
@@ -68,6 +63,7 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
             kind,
             links,
             pairs,
+            couplings: Vec::new(),
             branch: None,
         });
     }
@@ -121,14 +117,14 @@ fn holds_more_than_once(spec: &MultiSpec) -> bool {
     }
     let bodies = bodies(&joints);
     let driving: Vec<usize> = input_pairs(spec).collect();
-    let edges: Vec<Edge> = (spec.linkage.pairs.iter().enumerate())
+    let ties: Vec<Tie> = (spec.linkage.pairs.iter().enumerate())
         .filter(|(pair, _)| !driving.contains(pair))
         .map(|(_, pair)| {
             let body = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
-            elements(pair).each_ref().map(body)
+            Tie::pair(elements(pair).each_ref().map(body))
         })
         .collect();
-    match decompose(bodies.list.len(), &edges) {
+    match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(_) => false,
         Decomposition::Unfit { held, .. } => !held.is_empty(),
     }
@@ -154,6 +150,7 @@ fn driving_group(spec: &MultiSpec, joints: &Joints, driving: &[usize]) -> struct
         kind: GroupKind::Driver,
         links,
         pairs: driving.to_vec(),
+        couplings: Vec::new(),
         branch: None,
     }
 }

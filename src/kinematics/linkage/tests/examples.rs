@@ -1,8 +1,8 @@
 //! Linkages to test with.
 
 use crate::kinematics::linkage::spec::{
-    AssemblyChoice, AssemblySpec, ForceLaw, ForceSpec, LinkSpec, LinkageSpec, OutputKind,
-    OutputSpec, PairKind, PairSpec, PointOf,
+    AssemblyChoice, AssemblySpec, CouplingKind, CouplingSpec, ForceLaw, ForceSpec, LinkSpec,
+    LinkageSpec, OutputKind, OutputSpec, PairKind, PairSpec, PointOf,
 };
 
 /// The ground.
@@ -66,6 +66,25 @@ impl Builder {
             kind,
             friction: 0.0,
         });
+    }
+
+    /// A coupling of two wheels, or of a wheel and a rack.
+    pub(super) fn couple(
+        mut self,
+        wheels: [Option<usize>; 2],
+        carrier: Option<usize>,
+        kind: CouplingKind,
+        offset: f64,
+    ) -> Self {
+        let name = format!("c{}", self.0.couplings.len());
+        self.0.couplings.push(CouplingSpec {
+            name,
+            wheels,
+            carrier,
+            kind,
+            offset,
+        });
+        self
     }
 
     pub(super) fn choose(mut self, link: usize, choice: AssemblyChoice) -> Self {

@@ -2,6 +2,7 @@
 
 mod branches;
 mod change_points;
+mod couplings;
 mod examples;
 mod forces;
 mod kinetostatics;

@@ -1,6 +1,6 @@
 //! What the tests of linkages share.
 
-use crate::kinematics::linkage::spec::{PairKind, PointOf};
+use crate::kinematics::linkage::spec::{CouplingKind, PairKind, PointOf};
 use crate::kinematics::linkage::{Linkage, Reach, Workspace};
 use proptest::prelude::*;
 
@@ -74,6 +74,15 @@ pub(super) fn closure_error(linkage: &Linkage, workspace: &Workspace) -> f64 {
         });
         if index == linkage.spec().driver {
             most = most.max((workspace.pair(index).value - workspace.input()).abs());
+        }
+    }
+    for coupling in &linkage.spec().couplings {
+        let angle = |link: Option<usize>| link.map_or(0.0, |link| workspace.angle(link));
+        let [one, other] = coupling.wheels;
+        let first = coupling.kind.ratio() * (angle(one) - angle(coupling.carrier));
+        if !matches!(coupling.kind, CouplingKind::Rack { .. }) {
+            let second = angle(other) - angle(coupling.carrier);
+            most = most.max((second - first - coupling.offset).abs());
         }
     }
     most

@@ -1,0 +1,121 @@
+//! Couplings of two links: gears, belts, racks.
+//!
+//! Both wheels (or a wheel and a rack) are carried by one link, the carrier. Seen from it the second
+//! wheel turns ρ times as far as the first, or the rack slides by ρ times the wheel's angle:
+//! θ₂ − θ = ρ·(θ₁ − θ) + q₀, with θ the angle of the carrier. A wheel turns about a pin of the
+//! carrier, or about one that lies in the same place, over a link between them: sun, carrier and ring
+//! of a planetary gear turn about one axis, and two pins join all three.
+//!
+//! Source: the rolling of two pitch circles on each other (Willis' equation for a moving carrier).
+
+mod meeting;
+
+use super::spec::{LinkageSpec, PairSpec};
+use crate::fault::Faults;
+use crate::units::shown;
+pub(super) use meeting::Meeting;
+pub(crate) use meeting::carriers;
+
+/// Ratios between these are taken, so that squares stay numbers.
+const SMALLEST: f64 = 1e-6;
+/// See [`SMALLEST`].
+const GREATEST: f64 = 1e6;
+
+/// A coupling: the angle of one link follows that of another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CouplingSpec {
+    /// Name of the coupling.
+    pub name: String,
+    /// The links with the wheels, or with the wheel and the rack: indices into
+    /// [`LinkageSpec::links`]; `None`: the ground.
+    pub wheels: [Option<usize>; 2],
+    /// The link that carries both; `None`: the ground.
+    pub carrier: Option<usize>,
+    /// Gears, a belt, or a rack.
+    pub kind: CouplingKind,
+    /// Angle of the second wheel, or displacement of the rack, seen from the carrier, where the
+    /// first wheel's angle is zero (rad or m).
+    pub offset: f64,
+}
+
+/// Kind of a coupling with its ratio ρ, seen from the carrier.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CouplingKind {
+    /// Two gears: angle of the second over that of the first, negative for external teeth.
+    Gear {
+        /// ρ ≠ 0, and ≠ 1.
+        ratio: f64,
+    },
+    /// A belt or chain over two pulleys.
+    Belt {
+        /// Radii (m): the first positive, the second negative for a crossed belt; ρ = r₁/r₂.
+        radii: [f64; 2],
+    },
+    /// A gear and a rack on a guide of the carrier.
+    Rack {
+        /// Displacement of the rack along the guide over the angle of the gear ≠ 0 (m): the radius
+        /// of the pitch circle. Positive: the rack lies to the right of the gear, seen along the
+        /// guide.
+        radius: f64,
+    },
+}
+
+impl CouplingKind {
+    /// Ratio ρ: of two angles, or of the rack's displacement to the angle (m).
+    pub fn ratio(&self) -> f64 {
+        match *self {
+            Self::Gear { ratio } => ratio,
+            Self::Belt {
+                radii: [one, other],
+            } => one / other,
+            Self::Rack { radius } => radius,
+        }
+    }
+}
+
+impl CouplingSpec {
+    /// The links that it ties.
+    pub(super) fn links(&self) -> [Option<usize>; 3] {
+        let [one, other] = self.wheels;
+        [one, other, self.carrier]
+    }
+}
+
+/// Everything wrong with the couplings, the pairs being right.
+pub(super) fn check(spec: &LinkageSpec, found: &mut Faults) {
+    for coupling in &spec.couplings {
+        let path = format!("couplings.{}", coupling.name);
+        found.finite(&format!("{path}.offset"), coupling.offset);
+        let ratio = coupling.kind.ratio();
+        if !(SMALLEST < ratio.abs() && ratio.abs() < GREATEST) {
+            let message = format!("its ratio is {}", shown(ratio, 6));
+            let hint = format!("give one between {SMALLEST:e} and {GREATEST:e}");
+            found.add(path.as_str(), message, &hint);
+        }
+        let mut links = coupling.links().into_iter().flatten();
+        if let Some(link) = links.find(|link| *link >= spec.links.len()) {
+            found.add(path, format!("there is no link number {link}"), "");
+        } else if let Err(wrong) = coupling.meeting(&spec.pairs) {
+            let [message, hint] = wrong.in_words(spec, coupling);
+            found.add(path, message, &hint);
+        }
+    }
+}
+
+/// Name of a link or of the ground.
+fn named(spec: &LinkageSpec, link: Option<usize>) -> String {
+    match link {
+        Some(link) => format!("`{}`", spec.links[link].name),
+        None => "the ground".to_owned(),
+    }
+}
+
+/// How pairs are joined to a link: the points of this link and of the other, and the other.
+fn ends(pair: &PairSpec, link: Option<usize>) -> Option<([f64; 2], Option<usize>, [f64; 2])> {
+    let (on, to) = (pair.on, pair.link);
+    match (on.link == link, to.link == link) {
+        (true, _) => Some((on.at, to.link, to.at)),
+        (_, true) => Some((to.at, on.link, on.at)),
+        _ => None,
+    }
+}
