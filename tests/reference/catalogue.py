@@ -117,6 +117,9 @@ def gears():
     gear = load("differential/planetary-24-72")
     agree("carrier J", si(gear["inertia"]), disc(7850, 0.08, 0.04))
     agree("output shaft c", si(gear["stiffness"]), 80e9 * math.pi * 0.03**4 / 32 / 0.2)
+    planet = si(load("linkage/cardan-gears")["links"]["planet"]["mass"])
+    agree("cardan planet mass", planet, 7850 * math.pi * 0.05**2 * 0.02, 0.001)
+    agree("cardan planet J", si(load("linkage/cardan-gears")["links"]["planet"]["moment"]), disc(7850, 0.05, 0.02), 0.001)
     stated_in_source("differential/planetary-24-72", "2.02e-2")
     assert gear["planetary"]["teeth"]["ring"] / gear["planetary"]["teeth"]["sun"] == 3
 

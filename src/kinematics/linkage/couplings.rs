@@ -9,12 +9,14 @@
 //! Source: the rolling of two pitch circles on each other (Willis' equation for a moving carrier).
 
 mod meeting;
+mod outlines;
 
 use super::spec::{LinkageSpec, PairSpec};
 use crate::fault::Faults;
 use crate::units::shown;
 pub(super) use meeting::Meeting;
 pub(crate) use meeting::carriers;
+pub(crate) use outlines::{Outline, outlines};
 
 /// Ratios between these are taken, so that squares stay numbers.
 const SMALLEST: f64 = 1e-6;
@@ -83,8 +85,16 @@ impl CouplingSpec {
 
 /// Everything wrong with the couplings, the pairs being right.
 pub(super) fn check(spec: &LinkageSpec, found: &mut Faults) {
-    for coupling in &spec.couplings {
+    for (index, coupling) in spec.couplings.iter().enumerate() {
         let path = format!("couplings.{}", coupling.name);
+        let mut pairs = spec.pairs.iter().map(|pair| &pair.name);
+        let mut before = spec.couplings[..index]
+            .iter()
+            .map(|coupling| &coupling.name);
+        if pairs.any(|name| *name == coupling.name) || before.any(|name| *name == coupling.name) {
+            let message = "a pair or another coupling has this name".to_owned();
+            found.add(path.as_str(), message, "give it a name of its own");
+        }
         found.finite(&format!("{path}.offset"), coupling.offset);
         let ratio = coupling.kind.ratio();
         if !(SMALLEST < ratio.abs() && ratio.abs() < GREATEST) {

@@ -56,6 +56,10 @@ pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
             ],
         )
     });
+    let couplings = study.linkage.couplings.iter().map(|coupling| {
+        let title = format!("Circumferential force of {}", coupling.name);
+        one(&title, &format!("{}.force", coupling.name))
+    });
     let frame = ["shaking", "frame"].map(|name| {
         let part = |what: &str| format!("{name}.{what}");
         let title = match name {
@@ -93,7 +97,7 @@ pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
     };
     vec![
         section("Driving force, power, efficiency", drive),
-        section("Reactions", pairs.collect()),
+        section("Reactions", pairs.chain(couplings).collect()),
         section("The frame", frame.into()),
         section("Sensitivity", changes.into()),
     ]

@@ -12,6 +12,7 @@ mod shape;
 #[cfg(feature = "studio")]
 pub(in crate::report) mod sketch;
 mod view;
+mod wheels;
 
 pub(in crate::report) use section::STYLE;
 pub(in crate::report) use view::View;

@@ -4,7 +4,7 @@ use super::guides::{block_height, on_axis, place, rails, stem, travel, yoke};
 use super::names::{NAME, names, shown_end};
 use super::shape::{self, Block};
 use super::view::View;
-use super::{Drawing, Placement};
+use super::{Drawing, Placement, wheels};
 use crate::kinematics::linkage::spec::PairKind;
 use crate::report::plot::coordinate;
 use crate::report::quantity::escape;
@@ -16,7 +16,7 @@ const PIN: f64 = 4.2;
 
 /// The picture of one position, between `<svg …>` and `</svg>`.
 pub(super) fn picture(drawing: &Drawing<'_>, view: &View, frame: usize) -> String {
-    let mut out = String::new();
+    let mut out = wheels::of_link(drawing, view, None, view.origin);
     out.push_str(&supports(drawing, view));
     let placed = drawing.frames.get(frame);
     // Blocks lie upon what they slide on.
@@ -118,7 +118,7 @@ fn bars(drawing: &Drawing<'_>, view: &View, link: usize) -> String {
             coordinate(-y * view.scale)
         )
     };
-    let mut out = String::new();
+    let mut out = wheels::of_link(drawing, view, Some(link), [0.0; 2]);
     let corners = shape::corners(spec, link);
     if corners.len() > 1 {
         let joined: Vec<String> = corners.iter().map(|corner| pixel(*corner)).collect();

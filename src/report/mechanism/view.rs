@@ -1,7 +1,7 @@
 //! The part of the plane that is shown, and its scale.
 
 use super::names::named_pins;
-use super::{Drawing, Placement, guides, shape};
+use super::{Drawing, Placement, guides, shape, wheels};
 
 /// Largest picture (pixels).
 const WIDEST: f64 = 860.0;
@@ -45,6 +45,15 @@ impl View {
                 for corner in shape::corners(drawing.spec, link) {
                     area.take(placement.point(corner));
                 }
+            }
+        }
+        if !drawing.spec.couplings.is_empty() {
+            for point in drawing
+                .frames
+                .iter()
+                .flat_map(|frame| wheels::extent(drawing, frame))
+            {
+                area.take(point);
             }
         }
         for point in drawing.paths.iter().flat_map(|path| &path.points) {

@@ -70,6 +70,11 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
     for (index, pair) in linkage.pairs.iter().enumerate() {
         list.extend(of_pair(index, &pair.name, &pair.kind));
     }
+    for (index, coupling) in linkage.couplings.iter().enumerate() {
+        let name = format!("{}.force", coupling.name);
+        let read = move |_: &Row, f: &Forces| Some(f.couplings[index]);
+        list.push(Column::new(name, "N", true, read));
+    }
     list.extend(of_power());
     list.extend(of_frame());
     list.extend(of_changes(linkage, force));

@@ -52,6 +52,9 @@ pub struct Forces {
     pub others: Vec<f64>,
     /// The pairs, in the linkage's order.
     pub pairs: Vec<PairForces>,
+    /// Circumferential forces of the couplings, in the linkage's order, each on its second wheel
+    /// or rack (N).
+    pub couplings: Vec<f64>,
     /// The power balance.
     pub balance: Balance,
     /// Ratio and load of the output asked for.
@@ -197,6 +200,9 @@ impl<'a, S: PositionSource> Solver<'a, S> {
             others: w.other_drives().to_vec(),
             pairs: (0..solver.spec().pairs.len())
                 .map(|pair| of_pair(solver, pair, w))
+                .collect(),
+            couplings: (0..solver.spec().couplings.len())
+                .map(|coupling| solver.coupling_force(coupling, w))
                 .collect(),
             balance: solver.balance(w),
             chi: transmission.and_then(ratio),

@@ -149,18 +149,25 @@ fn the_carrier(
     rack: bool,
 ) -> Option<Option<usize>> {
     let names = known.names;
-    let found = carriers(names.links(), known.pairs?, wheels, rack);
     let [one, other] = wheels.map(|wheel| names.of_link(wheel));
+    let found = match one == other {
+        true => Vec::new(),
+        false => carriers(names.links(), known.pairs?, wheels, rack),
+    };
     let (message, hint) = match found.as_slice() {
         [carrier] => return Some(*carrier),
+        [] if one == other => (
+            format!("`{one}` stands in it twice"),
+            "name two links".to_owned(),
+        ),
+        [] if rack => (
+            format!("no link has a pin for the gear `{one}` and a guide for the rack `{other}`"),
+            "join the gear to one link (or to the ground) by a pin, and the rack to it by a guide"
+                .to_owned(),
+        ),
         [] => (
             format!("no link carries both `{one}` and `{other}`"),
-            match rack {
-                true => {
-                    "join the gear to one link by a pin, and the rack to it by a guide".to_owned()
-                }
-                false => "join both to one link (or to the ground) by pins".to_owned(),
-            },
+            "join both to one link (or to the ground) by pins".to_owned(),
         ),
         several => {
             let several: Vec<String> = several

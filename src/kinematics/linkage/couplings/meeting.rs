@@ -83,7 +83,11 @@ fn guide(pairs: &[PairSpec], carrier: Option<usize>, rack: Option<usize>) -> Opt
 }
 
 /// The point of the carrier about which a wheel turns: a pin between them, or several in one place.
-fn axis(pairs: &[PairSpec], carrier: Option<usize>, wheel: Option<usize>) -> Option<[f64; 2]> {
+pub(super) fn axis(
+    pairs: &[PairSpec],
+    carrier: Option<usize>,
+    wheel: Option<usize>,
+) -> Option<[f64; 2]> {
     let pins = || pairs.iter().filter(|pair| !pair.slides());
     pins().find_map(|pin| {
         let (start, mut link, mut at) = ends(pin, carrier)?;

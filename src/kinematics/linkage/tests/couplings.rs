@@ -1,7 +1,9 @@
 //! Gears, belts and racks: closed forms, Willis' equation, virtual power, equilibrium of the whole.
 
 use super::examples::{Builder, GROUND};
+use super::kinetostatics::with_friction;
 use super::support::{close, closure_error, compare_with_differences, interior};
+use crate::kinematics::linkage::kinetostatics::Outcome;
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
 use crate::kinematics::linkage::spec::{CouplingKind, LinkageSpec};
 use crate::kinematics::linkage::{GroupKind, Linkage, Workspace};
@@ -291,6 +293,7 @@ fn driving_forces_are_those_of_virtual_power_and_the_frame_is_in_equilibrium() {
                 "{name}: {drive} {wanted}"
             );
             assert!(solver.balance(&w).residual < 1e-11, "{name}");
+            assert!(solver.influence_error(&mut w) < 1e-11, "{name}");
             let (frame, shaking) = (solver.on_frame(&w), solver.shaking(&w));
             let applied = solver.applied(&w);
             for axis in 0..3 {
@@ -337,4 +340,92 @@ fn the_force_of_teeth_drives_the_second_wheel() {
     // Its bearing carries the force of the teeth.
     let [_, y] = solver.force(1, &w);
     assert!(close(y.abs(), wanted.abs(), 1e-12, 0.0), "{y}");
+}
+
+#[test]
+fn friction_of_the_pairs_takes_what_the_driver_gives_more() {
+    for (name, spec) in all() {
+        let spec = with_friction(spec, 0.05);
+        let linkage = Linkage::new(spec).unwrap();
+        let solver = Kinetostatics::new(linkage.spec()).unwrap();
+        let mut w = solver.workspace();
+        let coordinate = interior(&linkage, 0.37);
+        let (speed, acceleration) = (1.7, -2.3);
+        let motion = InputMotion {
+            coordinate,
+            speed,
+            acceleration,
+        };
+        let at = solved(&linkage, coordinate);
+        let options = Options::default();
+        solver.solve(&at, motion, &options, &mut w).unwrap();
+        let balance = solver.balance(&w);
+        assert!(
+            balance.loss > 0.0 && balance.residual < 1e-9,
+            "{name}: {balance:?}"
+        );
+        let drive = w.drive();
+        let back = solver.accelerate(&at, coordinate, speed, drive, &options, &mut w);
+        let Outcome::Moves {
+            acceleration: found,
+        } = back.unwrap().outcome
+        else {
+            panic!("{name} stands");
+        };
+        assert!(close(found, acceleration, 1e-8, 1e-9), "{name}: {found}");
+    }
+}
+
+/// What is wrong with a five-bar whose gears are changed.
+fn refused(change: impl Fn(&mut LinkageSpec)) -> String {
+    let mut spec = five_bar(-0.5).0;
+    change(&mut spec);
+    let faults = Linkage::new(spec).expect_err("it is refused");
+    let line = |fault: &crate::fault::Fault| format!("{}: {}", fault.path, fault.message);
+    faults.iter().map(line).collect::<Vec<_>>().join("; ")
+}
+
+#[test]
+fn couplings_that_cannot_be_are_told() {
+    let of_kind = |kind| refused(|spec| spec.couplings[0].kind = kind);
+    let same = of_kind(CouplingKind::Gear { ratio: 1.0 });
+    assert!(
+        same.contains("couplings.c0: internal gears of the same size"),
+        "{same}"
+    );
+    let great = of_kind(CouplingKind::Gear { ratio: 1e9 });
+    assert!(great.contains("its ratio is 1e9"), "{great}");
+    let radii = [0.1, 0.8];
+    let big = of_kind(CouplingKind::Belt { radii });
+    assert!(big.contains("0.6 m apart, the radii take 0.7 m"), "{big}");
+    let guide = of_kind(CouplingKind::Rack { radius: 0.1 });
+    assert!(
+        guide.contains("no guide joins the rack `second` to the ground"),
+        "{guide}"
+    );
+    let axis = refused(|spec| spec.couplings[0].wheels = [CRANK, Some(2)]);
+    assert!(
+        axis.contains("`coupler` does not turn about a point of the ground"),
+        "{axis}"
+    );
+    let twice = refused(|spec| spec.couplings[0].wheels = [CRANK, CRANK]);
+    assert!(twice.contains("`crank` stands in it twice"), "{twice}");
+    let named = refused(|spec| spec.couplings[0].name = "p4".to_owned());
+    assert!(
+        named.contains("couplings.p4: a pair or another coupling"),
+        "{named}"
+    );
+    // A second pair of gears between the same wheels leaves no freedom.
+    let more = refused(|spec| {
+        let again = spec.couplings[0].clone();
+        let name = "c1".to_owned();
+        spec.couplings
+            .push(crate::kinematics::linkage::spec::CouplingSpec { name, ..again });
+    });
+    assert!(more.contains("c0") && more.contains("c1"), "{more}");
+    let one_axis = refused(|spec| spec.pairs[4].link.at = [0.0; 2]);
+    assert!(
+        one_axis.contains("both wheels turn about the same point"),
+        "{one_axis}"
+    );
 }
