@@ -14,6 +14,7 @@ from dam._tree import Own, Quantity, Tree, Value
 
 __all__ = [
     "AnyKind",
+    "Belt",
     "Cam",
     "CamFollower",
     "CamOf",
@@ -31,6 +32,7 @@ __all__ = [
     "FourBar",
     "Friction",
     "From",
+    "Gear",
     "Geometry",
     "Gravity",
     "Harmonic",
@@ -44,6 +46,7 @@ __all__ = [
     "Linear",
     "Linkage",
     "LinkageAssembly",
+    "LinkageCoupling",
     "LinkageForce",
     "LinkageForceForce",
     "LinkageForceTable",
@@ -68,6 +71,7 @@ __all__ = [
     "PositionCamLaw",
     "PositionPolynomial",
     "PositionTable",
+    "Rack",
     "Ratio",
     "Rocker",
     "RockerGeometry",
@@ -99,6 +103,46 @@ __all__ = [
     "Weight",
     "Window",
 ]
+
+
+class Belt(Tree):
+    """A belt or chain over two pulleys.
+
+    Parameters
+    ----------
+    diameters
+        Diameters of the first and the second pulley.
+    wheels
+        The two links, with the wheels or the gear and its rack; `ground` for what stands
+        still.
+    carrier
+        The link that carries both, or `ground`; default the only one that does.
+    crossed
+        True: the belt is crossed, and the pulleys turn against each other. Default: false.
+    offset
+        Angle of the second wheel (or displacement of the rack) seen from the carrier where
+        that of the first is zero: how they were put together (angle in rad, deg, mrad or
+        rev) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        diameters: Sequence[Quantity],
+        wheels: Sequence[str],
+        carrier: str | None = None,
+        crossed: bool | None = None,
+        offset: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("diameters", diameters),
+            ("wheels", wheels),
+            ("carrier", carrier),
+            ("crossed", crossed),
+            ("offset", offset),
+        )
 
 
 class Cam(Tree):
@@ -1018,6 +1062,50 @@ class From(Tree):
         )
 
 
+class Gear(Tree):
+    """Two gears: seen from their carrier they turn as their numbers of teeth say.
+
+    Parameters
+    ----------
+    wheels
+        The two links, with the wheels or the gear and its rack; `ground` for what stands
+        still.
+    carrier
+        The link that carries both, or `ground`; default the only one that does.
+    diameters
+        In place of `teeth`: diameters of the pitch circles; their ratio counts.
+    internal
+        True: one of them has internal teeth, and both turn the same way. Default: false.
+    offset
+        Angle of the second wheel (or displacement of the rack) seen from the carrier where
+        that of the first is zero: how they were put together (angle in rad, deg, mrad or
+        rev) Default: 0.0.
+    teeth
+        Numbers of teeth of the first and the second gear.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        wheels: Sequence[str],
+        carrier: str | None = None,
+        diameters: Sequence[Quantity] | None = None,
+        internal: bool | None = None,
+        offset: Quantity | None = None,
+        teeth: Sequence[int] | None = None,
+    ) -> None:
+        super().__init__(
+            ("wheels", wheels),
+            ("carrier", carrier),
+            ("diameters", diameters),
+            ("internal", internal),
+            ("offset", offset),
+            ("teeth", teeth),
+        )
+
+
 class Geometry(Tree):
     """Dimensions and material, in place of inertia and stiffness
 
@@ -1386,6 +1474,9 @@ class Linkage(Tree):
     assembly
         How a group of links is put together, by one of its links: default by its branch
         `+`. Default: {}.
+    couplings
+        Gears, belts and racks by name, each between two links (or a link and the ground)
+        that a third one carries. Default: {}.
     description
         Remarks for people.
     dimensions
@@ -1434,6 +1525,7 @@ class Linkage(Tree):
         input: str | None = None,
         *,
         assembly: Mapping[str, LinkageAssembly | Mapping[str, Value]] | None = None,
+        couplings: Mapping[str, LinkageCoupling | Mapping[str, Value]] | None = None,
         description: str | None = None,
         dimensions: Mapping[str, Quantity] | None = None,
         driver: str | None = None,
@@ -1454,6 +1546,7 @@ class Linkage(Tree):
             ("kind", "linkage"),
             ("input", input),
             ("assembly", assembly),
+            ("couplings", couplings),
             ("description", description),
             ("dimensions", dimensions),
             ("driver", driver),
@@ -1502,6 +1595,35 @@ class LinkageAssembly(Tree):
             ("branch", branch),
             ("near", near),
             ("point", point),
+        )
+
+
+class LinkageCoupling(Tree):
+    """What `linkage_coupling` is made of.
+
+    Parameters
+    ----------
+    belt
+        A belt or chain over two pulleys.
+    gear
+        Two gears: seen from their carrier they turn as their numbers of teeth say.
+    rack
+        A gear and a rack, which a guide joins to their carrier.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        belt: Belt | Mapping[str, Value] | None = None,
+        gear: Gear | Mapping[str, Value] | None = None,
+        rack: Rack | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("belt", belt),
+            ("gear", gear),
+            ("rack", rack),
         )
 
 
@@ -2506,6 +2628,44 @@ class PositionTable(Tree):
         super().__init__(
             ("points", points),
             ("period", period),
+        )
+
+
+class Rack(Tree):
+    """A gear and a rack, which a guide joins to their carrier.
+
+    Parameters
+    ----------
+    radius
+        Radius of the gear's pitch circle; positive: the rack lies to the right of the gear,
+        seen along its guide, and slides forwards as the gear turns counterclockwise.
+        (length in m, mm, cm or µm)
+    wheels
+        The two links, with the wheels or the gear and its rack; `ground` for what stands
+        still.
+    carrier
+        The link that carries both, or `ground`; default the only one that does.
+    offset
+        Angle of the second wheel (or displacement of the rack) seen from the carrier where
+        that of the first is zero: how they were put together (length in m, mm, cm or µm)
+        Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        radius: Quantity,
+        wheels: Sequence[str],
+        carrier: str | None = None,
+        offset: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("radius", radius),
+            ("wheels", wheels),
+            ("carrier", carrier),
+            ("offset", offset),
         )
 
 

@@ -20,13 +20,18 @@ pub(super) fn of_link(
     let drawn = |outline: &Outline| match *outline {
         Outline::Circle(own, centre, radius) if own == link => {
             let [x, y] = pixel(centre);
-            // The spoke shows how far it has turned.
-            let [to_x, to_y] = pixel([centre[0] + radius, centre[1]]);
-            let radius = coordinate(radius * view.scale);
-            Some(format!(
-                "<circle class=\"pitch\" cx=\"{x}\" cy=\"{y}\" r=\"{radius}\"/>\
-                 <path class=\"pitch spoke\" d=\"M{x} {y}L{to_x} {to_y}\"/>"
-            ))
+            let size = coordinate(radius * view.scale);
+            let circle = format!("<circle class=\"pitch\" cx=\"{x}\" cy=\"{y}\" r=\"{size}\"/>");
+            // Spokes show how far a wheel has turned.
+            let [from, to] = [-radius, radius].map(|reach| pixel([centre[0] + reach, centre[1]]));
+            let spokes = format!(
+                "<path class=\"strand\" d=\"M{} {}L{} {}\"/>",
+                from[0], from[1], to[0], to[1]
+            );
+            Some(match link {
+                Some(_) => circle + &spokes,
+                None => circle,
+            })
         }
         Outline::Line(own, ends) if own == link => {
             let [[x, y], [to_x, to_y]] = ends.map(pixel);

@@ -4,8 +4,8 @@ use super::{CouplingKind, CouplingSpec, ends, named};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
 use crate::units::shown;
 
-/// Pins of a link this far apart, over their distance from its origin, lie in one place.
-const SAME_PLACE: f64 = 1e-12;
+/// Pins of a link this far apart, over the greatest coordinate of all pairs, lie in one place.
+const SAME_PLACE: f64 = 1e-9;
 
 /// How two coupled links stand to their carrier.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -89,6 +89,7 @@ pub(super) fn axis(
     wheel: Option<usize>,
 ) -> Option<[f64; 2]> {
     let pins = || pairs.iter().filter(|pair| !pair.slides());
+    let near = SAME_PLACE * greatest(pairs);
     pins().find_map(|pin| {
         let (start, mut link, mut at) = ends(pin, carrier)?;
         let mut seen = vec![carrier];
@@ -96,16 +97,18 @@ pub(super) fn axis(
             seen.push(link);
             (link, at) = pins().find_map(|pin| {
                 let (own, next, there) = ends(pin, link)?;
-                (!seen.contains(&next) && same_place(own, at)).then_some((next, there))
+                let apart = (own[0] - at[0]).hypot(own[1] - at[1]);
+                (!seen.contains(&next) && apart <= near).then_some((next, there))
             })?;
         }
         Some(start)
     })
 }
 
-fn same_place(one: [f64; 2], other: [f64; 2]) -> bool {
-    let apart = (one[0] - other[0]).hypot(one[1] - other[1]);
-    apart <= SAME_PLACE * one[0].hypot(one[1]).max(other[0].hypot(other[1]))
+/// The greatest coordinate of all pairs.
+fn greatest(pairs: &[PairSpec]) -> f64 {
+    let points = pairs.iter().flat_map(|pair| [pair.on.at, pair.link.at]);
+    points.flatten().fold(0.0, |most, x| most.max(x.abs()))
 }
 
 /// The links (and the ground) that can carry two wheels, or a wheel and a rack.
