@@ -1,9 +1,9 @@
 """Reference figures of the linkages with couplings in scenarios/linkages: closed forms.
 
-geared_five_bar, cardan_gears, rack_feed, planetary_gear. Needs mpmath.
+geared_five_bar, cardan_gears, rack_feed, planetary_gear, differential_gear. Needs mpmath.
 """
 
-from mpmath import acos, atan2, cos, diff, exp, findroot, hypot, mp, mpf, pi, sin, sqrt
+from mpmath import acos, atan2, cos, diff, exp, expm, findroot, hypot, matrix, mp, mpf, pi, sin, sqrt
 
 mp.dps = 40
 
@@ -112,7 +112,28 @@ def planetary_gear():
     show("gear.planet.final.displacement", turning * angle)
 
 
+def differential_gear():
+    """M dw/dt = T - D w on the speeds of sun and ring: M constant, T and D those of both motors."""
+    sun, planet, ring = map(mpf, (24, 18, 60))
+    carrier = matrix([sun / (sun + ring), ring / (sun + ring)])
+    turning = carrier - (matrix([1, 0]) - carrier) * sun / planet
+    masses = matrix([[mpf("0.023"), 0], [0, mpf("0.13")]])
+    masses += carrier * carrier.T * (mpf("0.05") + mpf("2.4") * mpf("0.063") ** 2)
+    masses += turning * turning.T * mpf("0.0012")
+    stall, idle, time = matrix([12, -8]), matrix([150, -40]), mpf("0.4")
+    inverse = masses**-1
+    rates = inverse * matrix([[stall[0] / idle[0], 0], [0, stall[1] / idle[1]]])
+    decay = expm(-rates * time)
+    speed = idle - decay * idle
+    angle = idle * time - rates**-1 * (idle - decay * idle)
+    show("gear.sun.final.speed", speed[0])
+    show("gear.ring.final.speed", speed[1])
+    show("gear.carrier.final.speed", (carrier.T * speed)[0])
+    show("gear.carrier.final.displacement", (carrier.T * angle)[0])
+    show("gear.planet.final.displacement", (turning.T * angle)[0])
+
+
 if __name__ == "__main__":
-    for figures in (geared_five_bar, cardan_gears, rack_feed, planetary_gear):
+    for figures in (geared_five_bar, cardan_gears, rack_feed, planetary_gear, differential_gear):
         print(f"# {figures.__name__}")
         figures()

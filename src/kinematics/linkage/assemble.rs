@@ -114,13 +114,10 @@ fn driven_angle(plan: &Plan, state: &mut State) {
 }
 
 /// The angles of the bodies of a group, over whole turns.
-fn angles_of(step: &Step, state: &mut State) {
+pub(super) fn angles_of(step: &Step, state: &mut State) {
     for body in step.bodies() {
         let angle = state.links[body.base].angle();
-        state.near[body.base] = match step {
-            Step::Dyad(_) => angle,
-            Step::Newton(_) => nearest_turn(angle, state.near[body.base]),
-        };
+        state.near[body.base] = nearest_turn(angle, state.near[body.base]);
         if let Some(driven) = body.driven {
             let turned = state.near[body.base] + state.relative_angle::<1>().value();
             state.near[driven] = nearest_turn(state.links[driven].angle(), turned);

@@ -13,8 +13,8 @@ use super::spec::{CouplingSpec, LinkageSpec};
 use super::structure::{Group, GroupKind};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
-pub(super) use misfit::is_or_are;
 use misfit::misfit;
+pub(super) use misfit::{is_or_are, tie_named};
 
 /// The bodies that the driver does not place, and the body of every link.
 pub(super) struct Bodies {
@@ -97,7 +97,10 @@ fn driver_group(spec: &LinkageSpec) -> Group {
 }
 
 /// The couplings as ties between the bodies.
-fn couplings<'a>(spec: &'a LinkageSpec, bodies: &'a Bodies) -> impl Iterator<Item = Tie> + 'a {
+pub(super) fn couplings<'a>(
+    spec: &'a LinkageSpec,
+    bodies: &'a Bodies,
+) -> impl Iterator<Item = Tie> + 'a {
     spec.couplings.iter().map(|coupling| {
         let body = |link: Option<usize>| link.and_then(|link| bodies.of_link[link]);
         Tie::coupling(coupling.links().map(body))

@@ -70,11 +70,7 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
     for (index, pair) in linkage.pairs.iter().enumerate() {
         list.extend(of_pair(index, &pair.name, &pair.kind));
     }
-    for (index, coupling) in linkage.couplings.iter().enumerate() {
-        let name = format!("{}.force", coupling.name);
-        let read = move |_: &Row, f: &Forces| Some(f.couplings[index]);
-        list.push(Column::new(name, "N", true, read));
-    }
+    list.extend(of_couplings(linkage));
     list.extend(of_power());
     list.extend(of_frame());
     list.extend(of_changes(linkage, force));
@@ -122,6 +118,7 @@ pub fn columns_of_inputs(spec: &MultiSpec) -> Vec<Column> {
     for (index, pair) in linkage.pairs.iter().enumerate() {
         list.extend(of_pair(index, &pair.name, &pair.kind));
     }
+    list.extend(of_couplings(linkage));
     list.extend(of_power());
     list.extend(of_frame());
     list.push(solutions());
@@ -206,6 +203,19 @@ fn of_pair(index: usize, name: &str, kind: &PairKind) -> Vec<Column> {
         Some(f.pairs[index].loss)
     }));
     list
+}
+
+/// Circumferential forces of gears, belts and racks.
+fn of_couplings(linkage: &LinkageSpec) -> impl Iterator<Item = Column> {
+    linkage
+        .couplings
+        .iter()
+        .enumerate()
+        .map(|(index, coupling)| {
+            let name = format!("{}.force", coupling.name);
+            let read = move |_: &Row, f: &Forces| Some(f.couplings[index]);
+            Column::new(name, "N", true, read)
+        })
 }
 
 fn of_power() -> Vec<Column> {

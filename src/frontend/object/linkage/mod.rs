@@ -30,8 +30,7 @@ use serde_json::json;
 ///
 /// Parameters: `ground` and `links` with named points (m), masses (kg), centres
 /// of mass and moments of inertia about them (kg·m²); `pairs`; `couplings`, gears, belts and racks
-/// between them; `driver`, the
-/// pair whose coordinate q is the driver's displacement (times `position`);
+/// between the links; `driver`, the pair whose coordinate q is the driver's displacement (times `position`);
 /// `assembly` and `start`, which way it is put together; `gravity`, `forces`;
 /// `outputs`, on which other objects hang.
 ///
@@ -262,9 +261,6 @@ fn not_of_one(fields: &mut Fields<'_>) -> bool {
         let hint = "leave it out: each of the `inputs` has its own `ratio`, `offset` and `start`";
         found |= fields.forbid(property, &message, hint);
     }
-    let message = "gears, belts and racks couple the links of a linkage of one input alone";
-    let hint = "leave it out: wheels on the ground are coupled by objects, a `shaft` with a `ratio` that moves an input";
-    found |= fields.forbid("couplings", message, hint);
     let message = "in a run, friction of the joints is found for one input alone";
     let hint = "leave it out: in `dam run` the pairs of a linkage of several inputs move freely; \
                 their `friction` counts in `dam forces`";

@@ -74,7 +74,11 @@ pub(super) fn misfit(
 }
 
 /// Where a tie stands in the description, and its name: the pairs in `others`, then the couplings.
-fn tie_named<'a>(spec: &'a LinkageSpec, others: &[usize], tie: usize) -> [&'a str; 2] {
+pub(in crate::kinematics::linkage) fn tie_named<'a>(
+    spec: &'a LinkageSpec,
+    others: &[usize],
+    tie: usize,
+) -> [&'a str; 2] {
     match others.get(tie) {
         Some(&pair) => ["pairs", &spec.pairs[pair].name],
         None => ["couplings", &spec.couplings[tie - others.len()].name],

@@ -88,20 +88,34 @@ pub(super) fn axis(
     carrier: Option<usize>,
     wheel: Option<usize>,
 ) -> Option<[f64; 2]> {
-    let pins = || pairs.iter().filter(|pair| !pair.slides());
+    let pins = pairs.iter().filter(|pair| !pair.slides());
+    let mut starts = pins.filter_map(|pin| ends(pin, carrier));
+    let leads = |&(_, link, at): &(_, _, [f64; 2])| {
+        // On one axis a link has one point.
+        leads(pairs, (link, at), wheel, &mut vec![carrier])
+    };
+    starts.find(leads).map(|(start, ..)| start)
+}
+
+/// True where a link, or others on pins in one place with this one of it, is the wheel.
+fn leads(
+    pairs: &[PairSpec],
+    (link, at): (Option<usize>, [f64; 2]),
+    wheel: Option<usize>,
+    seen: &mut Vec<Option<usize>>,
+) -> bool {
+    if link == wheel {
+        return true;
+    }
     let near = SAME_PLACE * greatest(pairs);
-    pins().find_map(|pin| {
-        let (start, mut link, mut at) = ends(pin, carrier)?;
-        let mut seen = vec![carrier];
-        while link != wheel {
-            seen.push(link);
-            (link, at) = pins().find_map(|pin| {
-                let (own, next, there) = ends(pin, link)?;
-                let apart = (own[0] - at[0]).hypot(own[1] - at[1]);
-                (!seen.contains(&next) && apart <= near).then_some((next, there))
-            })?;
-        }
-        Some(start)
+    seen.push(link);
+    let mut pins = pairs.iter().filter(|pair| !pair.slides());
+    pins.any(|pin| {
+        let Some((own, next, there)) = ends(pin, link) else {
+            return false;
+        };
+        let apart = (own[0] - at[0]).hypot(own[1] - at[1]);
+        apart <= near && !seen.contains(&next) && leads(pairs, (next, there), wheel, seen)
     })
 }
 

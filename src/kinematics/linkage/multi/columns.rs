@@ -15,7 +15,6 @@
 use super::plan::{Group, MultiPlan, Screw};
 use super::twist::{Pose, Twist, at, carried, dot, minus, plus, times};
 use crate::kinematics::linkage::state::State;
-use crate::math::linear::dense;
 use crate::math::number::Number;
 
 /// Velocities of a linkage at a position. b bodies, m inputs.
@@ -28,7 +27,7 @@ pub(super) struct Columns<N> {
     /// Screw of each input's pair, from what comes before to what comes after (m).
     pub(super) screws: Vec<Twist<N>>,
     /// Velocity of every body that a group places by every input (b·m).
-    columns: Vec<Twist<N>>,
+    pub(super) columns: Vec<Twist<N>>,
     /// Velocities (b + 1).
     pub(super) velocity: Vec<Twist<N>>,
     /// Accelerations while those of all inputs are zero (b + 1).
@@ -41,7 +40,7 @@ pub(super) struct Columns<N> {
     /// Determinants of the equations of larger groups.
     pub(super) determinants: Vec<f64>,
     /// Right sides.
-    right: Vec<N>,
+    pub(super) right: Vec<N>,
 }
 
 impl<N: Number> Columns<N> {
@@ -146,7 +145,7 @@ impl<N: Number> Columns<N> {
         [N::from(1.0), y, -x]
     }
 
-    fn screw_of(&self, screw: &Screw) -> Twist<N> {
+    pub(super) fn screw_of(&self, screw: &Screw) -> Twist<N> {
         self.screw(screw.slides, screw.owner, screw.point, screw.along)
     }
 
@@ -244,7 +243,7 @@ impl<N: Number> Columns<N> {
     }
 
     /// Notes the velocities of a group's bodies by an input.
-    fn set_columns(
+    pub(super) fn set_columns(
         &mut self,
         plan: &MultiPlan,
         group: &Group,
@@ -260,111 +259,6 @@ impl<N: Number> Columns<N> {
             let driven = own.map_or(base, |own| plus(base, own));
             self.columns[inner.driven * plan.inputs + input] = driven;
         }
-    }
-
-    fn find_group(&mut self, plan: &MultiPlan, index: usize, group: &Group) -> bool {
-        let n = 3 * group.bases.len();
-        let scale = plan.plan.size.recip();
-        let mut matrix = std::mem::take(&mut self.matrices);
-        let mut exchanged = std::mem::take(&mut self.exchanged);
-        let own = &mut matrix[group.matrix..group.matrix + n * n];
-        own.fill(N::from(0.0));
-        for (number, screw) in group.screws.iter().enumerate() {
-            for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                let Some(body) = group.body_of(screw.sides[side]) else {
-                    continue;
-                };
-                for (unknown, entry) in self.equations(screw, scale).into_iter().enumerate() {
-                    for (row, part) in entry.into_iter().enumerate() {
-                        own[(2 * number + row) * n + 3 * body + unknown] += part.scale(sign);
-                    }
-                }
-            }
-        }
-        let rows = &mut exchanged[group.exchanged..group.exchanged + n];
-        let pivots = dense::factorise(own, rows);
-        let regular = pivots.is_regular();
-        self.determinants[index] = pivots.determinant;
-        (self.matrices, self.exchanged) = (matrix, exchanged);
-        if regular {
-            for &input in &group.active {
-                let inner = group.inner.as_ref().filter(|inner| inner.input == input);
-                let own = inner.map(|_| self.screws[input]);
-                self.right[..n].fill(N::from(0.0));
-                for (number, screw) in group.screws.iter().enumerate() {
-                    let mut given = [N::from(0.0); 3];
-                    for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                        let part = match group.body_of(screw.sides[side]) {
-                            None => Some(self.column(plan, screw.sides[side], input)),
-                            Some(_) => own.filter(|_| group.is_driven(screw.sides[side])),
-                        };
-                        if let Some(part) = part {
-                            given = plus(given, part.map(|part| part.scale(sign)));
-                        }
-                    }
-                    self.balance(number, screw, scale, given);
-                }
-                let found = self.solve_group(group);
-                self.spread(plan, group, input, found, own);
-            }
-        }
-        regular
-    }
-
-    /// The two equations of a pair of a larger group: what each part of a relative
-    /// velocity (ω, v over the size) contributes to them.
-    #[inline]
-    fn equations(&self, screw: &Screw, scale: f64) -> [[N; 2]; 3] {
-        let pose = &self.poses[screw.owner];
-        let [x, y] = pose.place(screw.point).map(|part| part.scale(scale));
-        let (zero, one) = (N::from(0.0), N::from(1.0));
-        match screw.slides {
-            // No turning, and no velocity across the guide.
-            true => {
-                let [u, v] = pose.turn(screw.along);
-                [[one, u * x + v * y], [zero, -v], [zero, u]]
-            }
-            false => [[-y, x], [one, zero], [zero, one]],
-        }
-    }
-
-    /// Sets the right sides of a pair's equations, the relative velocity known in part.
-    #[inline]
-    fn balance(&mut self, number: usize, screw: &Screw, scale: f64, given: Twist<N>) {
-        let parts = self.equations(screw, scale);
-        let given = [given[0], given[1].scale(scale), given[2].scale(scale)];
-        for row in 0..2 {
-            let sum =
-                parts[0][row] * given[0] + parts[1][row] * given[1] + parts[2][row] * given[2];
-            self.right[2 * number + row] = -sum;
-        }
-    }
-
-    /// Solves for the velocities of a larger group's bodies; they are left in the right side.
-    fn solve_group(&mut self, group: &Group) -> usize {
-        let n = 3 * group.bases.len();
-        let factors = &self.matrices[group.matrix..group.matrix + n * n];
-        let exchanged = &self.exchanged[group.exchanged..group.exchanged + n];
-        dense::solve(factors, exchanged, &mut self.right[..n], 1);
-        n
-    }
-
-    /// Notes what was solved for as velocities by an input.
-    fn spread(
-        &mut self,
-        plan: &MultiPlan,
-        group: &Group,
-        input: usize,
-        n: usize,
-        own: Option<Twist<N>>,
-    ) {
-        let size = plan.plan.size;
-        for (number, &body) in group.bases.iter().enumerate() {
-            let part = &self.right[..n][3 * number..3 * number + 3];
-            let twist = [part[0], part[1].scale(size), part[2].scale(size)];
-            self.columns[body * plan.inputs + input] = twist;
-        }
-        self.set_columns(plan, group, input, &[], own);
     }
 
     /// Velocities of all bodies, and their accelerations while those of the inputs are
@@ -412,7 +306,7 @@ impl<N: Number> Columns<N> {
 
     /// The change of a pair's screw times the pair's rate.
     #[inline(always)]
-    fn change(&self, screw: &Screw, at: &Twist<N>) -> Twist<N> {
+    pub(super) fn change(&self, screw: &Screw, at: &Twist<N>) -> Twist<N> {
         let [near, far] = screw.sides;
         let relative = minus(self.velocity[far], self.velocity[near]);
         let rate = match screw.slides {
@@ -433,29 +327,5 @@ impl<N: Number> Columns<N> {
         let [first, second] = self.close(index, group, [one, other], inner);
         self.acceleration[group.bases[0]] = minus(first, b);
         self.acceleration[group.bases[1]] = second;
-    }
-
-    fn accelerate_group(&mut self, plan: &MultiPlan, group: &Group, inner: Option<Twist<N>>) {
-        let n = 3 * group.bases.len();
-        let size = plan.plan.size;
-        for (number, screw) in group.screws.iter().enumerate() {
-            let at = self.screw_of(screw);
-            let mut given = self.change(screw, &at).map(|part| -part);
-            for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                let part = match group.body_of(screw.sides[side]) {
-                    None => Some(self.acceleration[screw.sides[side]]),
-                    Some(_) => inner.filter(|_| group.is_driven(screw.sides[side])),
-                };
-                if let Some(part) = part {
-                    given = plus(given, part.map(|part| part.scale(sign)));
-                }
-            }
-            self.balance(number, screw, size.recip(), given);
-        }
-        self.solve_group(group);
-        for (number, &body) in group.bases.iter().enumerate() {
-            let part = &self.right[..n][3 * number..3 * number + 3];
-            self.acceleration[body] = [part[0], part[1].scale(size), part[2].scale(size)];
-        }
     }
 }

@@ -1,6 +1,7 @@
 //! From the plain numbers of a linkage of several inputs to the plan of its solution, or
 //! to what is wrong with its inputs and its structure.
 
+use super::geared::Coupled;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, MultiPlan, Screw, driver_of};
@@ -26,10 +27,11 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
         .filter(|pair| !driving.contains(pair))
         .collect();
     let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
-    let ties: Vec<Tie> = others
+    let mut ties: Vec<Tie> = others
         .iter()
         .map(|&pair| Tie::pair(elements(&linkage.pairs[pair]).each_ref().map(of)))
         .collect();
+    ties.extend(compile::couplings(linkage, &bodies));
     let groups = match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(groups) => groups,
         Decomposition::Unfit { held, free } => {
@@ -42,12 +44,12 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
     let mut found = Vec::new();
     for group in &groups {
         let own = |tie: &Tie| tie.belongs_to(group, &groups);
-        let (pairs, _) = compile::members(&ties, &others, own);
+        let (pairs, couplings) = compile::members(&ties, &others, own);
         let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
             ([one, other], [_, _, _]) => {
                 compile::dyad(linkage, &bodies, [*one, *other], &pairs, &mut faults)
             }
-            _ => compile::larger_group(linkage, &bodies, group, &pairs, &[]),
+            _ => compile::larger_group(linkage, &bodies, group, &pairs, &couplings),
         };
         let mut links: Vec<usize> = group
             .iter()
@@ -56,14 +58,16 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
         links.sort_unstable();
         if let Some(step) = step {
             let inner = inner_of(spec, &joints, &links, &mut faults);
-            found.push(group_of(spec, &step, &pairs, inner, joints.bodies));
+            let mut ready = group_of(spec, &step, &pairs, inner, joints.bodies);
+            ready.couplings = coupled(linkage, &couplings, joints.bodies);
+            found.push(ready);
             steps.push(step);
         }
         listed.push(structure::Group {
             kind,
             links,
             pairs,
-            couplings: Vec::new(),
+            couplings,
             branch: None,
         });
     }
@@ -117,12 +121,14 @@ fn holds_more_than_once(spec: &MultiSpec) -> bool {
     }
     let bodies = bodies(&joints);
     let driving: Vec<usize> = input_pairs(spec).collect();
-    let ties: Vec<Tie> = (spec.linkage.pairs.iter().enumerate())
+    let pairs = (spec.linkage.pairs.iter().enumerate())
         .filter(|(pair, _)| !driving.contains(pair))
         .map(|(_, pair)| {
             let body = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
             Tie::pair(elements(pair).each_ref().map(body))
-        })
+        });
+    let ties: Vec<Tie> = pairs
+        .chain(compile::couplings(&spec.linkage, &bodies))
         .collect();
     match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(_) => false,
@@ -217,6 +223,7 @@ fn group_of(
         bases: bodies.iter().map(|body| body.base).collect(),
         inner,
         screws,
+        couplings: Vec::new(),
         dyad: matches!(step, Step::Dyad(_)),
         parallel: match step {
             Step::Dyad(dyad) => matches!(dyad.form, Form::Prp | Form::Rpp),
@@ -226,6 +233,16 @@ fn group_of(
         matrix: 0,
         exchanged: 0,
     }
+}
+
+/// Couplings made ready, these having been checked.
+fn coupled(linkage: &LinkageSpec, couplings: &[usize], ground: usize) -> Vec<Coupled> {
+    let ready = |&coupling: &usize| {
+        let coupling = &linkage.couplings[coupling];
+        let meeting = coupling.meeting(&linkage.pairs).ok()?;
+        Some(Coupled::new(coupling, &meeting, &linkage.pairs, ground))
+    };
+    couplings.iter().filter_map(ready).collect()
 }
 
 /// Whether a force or an output asks for continuous angles.
@@ -253,6 +270,7 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
     for (group, step) in groups.iter_mut().zip(&plan.steps) {
         let links: Vec<usize> = step.bodies().iter().flat_map(Body::links).collect();
         let sides = group.screws.iter().flat_map(|screw| screw.sides);
+        let sides = sides.chain(group.couplings.iter().flat_map(|coupling| coupling.bodies));
         let outside: Vec<usize> = sides.filter(|side| !links.contains(side)).collect();
         let own = group.inner.as_ref().map(|inner| inner.input);
         let active = |&input: &usize| {
@@ -290,7 +308,8 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
         placed,
         heavy,
         joint_of,
-        turning: turning(&spec.linkage),
+        turning: turning(&spec.linkage) || !spec.linkage.couplings.is_empty(),
+        geared: !spec.linkage.couplings.is_empty(),
         matrices,
     }
 }

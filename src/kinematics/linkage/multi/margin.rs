@@ -143,6 +143,18 @@ impl Columns<f64> {
                 }
             }
         }
+        for (number, coupling) in group.couplings.iter().enumerate() {
+            let top = (2 * group.screws.len() + number) * n;
+            for (body, parts) in coupling.parts_moved(&self.poses, motion) {
+                let Some(body) = group.body_of(body) else {
+                    continue;
+                };
+                for (unknown, [rate, bend]) in parts.into_iter().enumerate() {
+                    once[top + 3 * body + unknown] += rate;
+                    twice[top + 3 * body + unknown] += bend;
+                }
+            }
+        }
         let factors = &self.matrices[group.matrix..group.matrix + n * n];
         let exchanged = &self.exchanged[group.exchanged..group.exchanged + n];
         dense::solve(factors, exchanged, once, n);

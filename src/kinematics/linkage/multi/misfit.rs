@@ -2,7 +2,7 @@
 
 use super::spec::MultiSpec;
 use crate::fault::{Fault, Faults};
-use crate::kinematics::linkage::compile::{Bodies, is_or_are};
+use crate::kinematics::linkage::compile::{Bodies, is_or_are, tie_named};
 use crate::kinematics::linkage::elements::Body;
 use crate::kinematics::linkage::structure::{explanation, mobility};
 
@@ -47,18 +47,18 @@ pub(super) fn misfit(
         };
         faults.add("inputs", message, &hint);
     }
-    for (list, pairs) in held {
-        let pairs: Vec<&str> = pairs
-            .iter()
-            .map(|&pair| linkage.pairs[others[pair]].name.as_str())
+    for (list, ties) in held {
+        let named: Vec<[&str; 2]> = (ties.iter())
+            .map(|&tie| tie_named(linkage, others, tie))
             .collect();
+        let pairs: Vec<&str> = named.iter().map(|[_, name]| *name).collect();
         let what = match list.as_slice() {
             [] => "links that the inputs place are joined again".to_owned(),
             list => format!("{} held more than once", is_or_are(&names(list))),
         };
-        let path = pairs
-            .last()
-            .map_or("inputs".to_owned(), |last| format!("pairs.{last}"));
+        let path = named.last().map_or("inputs".to_owned(), |[place, last]| {
+            format!("{place}.{last}")
+        });
         let message = format!("{what}, by the pairs {}", pairs.join(", "));
         let hint = "choose the coordinate of one of these pairs as input in place of another, or \
                     leave one out";

@@ -18,7 +18,9 @@ mod compile;
 mod constraint;
 mod dynamics;
 mod forces;
+mod geared;
 mod joints;
+mod larger;
 mod margin;
 mod misfit;
 mod motion;
@@ -85,6 +87,7 @@ impl MultiLinkage {
         let mut state = plan.plan.state();
         let inputs: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         place::outwards(&plan, &inputs, &mut state);
+        place::turned_outwards(&plan, &inputs, &mut state.near);
         // (No one number is the start.)
         let mut linkage = spec.linkage.clone();
         linkage.start = f64::NAN;

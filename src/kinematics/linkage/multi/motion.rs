@@ -79,6 +79,7 @@ impl MultiMotion {
     /// Lets angles go on from those of an earlier instant.
     pub fn go_on_from(&mut self, angles: &[f64]) {
         self.space.known.angles.copy_from_slice(angles);
+        self.space.known.state.near.copy_from_slice(angles);
     }
 
     /// The angle of a link over time.

@@ -1,6 +1,7 @@
 //! Where the links are: the inputs one after the other outwards, then group by group.
 
 use super::plan::MultiPlan;
+use crate::kinematics::linkage::assemble::angles_of;
 use crate::kinematics::linkage::course::nearest_turn;
 use crate::kinematics::linkage::dyad::Dyad;
 use crate::kinematics::linkage::elements::{Frame, inverse};
@@ -10,6 +11,8 @@ use crate::kinematics::linkage::plan::Step;
 use crate::kinematics::linkage::solve::around;
 use crate::kinematics::linkage::state::State;
 
+/// Most that an input goes at once where couplings count turns: rad, or sizes of the linkage.
+const MOST_TURNED: f64 = 0.5;
 /// Parts into which the way to a far position may be cut.
 const MOST_PARTS: f64 = 4096.0;
 
@@ -48,6 +51,7 @@ pub(super) fn inside(plan: &MultiPlan, group: usize, inputs: &[f64], state: &mut
     if let Some(inner) = &plan.groups[group].inner {
         let relative = inner.driver.relative::<1>(inputs[inner.input]);
         state.relative.set(&relative);
+        (state.reduced, state.turned) = (inputs[inner.input], inner.driver.sliding.is_none());
     }
 }
 
@@ -60,6 +64,9 @@ pub(super) fn place(
     state: &mut State,
 ) -> Result<(), NotAssembled> {
     outwards(plan, inputs, state);
+    if plan.geared {
+        turned_outwards(plan, inputs, &mut state.near);
+    }
     for (index, step) in plan.plan.steps.iter().enumerate() {
         inside(plan, index, inputs, state);
         let placed = match step {
@@ -69,8 +76,30 @@ pub(super) fn place(
         if !placed {
             return Err(NotAssembled { group: index + 1 });
         }
+        if plan.geared {
+            angles_of(step, state);
+        }
     }
     Ok(())
+}
+
+/// The angles over whole turns of all that inputs alone place.
+pub(super) fn turned_outwards(plan: &MultiPlan, inputs: &[f64], angles: &mut [f64]) {
+    for joint in &plan.tree {
+        let parent = match joint.parent == plan.bodies {
+            true => 0.0,
+            false => angles[joint.parent],
+        };
+        let own = match joint.driver.sliding {
+            None => inputs[joint.input],
+            Some([cos, sin]) => sin.atan2(cos),
+        };
+        angles[joint.body] = if joint.reversed {
+            parent - own
+        } else {
+            parent + own
+        };
+    }
 }
 
 #[inline]
@@ -97,7 +126,8 @@ fn iterate(
     let mut scratch = std::mem::take(&mut state.scratch);
     for (body, unknowns) in (group.bodies.iter()).zip(scratch.unknowns.chunks_exact_mut(3)) {
         let motion = &state.links[body.base];
-        let values = [motion.at[0][0], motion.at[1][0], motion.angle()];
+        let angle = nearest_turn(motion.angle(), state.near[body.base]);
+        let values = [motion.at[0][0], motion.at[1][0], angle];
         for (unknown, value) in unknowns.iter_mut().zip(values) {
             unknown[0] = value;
         }
@@ -114,8 +144,9 @@ fn iterate(
         Err(_) => false,
     };
     if placed {
-        for (body, frame) in group.bodies.iter().enumerate() {
-            state.put(frame, &NewtonGroup::frame::<1>(&scratch, body));
+        for (index, body) in group.bodies.iter().enumerate() {
+            state.put(body, &NewtonGroup::frame::<1>(&scratch, index));
+            state.near[body.base] = scratch.unknowns[3 * index + 2][0];
         }
     }
     state.scratch = scratch;
@@ -164,7 +195,7 @@ impl Known {
             return Ok(());
         }
         copy(&self.state, &mut self.kept);
-        let (mut done, mut part) = (0.0, 1.0);
+        let (mut done, mut part) = (0.0, self.first_part(plan, inputs));
         while done < 1.0 {
             let share = f64::min(1.0, done + part);
             for ((between, from), to) in self.between.iter_mut().zip(&self.inputs).zip(inputs) {
@@ -194,9 +225,31 @@ impl Known {
         Ok(())
     }
 
+    /// The share of the way to other inputs that is gone at once: couplings need to know how often
+    /// something has turned.
+    fn first_part(&self, plan: &MultiPlan, inputs: &[f64]) -> f64 {
+        if !plan.geared {
+            return 1.0;
+        }
+        let ways = inputs.iter().zip(&self.inputs).enumerate();
+        let far = ways.map(|(input, (to, from))| {
+            let unit = if plan.slides(input) {
+                plan.plan.size
+            } else {
+                1.0
+            };
+            (to - from).abs() / (unit * MOST_TURNED)
+        });
+        far.fold(1.0, f64::max).min(MOST_PARTS).recip()
+    }
+
     /// Notes inputs of a position found, and where something asks for them the angles.
     fn arrive(&mut self, plan: &MultiPlan, inputs: &[f64]) {
         self.inputs.copy_from_slice(inputs);
+        if plan.geared {
+            self.angles.copy_from_slice(&self.state.near);
+            return;
+        }
         if !self.turning {
             return;
         }
@@ -207,21 +260,7 @@ impl Known {
                 self.angles[body] = nearest_turn(angle, self.angles[body]);
             }
         }
-        for joint in &plan.tree {
-            let parent = match joint.parent == plan.bodies {
-                true => 0.0,
-                false => self.angles[joint.parent],
-            };
-            let own = match joint.driver.sliding {
-                None => inputs[joint.input],
-                Some([cos, sin]) => sin.atan2(cos),
-            };
-            self.angles[joint.body] = if joint.reversed {
-                parent - own
-            } else {
-                parent + own
-            };
-        }
+        turned_outwards(plan, inputs, &mut self.angles);
     }
 
     /// The least margin of all groups, over its rounding: where it is not above zero,
@@ -236,5 +275,6 @@ impl Known {
 /// Copies places alone, without allocating.
 fn copy(from: &State, to: &mut State) {
     to.links.copy_from_slice(&from.links);
+    to.near.copy_from_slice(&from.near);
     to.relative = from.relative;
 }

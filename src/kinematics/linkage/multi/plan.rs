@@ -1,5 +1,6 @@
 //! A linkage of several inputs made ready to be solved.
 
+use super::geared::Coupled;
 use crate::kinematics::linkage::elements::{Element, elements, slides};
 use crate::kinematics::linkage::plan::{Driver, Plan};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
@@ -59,6 +60,8 @@ pub(super) struct Group {
     /// the second, from what is placed to the second; of a larger group all of them, each
     /// from its first link to its second.
     pub(super) screws: Vec<Screw>,
+    /// Its gears, belts and racks.
+    pub(super) couplings: Vec<Coupled>,
     /// True for a dyad.
     pub(super) dyad: bool,
     /// True for a dyad of one assembly, singular where its guides are parallel.
@@ -94,6 +97,8 @@ pub(super) struct MultiPlan {
     pub(super) joint_of: Vec<usize>,
     /// Whether a force or an output asks for continuous angles.
     pub(super) turning: bool,
+    /// Whether couplings do, and positions are found on the way from one to the next.
+    pub(super) geared: bool,
     /// Numbers of all matrices of larger groups, and of their rows.
     pub(super) matrices: [usize; 2],
 }
@@ -103,6 +108,14 @@ impl MultiPlan {
     #[inline(always)]
     pub(super) fn is_moved(&self, body: usize, input: usize) -> bool {
         self.moves[body * self.inputs + input]
+    }
+
+    /// True of an input that is the coordinate of a guide.
+    pub(super) fn slides(&self, input: usize) -> bool {
+        let tree = self.tree.iter().map(|joint| (joint.input, &joint.driver));
+        let inner = self.groups.iter().filter_map(|group| group.inner.as_ref());
+        let mut all = tree.chain(inner.map(|joint| (joint.input, &joint.driver)));
+        all.any(|(own, driver)| own == input && driver.sliding.is_some())
     }
 
     /// The body of a link, or the ground.

@@ -56,11 +56,6 @@ pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
             floating(spec, link, &path, &mut faults);
         }
     }
-    if let Some(coupling) = linkage.couplings.first() {
-        let path = format!("couplings.{}", coupling.name);
-        let message = "couplings hold the links of a linkage of one input alone";
-        faults.add(path, message, "leave it out");
-    }
     forces::refused(&linkage, &mut faults);
     faults.check()
 }

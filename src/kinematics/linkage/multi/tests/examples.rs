@@ -20,7 +20,7 @@ pub(in super::super) fn bar(name: &str, length: f64, mass: f64) -> LinkSpec {
 }
 
 /// A link of an odd shape.
-fn odd(name: &str, mass: f64) -> LinkSpec {
+pub(super) fn odd(name: &str, mass: f64) -> LinkSpec {
     LinkSpec {
         name: name.to_owned(),
         mass,
@@ -30,7 +30,7 @@ fn odd(name: &str, mass: f64) -> LinkSpec {
     }
 }
 
-fn at(link: Option<usize>, x: f64, y: f64) -> PointOf {
+pub(super) fn at(link: Option<usize>, x: f64, y: f64) -> PointOf {
     PointOf { link, at: [x, y] }
 }
 
@@ -49,7 +49,7 @@ pub(in super::super) fn pin(
     }
 }
 
-fn guide(
+pub(super) fn guide(
     name: &str,
     (on, p): (Option<usize>, [f64; 2]),
     (link, q): (Option<usize>, [f64; 2]),
@@ -74,7 +74,7 @@ pub(in super::super) fn input(name: &str, coordinate: InputCoordinate, start: f6
     }
 }
 
-fn output(name: &str, kind: OutputKind) -> OutputSpec {
+pub(super) fn output(name: &str, kind: OutputKind) -> OutputSpec {
     OutputSpec {
         name: name.to_owned(),
         kind,
@@ -434,5 +434,6 @@ pub(in super::super) fn platform() -> MultiSpec {
 pub(in super::super) fn all() -> Vec<MultiSpec> {
     let mut all = vec![five_bar(), floating(), excavator(), platform(), pendulum(4)];
     all.extend(dyads());
+    all.extend([super::geared::planetary(), super::geared::rack()]);
     all
 }

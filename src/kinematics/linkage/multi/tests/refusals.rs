@@ -3,7 +3,7 @@
 use super::examples::{GROUND, five_bar, floating, input, pendulum, pin};
 use crate::kinematics::linkage::multi::MultiLinkage;
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
-use crate::kinematics::linkage::spec::{CouplingKind, CouplingSpec, ForceLaw, ForceSpec};
+use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec};
 
 fn refused(change: impl Fn(&mut MultiSpec), mut spec: MultiSpec) -> Vec<(String, String)> {
     change(&mut spec);
@@ -80,20 +80,4 @@ fn tables_over_one_input_are_refused() {
     };
     let found = refused(|spec| spec.linkage.forces.push(table.clone()), five_bar());
     holds(&found, "forces.load", "linkage of one input");
-}
-
-#[test]
-fn couplings_are_refused() {
-    let gears = CouplingSpec {
-        name: "mesh".to_owned(),
-        wheels: [Some(0), None],
-        carrier: None,
-        kind: CouplingKind::Gear { ratio: -2.0 },
-        offset: 0.0,
-    };
-    let found = refused(
-        |spec| spec.linkage.couplings.push(gears.clone()),
-        five_bar(),
-    );
-    holds(&found, "couplings.mesh", "linkage of one input");
 }
