@@ -1,16 +1,16 @@
 //! Objects, drivers first, to trees.
 
 mod loads;
+mod masses;
 mod sums;
 
 use super::prescribed::{PrescribedMotion, straight};
-use super::{Holder, KeptLaws, MassPlace, Part, Parts, law, load};
+use super::{Holder, KeptLaws, Part, Parts, law, load};
 use crate::dynamics::model::{
-    Closure, DampingLaw, Law as ModelLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair, STOP,
-    TrackSource,
+    Closure, DampingLaw, Law as ModelLaw, Model, NodeMotion, ObjectPart, Pair, STOP, TrackSource,
 };
 use crate::dynamics::system::System;
-use crate::exact::{Law, Refusal, TimeLoad, TreeMass, TreeObject, TreePair, TreeProblem};
+use crate::exact::{Law, Refusal, TimeLoad, TreeMass, TreePair, TreeProblem};
 
 /// Role of a node in exact propagation.
 #[derive(Clone, Debug)]
@@ -220,85 +220,6 @@ impl<'m> Builder<'m> {
             }
         };
         self.masses(object, tree, base);
-    }
-
-    /// Adds the masses of a chain behind `base`, or behind the law itself.
-    fn masses(&mut self, object: usize, tree: usize, base: Option<Moved>) {
-        let part = &self.model.objects[object];
-        if part.contact.is_some_and(|contact| contact.point.is_some()) {
-            let reason = "the point between its contact and its damped link 1 is massless: a \
-                          state of first order, where exact propagation knows masses only";
-            self.trees[tree].objects.push(object);
-            self.refuse(object, reason);
-            return;
-        }
-        let first = self.trees[tree].problem.masses.len();
-        let coordinate = self.system.first_coordinate(object).unwrap_or(0);
-        for (m, (&node, &link)) in part.nodes.iter().zip(&part.links).enumerate() {
-            let link = &self.model.links[link];
-            let problem = &mut self.trees[tree].problem;
-            let mut mass = TreeMass::new(
-                self.model.nodes[node].inertia,
-                (m > 0).then(|| first + m - 1),
-                link.stiffness,
-                link.damping,
-            );
-            if let Some(base) = base {
-                let driver = &problem.masses[base.mass];
-                mass.ratio = base.ratio * driver.ratio;
-                mass.offset = base.ratio * driver.offset + base.offset;
-                if m == 0 {
-                    (mass.parent, mass.lever) = (Some(base.mass), base.ratio);
-                }
-            }
-            let (mut linear, mut nonlinear) = (true, "");
-            if let LinkBase::Law { pair } = &link.base {
-                (mass.pair, linear) = tree_pair(pair);
-                if let DampingLaw::Restitution { coefficient } = pair.law {
-                    mass.restitution = Some(coefficient);
-                }
-                nonlinear = match pair.law {
-                    DampingLaw::Hertz { .. } => "its contact force is not linear (Hertz)",
-                    _ => "its contact force is not linear (Hunt–Crossley)",
-                };
-            }
-            problem.masses.push(mass);
-            problem.displacement.push(0.0);
-            problem.speed.push(0.0);
-            self.trees[tree].masses.push(MassPlace {
-                coordinate: coordinate + m,
-                base: base.map(|base| (base.mass, base.ratio)),
-            });
-            self.roles[node] = Role::Moved(Moved {
-                tree,
-                mass: first + m,
-                ratio: 1.0,
-                offset: 0.0,
-            });
-            if !linear {
-                self.spoiled[tree] = true;
-                self.refuse(object, nonlinear);
-            }
-        }
-        let added = &mut self.trees[tree];
-        let last = added.problem.masses.len() - 1;
-        let place = |&(node, share): &(usize, f64)| {
-            let mass = part.nodes.iter().position(|&own| own == node)?;
-            Some((first + mass, share))
-        };
-        let output = match self.model.reduced(object) {
-            Some(reduced) => reduced.modes.iter().filter_map(place).collect(),
-            None => vec![(last, 1.0)],
-        };
-        added.problem.objects.push(TreeObject {
-            first,
-            output,
-            driver: base.map(|base| (base.mass, base.ratio)),
-        });
-        added.objects.push(object);
-        if let Some(component) = self.system.pair_component(object) {
-            added.pairs.push((first, component));
-        }
     }
 
     /// What is held by a rigid pair is propagated alone, under loads that are constant.

@@ -1,12 +1,14 @@
 //! What of a system is left beside its trees, as a system of its own.
 
+mod numbers;
+
 use super::{Holder, Parts};
 use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::model::{
-    Law, Link, LinkBase, LinkageBody, Load, LoadLaw, LoadVariable, Model, Node, NodeIndex,
-    NodeMotion, ObjectPart, Reduced, Start, StopPart, TrackSource,
+    Load, LoadLaw, Model, NodeIndex, NodeMotion, Start, StopPart, TrackSource,
 };
 use crate::dynamics::system::{InitialState, System};
+use numbers::Numbers;
 
 /// The objects that no tree holds, and where they are in the whole system.
 #[derive(Debug)]
@@ -119,14 +121,6 @@ pub(super) fn kept(model: &Model, parts: &Parts) -> Option<Vec<usize>> {
     Some(kept)
 }
 
-/// New numbers of what is kept.
-#[derive(Default)]
-struct Numbers {
-    nodes: Vec<Option<usize>>,
-    tracks: Vec<Option<usize>>,
-    links: Vec<Option<usize>>,
-}
-
 /// The model of some objects (ascending) alone, and the tracks it keeps;
 /// `None` when they look at others.
 fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
@@ -225,124 +219,6 @@ fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Ve
         *used |= track.stops && kept.contains(&track.object);
     }
     (0..used.len()).filter(|&track| used[track]).collect()
-}
-
-impl Numbers {
-    fn reduced(&self, reduced: &Reduced, kept: &[usize]) -> Option<Reduced> {
-        let mut copy = reduced.clone();
-        copy.object = kept.iter().position(|&own| own == copy.object)?;
-        let nodes = copy.modes.iter_mut().map(|(node, _)| node);
-        for node in nodes.chain(&mut copy.output) {
-            *node = self.nodes[*node]?;
-        }
-        Some(copy)
-    }
-
-    fn node(&self, node: &Node) -> Option<Node> {
-        let motion = match &node.motion {
-            NodeMotion::Prescribed { motion, track } => NodeMotion::Prescribed {
-                motion: motion.clone(),
-                track: self.track(*track)?,
-            },
-            rotor @ NodeMotion::Rotor { .. } => rotor.clone(),
-            NodeMotion::Mass { law } => NodeMotion::Mass {
-                law: self.law(law)?,
-            },
-            NodeMotion::Rigid { law } => NodeMotion::Rigid {
-                law: self.law(law)?,
-            },
-            NodeMotion::Constrained {
-                drivers,
-                constraint,
-            } => NodeMotion::Constrained {
-                drivers: (drivers.iter())
-                    .map(|&driver| self.nodes[driver])
-                    .collect::<Option<_>>()?,
-                constraint: constraint.clone(),
-            },
-        };
-        Some(Node { motion, ..*node })
-    }
-
-    fn track(&self, track: Option<usize>) -> Option<Option<usize>> {
-        match track {
-            Some(track) => self.tracks[track].map(Some),
-            None => Some(None),
-        }
-    }
-
-    fn law(&self, law: &Law) -> Option<Law> {
-        Some(Law {
-            driver: self.nodes[law.driver]?,
-            track: self.track(law.track)?,
-            ..law.clone()
-        })
-    }
-
-    fn link(&self, link: &Link) -> Option<Link> {
-        let base = match &link.base {
-            LinkBase::Mass(node) => LinkBase::Mass(self.nodes[*node]?),
-            law => law.clone(),
-        };
-        let mass = self.nodes[link.mass]?;
-        Some(Link {
-            mass,
-            base,
-            ..*link
-        })
-    }
-
-    fn load(&self, load: &Load) -> Option<Load> {
-        let mut copy = load.clone();
-        copy.node = self.nodes[load.node]?;
-        if let LoadLaw::Pieces { track, .. } = &mut copy.law {
-            *track = self.tracks[*track]?;
-        }
-        if let LoadLaw::Written(written) = &mut copy.law {
-            for (index, variable) in written.variables.iter_mut().enumerate() {
-                let read = written.expression.program().reads(index);
-                if let LoadVariable::Displacement(node) | LoadVariable::Speed(node) = variable {
-                    // (What does not count may be anywhere.)
-                    *node = match read {
-                        true => self.nodes[*node]?,
-                        false => copy.node,
-                    };
-                }
-            }
-        }
-        Some(copy)
-    }
-
-    fn linkage(&self, body: &LinkageBody, kept: &[usize]) -> Option<LinkageBody> {
-        let mut copy = body.clone();
-        copy.node = self.nodes[body.node]?;
-        for output in &mut copy.outputs {
-            *output = self.nodes[*output]?;
-        }
-        copy.object = kept.iter().position(|&own| own == body.object)?;
-        Some(copy)
-    }
-
-    fn object(&self, part: &ObjectPart, kept: &[usize]) -> Option<ObjectPart> {
-        let mut copy = part.clone();
-        let ends = copy.combination.iter_mut().chain(&mut copy.driven_end);
-        for node in copy.nodes.iter_mut().chain(ends) {
-            *node = self.nodes[*node]?;
-        }
-        for link in &mut copy.links {
-            *link = self.links[*link]?;
-        }
-        if let Some(contact) = &mut copy.contact {
-            contact.link = self.links[contact.link]?;
-            if let Some(point) = &mut contact.point {
-                *point = self.nodes[*point]?;
-            }
-        }
-        for input in &mut copy.inputs {
-            input.driver = kept.iter().position(|&own| own == input.driver)?;
-        }
-        Some(copy)
-    }
 }
 
 fn start(start: &Start, kept: &[usize]) -> Start {

@@ -2,7 +2,7 @@
 //! first position of every larger group.
 
 use super::choice::{Wrong, asked_branch, mismatch, names, short, start_in_words};
-use super::course::{Branch, Course, Table, nearest_turn};
+use super::course::{Branch, Course, Table};
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
 use super::guesses;
@@ -11,6 +11,7 @@ use super::solve::{around, drive};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
 use super::structure::Group;
+use super::vector::nearest_turn;
 use crate::fault::{Fault, Faults};
 
 /// An approximate position is clearly nearer to one assembly when it is at most this

@@ -1,9 +1,9 @@
 //! What a choice of an assembly asks for, and how it is put in words.
 
-use super::course::nearest_turn;
 use super::elements::{Body, Frame};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
+use super::vector::nearest_turn;
 use crate::units::shown;
 
 /// Fault: what is wrong, and what would help.

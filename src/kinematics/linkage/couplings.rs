@@ -11,7 +11,7 @@
 mod meeting;
 mod outlines;
 
-use super::spec::{LinkageSpec, PairSpec};
+use super::spec::{CouplingSpec, LinkageSpec, PairSpec};
 use crate::fault::Faults;
 use crate::units::shown;
 pub(super) use meeting::Meeting;
@@ -22,58 +22,6 @@ pub(crate) use outlines::{Outline, outlines};
 const SMALLEST: f64 = 1e-6;
 /// See [`SMALLEST`].
 const GREATEST: f64 = 1e6;
-
-/// A coupling: the angle of one link follows that of another.
-#[derive(Clone, Debug, PartialEq)]
-pub struct CouplingSpec {
-    /// Name of the coupling.
-    pub name: String,
-    /// The links with the wheels, or with the wheel and the rack: indices into
-    /// [`LinkageSpec::links`]; `None`: the ground.
-    pub wheels: [Option<usize>; 2],
-    /// The link that carries both; `None`: the ground.
-    pub carrier: Option<usize>,
-    /// Gears, a belt, or a rack.
-    pub kind: CouplingKind,
-    /// Angle of the second wheel, or displacement of the rack, seen from the carrier, where the
-    /// first wheel's angle is zero (rad or m).
-    pub offset: f64,
-}
-
-/// Kind of a coupling with its ratio ρ, seen from the carrier.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum CouplingKind {
-    /// Two gears: angle of the second over that of the first, negative for external teeth.
-    Gear {
-        /// ρ ≠ 0, and ≠ 1.
-        ratio: f64,
-    },
-    /// A belt or chain over two pulleys.
-    Belt {
-        /// Radii (m): the first positive, the second negative for a crossed belt; ρ = r₁/r₂.
-        radii: [f64; 2],
-    },
-    /// A gear and a rack on a guide of the carrier.
-    Rack {
-        /// Displacement of the rack along the guide over the angle of the gear ≠ 0 (m): the radius
-        /// of the pitch circle. Positive: the rack lies to the right of the gear, seen along the
-        /// guide.
-        radius: f64,
-    },
-}
-
-impl CouplingKind {
-    /// Ratio ρ: of two angles, or of the rack's displacement to the angle (m).
-    pub fn ratio(&self) -> f64 {
-        match *self {
-            Self::Gear { ratio } => ratio,
-            Self::Belt {
-                radii: [one, other],
-            } => one / other,
-            Self::Rack { radius } => radius,
-        }
-    }
-}
 
 impl CouplingSpec {
     /// The links that it ties.

@@ -4,6 +4,7 @@
 use super::change::Change;
 use super::plan::Driver;
 use super::state::State;
+use super::vector::nearest_turn;
 
 /// The branch of one dyad along the course.
 #[derive(Clone, Debug)]
@@ -184,13 +185,6 @@ impl Table {
         self.inputs = inputs.chain(self.inputs.iter().copied()).collect();
         self.rows = rows.chain(self.rows.iter().copied()).collect();
     }
-}
-
-/// The angle plus the whole turns that put it nearest to `near`.
-#[inline]
-pub(super) fn nearest_turn(angle: f64, near: f64) -> f64 {
-    use std::f64::consts::TAU;
-    angle + TAU * ((near - angle) / TAU).round()
 }
 
 /// The cubic with given values and slopes at both ends of a step.

@@ -1,12 +1,13 @@
 //! Looking at one step of a walk: does anything happen on it?
 
 use super::change::Change;
-use super::course::{hermite, nearest_turn};
+use super::course::hermite;
 use super::dyad::Margin;
 use super::plan::Step;
 use super::rounding::directions;
 use super::solve::{Guess, Stuck};
 use super::state::Motion;
+use super::vector::nearest_turn;
 use super::walk::{LEFT, StepVerdict, Walker};
 use crate::math::roots::bisect;
 

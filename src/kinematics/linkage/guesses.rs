@@ -2,13 +2,13 @@
 //! its links or from a number of trials.
 
 use super::choice::{Wrong, asked_branch, mismatch, names, short, start_in_words};
-use super::course::nearest_turn;
 use super::dyad::Margin;
 use super::newton::NewtonGroup;
 use super::plan::Plan;
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::Scratch;
 use super::state::State;
+use super::vector::nearest_turn;
 use crate::math::linear::dense::{factorise, solve};
 use std::f64::consts::TAU;
 

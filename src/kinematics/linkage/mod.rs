@@ -30,7 +30,6 @@ mod dyad;
 mod elements;
 mod examine;
 mod forces;
-mod geared;
 mod guesses;
 pub mod kinetostatics;
 pub mod multi;

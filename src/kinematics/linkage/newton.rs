@@ -7,14 +7,16 @@
 //! and the k-th set to zero, the k-th coefficient of the equations is what the
 //! matrix must balance.
 
+mod geared;
+
 use super::dyad::Margin;
 use super::elements::{Body, Element, Frame, PairElement};
-use super::geared::Geared;
 use super::state::Scratch;
 use super::state::State;
 use super::vector::Vector;
 use crate::math::linear::dense::{factorise, solve};
 use crate::math::series::Series;
+pub(super) use geared::{Geared, Second};
 
 /// Most iterations from a guess of the table; two or three are usual.
 const MOST_ITERATIONS: usize = 40;

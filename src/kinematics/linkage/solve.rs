@@ -1,12 +1,12 @@
 //! Solving a linkage at one input, group by group.
 
-use super::course::{Course, Table, nearest_turn};
+use super::course::{Course, Table};
 use super::dyad::{Around, Dyad};
 use super::elements::{Frame, inverse};
-use super::geared::Geared;
-use super::newton::NewtonGroup;
+use super::newton::{Geared, NewtonGroup};
 use super::plan::{Plan, Step};
 use super::state::{Motion, State};
+use super::vector::nearest_turn;
 
 /// Positions to start an iteration from.
 #[derive(Clone, Copy, Debug)]

@@ -3,8 +3,6 @@
 //! SI units; x to the right, y up, angles counterclockwise. Lists stand in the
 //! order of their names, so that nothing depends on the order in a file.
 
-pub use super::couplings::{CouplingKind, CouplingSpec};
-
 /// A planar linkage of rigid links, lower pairs, gears, belts and racks with one degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkageSpec {
@@ -258,4 +256,56 @@ pub enum OutputKind {
         /// Index into [`LinkageSpec::pairs`].
         pair: usize,
     },
+}
+
+/// A coupling: the angle of one link follows that of another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CouplingSpec {
+    /// Name of the coupling.
+    pub name: String,
+    /// The links with the wheels, or with the wheel and the rack: indices into
+    /// [`LinkageSpec::links`]; `None`: the ground.
+    pub wheels: [Option<usize>; 2],
+    /// The link that carries both; `None`: the ground.
+    pub carrier: Option<usize>,
+    /// Gears, a belt, or a rack.
+    pub kind: CouplingKind,
+    /// Angle of the second wheel, or displacement of the rack, seen from the carrier, where the
+    /// first wheel's angle is zero (rad or m).
+    pub offset: f64,
+}
+
+/// Kind of a coupling with its ratio ρ, seen from the carrier.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CouplingKind {
+    /// Two gears: angle of the second over that of the first, negative for external teeth.
+    Gear {
+        /// ρ ≠ 0, and ≠ 1.
+        ratio: f64,
+    },
+    /// A belt or chain over two pulleys.
+    Belt {
+        /// Radii (m): the first positive, the second negative for a crossed belt; ρ = r₁/r₂.
+        radii: [f64; 2],
+    },
+    /// A gear and a rack on a guide of the carrier.
+    Rack {
+        /// Displacement of the rack along the guide over the angle of the gear ≠ 0 (m): the radius
+        /// of the pitch circle. Positive: the rack lies to the right of the gear, seen along the
+        /// guide.
+        radius: f64,
+    },
+}
+
+impl CouplingKind {
+    /// Ratio ρ: of two angles, or of the rack's displacement to the angle (m).
+    pub fn ratio(&self) -> f64 {
+        match *self {
+            Self::Gear { ratio } => ratio,
+            Self::Belt {
+                radii: [one, other],
+            } => one / other,
+            Self::Rack { radius } => radius,
+        }
+    }
 }

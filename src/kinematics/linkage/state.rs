@@ -3,9 +3,9 @@
 use super::dyad::Margin;
 use super::elements::Body;
 
-use super::course::nearest_turn;
 use super::elements::Frame;
 use super::vector::Vector;
+use super::vector::nearest_turn;
 use crate::math::series::Series;
 
 /// The frame of a link as power series.

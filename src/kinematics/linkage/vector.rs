@@ -269,3 +269,10 @@ impl<const N: usize> Local<N> {
         }
     }
 }
+
+/// The angle plus the whole turns that put it nearest to `near`.
+#[inline]
+pub(super) fn nearest_turn(angle: f64, near: f64) -> f64 {
+    use std::f64::consts::TAU;
+    angle + TAU * ((near - angle) / TAU).round()
+}

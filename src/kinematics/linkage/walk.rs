@@ -8,12 +8,13 @@
 //! before it, which is then located to rounding. Towards an end the steps
 //! become shorter in proportion to what is left.
 
-use super::course::{Course, nearest_turn};
+use super::course::Course;
 use super::dyad::Margin;
 use super::plan::{Plan, Step};
 use super::range::Cause;
 use super::solve::{Anchor, Guess, Stuck, solve};
 use super::state::State;
+use super::vector::nearest_turn;
 use std::f64::consts::TAU;
 
 /// Steps of a turn, or of the size of the linkage.

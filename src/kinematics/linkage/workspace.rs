@@ -1,10 +1,10 @@
 //! Where everything is after solving: poses, transfer functions, points, pairs.
 
-use super::course::nearest_turn;
 use super::elements::{elements, slides};
 use super::spec::{OutputKind, PairSpec, PointOf};
 use super::state::State;
 use super::vector::Vector;
+use super::vector::nearest_turn;
 use super::{Core, Linkage};
 use crate::math::jet::Jet;
 use crate::math::series::Series;

@@ -4,9 +4,11 @@
 //! Evaluating derivatives, 2008, chapter 13); functions by the differential equation
 //! that they satisfy.
 
+mod maker;
+
 use super::function::Function;
 use super::program::{Code, Op, Program, Register};
-use std::f64::consts::{LN_2, LN_10};
+use maker::Maker;
 
 /// Coefficients of a series.
 pub(crate) type Row<const N: usize> = [f64; N];
@@ -268,96 +270,6 @@ fn product<const N: usize>(a: &Row<N>, b: &Row<N>, k: usize) -> f64 {
 fn along<const N: usize>(x: &Row<N>, slope: &Row<N>, k: usize) -> f64 {
     let sum: f64 = (1..=k).map(|j| j as f64 * x[j] * slope[k - j]).sum();
     sum / k as f64
-}
-
-/// Puts steps into their order, with those that others need besides.
-#[derive(Default)]
-struct Maker {
-    steps: Vec<Step>,
-}
-
-impl Maker {
-    fn push(&mut self, step: Step) -> Register {
-        self.steps.push(step);
-        (self.steps.len() - 1) as Register
-    }
-
-    fn plain(&mut self, op: Op) -> Register {
-        self.push(Step::Op(op))
-    }
-
-    fn affine(&mut self, x: Register, factor: f64, shift: f64) -> Register {
-        self.plain(Op::Affine { x, factor, shift })
-    }
-
-    fn over(&mut self, numerator: f64, x: Register) -> Register {
-        let one = self.plain(Op::Number(numerator));
-        self.plain(Op::Div(one, x))
-    }
-
-    fn op(&mut self, op: Op) -> Register {
-        match op {
-            Op::Of(function, x) => match self.slope(function, x) {
-                Some(slope) => self.push(Step::Along { function, x, slope }),
-                None => self.plain(op),
-            },
-            Op::Atan2 { y, x, .. } => {
-                let (yy, xx) = (self.plain(Op::Mul(y, y)), self.plain(Op::Mul(x, x)));
-                let square = self.plain(Op::Add(yy, xx));
-                let by_y = self.plain(Op::Div(x, square));
-                let by_x = self.plain(Op::Div(y, square));
-                let by_x = self.affine(by_x, -1.0, 0.0);
-                self.push(Step::Direction { op, by_y, by_x })
-            }
-            Op::PowerOf(x, y) => {
-                let logarithm = self.op(Op::Of(Function::Ln, x));
-                let of = self.plain(Op::Mul(logarithm, y));
-                self.push(Step::Exponential { x, y, of })
-            }
-            _ => self.plain(op),
-        }
-    }
-
-    /// The slope of functions that have no rule of their own.
-    fn slope(&mut self, function: Function, x: Register) -> Option<Register> {
-        let root_of = |this: &mut Self, factor: f64, shift: f64| {
-            let square = this.plain(Op::Mul(x, x));
-            let inside = this.affine(square, factor, shift);
-            this.plain(Op::Of(Function::Sqrt, inside))
-        };
-        Some(match function {
-            Function::Asin => {
-                let root = root_of(self, -1.0, 1.0);
-                self.over(1.0, root)
-            }
-            Function::Acos => {
-                let root = root_of(self, -1.0, 1.0);
-                self.over(-1.0, root)
-            }
-            Function::Asinh => {
-                let root = root_of(self, 1.0, 1.0);
-                self.over(1.0, root)
-            }
-            Function::Acosh => {
-                let root = root_of(self, 1.0, -1.0);
-                self.over(1.0, root)
-            }
-            Function::Atan | Function::Atanh => {
-                let sign = if function == Function::Atan {
-                    1.0
-                } else {
-                    -1.0
-                };
-                let square = self.plain(Op::Mul(x, x));
-                let inside = self.affine(square, sign, 1.0);
-                self.over(1.0, inside)
-            }
-            Function::Ln => self.over(1.0, x),
-            Function::Log10 => self.over(1.0 / LN_10, x),
-            Function::Log2 => self.over(1.0 / LN_2, x),
-            _ => return None,
-        })
-    }
 }
 
 /// The first coefficients of a function about a place.

@@ -1,10 +1,13 @@
 //! From the text of an expression to its program, by climbing precedences.
 
+mod tokens;
+
 use super::builder::Builder;
 use super::function::SMOOTH;
 use super::program::{Op, Program, Register, Rounding};
 use super::{CONSTANTS, Names};
 use std::ops::Range;
+use tokens::Token;
 
 /// How deep parentheses, calls and operators may nest.
 const DEEPEST: usize = 256;
@@ -37,20 +40,6 @@ pub(super) struct Found {
     /// The first place where a value counts as true or false that changes without a jump.
     pub(super) unlocated: Option<Range<usize>>,
 }
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Token<'t> {
-    Number(&'t str),
-    Name(&'t str),
-    Symbol(&'static str),
-    End,
-}
-
-/// Symbols, the longer ones first.
-const SYMBOLS: [&str; 22] = [
-    "**", "<=", ">=", "==", "!=", "&&", "||", "+", "-", "*", "/", "%", "^", "(", ")", ",", "<",
-    ">", "!", "?", ":", "·",
-];
 
 /// Precedence from the left and from the right of what stands between operands.
 fn precedence(symbol: &str) -> Option<(u8, u8)> {
@@ -120,57 +109,7 @@ struct Reader<'t> {
     unknown: Option<Error>,
 }
 
-fn is_letter(letter: char) -> bool {
-    // (The dot above a letter is a letter of its own.)
-    letter.is_alphabetic() || letter == '_' || letter == '\u{307}'
-}
-
 impl<'t> Reader<'t> {
-    fn advance(&mut self) -> Result<Token<'t>, Error> {
-        let before = self.token;
-        self.end = self.place.end;
-        let rest = &self.text[self.position..];
-        let blank = rest.len()
-            - rest
-                .trim_start_matches([' ', '\t', '\n', '\r', '\u{c}'])
-                .len();
-        let start = self.position + blank;
-        let rest = &self.text[start..];
-        let length = match rest.chars().next() {
-            None => {
-                self.token = Token::End;
-                0
-            }
-            Some('0'..='9' | '.') => {
-                let length = number_length(rest);
-                if length == 0 {
-                    return Err((Wrong::Character, start..start + 1));
-                }
-                self.token = Token::Number(&rest[..length]);
-                length
-            }
-            Some(letter) if is_letter(letter) => {
-                let other = |c: char| !(is_letter(c) || c.is_ascii_digit());
-                let length = rest.find(other).unwrap_or(rest.len());
-                self.token = match &rest[..length] {
-                    "mod" => Token::Symbol("%"),
-                    name => Token::Name(name),
-                };
-                length
-            }
-            Some(letter) => {
-                let Some(symbol) = SYMBOLS.iter().find(|symbol| rest.starts_with(**symbol)) else {
-                    return Err((Wrong::Character, start..start + letter.len_utf8()));
-                };
-                self.token = Token::Symbol(symbol);
-                symbol.len()
-            }
-        };
-        self.place = start..start + length;
-        self.position = start + length;
-        Ok(before)
-    }
-
     fn expression(&mut self, least: u8) -> Result<Register, Error> {
         if self.depth == DEEPEST {
             return Err((Wrong::TooDeep, self.place.clone()));
@@ -376,34 +315,4 @@ impl<'t> Reader<'t> {
     fn note(&mut self, place: Range<usize>) {
         self.unlocated.get_or_insert(place);
     }
-}
-
-/// Length of the number that a text begins with; 0 where it is none.
-fn number_length(text: &str) -> usize {
-    let bytes = text.as_bytes();
-    let digits = |from: usize| {
-        bytes[from..]
-            .iter()
-            .take_while(|b| b.is_ascii_digit())
-            .count()
-    };
-    let mut length = digits(0);
-    let mut count = length;
-    if bytes.get(length) == Some(&b'.') {
-        length += 1;
-        let after = digits(length);
-        length += after;
-        count += after;
-    }
-    if count == 0 {
-        return 0;
-    }
-    if matches!(bytes.get(length), Some(b'e' | b'E')) {
-        let sign = usize::from(matches!(bytes.get(length + 1), Some(b'+' | b'-')));
-        if bytes.get(length + 1 + sign).is_some_and(u8::is_ascii_digit) {
-            length += 1 + sign;
-            length += digits(length);
-        }
-    }
-    length
 }

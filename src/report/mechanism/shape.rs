@@ -1,5 +1,7 @@
 //! Outlines of links, in their own frames (m).
 
+use super::Placement;
+use crate::kinematics::linkage::couplings::{Outline, outlines};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::math::order::Total;
 
@@ -112,4 +114,20 @@ pub(super) fn block(pair: &PairSpec, extent: f64) -> Option<Block> {
             0.02 * extent
         },
     })
+}
+
+/// Corners of a square about every pitch circle, and the ends of all lines, at a position (m).
+pub(super) fn wheels(spec: &LinkageSpec, frame: &[Placement]) -> Vec<[f64; 2]> {
+    let placed = |link: Option<usize>, at: [f64; 2]| match link {
+        Some(link) => frame.get(link).map_or(at, |placement| placement.point(at)),
+        None => at,
+    };
+    let taken = |outline: Outline| match outline {
+        Outline::Circle(link, centre, radius) => {
+            let [x, y] = placed(link, centre);
+            [-radius, radius].map(|reach| [x + reach, y + reach])
+        }
+        Outline::Line(link, ends) => ends.map(|end| placed(link, end)),
+    };
+    outlines(spec).into_iter().flat_map(taken).collect()
 }

@@ -1,7 +1,7 @@
 //! The part of the plane that is shown, and its scale.
 
 use super::names::named_pins;
-use super::{Drawing, Placement, guides, shape, wheels};
+use super::{Drawing, Placement, guides, shape};
 
 /// Largest picture (pixels).
 const WIDEST: f64 = 860.0;
@@ -51,7 +51,7 @@ impl View {
             for point in drawing
                 .frames
                 .iter()
-                .flat_map(|frame| wheels::extent(drawing, frame))
+                .flat_map(|frame| shape::wheels(drawing.spec, frame))
             {
                 area.take(point);
             }

@@ -1,7 +1,7 @@
 //! Gears, belts and racks of a linkage: pitch circles and strands.
 
+use super::Drawing;
 use super::view::View;
-use super::{Drawing, Placement};
 use crate::kinematics::linkage::couplings::{Outline, outlines};
 use crate::report::plot::coordinate;
 
@@ -41,20 +41,4 @@ pub(super) fn of_link(
         _ => None,
     };
     outlines(drawing.spec).iter().filter_map(drawn).collect()
-}
-
-/// Corners of a square about every pitch circle, and the ends of all lines, at a position (m).
-pub(super) fn extent(drawing: &Drawing<'_>, frame: &[Placement]) -> Vec<[f64; 2]> {
-    let placed = |link: Option<usize>, at: [f64; 2]| match link {
-        Some(link) => frame.get(link).map_or(at, |placement| placement.point(at)),
-        None => at,
-    };
-    let taken = |outline: Outline| match outline {
-        Outline::Circle(link, centre, radius) => {
-            let [x, y] = placed(link, centre);
-            [-radius, radius].map(|reach| [x + reach, y + reach])
-        }
-        Outline::Line(link, ends) => ends.map(|end| placed(link, end)),
-    };
-    outlines(drawing.spec).into_iter().flat_map(taken).collect()
 }

@@ -1,7 +1,7 @@
 //! Where the axes of coupled wheels lie on their carrier.
 
-use super::{CouplingKind, CouplingSpec, ends, named};
-use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
+use super::{ends, named};
+use crate::kinematics::linkage::spec::{CouplingKind, CouplingSpec, LinkageSpec, PairSpec};
 use crate::units::shown;
 
 /// Pins of a link this far apart, over the greatest coordinate of all pairs, lie in one place.

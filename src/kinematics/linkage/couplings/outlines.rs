@@ -1,8 +1,8 @@
 //! What couplings look like: pitch circles, strands of belts, pitch lines of racks.
 
+use super::Meeting;
 use super::meeting::axis;
-use super::{CouplingKind, CouplingSpec, Meeting};
-use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
+use crate::kinematics::linkage::spec::{CouplingKind, CouplingSpec, LinkageSpec, PairSpec};
 
 /// Half the length of a rack's pitch line that is shown, in radii of its gear.
 const LINE: f64 = 1.6;

@@ -5,7 +5,6 @@
 //! place of the second angular velocity. Accelerations follow the same equation: angles in the plane
 //! add up, and along a guide on which nothing turns the change of its direction makes nothing.
 
-use super::plan::MultiPlan;
 use super::twist::{Pose, Twist};
 use crate::kinematics::linkage::couplings::Meeting;
 use crate::kinematics::linkage::elements::elements;
@@ -53,7 +52,7 @@ impl Coupled {
     }
 
     /// Its equation at a position.
-    pub(super) fn parts<N: Number>(&self, poses: &[Pose<N>], plan: &MultiPlan) -> Parts<N> {
+    pub(super) fn parts<N: Number>(&self, poses: &[Pose<N>], size: f64) -> Parts<N> {
         let [one, other, carrier] = self.bodies;
         let (zero, ratio) = (N::from(0.0), N::from(self.ratio));
         let turning = |factor: N| [factor, zero, zero];
@@ -64,7 +63,7 @@ impl Coupled {
                 (carrier, turning(ratio - N::from(1.0))),
             ],
             Some((owner, along)) => {
-                let ratio = ratio.scale(plan.plan.size.recip());
+                let ratio = ratio.scale(size.recip());
                 let [x, y] = poses[owner].turn(along);
                 [
                     (one, turning(-ratio)),

@@ -65,7 +65,7 @@ impl<N: Number> Columns<N> {
         }
         for (number, coupling) in group.couplings.iter().enumerate() {
             let top = (2 * group.screws.len() + number) * n;
-            for (body, parts) in coupling.parts(&self.poses, plan) {
+            for (body, parts) in coupling.parts(&self.poses, plan.plan.size) {
                 let Some(body) = group.body_of(body) else {
                     continue;
                 };
@@ -116,7 +116,7 @@ impl<N: Number> Columns<N> {
         let scale = plan.plan.size.recip();
         for (number, coupling) in group.couplings.iter().enumerate() {
             let mut sum = N::from(0.0);
-            for (body, [turning, x, y]) in coupling.parts(&self.poses, plan) {
+            for (body, [turning, x, y]) in coupling.parts(&self.poses, plan.plan.size) {
                 if let Some(given) = known(self, body) {
                     sum += turning * given[0];
                     sum += (x * given[1] + y * given[2]).scale(scale);

@@ -2,7 +2,6 @@
 
 use super::plan::MultiPlan;
 use crate::kinematics::linkage::assemble::angles_of;
-use crate::kinematics::linkage::course::nearest_turn;
 use crate::kinematics::linkage::dyad::Dyad;
 use crate::kinematics::linkage::elements::{Frame, inverse};
 use crate::kinematics::linkage::examine::tolerance;
@@ -10,6 +9,7 @@ use crate::kinematics::linkage::newton::NewtonGroup;
 use crate::kinematics::linkage::plan::Step;
 use crate::kinematics::linkage::solve::around;
 use crate::kinematics::linkage::state::State;
+use crate::kinematics::linkage::vector::nearest_turn;
 
 /// Most that an input goes at once where couplings count turns: rad, or sizes of the linkage.
 const MOST_TURNED: f64 = 0.5;

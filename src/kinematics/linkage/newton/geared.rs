@@ -5,28 +5,28 @@
 //! angle nearest to that expected is taken ([`State::near`]); of the group's own bodies it is the
 //! unknown itself.
 
-use super::newton::{NewtonGroup, Side};
-use super::state::{Scratch, State};
+use super::{NewtonGroup, Side};
+use crate::kinematics::linkage::state::{Scratch, State};
 use crate::math::series::Series;
 
 /// A coupling made ready: seen from the carrier the second coordinate is ratio·(the first) + offset.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Geared {
+pub(in crate::kinematics::linkage) struct Geared {
     /// The first wheel.
-    pub(super) wheel: Side,
+    pub(in crate::kinematics::linkage) wheel: Side,
     /// The second wheel or the rack.
-    pub(super) second: Second,
+    pub(in crate::kinematics::linkage) second: Second,
     /// The carrier.
-    pub(super) carrier: Side,
+    pub(in crate::kinematics::linkage) carrier: Side,
     /// ρ.
-    pub(super) ratio: f64,
+    pub(in crate::kinematics::linkage) ratio: f64,
     /// The second coordinate where the first is zero (rad or m).
-    pub(super) offset: f64,
+    pub(in crate::kinematics::linkage) offset: f64,
 }
 
 /// The second of two coupled links.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Second {
+pub(in crate::kinematics::linkage) enum Second {
     /// A wheel.
     Wheel(Side),
     /// A rack: both sides of its guide, and the sign of the guide's coordinate.
@@ -35,7 +35,7 @@ pub(super) enum Second {
 
 impl Geared {
     /// Its closing error: rad, or a length over the size.
-    pub(super) fn error<const N: usize>(
+    pub(in crate::kinematics::linkage) fn error<const N: usize>(
         &self,
         group: &NewtonGroup,
         state: &State,
@@ -56,7 +56,7 @@ impl Geared {
 
     /// Adds the derivatives of its error by the unknowns to the row of the matrix that begins
     /// at `top`.
-    pub(super) fn derivatives(
+    pub(in crate::kinematics::linkage) fn derivatives(
         &self,
         group: &NewtonGroup,
         state: &State,
@@ -93,7 +93,7 @@ impl Geared {
     }
 
     /// The links placed before whose angles it needs.
-    pub(super) fn known_links(&self) -> impl Iterator<Item = usize> {
+    pub(in crate::kinematics::linkage) fn known_links(&self) -> impl Iterator<Item = usize> {
         let second = match self.second {
             Second::Wheel(side) => Some(side),
             Second::Rack(..) => None,
