@@ -4,6 +4,7 @@
 //! order of their names, so that nothing depends on the order in a file.
 
 pub use super::couplings::{CouplingKind, CouplingSpec};
+pub use super::redundant::{Redundant, RedundantPart};
 
 /// A planar linkage of rigid links, lower pairs, gears, belts and racks with one degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,6 +17,9 @@ pub struct LinkageSpec {
     pub pairs: Vec<PairSpec>,
     /// Gears, belts and racks between links.
     pub couplings: Vec<CouplingSpec>,
+    /// Constraints that hold what is held already, and are left out where positions are solved for.
+    /// [`Linkage::new`](super::Linkage::new) finds them where none is given, of a linkage of one input.
+    pub redundant: Vec<Redundant>,
     /// The pair whose relative motion is the input coordinate, index into
     /// [`Self::pairs`].
     pub driver: usize,

@@ -45,6 +45,9 @@ impl Kinetostatics {
                 w.factors.add(row, column, value);
             });
         }
+        self.each_idle_entry(w.links.as_slice(), |row, column, value| {
+            w.factors.add(row, column, value);
+        });
         match unknown {
             Unknown::Drive => {
                 let first = size - self.drivers.len();
@@ -171,7 +174,9 @@ impl Kinetostatics {
     #[inline]
     pub(super) fn inertia_row(&self, row: usize, w: &ForceWorkspace) -> f64 {
         let (link, axis) = (row / 3, row % 3);
-        let body = &self.spec.links[link];
+        let Some(body) = self.spec.links.get(link) else {
+            return 0.0;
+        };
         let own = match axis {
             2 => body.moment * w.links[link].first[2] / self.length,
             axis => body.mass * w.centres[link].first[axis],
@@ -183,7 +188,9 @@ impl Kinetostatics {
     #[inline]
     pub(super) fn bias_row(&self, row: usize, w: &ForceWorkspace) -> f64 {
         let (link, axis) = (row / 3, row % 3);
-        let body = &self.spec.links[link];
+        let Some(body) = self.spec.links.get(link) else {
+            return 0.0;
+        };
         let own = match axis {
             2 => body.moment * w.links[link].second[2] / self.length,
             axis => body.mass * w.centres[link].second[axis],
