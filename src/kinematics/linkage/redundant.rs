@@ -11,7 +11,7 @@ mod search;
 
 use super::Linkage;
 use super::elements::{elements, slides};
-use super::spec::{LinkageSpec, PairSpec, PointOf};
+use super::spec::{LinkageSpec, PairSpec, PointOf, Redundant, RedundantPart};
 use super::state::State;
 use crate::fault::Fault;
 pub(super) use search::found;
@@ -23,36 +23,7 @@ const POSITIONS: usize = 400;
 /// How far a reach without ends is looked at, in sizes of the linkage.
 const FAR: f64 = 10.0;
 
-/// A constraint that is left out, because it follows from the others.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Redundant {
-    /// The pair, index into [`LinkageSpec::pairs`].
-    pub pair: usize,
-    /// The part of it that is left out.
-    pub part: RedundantPart,
-}
-
-/// The part of a pair that is left out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RedundantPart {
-    /// All of it: both equations.
-    Whole,
-    /// Of a pin of this link, which has one other pair: along the line to its other pin (the link's
-    /// length), or across its guide.
-    Along(usize),
-    /// Of a guide: that its block does not turn.
-    Couple,
-}
-
 impl Redundant {
-    /// Number of equations that are left out.
-    pub fn equations(&self) -> usize {
-        match self.part {
-            RedundantPart::Whole => 2,
-            RedundantPart::Along(_) | RedundantPart::Couple => 1,
-        }
-    }
-
     /// What it is, in words: ``the length of `c2` between its pins `O2` and `A2` ``.
     pub fn describe(&self, spec: &LinkageSpec) -> String {
         let pair = &spec.pairs[self.pair];
@@ -77,7 +48,7 @@ impl Redundant {
     }
 
     /// Direction in which the pin of its link is free, in that link's frame; `None` where it has none.
-    pub(in crate::kinematics::linkage) fn direction(&self, spec: &LinkageSpec) -> Option<[f64; 2]> {
+    pub(super) fn direction(&self, spec: &LinkageSpec) -> Option<[f64; 2]> {
         let RedundantPart::Along(link) = self.part else {
             return None;
         };

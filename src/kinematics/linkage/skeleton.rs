@@ -5,8 +5,9 @@
 //! what is left is an ordinary linkage with ordinary groups. Hidden links and pairs stand behind
 //! all others, so that every number of the linkage means the same in both; nobody outside sees them.
 
-use super::redundant::{Redundant, RedundantPart};
-use super::spec::{AssemblySpec, LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf};
+use super::spec::{
+    AssemblySpec, LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf, Redundant, RedundantPart,
+};
 use super::structure::{Group, GroupKind};
 
 /// A linkage as it is solved.

@@ -4,7 +4,6 @@
 //! order of their names, so that nothing depends on the order in a file.
 
 pub use super::couplings::{CouplingKind, CouplingSpec};
-pub use super::redundant::{Redundant, RedundantPart};
 
 /// A planar linkage of rigid links, lower pairs, gears, belts and racks with one degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -123,6 +122,37 @@ pub enum PairKind {
         /// Half the height c ≥ 0 of the block (m).
         half_height: f64,
     },
+}
+
+/// A constraint that is left out, because it follows from the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Redundant {
+    /// The pair, index into [`LinkageSpec::pairs`].
+    pub pair: usize,
+    /// The part of it that is left out.
+    pub part: RedundantPart,
+}
+
+/// The part of a pair that is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RedundantPart {
+    /// All of it: both equations.
+    Whole,
+    /// Of a pin of this link, which has one other pair: along the line to its other pin (the link's
+    /// length), or across its guide.
+    Along(usize),
+    /// Of a guide: that its block does not turn.
+    Couple,
+}
+
+impl Redundant {
+    /// Number of equations that are left out.
+    pub fn equations(&self) -> usize {
+        match self.part {
+            RedundantPart::Whole => 2,
+            RedundantPart::Along(_) | RedundantPart::Couple => 1,
+        }
+    }
 }
 
 /// Assembly of one Assur group: the group that contains `link`.

@@ -45,9 +45,6 @@ impl Kinetostatics {
                 w.factors.add(row, column, value);
             });
         }
-        self.each_idle_entry(w.links.as_slice(), |row, column, value| {
-            w.factors.add(row, column, value);
-        });
         match unknown {
             Unknown::Drive => {
                 let first = size - self.drivers.len();
@@ -72,6 +69,7 @@ impl Kinetostatics {
                 }
             }
         }
+        self.set_spare_unknowns(&mut w.factors);
         w.factors.factorise()
     }
 

@@ -1,56 +1,21 @@
 //! Reactions that rigid links leave open.
 //!
 //! The equations of equilibrium of a linkage with redundant constraints have more unknowns than rows.
-//! The further rows take the forces of what is redundant as zero; with a unit in one of them in place
-//! of that zero, and nothing else on the right side, they give a state of self-stress: forces that
-//! the pairs exert on each other without any load. All such states together are the null space of
-//! the equilibrium, whichever constraints were called redundant. An unknown that takes part in one of
-//! them is statically indeterminate: it depends on elasticity, clearances and errors of length.
+//! The further rows take as many unknowns as zero, at each position those that the others replace
+//! best: so nothing is singular that moves. With a unit in one of these rows in place of that zero,
+//! and nothing else on the right side, they give a state of self-stress: forces that the pairs exert on
+//! each other without any load. All such states together are the null space of the equilibrium. An
+//! unknown that takes part in one of them is statically indeterminate: it depends on elasticity,
+//! clearances and errors of length.
 
-use super::Kinetostatics;
-use super::positions::LinkPosition;
 use super::workspace::ForceWorkspace;
-use crate::kinematics::linkage::spec::{LinkageSpec, Redundant, RedundantPart};
+use super::{InputMotion, Kinetostatics, Options};
+use crate::fault::Fault;
+use crate::kinematics::linkage::Linkage;
+use crate::math::linear::Factors;
 
 /// Part of the greatest force of a state of self-stress that is rounding.
 const ROUNDING: f64 = 1e-8;
-
-/// An unknown, or a sum of the two of a pair, that is zero.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Idle {
-    /// One of the two unknowns of a pair.
-    One { pair: usize, which: usize },
-    /// The force of a pin along a direction of its link.
-    Along {
-        pair: usize,
-        link: usize,
-        direction: [f64; 2],
-    },
-    /// The couple of a guide about its block's point.
-    Couple { pair: usize },
-}
-
-/// What is zero where the redundant constraints carry nothing.
-pub(super) fn idle(spec: &LinkageSpec) -> Vec<Idle> {
-    let of = |one: &Redundant| {
-        let pair = one.pair;
-        match one.part {
-            RedundantPart::Whole => {
-                vec![Idle::One { pair, which: 0 }, Idle::One { pair, which: 1 }]
-            }
-            RedundantPart::Couple => vec![Idle::Couple { pair }],
-            RedundantPart::Along(link) => {
-                let direction = one.direction(spec).unwrap_or([1.0, 0.0]);
-                vec![Idle::Along {
-                    pair,
-                    link,
-                    direction,
-                }]
-            }
-        }
-    };
-    spec.redundant.iter().flat_map(of).collect()
-}
 
 /// Forces that depend on how the redundant constraints share the load.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -84,27 +49,15 @@ impl Indeterminate {
 }
 
 impl Kinetostatics {
-    /// Entries of the rows of what is zero: row, column, value.
-    pub(super) fn each_idle_entry(
-        &self,
-        links: &[LinkPosition],
-        mut add: impl FnMut(usize, usize, f64),
-    ) {
+    /// Writes the rows of the unknowns that are zero, as many as there are redundant constraints.
+    pub(super) fn set_spare_unknowns(&self, factors: &mut Factors) {
+        if self.redundant == 0 {
+            return;
+        }
         let first = 3 * self.spec.links.len();
-        for (k, idle) in self.idle.iter().enumerate() {
-            let row = first + k;
-            let (pair, values) = match *idle {
-                Idle::One { pair, which: 0 } => (pair, [1.0, 0.0]),
-                Idle::One { pair, .. } => (pair, [0.0, 1.0]),
-                Idle::Along {
-                    pair,
-                    link,
-                    direction,
-                } => (pair, links[link].turned(direction)),
-                Idle::Couple { pair } => (pair, self.corners[pair].map(|b| b / self.length)),
-            };
-            add(row, 2 * pair, values[0]);
-            add(row, 2 * pair + 1, values[1]);
+        let spare = factors.spare_columns(first, self.drivers.len());
+        for (k, column) in spare.into_iter().enumerate() {
+            factors.add(first + k, column, 1.0);
         }
     }
 
@@ -112,7 +65,7 @@ impl Kinetostatics {
     ///
     /// Friction of a pair that is left open leaves open what it acts on, the driving force too.
     pub fn indeterminate(&self, w: &ForceWorkspace) -> Indeterminate {
-        if self.idle.is_empty() {
+        if self.redundant == 0 {
             return Indeterminate {
                 pairs: vec![false; self.spec.pairs.len()],
                 couplings: vec![false; self.spec.couplings.len()],
@@ -133,9 +86,38 @@ impl Kinetostatics {
         }
     }
 
+    /// The fault of a linkage whose motion cannot follow from the friction of its pairs, because
+    /// rigid links leave their reactions open.
+    pub fn friction_left_open(&self, linkage: &Linkage) -> Option<Fault> {
+        let options = Options {
+            friction: false,
+            ..Options::default()
+        };
+        let motion = InputMotion {
+            coordinate: linkage.range().start,
+            speed: 0.0,
+            acceleration: 0.0,
+        };
+        let (mut at, mut w) = (linkage.workspace(), self.workspace());
+        linkage.solve(motion.coordinate, 3, &mut at).ok()?;
+        self.solve(&at, motion, &options, &mut w).ok()?;
+        let open = self.indeterminate(&w).pairs;
+        let mut pairs = (0..open.len()).filter(|&pair| open[pair]);
+        let pair = pairs.find(|&pair| self.friction_factors[pair].is_some())?;
+        let name = &self.spec.pairs[pair].name;
+        let hint = "leave out its friction, or what is redundant";
+        Some(Fault::new(
+            format!("pairs.{name}.friction"),
+            format!(
+                "the reaction of `{name}` is statically indeterminate, and so is its friction in the motion"
+            ),
+            hint,
+        ))
+    }
+
     /// Unknowns that take part in a state of self-stress.
     fn in_self_stress(&self, w: &ForceWorkspace) -> Vec<bool> {
-        let (size, count) = (self.size(), self.idle.len());
+        let (size, count) = (self.size(), self.redundant);
         let mut states = vec![0.0; size * count];
         for k in 0..count {
             states[(size - count + k) * count + k] = 1.0;

@@ -11,9 +11,9 @@
 //! A linkage of several inputs has a driving force at each, so that their number takes the place
 //! of one; time takes that of the input coordinate ([`Kinetostatics::solve_over_time`]).
 //!
-//! Redundant constraints leave more unknowns than equations: each has a further row, that the force
-//! of what is redundant is zero. That is one solution of many; which unknowns all of them share is
-//! told by [`Kinetostatics::indeterminate`].
+//! Redundant constraints leave more unknowns than equations: as many unknowns, those that the equations
+//! can best do without, are zero by a further row each. That is one solution of many; which unknowns
+//! all of them share is told by [`Kinetostatics::indeterminate`].
 //!
 //! Conventions: a pair joins link i (`on`) to link j (`link`); its reactions act
 //! on j from i. The driver's force is a couple on j (opposite on i) or a force
@@ -94,8 +94,8 @@ pub struct Kinetostatics {
     directions: Vec<[f64; 2]>,
     /// Places of each block's corners along its guide (m).
     corners: Vec<[f64; 2]>,
-    /// Unknowns that are zero because their constraints are redundant.
-    idle: Vec<indeterminate::Idle>,
+    /// Number of equations of constraints that are redundant.
+    redundant: usize,
     /// How the pairs of each coupling stand to its carrier.
     meetings: Vec<Meeting>,
     /// Factors of friction of each pair that has any, without sign.
@@ -149,7 +149,7 @@ impl Kinetostatics {
             directions: pairs.iter().map(direction).collect(),
             corners: pairs.iter().map(|pair| corners(pair, length)).collect(),
             friction_factors: pairs.iter().map(|pair| friction(pair, length)).collect(),
-            idle: indeterminate::idle(spec),
+            redundant: spec.redundant.iter().map(Redundant::equations).sum(),
             meetings: couplings::meetings(spec),
             inertia_scale: if inertia > 0.0 { inertia } else { 1.0 },
             spec: spec.clone(),
@@ -164,7 +164,7 @@ impl Kinetostatics {
             spec.pairs.len(),
             spec.forces.len(),
             spec.outputs.len(),
-            self.idle.len(),
+            self.redundant,
         ])
     }
 
@@ -185,7 +185,7 @@ impl Kinetostatics {
 
     /// Number of equations: three a link, one for each unknown that is zero.
     fn size(&self) -> usize {
-        3 * self.spec.links.len() + self.idle.len()
+        3 * self.spec.links.len() + self.redundant
     }
 
     /// True of a linkage of several inputs.

@@ -3,10 +3,12 @@
 //! Candidates are left out, as many as the count of degrees of freedom lacks, and what is left is
 //! put together and followed over its reach; what was left out must hold there.
 
-use super::{Redundant, RedundantPart, other_pair, pairs_of};
+use super::{other_pair, pairs_of};
 use crate::kinematics::linkage::Linkage;
 use crate::kinematics::linkage::elements::slides;
-use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
+use crate::kinematics::linkage::spec::{
+    CouplingSpec, LinkageSpec, PairSpec, Redundant, RedundantPart,
+};
 use crate::kinematics::linkage::structure::mobility;
 
 /// Most equations that are left out together.
@@ -113,9 +115,7 @@ fn beside_another(spec: &LinkageSpec) -> Vec<Redundant> {
 
 /// A pin of a link that has but two pairs, both to other links and neither driven.
 fn between(spec: &LinkageSpec, link: usize) -> Option<Redundant> {
-    let coupled = |coupling: &crate::kinematics::linkage::spec::CouplingSpec| {
-        coupling.links().contains(&Some(link))
-    };
+    let coupled = |coupling: &CouplingSpec| coupling.links().contains(&Some(link));
     if spec.couplings.iter().any(coupled) {
         return None;
     }

@@ -9,6 +9,7 @@ use crate::kinematics::linkage::spec::{
     AssemblyChoice, ForceLaw, LinkageSpec, PointOf, Redundant, RedundantPart,
 };
 use crate::kinematics::linkage::{GroupKind, Linkage};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A crank's radius, the distance of the axles (m).
 const RADIUS: f64 = 0.3;
@@ -85,12 +86,7 @@ fn trammel() -> Builder {
         .pin((Some(1), [0.2, 0.0]), (Some(2), [0.0; 2]))
         .slide((GROUND, [0.0; 2]), (Some(2), [0.0; 2]), 0.0, 0.0)
         .pin((Some(1), [-0.2, 0.0]), (Some(3), [0.0; 2]))
-        .slide(
-            (GROUND, [0.0; 2]),
-            (Some(3), [0.0; 2]),
-            1.5707963267948966,
-            0.0,
-        )
+        .slide((GROUND, [0.0; 2]), (Some(3), [0.0; 2]), FRAC_PI_2, 0.0)
         .start(0.7)
         .choose(
             2,
@@ -219,6 +215,13 @@ fn forces(
     (solver, w, open)
 }
 
+/// The pairs in the other order, so that other forces are taken as zero.
+fn reversed(mut builder: Builder) -> Builder {
+    builder.0.pairs.reverse();
+    builder.0.driver = builder.0.pairs.len() - 1 - builder.0.driver;
+    builder
+}
+
 #[test]
 fn determinate_figures_do_not_depend_on_what_is_left_out() {
     let along = |pair, link| Redundant {
@@ -227,26 +230,38 @@ fn determinate_figures_do_not_depend_on_what_is_left_out() {
     };
     for q in [0.4, 1.3, 2.9, 4.4] {
         let (solver, w, open) = forces(locomotive(), &[], q);
-        let wheels = [true; 6];
-        assert_eq!(open.pairs[..6], wheels);
+        assert_eq!(open.pairs[..6], [true; 6]);
         assert_eq!(open.pairs[6..], [false; 3]);
         assert!(!open.drive);
         // The middle wheel's length in place of the last one's.
-        let (other, v, same) = forces(locomotive(), &[along(3, 1)], q);
+        let (other, v, mut same) = forces(reversed(locomotive()), &[along(5, 1)], q);
+        same.pairs.reverse();
         assert_eq!(open, same);
         assert!(close(w.drive(), v.drive(), 1e-12, 1e-9));
         for pair in 6..9 {
-            let (one, other) = (solver.force(pair, &w), other.force(pair, &v));
+            let (one, other) = (solver.force(pair, &w), other.force(8 - pair, &v));
             for axis in 0..2 {
                 assert!(close(one[axis], other[axis], 1e-11, 1e-7), "pair {pair}");
             }
         }
-        let shared = |solver: &Kinetostatics, w: &ForceWorkspace| solver.force(5, w);
-        assert!((shared(&solver, &w)[0] - shared(&other, &v)[0]).abs() > 1.0);
+        let shared = [solver.force(5, &w), other.force(3, &v)];
+        assert!((shared[0][0] - shared[1][0]).abs() > 1.0);
         for axis in 0..3 {
             let [one, two] = [solver.on_frame(&w)[axis], other.on_frame(&v)[axis]];
             assert!(close(one, two, 1e-11, 1e-6), "{one} {two}");
         }
+    }
+}
+
+#[test]
+fn three_cranks_that_are_not_in_line_have_no_dead_position() {
+    let mut builder = locomotive();
+    builder.0.pairs[4].on.at[1] = -0.8;
+    builder.0.pairs[5].link.at[1] = -0.8;
+    // With two cranks alone the coupling rod is in line with them here.
+    for q in [0.0, PI, 7.0] {
+        let (_, _, open) = forces(builder.clone(), &[], q);
+        assert!(!open.drive);
     }
 }
 
@@ -302,7 +317,7 @@ fn friction_of_what_is_left_open_leaves_the_driving_force_open() {
     builder.0.pairs[2].friction = 0.1;
     let (_, _, open) = forces_with_friction(builder.clone());
     assert!(!open.drive);
-    builder.0.pairs[4].friction = 0.1;
+    builder.0.pairs[4].friction = 0.001;
     let (_, _, open) = forces_with_friction(builder);
     assert!(open.drive && open.pairs[1]);
 }
