@@ -14,7 +14,7 @@ use crate::kinematics::linkage::structure::mobility;
 /// Most equations that are left out together.
 const MOST_EQUATIONS: usize = 4;
 /// Most choices that are tried.
-const MOST_TRIED: usize = 2000;
+const MOST_TRIED: usize = 1000;
 
 /// The linkage that moves although the count of its degrees of freedom says no; `None` where it
 /// does not move, or the search finds no reason.
