@@ -235,6 +235,7 @@ fn linkage(model: &Model, body: &LinkageBody) -> serde_json::Value {
         "id": part.id,
         "mobility": structure.mobility,
         "explanation": structure.explanation,
+        "redundant": structure.redundant,
         "groups": groups.collect::<Vec<_>>(),
         "reach": range.ends().map(end),
         "period": range.period.as_ref().map(|period| period.length),

@@ -90,7 +90,13 @@ impl ModelBuilder {
             ));
             return None;
         }
-        Some(Arc::new(kinetostatics))
+        match kinetostatics.friction_left_open(linkage) {
+            None => Some(Arc::new(kinetostatics)),
+            Some(fault) => {
+                self.faults(at, "", vec![fault]);
+                None
+            }
+        }
     }
 
     /// Checks that a linkage can be assembled at the start, and ends the run at

@@ -2,7 +2,9 @@
 
 use super::choice::short;
 use super::couplings;
-use super::spec::{AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf};
+use super::spec::{
+    AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf, RedundantPart,
+};
 use crate::fault::{Fault, Faults};
 
 /// Most links: what is dense in their number (a larger group, the equations of all
@@ -43,6 +45,12 @@ pub(super) fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
         spec.couplings.iter().map(|coupling| &coupling.name),
     );
     couplings::check(spec, found);
+    for one in &spec.redundant {
+        index(found, "redundant", one.pair, spec.pairs.len(), "pair");
+        if let RedundantPart::Along(link) = one.part {
+            index(found, "redundant", link, spec.links.len(), "link");
+        }
+    }
     match spec.pairs.get(spec.driver) {
         Some(_) => {}
         None => found.add("driver", "there is no such pair", "name one of the pairs"),

@@ -8,6 +8,7 @@ use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
 use super::newton::{Geared, Joint, NewtonGroup, Second, Side};
 use super::plan::{Driver, Plan, Step, size};
+use super::skeleton::Skeleton;
 use super::spec::{CouplingSpec, LinkageSpec};
 use super::structure::{Group, GroupKind};
 use super::vector::Arm;
@@ -22,24 +23,25 @@ pub(super) struct Bodies {
 }
 
 /// Structure and plan of a linkage whose numbers are right; dyads by iteration
-/// like larger groups when `closed_forms` is false.
+/// like larger groups when `closed_forms` is false. The groups are told without what is hidden.
 pub(super) fn compile(
-    spec: &LinkageSpec,
+    skeleton: &Skeleton,
     closed_forms: bool,
 ) -> Result<(Plan, Vec<Group>), Vec<Fault>> {
+    let spec = &skeleton.spec;
     let mut faults = Faults::default();
     let driver = Driver::new(&spec.pairs[spec.driver]);
     let bodies = bodies(spec, &driver);
     let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
     let others: Vec<usize> = (0..spec.pairs.len())
-        .filter(|&p| p != spec.driver)
+        .filter(|&p| p != spec.driver && skeleton.solves(p))
         .collect();
     let mut ties: Vec<Tie> = others
         .iter()
         .map(|&pair| Tie::pair(elements(&spec.pairs[pair]).each_ref().map(of)))
         .collect();
     ties.extend(couplings(spec, &bodies));
-    sliding_loops(spec, &mut faults);
+    sliding_loops(skeleton, &mut faults);
     let found = decompose(bodies.list.len(), &ties);
     let groups = match found {
         Decomposition::Groups(groups) => groups,
@@ -66,13 +68,13 @@ pub(super) fn compile(
             .collect();
         links.sort_unstable();
         steps.extend(step);
-        listed.push(Group {
+        listed.push(skeleton.told(Group {
             kind,
             links,
             pairs,
             couplings: geared,
             branch: None,
-        });
+        }));
     }
     faults.check()?;
     let plan = Plan {
@@ -152,11 +154,12 @@ fn bodies(spec: &LinkageSpec, driver: &Driver) -> Bodies {
 }
 
 /// Sliding pairs (and the driver) that form a loop tie the same angle twice.
-fn sliding_loops(spec: &LinkageSpec, faults: &mut Faults) {
+fn sliding_loops(skeleton: &Skeleton, faults: &mut Faults) {
+    let spec = &skeleton.spec;
     let ground = spec.links.len();
     let mut tied: Vec<usize> = (0..=ground).collect();
     for (index, pair) in spec.pairs.iter().enumerate() {
-        if !slides(pair) && index != spec.driver {
+        if !skeleton.solves(index) || (!slides(pair) && index != spec.driver) {
             continue;
         }
         let [a, b] = [pair.on.link, pair.link.link].map(|link| tied[link.unwrap_or(ground)]);

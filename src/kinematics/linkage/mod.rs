@@ -40,6 +40,7 @@ mod reduced;
 mod redundant;
 mod remarks;
 mod rounding;
+mod skeleton;
 mod solve;
 pub mod spec;
 mod state;
@@ -62,6 +63,7 @@ use crate::math::order::Total;
 use course::Course;
 use plan::Plan;
 use range::Cause::DeadPosition;
+use skeleton::Skeleton;
 use solve::{Guess, Stuck};
 use spec::LinkageSpec;
 use state::State;
@@ -100,15 +102,23 @@ impl Linkage {
     /// [`Self::new`], its dyads in closed form or by iteration.
     fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         check::check(&spec)?;
-        let (plan, mut groups) = compile::compile(&spec, closed_forms)?;
+        Self::built(spec.clone(), closed_forms)
+            .or_else(|faults| redundant::found(&spec, closed_forms).ok_or(faults))
+    }
+
+    /// Of a linkage whose numbers are right and whose redundant constraints are known.
+    fn built(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
+        let skeleton = Skeleton::of(&spec);
+        let (plan, mut groups) = compile::compile(&skeleton, closed_forms)?;
         let mut state = plan.state();
-        let branches = assemble::assemble(&spec, &plan, &groups, &mut state)?;
+        let branches = assemble::assemble(&skeleton.spec, &plan, &groups, &mut state)?;
+        redundant::holds_at_start(&spec, &state, plan.size)?;
         for (group, branch) in groups[1..].iter_mut().zip(&branches) {
             let two_ways = matches!(group.kind, GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr);
             group.branch = two_ways.then_some(branch.sign);
         }
         let mut course = assemble::course(&spec, branches);
-        let ends = explore(&spec, &plan, &mut course, &mut state)?;
+        let ends = explore(&skeleton.spec, &plan, &mut course, &mut state)?;
         let range = ranged(&course, ends);
         let structure = Structure::new(&spec, groups);
         let core = Core {
@@ -118,9 +128,11 @@ impl Linkage {
             structure,
             range,
         };
-        Ok(Self {
+        let linkage = Self {
             core: Arc::new(core),
-        })
+        };
+        redundant::holds_everywhere(&linkage)?;
+        Ok(linkage)
     }
 
     /// The numbers it was made of.

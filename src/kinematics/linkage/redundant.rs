@@ -1,162 +1,161 @@
-//! Links that hold what is held already: parallel rods.
+//! Constraints that hold what is held already: a third equal rod of a parallelogram, the middle crank
+//! of coupling rods, a carriage on two parallel guides, wedges.
 //!
-//! A rod between two pins of other links whose distance never changes binds nothing. By the count of
-//! degrees of freedom the linkage is rigid, though it moves; which part of the forces such a rod
-//! takes follows from its elasticity alone, so that it is refused, by its name.
+//! By the count of degrees of freedom such a linkage is rigid, though it moves, since the equations of
+//! its pairs depend on each other. Those that are too many are left out ([`Redundant`]), so that the
+//! rest is solved as any linkage; that they hold nevertheless is verified over the whole reach. Which
+//! part of the forces they carry follows from elasticity and clearances alone: reactions that depend on
+//! it are statically indeterminate.
+
+mod search;
 
 use super::Linkage;
-use super::spec::{AssemblySpec, LinkageSpec, PointOf};
+use super::elements::{elements, slides};
+use super::spec::{LinkageSpec, PairSpec, PointOf, Redundant, RedundantPart};
+use super::state::State;
+use crate::fault::Fault;
+pub(super) use search::found;
 
-/// Most rods that are left out together.
-const MOST_RODS: usize = 3;
-/// Most links that are tried.
-const MOST_TRIED: usize = 40;
-/// Positions at which the distance of the pins is looked at.
-const POSITIONS: usize = 25;
-/// Change of the distance, in sizes of the linkage, that is rounding.
-const CONSTANT: f64 = 1e-9;
+/// What a constraint may be missed by, in sizes of the linkage (angles in radians).
+const MISSED: f64 = 1e-9;
+/// Positions at which they are looked at.
+const POSITIONS: usize = 400;
+/// How far a reach without ends is looked at, in sizes of the linkage.
+const FAR: f64 = 10.0;
 
-/// The rods of a linkage that bind nothing, indices into its links; `None` where leaving out no few of
-/// them gives a linkage that moves as they do.
-pub(super) fn parallel_rods(spec: &LinkageSpec, candidates: &[usize]) -> Option<Vec<usize>> {
-    let missing = 1 - super::structure::mobility(spec);
-    // A rod with its two pins takes one degree of freedom away.
-    let rods = usize::try_from(missing).ok()?;
-    if rods == 0 || rods > MOST_RODS {
-        return None;
+impl Redundant {
+    /// What it is, in words: ``the length of `c2` between its pins `O2` and `A2` ``.
+    pub fn describe(&self, spec: &LinkageSpec) -> String {
+        let pair = &spec.pairs[self.pair];
+        match self.part {
+            RedundantPart::Whole => format!("the pair `{}`", pair.name),
+            RedundantPart::Couple => format!("the couple of the guide `{}`", pair.name),
+            RedundantPart::Along(link) => {
+                let name = &spec.links[link].name;
+                match other_pair(spec, link, self.pair).map(|other| &spec.pairs[other]) {
+                    Some(other) if other.slides() => format!(
+                        "the pin `{}` of `{name}` across its guide `{}`",
+                        pair.name, other.name
+                    ),
+                    Some(other) => format!(
+                        "the length of `{name}` between its pins `{}` and `{}`",
+                        other.name, pair.name
+                    ),
+                    None => format!("the pin `{}` of `{name}`", pair.name),
+                }
+            }
+        }
     }
-    let candidates: Vec<usize> = candidates.iter().copied().take(MOST_TRIED).collect();
-    left_out(spec, &candidates, rods, &mut Vec::new())
+
+    /// Direction in which the pin of its link is free, in that link's frame; `None` where it has none.
+    pub(super) fn direction(&self, spec: &LinkageSpec) -> Option<[f64; 2]> {
+        let RedundantPart::Along(link) = self.part else {
+            return None;
+        };
+        let own = |pair: usize| {
+            elements(&spec.pairs[pair])
+                .into_iter()
+                .find(|element| element.link == Some(link))
+        };
+        let other = other_pair(spec, link, self.pair)?;
+        let (here, there) = (own(self.pair)?, own(other)?);
+        if slides(&spec.pairs[other]) {
+            let [u, v] = there.along;
+            return Some([-v, u]);
+        }
+        let [x, y] = [0, 1].map(|k| here.point[k] - there.point[k]);
+        let length = x.hypot(y);
+        (length > 0.0).then(|| [x / length, y / length])
+    }
+
+    /// By how much the pair is missed at a position (m; of a guide that turns, rad times `size`).
+    fn missed(&self, spec: &LinkageSpec, state: &State, size: f64) -> f64 {
+        let pair = &spec.pairs[self.pair];
+        let place = |point: PointOf| state.frame::<1>(point.link).place(point.at).value();
+        let (on, link) = (place(pair.on), place(pair.link));
+        let apart = [link[0] - on[0], link[1] - on[1]];
+        if !slides(pair) {
+            return apart[0].hypot(apart[1]);
+        }
+        let [i, j] = elements(pair).map(|element| {
+            let direction = state.frame::<1>(element.link).direction;
+            direction.turn_constant(element.along).value()
+        });
+        let across = i[0] * apart[1] - i[1] * apart[0];
+        let turned = i[0] * j[1] - i[1] * j[0];
+        across.abs().max(turned.abs() * size)
+    }
 }
 
-/// Tries to leave out `count` more rods besides those in `chosen`.
-fn left_out(
+/// The other one of the two pairs of a link; `None` where it has not two.
+fn other_pair(spec: &LinkageSpec, link: usize, pair: usize) -> Option<usize> {
+    let mut others = pairs_of(spec, link).filter(|&other| other != pair);
+    let other = others.next()?;
+    others.next().is_none().then_some(other)
+}
+
+/// The pairs of a link.
+fn pairs_of(spec: &LinkageSpec, link: usize) -> impl Iterator<Item = usize> + '_ {
+    let touches = move |pair: &PairSpec| [pair.on.link, pair.link.link].contains(&Some(link));
+    (0..spec.pairs.len()).filter(move |&pair| touches(&spec.pairs[pair]))
+}
+
+/// By how much the constraints that are left out are missed at a position, in sizes of the linkage.
+fn missed(spec: &LinkageSpec, state: &State, size: f64) -> f64 {
+    let each = spec.redundant.iter();
+    each.map(|one| one.missed(spec, state, size) / size)
+        .fold(0.0, |most: f64, one| if one <= most { most } else { one })
+}
+
+/// Refuses constraints that were left out and do not hold at the start.
+pub(super) fn holds_at_start(
     spec: &LinkageSpec,
-    candidates: &[usize],
-    count: usize,
-    chosen: &mut Vec<usize>,
-) -> Option<Vec<usize>> {
-    if count == 0 {
-        return binds_nothing(spec, chosen).then(|| chosen.clone());
+    state: &State,
+    size: f64,
+) -> Result<(), Vec<Fault>> {
+    // The start is known to rounding, that of a larger group to what its iteration leaves.
+    match missed(spec, state, size) <= 1e3 * MISSED {
+        true => Ok(()),
+        false => Err(not_redundant(spec, "at the start")),
     }
-    // The last ones first: the rods that were there before stay.
-    for (index, &link) in candidates.iter().enumerate().rev() {
-        if pins(spec, link).is_some() {
-            chosen.push(link);
-            let found = left_out(spec, &candidates[..index], count - 1, chosen);
-            chosen.pop();
-            if found.is_some() {
-                return found;
-            }
-        }
-    }
-    None
 }
 
-/// Both ends of a link that hangs on two pins only: its own points and those they are
-/// pinned to.
-fn pins(spec: &LinkageSpec, link: usize) -> Option<[[PointOf; 2]; 2]> {
-    let mut ends = Vec::new();
-    for (index, pair) in spec.pairs.iter().enumerate() {
-        let sides = [pair.on, pair.link];
-        if let Some(own) = sides.iter().position(|side| side.link == Some(link)) {
-            if pair.slides() || index == spec.driver {
-                return None;
-            }
-            ends.push([sides[own], sides[1 - own]]);
-        }
+/// Refuses constraints that were left out and do not hold somewhere on the reach.
+pub(super) fn holds_everywhere(linkage: &Linkage) -> Result<(), Vec<Fault>> {
+    let spec = linkage.spec();
+    if spec.redundant.is_empty() {
+        return Ok(());
     }
-    ends.try_into().ok()
-}
-
-/// Without the rods the linkage moves, and the distances of their pins never change.
-fn binds_nothing(spec: &LinkageSpec, rods: &[usize]) -> bool {
-    let Some(ends) = rods
-        .iter()
-        .map(|&rod| pins(spec, rod))
-        .collect::<Option<Vec<_>>>()
-    else {
-        return false;
-    };
-    if rods
-        .iter()
-        .any(|rod| ends.iter().flatten().any(|end| end[1].link == Some(*rod)))
-    {
-        return false;
-    }
-    let Ok(rest) = Linkage::new(without(spec, rods)) else {
-        return false;
-    };
-    let range = rest.range();
+    let range = linkage.range();
     let [from, to] = match range.period {
         Some(period) => [range.start, range.start + period.length],
-        None => range.ends(),
+        None => range.ends().map(|end| {
+            let far = FAR * linkage.size();
+            end.clamp(range.start - far, range.start + far)
+        }),
     };
-    let mut workspace = rest.workspace();
-    (0..POSITIONS).all(|k| {
+    let mut workspace = linkage.workspace();
+    let holds = |k: usize| {
         let q = from + (to - from) * (k as f64 + 0.5) / POSITIONS as f64;
-        rest.solve(q, 0, &mut workspace).is_ok()
-            && ends.iter().all(|ends| {
-                let places = ends.map(|[_, pinned]| {
-                    let link = pinned.link.map(|link| renumbered(link, rods));
-                    let point = PointOf { link, ..pinned };
-                    workspace.point(point).map(|jet| jet.value)
-                });
-                let length = distance(ends[0][0].at, ends[1][0].at);
-                let apart = distance(places[0], places[1]);
-                (apart - length).abs() <= CONSTANT * rest.size()
-            })
-    })
-}
-
-fn distance(one: [f64; 2], other: [f64; 2]) -> f64 {
-    (one[0] - other[0]).hypot(one[1] - other[1])
-}
-
-/// Number of a link when some are left out.
-fn renumbered(link: usize, left_out: &[usize]) -> usize {
-    link - left_out.iter().filter(|&&gone| gone < link).count()
-}
-
-/// The linkage without some links and their pairs, without forces and outputs.
-fn without(spec: &LinkageSpec, rods: &[usize]) -> LinkageSpec {
-    let gone = |link: Option<usize>| link.is_some_and(|link| rods.contains(&link));
-    let moved = |point: PointOf| PointOf {
-        link: point.link.map(|link| renumbered(link, rods)),
-        ..point
+        linkage.solve(q, 0, &mut workspace).is_ok()
+            && missed(spec, &workspace.state, linkage.size()) <= MISSED
     };
-    let stays = |index: &usize| {
-        let pair = &spec.pairs[*index];
-        !gone(pair.on.link) && !gone(pair.link.link)
-    };
-    let kept: Vec<usize> = (0..spec.pairs.len()).filter(stays).collect();
-    let pairs = kept.iter().map(|&index| {
-        let mut pair = spec.pairs[index].clone();
-        (pair.on, pair.link) = (moved(pair.on), moved(pair.link));
-        pair
-    });
-    let links = spec.links.iter().enumerate();
-    let assembly = spec.assembly.iter();
-    LinkageSpec {
-        links: links
-            .filter(|(link, _)| !rods.contains(link))
-            .map(|(_, link)| link.clone())
-            .collect(),
-        ground: spec.ground.clone(),
-        pairs: pairs.collect(),
-        driver: kept
-            .iter()
-            .position(|&index| index == spec.driver)
-            .unwrap_or(0),
-        assembly: assembly
-            .filter(|choice| !rods.contains(&choice.link))
-            .map(|choice| AssemblySpec {
-                link: renumbered(choice.link, rods),
-                choice: choice.choice,
-            })
-            .collect(),
-        start: spec.start,
-        travel: spec.travel,
-        ..LinkageSpec::default()
+    match (0..POSITIONS).all(holds) {
+        true => Ok(()),
+        false => Err(not_redundant(spec, "on the reach")),
     }
+}
+
+fn not_redundant(spec: &LinkageSpec, place: &str) -> Vec<Fault> {
+    let what = spec.redundant.iter().map(|one| {
+        Fault::new(
+            format!("pairs.{}", spec.pairs[one.pair].name),
+            format!(
+                "{} is not redundant: it does not hold {place}",
+                one.describe(spec)
+            ),
+            "leave it out of the redundant ones",
+        )
+    });
+    what.collect()
 }

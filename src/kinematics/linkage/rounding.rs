@@ -12,6 +12,7 @@ use super::compile::compile;
 use super::course::Course;
 use super::dyad::Form;
 use super::plan::{Plan, Step};
+use super::skeleton::Skeleton;
 use super::solve::{Guess, Stuck, around, solve};
 use super::spec::{LinkageSpec, PairKind};
 use super::state::State;
@@ -84,7 +85,7 @@ impl Rounding {
 fn disturbed(linkage: &Linkage, seed: u64) -> Option<Linkage> {
     let core = &*linkage.core;
     let spec = moved(&core.spec, core.plan.size, seed);
-    let (plan, _) = compile(&spec, true).ok()?;
+    let (plan, _) = compile(&Skeleton::of(&spec), true).ok()?;
     let alike = |(one, other): (&Step, &Step)| discriminant(one) == discriminant(other);
     if plan.steps.len() != core.plan.steps.len()
         || !plan.steps.iter().zip(&core.plan.steps).all(alike)

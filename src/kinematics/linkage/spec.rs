@@ -14,6 +14,9 @@ pub struct LinkageSpec {
     pub pairs: Vec<PairSpec>,
     /// Gears, belts and racks between links.
     pub couplings: Vec<CouplingSpec>,
+    /// Constraints that hold what is held already, and are left out where positions are solved for.
+    /// [`Linkage::new`](super::Linkage::new) finds them where none is given, of a linkage of one input.
+    pub redundant: Vec<Redundant>,
     /// The pair whose relative motion is the input coordinate, index into
     /// [`Self::pairs`].
     pub driver: usize,
@@ -117,6 +120,37 @@ pub enum PairKind {
         /// Half the height c ≥ 0 of the block (m).
         half_height: f64,
     },
+}
+
+/// A constraint that is left out, because it follows from the others.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Redundant {
+    /// The pair, index into [`LinkageSpec::pairs`].
+    pub pair: usize,
+    /// The part of it that is left out.
+    pub part: RedundantPart,
+}
+
+/// The part of a pair that is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RedundantPart {
+    /// All of it: both equations.
+    Whole,
+    /// Of a pin of this link, which has one other pair: along the line to its other pin (the link's
+    /// length), or across its guide.
+    Along(usize),
+    /// Of a guide: that its block does not turn.
+    Couple,
+}
+
+impl Redundant {
+    /// Number of equations that are left out.
+    pub fn equations(&self) -> usize {
+        match self.part {
+            RedundantPart::Whole => 2,
+            RedundantPart::Along(_) | RedundantPart::Couple => 1,
+        }
+    }
 }
 
 /// Assembly of one Assur group: the group that contains `link`.

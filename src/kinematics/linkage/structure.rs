@@ -1,6 +1,6 @@
 //! The structure of a linkage: mobility and Assur groups in order of solution.
 
-use super::spec::LinkageSpec;
+use super::spec::{LinkageSpec, Redundant};
 use std::fmt;
 
 /// The kind of a group of links.
@@ -20,6 +20,8 @@ pub enum GroupKind {
     Prp,
     /// Two links; a pin to the rest, a guide between them, a guide to the rest.
     Rpp,
+    /// A link with a redundant constraint: what it is joined to holds it more often than it needs.
+    Overheld,
     /// A larger group, solved by Newton's method.
     Newton {
         /// Number of links that have to be found together.
@@ -36,6 +38,7 @@ impl fmt::Display for GroupKind {
             Self::Rpr => f.write_str("dyad RPR"),
             Self::Prp => f.write_str("dyad PRP"),
             Self::Rpp => f.write_str("dyad RPP"),
+            Self::Overheld => f.write_str("redundantly held link"),
             Self::Newton { links: 1 } => f.write_str("geared link"),
             Self::Newton { links } => write!(f, "group of {links} links"),
         }
@@ -80,6 +83,8 @@ pub struct Structure {
     pub explanation: String,
     /// The groups in the order of solution, the driver first.
     pub groups: Vec<Group>,
+    /// Constraints that hold what is held already, each in a sentence.
+    pub redundant: Vec<String>,
     /// Names of links, pairs and couplings, for display.
     names: [Vec<String>; 3],
 }
@@ -90,6 +95,7 @@ impl Structure {
             mobility: mobility(spec),
             explanation: explanation(spec),
             groups,
+            redundant: redundant(spec),
             names: [
                 spec.links.iter().map(|link| link.name.clone()).collect(),
                 spec.pairs.iter().map(|pair| pair.name.clone()).collect(),
@@ -138,6 +144,9 @@ impl Structure {
 impl fmt::Display for Structure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.explanation)?;
+        for sentence in &self.redundant {
+            writeln!(f, "{sentence}")?;
+        }
         for group in 0..self.groups.len() {
             writeln!(f, "{}. {}", group + 1, self.describe(group))?;
         }
@@ -145,9 +154,31 @@ impl fmt::Display for Structure {
     }
 }
 
-/// 3n − 2p − c.
+/// 3n − 2p − c, and what redundant constraints take away without holding anything.
 pub(super) fn mobility(spec: &LinkageSpec) -> i64 {
+    counted(spec) + redundancies(spec)
+}
+
+/// 3n − 2p − c.
+fn counted(spec: &LinkageSpec) -> i64 {
     3 * spec.links.len() as i64 - 2 * spec.pairs.len() as i64 - spec.couplings.len() as i64
+}
+
+/// Number of equations that are redundant.
+fn redundancies(spec: &LinkageSpec) -> i64 {
+    let equations = spec.redundant.iter().map(Redundant::equations);
+    equations.sum::<usize>() as i64
+}
+
+/// What is redundant, in sentences.
+fn redundant(spec: &LinkageSpec) -> Vec<String> {
+    let sentence = |one: &Redundant| {
+        format!(
+            "redundant: {} holds what is held already; the linkage moves in the same way without it",
+            one.describe(spec)
+        )
+    };
+    spec.redundant.iter().map(sentence).collect()
 }
 
 /// The count in words: `3 links, 4 pairs: 3·3 − 2·4 = 1 degree of freedom`.
@@ -160,8 +191,14 @@ pub(super) fn explanation(spec: &LinkageSpec) -> String {
         0 => (String::new(), String::new()),
         c => (format!(", {}", many(c, "coupling")), format!(" − {c}")),
     };
+    let (counted, redundancies) = (counted(spec), redundancies(spec));
+    let redundant = match redundancies {
+        0 => String::new(),
+        1 => format!("{counted}, 1 redundant constraint: {counted} + 1 = "),
+        r => format!("{counted}, {r} redundant constraints: {counted} + {r} = "),
+    };
     format!(
-        "{}, {}{coupled}: 3·{n} − 2·{p}{less} = {f} {word} of freedom",
+        "{}, {}{coupled}: 3·{n} − 2·{p}{less} = {redundant}{f} {word} of freedom",
         many(n, "moving link"),
         many(p, "pair")
     )

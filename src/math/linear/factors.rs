@@ -47,6 +47,41 @@ impl Factors {
         self.values[row * self.size + column] += value;
     }
 
+    /// Columns that the first `rows` rows can do without: those that elimination with the greatest
+    /// pivot of all leaves over. The last `kept` columns are not among them.
+    pub(crate) fn spare_columns(&self, rows: usize, kept: usize) -> Vec<usize> {
+        let (size, mut left) = (self.size, self.values[..rows * self.size].to_vec());
+        let mut spare: Vec<usize> = (0..size).collect();
+        let mut open: Vec<usize> = (0..rows).collect();
+        for step in 0..rows {
+            // Those that are kept are taken first.
+            let wanted = match step < kept {
+                true => size - kept + step..size - kept + step + 1,
+                false => 0..size,
+            };
+            let columns = spare.iter().filter(|column| wanted.contains(column));
+            let places = columns.flat_map(|&column| open.iter().map(move |&row| (row, column)));
+            let value = |&(row, column): &(usize, usize)| left[row * size + column].abs();
+            let Some(pivot) = places.max_by(|a, b| value(a).total_cmp(&value(b))) else {
+                break;
+            };
+            let (row, column) = pivot;
+            open.retain(|&other| other != row);
+            spare.retain(|&other| other != column);
+            let taken: Vec<f64> = left[row * size..(row + 1) * size].to_vec();
+            for &other in &open {
+                let factor = left[other * size + column] / taken[column];
+                if factor != 0.0 && factor.is_finite() {
+                    let own = &mut left[other * size..(other + 1) * size];
+                    own.iter_mut()
+                        .zip(&taken)
+                        .for_each(|(own, taken)| *own -= factor * taken);
+                }
+            }
+        }
+        spare
+    }
+
     /// Factorises the matrix in place; false if it is singular or not finite.
     pub(crate) fn factorise(&mut self) -> bool {
         self.norm = self.greatest_column();
@@ -182,6 +217,18 @@ mod tests {
                 assert!((transposed[k] - wanted[k]).abs() < 1e-11, "{size} {k}");
             }
         }
+    }
+
+    #[test]
+    fn columns_that_are_not_needed_are_spared() {
+        // x0 and x1 are tied to each other, x2 stands alone.
+        let mut factors = Factors::default();
+        factors.clear(3);
+        for (row, column, value) in [(0, 0, 1.0), (0, 1, 3.0), (1, 2, 1e-3)] {
+            factors.add(row, column, value);
+        }
+        assert_eq!(factors.spare_columns(2, 0), [0]);
+        assert_eq!(factors.spare_columns(2, 1), [0]);
     }
 
     #[test]

@@ -114,7 +114,8 @@ fn over_course(
     let mut unit = String::new();
     let mut curves = Vec::new();
     for (name, label) in names {
-        let Some(column) = all.iter().find(|column| column.name == *name) else {
+        let known = |column: &&Column| column.name == *name && !column.indeterminate;
+        let Some(column) = all.iter().find(known) else {
             continue;
         };
         let points: Vec<(f64, f64)> = study

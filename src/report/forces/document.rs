@@ -33,6 +33,7 @@ pub fn document(report: &ForcesReport<'_>) -> Value {
             .map_or(Value::Null, |c| cycle(c, study)),
     );
     object.insert("zones".into(), zones(study));
+    object.insert("indeterminate".into(), indeterminate(study));
     object.insert(
         "counterweight".into(),
         study
@@ -54,6 +55,17 @@ pub fn document(report: &ForcesReport<'_>) -> Value {
         object.insert("massless".into(), comparison(found));
     }
     Value::Object(object)
+}
+
+/// What rigid links leave open, and which constraints are redundant.
+fn indeterminate(study: &ForceStudy) -> Value {
+    let linkage = &study.linkage;
+    let redundant = linkage.redundant.iter().map(|one| one.describe(linkage));
+    json!({
+        "redundant": redundant.collect::<Vec<_>>(),
+        "reactions": study.open_names(),
+        "drive": study.indeterminate.drive,
+    })
 }
 
 fn extremes(study: &ForceStudy) -> Value {
@@ -134,7 +146,11 @@ fn values(study: &ForceStudy) -> Value {
     }
     for column in study.columns() {
         let values = study.rows.iter().map(|row| column.value(row));
-        object.insert(column.name.clone(), list(values.collect(), &column.unit));
+        let mut told = list(values.collect(), &column.unit);
+        if column.indeterminate {
+            told["indeterminate"] = json!(true);
+        }
+        object.insert(column.name.clone(), told);
     }
     Value::Object(object)
 }

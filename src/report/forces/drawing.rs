@@ -29,6 +29,7 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
         .pairs
         .iter()
         .enumerate()
+        .filter(|(pair, _)| !study.is_open(*pair))
         .map(|(pair, spec)| Arrow {
             name: format!("force in {}", spec.name),
             at: kept

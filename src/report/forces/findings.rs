@@ -49,6 +49,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
     let mut sections = vec![
         mechanism,
         zones(report),
+        open(study),
         Section::new(course(report)).figures(figures(report)),
         Section::new("Transmission").charts(WIDE, "", ratio),
         massless(report),
@@ -86,6 +87,9 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
     let drives: Vec<String> = drives.map(between).collect();
     let headline = match drives.is_empty() {
         false => format!("Driving force {}.", drives.join(", ")),
+        true if study.indeterminate.drive => {
+            "The driving force is statically indeterminate.".to_owned()
+        }
         true => "No position has forces.".to_owned(),
     };
     let missing = study.rows.len().saturating_sub(study.solved().count());
@@ -118,7 +122,8 @@ fn hodographs(study: &ForceStudy) -> Vec<Plot> {
         }
         hodograph(&format!("Force in {}", pair.name), "N", vectors)
     };
-    pairs.map(chart).collect()
+    let told = pairs.filter(|(index, _)| !study.is_open(*index));
+    told.map(chart).collect()
 }
 
 fn zones<'a>(report: &ForcesReport<'_>) -> Section<'a> {
@@ -134,6 +139,23 @@ fn zones<'a>(report: &ForcesReport<'_>) -> Section<'a> {
             .table(table)
             .legend("Shaded in the plots."),
     }
+}
+
+/// What rigid links leave open, and why.
+fn open<'a>(study: &ForceStudy) -> Section<'a> {
+    let names = study.open_names();
+    if names.is_empty() {
+        return Section::default();
+    }
+    let redundant = study.linkage.redundant.iter();
+    let redundant: Vec<String> = redundant.map(|one| one.describe(&study.linkage)).collect();
+    let words = format!(
+        "Redundant: {}. How the load is shared out depends on elasticity, clearances and errors of \
+         length, so that the forces of {} have no figures here.",
+        redundant.join("; "),
+        names.join(", ")
+    );
+    Section::new("Statically indeterminate").words(words)
 }
 
 fn course(report: &ForcesReport<'_>) -> String {
@@ -221,7 +243,7 @@ fn extremes(report: &ForcesReport<'_>) -> Table {
 }
 
 /// A row a position, everything in SI units, angles in radians; empty where a
-/// quantity has no value. χ stands with the name of its convention. The last column says why a
+/// quantity has no value, or is statically indeterminate. χ stands with the name of its convention. The last column says why a
 /// position has no forces.
 pub fn rows(study: &ForceStudy) -> Rows {
     let columns = study.columns();
@@ -232,9 +254,13 @@ pub fn rows(study: &ForceStudy) -> Rows {
             "chi" => format!("chi ({})", study.settings.convention.name()),
             name => name.to_owned(),
         };
+        let open = match column.indeterminate {
+            true => " (statically indeterminate)",
+            false => "",
+        };
         match column.unit.as_str() {
-            "" => name,
-            unit => format!("{name} [{unit}]"),
+            "" => format!("{name}{open}"),
+            unit => format!("{name} [{unit}]{open}"),
         }
     });
     let time = timed.then(|| "time [s]".to_owned());

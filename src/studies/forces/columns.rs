@@ -1,5 +1,6 @@
 //! The quantities of a position by name: what tables, files and plots show.
 
+use super::Rests;
 use super::row::{Forces, Row};
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind, PairKind};
@@ -15,6 +16,10 @@ pub struct Column {
     pub unit: String,
     /// True: its extremes are figures of the course.
     pub figure: bool,
+    /// True where rigid links leave it open: it then has no values.
+    pub indeterminate: bool,
+    /// Forces that it is reckoned from.
+    pub(super) rests: Vec<Rests>,
     read: Read,
 }
 
@@ -29,13 +34,22 @@ impl Column {
             name: name.into(),
             unit: unit.to_owned(),
             figure,
+            indeterminate: false,
+            rests: Vec::new(),
             read: Box::new(read),
         }
     }
 
-    /// Value at a position; `None` without forces or where it has none.
+    /// The same, reckoned from these forces.
+    fn resting(mut self, rests: &[Rests]) -> Self {
+        self.rests = rests.to_vec();
+        self
+    }
+
+    /// Value at a position; `None` without forces, where it has none, or where it is
+    /// statically indeterminate.
     pub fn value(&self, row: &Row) -> Option<f64> {
-        let forces = row.forces.as_ref().ok()?;
+        let forces = row.forces.as_ref().ok().filter(|_| !self.indeterminate)?;
         (self.read)(row, forces)
     }
 }
@@ -61,7 +75,7 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
             false,
             |row, _| Some(row.motion.acceleration),
         ),
-        Column::new("drive", force, true, |_, forces| Some(forces.drive)),
+        Column::new("drive", force, true, |_, forces| Some(forces.drive)).resting(&[Rests::Drive]),
     ];
     if let Some(output) = output {
         let kind = &linkage.outputs[output].kind;
@@ -129,6 +143,7 @@ fn solutions() -> Column {
     Column::new("solutions", "", false, |_, f| {
         Some(f.solved.solutions as f64)
     })
+    .resting(&[Rests::Drive])
 }
 
 /// Units of an output's displacement and load.
@@ -160,7 +175,7 @@ fn of_output(input: [&str; 2], output: [&str; 2]) -> [Column; 3] {
         Column::new("load", output[1], false, |_, forces| {
             forces.transmission.and_then(|found| found.load)
         }),
-        Column::new("chi", &chi, true, |_, forces| forces.chi),
+        Column::new("chi", &chi, true, |_, forces| forces.chi).resting(&[Rests::Drive]),
     ]
 }
 
@@ -202,7 +217,8 @@ fn of_pair(index: usize, name: &str, kind: &PairKind) -> Vec<Column> {
     list.push(Column::new(part("loss"), "W", false, move |_, f| {
         Some(f.pairs[index].loss)
     }));
-    list
+    let resting = |column: Column| column.resting(&[Rests::Pair(index)]);
+    list.into_iter().map(resting).collect()
 }
 
 /// Circumferential forces of gears, belts and racks.
@@ -214,19 +230,21 @@ fn of_couplings(linkage: &LinkageSpec) -> impl Iterator<Item = Column> {
         .map(|(index, coupling)| {
             let name = format!("{}.force", coupling.name);
             let read = move |_: &Row, f: &Forces| Some(f.couplings[index]);
-            Column::new(name, "N", true, read)
+            Column::new(name, "N", true, read).resting(&[Rests::Coupling(index)])
         })
 }
 
 fn of_power() -> Vec<Column> {
     vec![
-        Column::new("power.drive", "W", true, |_, f| Some(f.balance.drive)),
+        Column::new("power.drive", "W", true, |_, f| Some(f.balance.drive))
+            .resting(&[Rests::Drive]),
         Column::new("power.weights", "W", false, |_, f| Some(f.balance.weights)),
         Column::new("power.forces", "W", false, |_, f| Some(f.balance.forces)),
         Column::new("power.inertia", "W", false, |_, f| Some(f.balance.inertia)),
-        Column::new("power.loss", "W", true, |_, f| Some(f.balance.loss)),
-        Column::new("power.residual", "", false, |_, f| Some(f.balance.residual)),
-        Column::new("efficiency", "", true, |_, f| f.balance.efficiency),
+        Column::new("power.loss", "W", true, |_, f| Some(f.balance.loss)).resting(&[Rests::Drive]),
+        Column::new("power.residual", "", false, |_, f| Some(f.balance.residual))
+            .resting(&[Rests::Drive]),
+        Column::new("efficiency", "", true, |_, f| f.balance.efficiency).resting(&[Rests::Drive]),
     ]
 }
 
@@ -258,25 +276,26 @@ fn of_changes(linkage: &LinkageSpec, force: &str) -> Vec<Column> {
     let mut list = Vec::new();
     for (index, pair) in linkage.pairs.iter().enumerate() {
         let name = format!("drive_by.{}.friction", pair.name);
-        list.push(Column::new(name, force, false, move |_, f| {
+        let change = Column::new(name, force, false, move |_, f| {
             f.sensitivities.as_ref().map(|found| found.friction[index])
-        }));
+        });
+        list.push(change.resting(&[Rests::Drive, Rests::Pair(index)]));
     }
     for (index, link) in linkage.links.iter().enumerate() {
         let name = format!("drive_by.{}.mass", link.name);
-        list.push(Column::new(
-            name,
-            &format!("{force}/kg"),
-            false,
-            move |_, f| f.sensitivities.as_ref().map(|found| found.mass[index]),
-        ));
+        list.push(
+            Column::new(name, &format!("{force}/kg"), false, move |_, f| {
+                f.sensitivities.as_ref().map(|found| found.mass[index])
+            })
+            .resting(&[Rests::Drive]),
+        );
         let name = format!("drive_by.{}.moment", link.name);
-        list.push(Column::new(
-            name,
-            &format!("{force}/(kg m²)"),
-            false,
-            move |_, f| f.sensitivities.as_ref().map(|found| found.moment[index]),
-        ));
+        list.push(
+            Column::new(name, &format!("{force}/(kg m²)"), false, move |_, f| {
+                f.sensitivities.as_ref().map(|found| found.moment[index])
+            })
+            .resting(&[Rests::Drive]),
+        );
     }
     list
 }
@@ -296,15 +315,21 @@ fn of_ratio_changes(linkage: &LinkageSpec, unit: &str) -> Vec<Column> {
     let mut list = Vec::new();
     for (index, pair) in linkage.pairs.iter().enumerate() {
         let name = format!("chi_by.{}.friction", pair.name);
-        list.push(Column::new(name, unit, false, move |_, f| {
-            Some(per_drive(f)? * f.sensitivities.as_ref()?.friction[index])
-        }));
+        list.push(
+            Column::new(name, unit, false, move |_, f| {
+                Some(per_drive(f)? * f.sensitivities.as_ref()?.friction[index])
+            })
+            .resting(&[Rests::Drive, Rests::Pair(index)]),
+        );
     }
     for (index, link) in linkage.links.iter().enumerate() {
         let name = format!("chi_by.{}.mass", link.name);
-        list.push(Column::new(name, &per_mass, false, move |_, f| {
-            Some(per_drive(f)? * f.sensitivities.as_ref()?.mass[index])
-        }));
+        list.push(
+            Column::new(name, &per_mass, false, move |_, f| {
+                Some(per_drive(f)? * f.sensitivities.as_ref()?.mass[index])
+            })
+            .resting(&[Rests::Drive]),
+        );
     }
     list
 }

@@ -10,6 +10,7 @@ mod extremes;
 mod figures;
 mod loads;
 mod massless;
+mod open;
 mod row;
 mod scan;
 mod several;
@@ -23,13 +24,14 @@ pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
 pub use figures::{figures, figures_of_inputs};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
+pub use open::Rests;
 pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
 pub use several::{SeveralDrives, several_forces};
 pub use zones::{Zone, ZoneKind};
 
 use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{
-    BAD_CONDITION, Convention, Kinetostatics, Options,
+    BAD_CONDITION, Convention, Indeterminate, Kinetostatics, Options,
 };
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind};
 use crate::units::shown;
@@ -82,6 +84,8 @@ pub struct ForceStudy {
     pub cycle: Option<CycleForces>,
     /// Intervals of self-locking, of no solution, and out of reach.
     pub zones: Vec<Zone>,
+    /// Forces that rigid links leave open, at any of the positions.
+    pub indeterminate: Indeterminate,
     /// The counterweight on the input link that reduces the shaking force most.
     pub counterweight: Option<Counterweight>,
     /// Of a linkage of several inputs what belongs to these.
@@ -102,7 +106,7 @@ pub fn study<S: PositionSource>(
 ) -> Result<ForceStudy, Vec<Fault>> {
     let kinetostatics = Kinetostatics::new(linkage)?;
     let columns = columns(linkage, settings.output);
-    let mut study = solved(&kinetostatics, source, course, settings, &columns);
+    let mut study = solved(&kinetostatics, source, course, settings, columns);
     // The end of a turn counts once.
     study.counterweight = counterweight::fit(linkage, &study.rows[..study.course.len()]);
     Ok(study)
@@ -114,7 +118,7 @@ fn solved<S: PositionSource>(
     source: &mut S,
     course: Course,
     settings: ForceSettings,
-    columns: &[Column],
+    mut columns: Vec<Column>,
 ) -> ForceStudy {
     let mut solver = Solver::new(kinetostatics, source, &settings);
     let rows: Vec<Row> = (0..course.rows())
@@ -127,8 +131,13 @@ fn solved<S: PositionSource>(
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
     let zones = zones::find(&mut solver, &course);
-    let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones, columns);
-    let cycle = cycle::sum(&mut solver, &course, positions);
+    let indeterminate = open::joined(&rows);
+    open::mark(&mut columns, &indeterminate);
+    let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones, &columns);
+    let cycle = match indeterminate.drive {
+        true => None,
+        false => cycle::sum(&mut solver, &course, positions),
+    };
     ForceStudy {
         course,
         settings,
@@ -138,6 +147,7 @@ fn solved<S: PositionSource>(
         unbounded,
         cycle,
         zones,
+        indeterminate,
         counterweight: None,
         several: None,
     }
@@ -152,10 +162,12 @@ impl ForceStudy {
 
     /// All quantities, in the order of tables.
     pub fn columns(&self) -> Vec<Column> {
-        match &self.several {
+        let mut list = match &self.several {
             Some(several) => columns_of_inputs(&several.spec),
             None => columns(&self.linkage, self.settings.output),
-        }
+        };
+        open::mark(&mut list, &self.indeterminate);
+        list
     }
 
     /// Unit of what leads from row to row where that is not the time of a record: the input
@@ -215,7 +227,17 @@ impl ForceStudy {
             ));
         }
         let missing = self.rows.len() - self.solved().count();
-        if missing == 0 && self.cycle.is_none() && self.course.panels().is_some() {
+        if self.indeterminate.drive {
+            warnings.push(
+                "the friction of statically indeterminate pairs leaves the driving force open: it, its work and its losses are left out"
+                    .to_owned(),
+            );
+        }
+        if missing == 0
+            && !self.indeterminate.drive
+            && self.cycle.is_none()
+            && self.course.panels().is_some()
+        {
             warnings.push(
                 "between two positions there are no forces: work, losses and efficiency of the course are left out; more positions show where"
                     .to_owned(),

@@ -2,8 +2,8 @@
 
 use super::{ForceSettings, Instant, PositionSource};
 use crate::kinematics::linkage::kinetostatics::{
-    Balance, Convention, ForceFailure, ForceWorkspace, InputMotion, Kinetostatics, Positions,
-    Reaction, Sensitivities, Solved, Transmission,
+    Balance, Convention, ForceFailure, ForceWorkspace, Indeterminate, InputMotion, Kinetostatics,
+    Positions, Reaction, Sensitivities, Solved, Transmission,
 };
 use std::fmt;
 
@@ -55,6 +55,8 @@ pub struct Forces {
     /// Circumferential forces of the couplings, in the linkage's order, each on its second wheel
     /// or rack (N).
     pub couplings: Vec<f64>,
+    /// Which of these rigid links leave open; nothing where only a few figures were asked for.
+    pub indeterminate: Indeterminate,
     /// The power balance.
     pub balance: Balance,
     /// Ratio and load of the output asked for.
@@ -179,6 +181,7 @@ impl<'a, S: PositionSource> Solver<'a, S> {
             false => solver.solve(positions, motion, &options, w),
         };
         let solved = solved.map_err(Trouble::Failure)?;
+        let all = full;
         // Of several inputs there is no one force that changes, and no one ratio.
         let full = full && !solver.is_over_time();
         let output = self.settings.output;
@@ -204,6 +207,10 @@ impl<'a, S: PositionSource> Solver<'a, S> {
             couplings: (0..solver.spec().couplings.len())
                 .map(|coupling| solver.coupling_force(coupling, w))
                 .collect(),
+            indeterminate: match all {
+                true => solver.indeterminate(w),
+                false => Indeterminate::default(),
+            },
             balance: solver.balance(w),
             chi: transmission.and_then(ratio),
             convention: self.settings.convention,

@@ -59,7 +59,7 @@ pub fn several_forces(
         ..ForceSettings::default()
     };
     let columns = columns_of_inputs(spec);
-    let mut study = solved(&kinetostatics, &mut source, course, settings, &columns);
+    let mut study = solved(&kinetostatics, &mut source, course, settings, columns);
     let (axis, unit) = asked.axis();
     study.several = Some(SeveralDrives {
         spec: spec.clone(),

@@ -116,7 +116,7 @@ pub fn several_of<'m>(model: &'m Model, id: Option<&str>) -> Option<&'m MultiLin
 }
 
 /// Linkages, and objects that move by the short form of one, whose input cannot
-/// go everywhere: how far it can, in words.
+/// go everywhere: how far it can, in words; and the redundant constraints of linkages.
 pub fn reaches(model: &Model) -> Vec<String> {
     let limited = |part: &&ObjectPart| match short(model, part) {
         Some(law) => {
@@ -136,7 +136,12 @@ pub fn reaches(model: &Model) -> Vec<String> {
         let words = range.describe(subject.linkage.structure(), turning);
         format!("`{}`: input {words}", subject.object)
     });
-    words.collect()
+    let redundant = model.linkages.iter().flat_map(|body| {
+        let id = &model.objects[body.object].id;
+        let sentences = body.linkage.structure().redundant.iter();
+        sentences.map(move |sentence| format!("`{id}`: {sentence}"))
+    });
+    words.chain(redundant).collect()
 }
 
 /// The law of an object that moves by the short form of a linkage.

@@ -183,6 +183,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
         ground,
         pairs: pairs?,
         couplings: couplings?,
+        redundant: Vec::new(),
         driver: driven.unwrap_or_default(),
         assembly: assembly?,
         start: of_one.start,

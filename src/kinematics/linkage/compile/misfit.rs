@@ -3,8 +3,7 @@
 use super::Bodies;
 use crate::fault::Faults;
 use crate::kinematics::linkage::elements::Body;
-use crate::kinematics::linkage::redundant::parallel_rods;
-use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
+use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::kinematics::linkage::structure::{explanation, mobility};
 
 /// Says what holds a part more than once and what is free.
@@ -27,9 +26,6 @@ pub(super) fn misfit(
         names.join(", ")
     };
     let count = mobility(spec);
-    if count < 1 && redundant(spec, bodies, held, faults) {
-        return;
-    }
     if count != 1 {
         let hint = match count {
             ..=0 => "leave out pairs or add links until one degree of freedom is left",
@@ -83,38 +79,6 @@ pub(in crate::kinematics::linkage) fn tie_named<'a>(
         Some(&pair) => ["pairs", &spec.pairs[pair].name],
         None => ["couplings", &spec.couplings[tie - others.len()].name],
     }
-}
-
-/// Names the parallel rods, where it is they that are too many; true then.
-fn redundant(
-    spec: &LinkageSpec,
-    bodies: &Bodies,
-    held: &[(Vec<usize>, Vec<usize>)],
-    faults: &mut Faults,
-) -> bool {
-    let held = held.iter().flat_map(|(list, _)| list);
-    let mut links: Vec<usize> = held.flat_map(|&body| bodies.list[body].links()).collect();
-    links.sort_unstable();
-    links.dedup();
-    let Some(rods) = parallel_rods(spec, &links) else {
-        return false;
-    };
-    for &rod in &rods {
-        let name = &spec.links[rod].name;
-        let own = |pair: &&PairSpec| [pair.on.link, pair.link.link].contains(&Some(rod));
-        let pins: Vec<&str> = (spec.pairs.iter().filter(own))
-            .map(|pair| pair.name.as_str())
-            .collect();
-        faults.add(
-            format!("links.{name}"),
-            format!(
-                "`{name}` is a redundant parallel rod: the linkage moves in the same way without it, \
-                 and what it carries is not determined by rigid links"
-            ),
-            &format!("leave out `{name}` and its pairs {}", pins.join(" and ")),
-        );
-    }
-    true
 }
 
 /// Names as the subject of a sentence.

@@ -69,6 +69,7 @@ impl Kinetostatics {
                 }
             }
         }
+        self.set_spare_unknowns(&mut w.factors);
         w.factors.factorise()
     }
 
@@ -171,7 +172,9 @@ impl Kinetostatics {
     #[inline]
     pub(super) fn inertia_row(&self, row: usize, w: &ForceWorkspace) -> f64 {
         let (link, axis) = (row / 3, row % 3);
-        let body = &self.spec.links[link];
+        let Some(body) = self.spec.links.get(link) else {
+            return 0.0;
+        };
         let own = match axis {
             2 => body.moment * w.links[link].first[2] / self.length,
             axis => body.mass * w.centres[link].first[axis],
@@ -183,7 +186,9 @@ impl Kinetostatics {
     #[inline]
     pub(super) fn bias_row(&self, row: usize, w: &ForceWorkspace) -> f64 {
         let (link, axis) = (row / 3, row % 3);
-        let body = &self.spec.links[link];
+        let Some(body) = self.spec.links.get(link) else {
+            return 0.0;
+        };
         let own = match axis {
             2 => body.moment * w.links[link].second[2] / self.length,
             axis => body.mass * w.centres[link].second[axis],

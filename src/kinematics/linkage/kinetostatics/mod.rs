@@ -11,6 +11,10 @@
 //! A linkage of several inputs has a driving force at each, so that their number takes the place
 //! of one; time takes that of the input coordinate ([`Kinetostatics::solve_over_time`]).
 //!
+//! Redundant constraints leave more unknowns than equations: as many unknowns, those that the equations
+//! can best do without, are zero by a further row each. That is one solution of many; which unknowns
+//! all of them share is told by [`Kinetostatics::indeterminate`].
+//!
 //! Conventions: a pair joins link i (`on`) to link j (`link`); its reactions act
 //! on j from i. The driver's force is a couple on j (opposite on i) or a force
 //! on j along the guide, positive along the input coordinate.
@@ -24,6 +28,7 @@ mod couplings;
 mod equations;
 mod external;
 mod friction;
+mod indeterminate;
 mod iteration;
 mod outputs;
 mod place;
@@ -39,6 +44,7 @@ mod solve;
 mod workspace;
 
 pub use accelerate::{Acceleration, Outcome};
+pub use indeterminate::Indeterminate;
 pub use iteration::{Convergence, Method};
 pub use positions::{InputMotion, LinkPosition, PointPosition, Positions};
 pub use ratio::{Convention, Transmission};
@@ -51,7 +57,7 @@ pub use workspace::ForceWorkspace;
 
 use super::couplings::Meeting;
 use super::multi::spec::{InputCoordinate, MultiSpec};
-use super::spec::{LinkageSpec, PairKind, PairSpec};
+use super::spec::{LinkageSpec, PairKind, PairSpec, Redundant};
 use crate::fault::{Fault, Faults};
 use friction::Law;
 
@@ -88,6 +94,8 @@ pub struct Kinetostatics {
     directions: Vec<[f64; 2]>,
     /// Places of each block's corners along its guide (m).
     corners: Vec<[f64; 2]>,
+    /// Number of equations of constraints that are redundant.
+    redundant: usize,
     /// How the pairs of each coupling stand to its carrier.
     meetings: Vec<Meeting>,
     /// Factors of friction of each pair that has any, without sign.
@@ -103,7 +111,7 @@ impl Kinetostatics {
     ///
     /// Negative or non-finite masses, moments of inertia, coefficients of
     /// friction, diameters or heights; a block without length; a number of
-    /// pairs and couplings with 2·pairs + couplings other than 3n − 1.
+    /// pairs and couplings with 2·pairs + couplings other than 3n − 1 (and redundant constraints).
     pub fn new(spec: &LinkageSpec) -> Result<Self, Vec<Fault>> {
         check(spec, 1)?;
         if spec.driver >= spec.pairs.len() {
@@ -141,6 +149,7 @@ impl Kinetostatics {
             directions: pairs.iter().map(direction).collect(),
             corners: pairs.iter().map(|pair| corners(pair, length)).collect(),
             friction_factors: pairs.iter().map(|pair| friction(pair, length)).collect(),
+            redundant: spec.redundant.iter().map(Redundant::equations).sum(),
             meetings: couplings::meetings(spec),
             inertia_scale: if inertia > 0.0 { inertia } else { 1.0 },
             spec: spec.clone(),
@@ -155,6 +164,7 @@ impl Kinetostatics {
             spec.pairs.len(),
             spec.forces.len(),
             spec.outputs.len(),
+            self.redundant,
         ])
     }
 
@@ -173,9 +183,9 @@ impl Kinetostatics {
         self.friction_factors.iter().any(Option::is_some)
     }
 
-    /// Number of equations.
+    /// Number of equations: three a link, one for each unknown that is zero.
     fn size(&self) -> usize {
-        3 * self.spec.links.len()
+        3 * self.spec.links.len() + self.redundant
     }
 
     /// True of a linkage of several inputs.
@@ -307,8 +317,9 @@ fn check(spec: &LinkageSpec, inputs: usize) -> Result<(), Vec<Fault>> {
 /// As many equations as unknowns.
 fn count(spec: &LinkageSpec, inputs: usize, faults: &mut Faults) {
     let (links, pairs) = (spec.links.len(), spec.pairs.len());
+    let redundant: usize = spec.redundant.iter().map(Redundant::equations).sum();
     let unknowns = 2 * pairs + spec.couplings.len() + inputs;
-    if unknowns != 3 * links {
+    if unknowns != 3 * links + redundant {
         let coupled = match spec.couplings.len() {
             0 => String::new(),
             couplings => format!(" and {couplings} couplings"),

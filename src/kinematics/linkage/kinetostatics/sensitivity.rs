@@ -123,7 +123,7 @@ impl Kinetostatics {
         row[size - 1] = self.drive_unit();
         w.factors.solve_transposed(&mut row);
         let (mut error, mut greatest) = (0.0f64, 0.0f64);
-        for (index, value) in row.iter().enumerate() {
+        for (index, value) in row[..3 * self.spec.links.len()].iter().enumerate() {
             let (link, axis) = (index / 3, index % 3);
             let transfer = match axis {
                 2 => w.links[link].first[2] * self.length,

@@ -78,10 +78,10 @@ pub struct ForceWorkspace {
 }
 
 impl ForceWorkspace {
-    /// Memory for `links` links, `pairs` pairs, `forces` forces and `outputs`
-    /// outputs.
-    pub(super) fn with_room([links, pairs, forces, outputs]: [usize; 4]) -> Self {
-        let size = 3 * links;
+    /// Memory for `links` links, `pairs` pairs, `forces` forces, `outputs` outputs and
+    /// `idle` unknowns that are zero.
+    pub(super) fn with_room([links, pairs, forces, outputs, idle]: [usize; 5]) -> Self {
+        let size = 3 * links + idle;
         let most = 2 * pairs;
         Self {
             links: vec![LinkPosition::GROUND; links],

@@ -8,6 +8,7 @@ mod forces;
 mod kinetostatics;
 mod known;
 mod random;
+mod redundant;
 mod refusals;
 mod resistance;
 mod support;

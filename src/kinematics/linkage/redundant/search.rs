@@ -1,0 +1,135 @@
+//! Which constraints of a linkage follow from the others.
+//!
+//! Candidates are left out, as many as the count of degrees of freedom lacks, and what is left is
+//! put together and followed over its reach; what was left out must hold there.
+
+use super::{other_pair, pairs_of};
+use crate::kinematics::linkage::Linkage;
+use crate::kinematics::linkage::elements::slides;
+use crate::kinematics::linkage::spec::{
+    CouplingSpec, LinkageSpec, PairSpec, Redundant, RedundantPart,
+};
+use crate::kinematics::linkage::structure::mobility;
+
+/// Most equations that are left out together.
+const MOST_EQUATIONS: usize = 4;
+/// Most choices that are tried.
+const MOST_TRIED: usize = 1000;
+
+/// The linkage that moves although the count of its degrees of freedom says no; `None` where it
+/// does not move, or the search finds no reason.
+pub(in crate::kinematics::linkage) fn found(
+    spec: &LinkageSpec,
+    closed_forms: bool,
+) -> Option<Linkage> {
+    let missing = usize::try_from(1 - mobility(spec)).ok()?;
+    if !spec.redundant.is_empty() || missing == 0 || missing > MOST_EQUATIONS {
+        return None;
+    }
+    let mut search = Search {
+        candidates: candidates(spec),
+        trial: spec.clone(),
+        left: MOST_TRIED,
+        closed_forms,
+    };
+    search.leave_out(0, missing)
+}
+
+struct Search {
+    candidates: Vec<Redundant>,
+    /// The linkage with what is left out at present.
+    trial: LinkageSpec,
+    /// Choices that may still be tried.
+    left: usize,
+    closed_forms: bool,
+}
+
+impl Search {
+    /// Leaves out `missing` more equations by candidates from the one given on.
+    fn leave_out(&mut self, from: usize, missing: usize) -> Option<Linkage> {
+        if missing == 0 {
+            self.left = self.left.checked_sub(1)?;
+            return Linkage::built(self.trial.clone(), self.closed_forms).ok();
+        }
+        for index in from..self.candidates.len() {
+            let next = self.candidates[index];
+            let fits = next.equations() <= missing;
+            let mut chosen = self.trial.redundant.iter();
+            if self.left == 0 || !fits || chosen.any(|one| collides(one, &next)) {
+                continue;
+            }
+            self.trial.redundant.push(next);
+            let found = self.leave_out(index + 1, missing - next.equations());
+            self.trial.redundant.pop();
+            if found.is_some() {
+                return found;
+            }
+        }
+        None
+    }
+}
+
+/// Two parts of one pair or of one link are not left out together.
+fn collides(one: &Redundant, other: &Redundant) -> bool {
+    let same_link = matches!(
+        (one.part, other.part),
+        (RedundantPart::Along(a), RedundantPart::Along(b)) if a == b
+    );
+    one.pair == other.pair || same_link
+}
+
+/// What could be left out: whole pairs beside another one of the same links, links that hang between
+/// two pairs, guides that turn; the last ones first, so that what was there before stays.
+fn candidates(spec: &LinkageSpec) -> Vec<Redundant> {
+    let mut list = beside_another(spec);
+    for link in (0..spec.links.len()).rev() {
+        list.extend(between(spec, link));
+    }
+    for pair in (0..spec.pairs.len()).rev() {
+        if pair != spec.driver && slides(&spec.pairs[pair]) {
+            let part = RedundantPart::Couple;
+            list.push(Redundant { pair, part });
+        }
+    }
+    list
+}
+
+/// Pairs whose links are joined by an earlier pair of the same kind.
+fn beside_another(spec: &LinkageSpec) -> Vec<Redundant> {
+    let ends = |pair: &PairSpec| {
+        let mut ends = [pair.on.link, pair.link.link];
+        ends.sort_unstable();
+        (ends, pair.slides())
+    };
+    let doubled = |&index: &usize| {
+        let own = ends(&spec.pairs[index]);
+        index != spec.driver
+            && (0..spec.pairs.len()).any(|other| {
+                (other < index || other == spec.driver) && ends(&spec.pairs[other]) == own
+            })
+    };
+    let part = RedundantPart::Whole;
+    let pairs = (0..spec.pairs.len()).rev().filter(doubled);
+    pairs.map(|pair| Redundant { pair, part }).collect()
+}
+
+/// A pin of a link that has but two pairs, both to other links and neither driven.
+fn between(spec: &LinkageSpec, link: usize) -> Option<Redundant> {
+    let coupled = |coupling: &CouplingSpec| coupling.links().contains(&Some(link));
+    if spec.couplings.iter().any(coupled) {
+        return None;
+    }
+    let own: Vec<usize> = pairs_of(spec, link).collect();
+    let driven = own.contains(&spec.driver);
+    let pin = own
+        .iter()
+        .rev()
+        .copied()
+        .find(|&p| !slides(&spec.pairs[p]))?;
+    let redundant = Redundant {
+        pair: pin,
+        part: RedundantPart::Along(link),
+    };
+    let hangs = other_pair(spec, link, pin).is_some() && redundant.direction(spec).is_some();
+    (hangs && !driven).then_some(redundant)
+}
