@@ -117,7 +117,7 @@ pub(crate) fn run(
     let mut charts = charts(&shown.collect::<Vec<_>>(), over, before);
     let machine = Machine { model, cams };
     let moving = machine.moving(figures, &merged, &mut charts.plots);
-    let tables = super::run::objects(figures, merged.times.len());
+    let tables = super::run::objects(figures, [merged.times.len(); 2]);
     let tables = tables.iter().map(|section| section.html(&mut charts.plots));
     let tables: String = tables.collect();
     let compared = compared(figures, beside);

@@ -47,4 +47,5 @@ pub mod run;
 pub mod show;
 pub mod steady;
 pub mod svg;
+mod thinned;
 pub mod verdict;

@@ -11,6 +11,7 @@ use super::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use super::html::{mechanism, runs};
 use super::machine::Machine;
 use super::quantity::{significant, with_unit};
+use super::thinned::drawn;
 use super::verdict::{Verdict, verdict};
 use crate::dynamics::record::{Figures, Record};
 use crate::studies::order::Certificate;
@@ -43,8 +44,8 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         machine,
         ..
     } = *report;
-    let record = Rc::new(report.record.merged());
-    let samples = record.times.len();
+    let record = Rc::new(drawn(report.record));
+    let samples = [report.record, &*record].map(|one| one.times.len() + one.closeups.times.len());
     let mut sections = vec![Section::default().drawing(|plots| mechanism(diagram, plots))];
     if let Some(machine) = machine {
         let record = Rc::clone(&record);
@@ -82,14 +83,23 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
     }
 }
 
-/// The figures of all objects, of their pairs, stops and joints.
-pub(in crate::report) fn objects<'a>(figures: &Figures, samples: usize) -> Vec<Section<'a>> {
+/// The figures of all objects, of their pairs, stops and joints; `samples`: of the record, and of them
+/// those that the plots join.
+pub(in crate::report) fn objects<'a>(
+    figures: &Figures,
+    [samples, joined]: [usize; 2],
+) -> Vec<Section<'a>> {
+    let plots = match joined == samples {
+        true => String::from("that the plots join."),
+        false => format!(
+            "of which the plots join {joined}, of every stretch the least and the greatest."
+        ),
+    };
     let mut sections = vec![
         Section::new("Figures")
             .table(tables::figures(figures))
             .legend(format!(
-                "Peaks and extremes also cover what lies between the {samples} samples that the \
-                 plots join."
+                "Peaks and extremes also cover what lies between the {samples} samples {plots}"
             )),
         Section::new("Driving pairs")
             .table(tables::pairs(figures))
