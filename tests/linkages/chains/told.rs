@@ -307,7 +307,7 @@ fn a_weld_makes_two_links_one() {
         assert!((pin - weld).abs() < 1e-9, "{pin} {weld}");
         pin
     });
-    assert!((force[0].hypot(force[1]) - 510.310_363_079_828_77).abs() < 1e-9);
+    assert!((force[0].hypot(force[1]) - 510.310_363_079_828_8).abs() < 1e-9);
     assert!(value(&found, "S.couple").abs() < 1e-9);
     let whole = document(&[
         "forces",
