@@ -101,6 +101,7 @@ __all__ = [
     "Torsion",
     "Trapezoid",
     "Weight",
+    "Weld",
     "Window",
 ]
 
@@ -1506,7 +1507,7 @@ class Linkage(Tree):
         Outputs by name: other objects take them as `input`, as in `press.ram`, and they are
         recorded. Default: {}.
     pairs
-        The kinematic pairs by name.
+        The kinematic pairs by name, and the welds.
     position
         Input coordinate over the driver's displacement: a constant ratio. Default:
         {"ratio": 1.0}.
@@ -1933,6 +1934,9 @@ class LinkagePair(Tree):
         that of the first.
     sliding
         A block that slides along a guide.
+    weld
+        Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam
+        forces` tells its force and couple.
     """
 
     __slots__ = ()
@@ -1944,12 +1948,14 @@ class LinkagePair(Tree):
         friction: Quantity | None = None,
         revolute: Sequence[str] | None = None,
         sliding: Sliding | Mapping[str, Value] | None = None,
+        weld: Weld | Mapping[str, Value] | None = None,
     ) -> None:
         super().__init__(
             ("diameter", diameter),
             ("friction", friction),
             ("revolute", revolute),
             ("sliding", sliding),
+            ("weld", weld),
         )
 
 
@@ -3982,6 +3988,36 @@ class Weight(Tree):
     ) -> None:
         super().__init__(
             ("inclination", inclination),
+        )
+
+
+class Weld(Tree):
+    """Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam forces` tells its force and couple.
+
+    Parameters
+    ----------
+    link
+        The same point on the second link, on which force and couple act.
+    on
+        The weld's point on the first link, to which its force and couple refer.
+    angle
+        Angle of the second link's frame less that of the first (angle in rad, deg, mrad or
+        rev) Default: 0.0.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        link: str,
+        on: str,
+        angle: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("link", link),
+            ("on", on),
+            ("angle", angle),
         )
 
 

@@ -5,6 +5,7 @@ use super::couplings;
 use super::spec::{
     AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf, RedundantPart,
 };
+use super::welds;
 use crate::fault::{Fault, Faults};
 
 /// Most links: what is dense in their number (a larger group, the equations of all
@@ -31,7 +32,12 @@ pub(super) fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
         found.add("links", message, &format!("at most {MOST_LINKS}"));
     }
     names(found, "links", spec.links.iter().map(|link| &link.name));
-    names(found, "pairs", spec.pairs.iter().map(|pair| &pair.name));
+    let welds = spec.welds.iter().map(|weld| &weld.name);
+    names(
+        found,
+        "pairs",
+        spec.pairs.iter().map(|pair| &pair.name).chain(welds),
+    );
     for point in &spec.ground {
         place(found, &format!("ground.{}", point.name), point.at);
     }
@@ -39,6 +45,12 @@ pub(super) fn check(spec: &LinkageSpec) -> Result<(), Vec<Fault>> {
     for pair in &spec.pairs {
         self::pair(spec, pair, found);
     }
+    for weld in &spec.welds {
+        for (end, at) in [("on", &weld.on), ("link", &weld.link)] {
+            self::point(spec, &format!("pairs.{}.{end}", weld.name), at, found);
+        }
+    }
+    welds::check(spec, found);
     names(
         found,
         "couplings",

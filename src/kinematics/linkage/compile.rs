@@ -31,7 +31,7 @@ pub(super) fn compile(
     let spec = &skeleton.spec;
     let mut faults = Faults::default();
     let driver = Driver::new(&spec.pairs[spec.driver]);
-    let bodies = bodies(spec, &driver);
+    let bodies = bodies(skeleton, &driver);
     let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
     let others: Vec<usize> = (0..spec.pairs.len())
         .filter(|&p| p != spec.driver && skeleton.solves(p))
@@ -80,6 +80,7 @@ pub(super) fn compile(
     let plan = Plan {
         driver,
         steps,
+        attached: skeleton.attached.clone(),
         links: spec.links.len(),
         size: size(spec),
     };
@@ -124,7 +125,9 @@ pub(super) fn members(
     )
 }
 
-fn bodies(spec: &LinkageSpec, driver: &Driver) -> Bodies {
+fn bodies(skeleton: &Skeleton, driver: &Driver) -> Bodies {
+    let spec = &skeleton.spec;
+    let attached = |link: usize| skeleton.attached.iter().any(|one| one.link == link);
     let assembly = driver.assembly();
     let on_ground = |link: usize| {
         assembly.is_none() && (driver.on.link == Some(link) || driver.link.link == Some(link))
@@ -133,7 +136,7 @@ fn bodies(spec: &LinkageSpec, driver: &Driver) -> Bodies {
     let mut of_link = vec![None; spec.links.len()];
     for link in 0..spec.links.len() {
         match assembly {
-            _ if on_ground(link) => {}
+            _ if on_ground(link) || attached(link) => {}
             Some(body) if body.has(link) => {
                 let index = list.iter().position(|known| *known == body);
                 of_link[link] = Some(index.unwrap_or(list.len()));

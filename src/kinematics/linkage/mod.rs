@@ -49,6 +49,7 @@ mod structure;
 mod tests;
 pub(crate) mod vector;
 mod walk;
+mod welds;
 mod workspace;
 
 pub use forces::ForcePart;
@@ -112,6 +113,7 @@ impl Linkage {
         let (plan, mut groups) = compile::compile(&skeleton, closed_forms)?;
         let mut state = plan.state();
         let branches = assemble::assemble(&skeleton.spec, &plan, &groups, &mut state)?;
+        plan.attach::<1>(&mut state);
         redundant::holds_at_start(&spec, &state, plan.size)?;
         for (group, branch) in groups[1..].iter_mut().zip(&branches) {
             let two_ways = matches!(group.kind, GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr);

@@ -7,6 +7,7 @@ use super::newton::NewtonGroup;
 use super::spec::{LinkageSpec, PairKind, PairSpec};
 use super::state::{Motion, Scratch, State};
 use super::vector::{Local, Vector};
+use super::welds::Attached;
 
 /// The driver: the pair whose relative coordinate is the input.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,6 +89,8 @@ pub(super) struct Plan {
     pub(super) driver: Driver,
     /// The groups after the driver, in the order of solution.
     pub(super) steps: Vec<Step>,
+    /// Links that are welded to others, placed after all groups.
+    pub(super) attached: Vec<Attached>,
     /// Number of links.
     pub(super) links: usize,
     /// A length typical of the linkage (m).
@@ -95,6 +98,15 @@ pub(super) struct Plan {
 }
 
 impl Plan {
+    /// Places the links that are welded to others, these being placed.
+    #[inline]
+    pub(super) fn attach<const N: usize>(&self, state: &mut State) {
+        for one in &self.attached {
+            let frame = one.frame::<N>(&state.frame(one.base));
+            state.links[one.link].set(&frame);
+        }
+    }
+
     /// Memory for solving, everything in the frame of the ground.
     pub(super) fn state(&self) -> State {
         let most = self.steps.iter().map(|step| match step {

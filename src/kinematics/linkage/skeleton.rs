@@ -1,4 +1,5 @@
-//! What is solved in place of a linkage: without the constraints that are redundant.
+//! What is solved in place of a linkage: without the constraints that are redundant, welded links
+//! as one.
 //!
 //! A pin that is free along a direction of its link gets a hidden link, which slides along that
 //! direction and carries the pin; a guide whose block may turn gets one between block and guide. So
@@ -9,6 +10,7 @@ use super::spec::{
     AssemblySpec, LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf, Redundant, RedundantPart,
 };
 use super::structure::{Group, GroupKind};
+use super::welds::{self, Attached};
 
 /// A linkage as it is solved.
 #[derive(Clone, Debug)]
@@ -17,6 +19,8 @@ pub(super) struct Skeleton {
     pub(super) spec: LinkageSpec,
     /// Pairs that are left out.
     left_out: Vec<usize>,
+    /// Links that are attached to others, and have no pairs here.
+    pub(super) attached: Vec<Attached>,
     /// Number of the linkage's own links and pairs.
     own: [usize; 2],
 }
@@ -27,10 +31,13 @@ impl Skeleton {
         let mut skeleton = Self {
             own: [linkage.links.len(), linkage.pairs.len()],
             left_out: Vec::new(),
+            attached: welds::attached(linkage),
             spec: linkage.clone(),
         };
+        welds::give_to_bases(&mut skeleton.spec, &skeleton.attached);
+        let merged = skeleton.spec.clone();
         for redundant in &linkage.redundant {
-            skeleton.leave_out(linkage, redundant);
+            skeleton.leave_out(&merged, redundant);
         }
         skeleton
     }

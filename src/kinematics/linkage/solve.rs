@@ -71,6 +71,9 @@ pub(super) fn solve<const N: usize>(
             Step::Newton(group) => iterate::<N>(plan, group, guess, state, reduced, index)?,
         }
     }
+    if groups == plan.steps.len() {
+        plan.attach::<N>(state);
+    }
     Ok(())
 }
 

@@ -14,6 +14,8 @@ pub struct LinkageSpec {
     pub pairs: Vec<PairSpec>,
     /// Gears, belts and racks between links.
     pub couplings: Vec<CouplingSpec>,
+    /// Links that are welded together.
+    pub welds: Vec<WeldSpec>,
     /// Constraints that hold what is held already, and are left out where positions are solved for.
     /// [`Linkage::new`](super::Linkage::new) finds them where none is given, of a linkage of one input.
     pub redundant: Vec<Redundant>,
@@ -120,6 +122,19 @@ pub enum PairKind {
         /// Half the height c ≥ 0 of the block (m).
         half_height: f64,
     },
+}
+
+/// A weld that joins link i (`on`) to link j (`link`), or one of them to the ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WeldSpec {
+    /// Its name; none of the pairs has it.
+    pub name: String,
+    /// Point on link i, where j's point lies; its force and couple refer to it.
+    pub on: PointOf,
+    /// Point on link j.
+    pub link: PointOf,
+    /// Angle of j's frame less that of i's (rad).
+    pub angle: f64,
 }
 
 /// A constraint that is left out, because it follows from the others.

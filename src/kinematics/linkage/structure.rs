@@ -1,6 +1,6 @@
 //! The structure of a linkage: mobility and Assur groups in order of solution.
 
-use super::spec::{LinkageSpec, Redundant};
+use super::spec::{LinkageSpec, Redundant, WeldSpec};
 use std::fmt;
 
 /// The kind of a group of links.
@@ -83,6 +83,8 @@ pub struct Structure {
     pub explanation: String,
     /// The groups in the order of solution, the driver first.
     pub groups: Vec<Group>,
+    /// Welds, each in a sentence.
+    pub welded: Vec<String>,
     /// Constraints that hold what is held already, each in a sentence.
     pub redundant: Vec<String>,
     /// Names of links, pairs and couplings, for display.
@@ -95,6 +97,7 @@ impl Structure {
             mobility: mobility(spec),
             explanation: explanation(spec),
             groups,
+            welded: welded(spec),
             redundant: redundant(spec),
             names: [
                 spec.links.iter().map(|link| link.name.clone()).collect(),
@@ -144,7 +147,7 @@ impl Structure {
 impl fmt::Display for Structure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.explanation)?;
-        for sentence in &self.redundant {
+        for sentence in self.welded.iter().chain(&self.redundant) {
             writeln!(f, "{sentence}")?;
         }
         for group in 0..self.groups.len() {
@@ -154,20 +157,34 @@ impl fmt::Display for Structure {
     }
 }
 
-/// 3n − 2p − c, and what redundant constraints take away without holding anything.
+/// 3n − 2p − c − 3w, and what redundant constraints take away without holding anything.
 pub(super) fn mobility(spec: &LinkageSpec) -> i64 {
     counted(spec) + redundancies(spec)
 }
 
-/// 3n − 2p − c.
+/// 3n − 2p − c − 3w.
 fn counted(spec: &LinkageSpec) -> i64 {
-    3 * spec.links.len() as i64 - 2 * spec.pairs.len() as i64 - spec.couplings.len() as i64
+    let ties = 2 * spec.pairs.len() + spec.couplings.len() + 3 * spec.welds.len();
+    3 * spec.links.len() as i64 - ties as i64
 }
 
 /// Number of equations that are redundant.
 fn redundancies(spec: &LinkageSpec) -> i64 {
     let equations = spec.redundant.iter().map(Redundant::equations);
     equations.sum::<usize>() as i64
+}
+
+/// Which links are welded together, in sentences.
+fn welded(spec: &LinkageSpec) -> Vec<String> {
+    let name = |link: Option<usize>| match link {
+        Some(link) => format!("`{}`", spec.links[link].name),
+        None => "the ground".to_owned(),
+    };
+    let sentence = |weld: &WeldSpec| {
+        let [on, link] = [weld.on.link, weld.link.link].map(name);
+        format!("welded: {link} to {on} by `{}`", weld.name)
+    };
+    spec.welds.iter().map(sentence).collect()
 }
 
 /// What is redundant, in sentences.
@@ -191,6 +208,10 @@ pub(super) fn explanation(spec: &LinkageSpec) -> String {
         0 => (String::new(), String::new()),
         c => (format!(", {}", many(c, "coupling")), format!(" − {c}")),
     };
+    let (welded, lesser) = match spec.welds.len() {
+        0 => (String::new(), String::new()),
+        w => (format!(", {}", many(w, "weld")), format!(" − 3·{w}")),
+    };
     let (counted, redundancies) = (counted(spec), redundancies(spec));
     let redundant = match redundancies {
         0 => String::new(),
@@ -198,7 +219,7 @@ pub(super) fn explanation(spec: &LinkageSpec) -> String {
         r => format!("{counted}, {r} redundant constraints: {counted} + {r} = "),
     };
     format!(
-        "{}, {}{coupled}: 3·{n} − 2·{p}{less} = {redundant}{f} {word} of freedom",
+        "{}, {}{coupled}{welded}: 3·{n} − 2·{p}{less}{lesser} = {redundant}{f} {word} of freedom",
         many(n, "moving link"),
         many(p, "pair")
     )

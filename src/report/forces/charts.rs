@@ -56,6 +56,15 @@ pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
             ],
         )
     });
+    let welds = study.linkage.welds.iter().flat_map(|weld| {
+        let part = |what: &str| format!("{}.{what}", weld.name);
+        let force = [(part("force"), "size"), (part("x"), "x"), (part("y"), "y")];
+        let couple = [(part("couple"), "")];
+        [
+            chart(&format!("Force in {}", weld.name), &force),
+            chart(&format!("Couple in {}", weld.name), &couple),
+        ]
+    });
     let couplings = study.linkage.couplings.iter().map(|coupling| {
         let title = format!("Circumferential force of {}", coupling.name);
         one(&title, &format!("{}.force", coupling.name))
@@ -97,7 +106,7 @@ pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
     };
     vec![
         section("Driving force, power, efficiency", drive),
-        section("Reactions", pairs.chain(couplings).collect()),
+        section("Reactions", pairs.chain(welds).chain(couplings).collect()),
         section("The frame", frame.into()),
         section("Sensitivity", changes.into()),
     ]

@@ -41,6 +41,20 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
                 .map(|(_, _, forces)| forces.pairs[pair].force)
                 .collect(),
         });
+    let open = &study.indeterminate.welds;
+    let welds = study.linkage.welds.iter().enumerate();
+    let told = welds.filter(|(weld, _)| open.get(*weld) != Some(&true));
+    let welds = told.map(|(weld, spec)| Arrow {
+        name: format!("force in {}", spec.name),
+        at: kept
+            .iter()
+            .map(|(_, _, forces)| forces.welds[weld].point)
+            .collect(),
+        vector: kept
+            .iter()
+            .map(|(_, _, forces)| forces.welds[weld].force)
+            .collect(),
+    });
     let shaking = Arrow {
         name: "shaking force".to_owned(),
         at: kept.iter().map(|_| [0.0; 2]).collect(),
@@ -78,7 +92,7 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
         },
         paths: Vec::new(),
         arrows: vec![
-            set("reactions", true, reactions.collect()),
+            set("reactions", true, reactions.chain(welds).collect()),
             set("shaking force at the origin", false, vec![shaking]),
         ],
     }

@@ -10,7 +10,9 @@ use crate::math::order::Total;
 pub(super) fn places(spec: &LinkageSpec, link: usize) -> Vec<[f64; 2]> {
     let named = spec.links[link].points.iter().map(|point| point.at);
     let paired = spec.pairs.iter().flat_map(|pair| [&pair.on, &pair.link]);
+    let welded = spec.welds.iter().flat_map(|weld| [&weld.on, &weld.link]);
     let paired = paired
+        .chain(welded)
         .filter(|end| end.link == Some(link))
         .map(|end| end.at);
     let mut places: Vec<[f64; 2]> = Vec::new();

@@ -84,6 +84,9 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
     for (index, pair) in linkage.pairs.iter().enumerate() {
         list.extend(of_pair(index, &pair.name, &pair.kind));
     }
+    for (index, weld) in linkage.welds.iter().enumerate() {
+        list.extend(of_weld(index, &weld.name));
+    }
     list.extend(of_couplings(linkage));
     list.extend(of_power());
     list.extend(of_frame());
@@ -219,6 +222,28 @@ fn of_pair(index: usize, name: &str, kind: &PairKind) -> Vec<Column> {
     }));
     let resting = |column: Column| column.resting(&[Rests::Pair(index)]);
     list.into_iter().map(resting).collect()
+}
+
+/// Force and couple of a weld, on its second link.
+fn of_weld(index: usize, name: &str) -> [Column; 4] {
+    let part = |what: &str| format!("{name}.{what}");
+    let size = move |_: &Row, f: &Forces| {
+        let [x, y] = f.welds[index].force;
+        Some(x.hypot(y))
+    };
+    [
+        Column::new(part("force"), "N", true, size),
+        Column::new(part("x"), "N", false, move |_, f| {
+            Some(f.welds[index].force[0])
+        }),
+        Column::new(part("y"), "N", false, move |_, f| {
+            Some(f.welds[index].force[1])
+        }),
+        Column::new(part("couple"), "N m", true, move |_, f| {
+            Some(f.welds[index].couple)
+        }),
+    ]
+    .map(|column| column.resting(&[Rests::Weld(index)]))
 }
 
 /// Circumferential forces of gears, belts and racks.

@@ -10,6 +10,8 @@ pub enum Rests {
     Pair(usize),
     /// Force of a coupling, index into the linkage's couplings.
     Coupling(usize),
+    /// Force and couple of a weld, index into the linkage's welds.
+    Weld(usize),
     /// Driving force, or all friction together.
     Drive,
 }
@@ -21,6 +23,7 @@ impl Rests {
         match self {
             Self::Pair(pair) => among(&open.pairs, pair),
             Self::Coupling(coupling) => among(&open.couplings, coupling),
+            Self::Weld(weld) => among(&open.welds, weld),
             Self::Drive => open.drive,
         }
     }
@@ -48,7 +51,7 @@ impl ForceStudy {
         Rests::Pair(pair).is_open(&self.indeterminate)
     }
 
-    /// Names of the pairs and couplings whose forces are statically indeterminate.
+    /// Names of the pairs, welds and couplings whose forces are statically indeterminate.
     pub fn open_names(&self) -> Vec<&str> {
         let pairs = self.linkage.pairs.iter().zip(&self.indeterminate.pairs);
         let pairs = pairs.filter(|(_, open)| **open).map(|(one, _)| &one.name);
@@ -57,6 +60,9 @@ impl ForceStudy {
         let couplings = couplings
             .filter(|(_, open)| **open)
             .map(|(one, _)| &one.name);
-        pairs.chain(couplings).map(String::as_str).collect()
+        let welds = self.linkage.welds.iter().zip(&self.indeterminate.welds);
+        let welds = welds.filter(|(_, open)| **open).map(|(one, _)| &one.name);
+        let all = pairs.chain(welds).chain(couplings);
+        all.map(String::as_str).collect()
     }
 }

@@ -3,7 +3,7 @@
 use super::{ForceSettings, Instant, PositionSource};
 use crate::kinematics::linkage::kinetostatics::{
     Balance, Convention, ForceFailure, ForceWorkspace, Indeterminate, InputMotion, Kinetostatics,
-    Positions, Reaction, Sensitivities, Solved, Transmission,
+    Positions, Reaction, Sensitivities, Solved, Transmission, WeldForce,
 };
 use std::fmt;
 
@@ -52,6 +52,8 @@ pub struct Forces {
     pub others: Vec<f64>,
     /// The pairs, in the linkage's order.
     pub pairs: Vec<PairForces>,
+    /// The welds, in the linkage's order.
+    pub welds: Vec<WeldForce>,
     /// Circumferential forces of the couplings, in the linkage's order, each on its second wheel
     /// or rack (N).
     pub couplings: Vec<f64>,
@@ -203,6 +205,9 @@ impl<'a, S: PositionSource> Solver<'a, S> {
             others: w.other_drives().to_vec(),
             pairs: (0..solver.spec().pairs.len())
                 .map(|pair| of_pair(solver, pair, w))
+                .collect(),
+            welds: (0..solver.spec().welds.len())
+                .map(|weld| solver.weld_force(weld, w))
                 .collect(),
             couplings: (0..solver.spec().couplings.len())
                 .map(|coupling| solver.coupling_force(coupling, w))

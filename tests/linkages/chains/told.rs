@@ -281,6 +281,61 @@ fn joint_friction_of_what_is_left_open_is_refused() {
     assert!(said.contains("`A2` is statically indeterminate"), "{said}");
 }
 
+/// A rod with an arm welded to it, in the gate of the screen: two links as one, with the weld's force.
+#[test]
+fn a_weld_makes_two_links_one() {
+    let text = std::fs::read_to_string(scenario("linkages/three_cranks.json")).unwrap();
+    let mut scene: Value = serde_json::from_str(&text).unwrap();
+    scene.as_object_mut().unwrap().remove("expect");
+    let screen = &mut scene["objects"]["screen"];
+    screen["links"]["rod"] = json!({ "points": { "S": ["0.1 m", 0] } });
+    screen["links"]["end"] = json!({ "points": { "K": [0, "-0.2 m"] } });
+    screen["pairs"]["K"] = json!({ "revolute": ["end.K", "gate.origin"] });
+    screen["pairs"]["S"] =
+        json!({ "weld": { "on": "rod.S", "link": "end.origin", "angle": "90 deg" } });
+    let path = std::env::temp_dir().join("dam_weld.json");
+    std::fs::write(&path, scene.to_string()).unwrap();
+    let path = path.display().to_string();
+    let shown = String::from_utf8(dam(&["show", &path]).stdout).unwrap();
+    assert!(shown.contains("welded: `end` to `rod` by `S`"), "{shown}");
+    let asked = ["forces", &path, "--json", "--positions", "36"];
+    let value = |found: &Value, name: &str| found["columns"][name]["values"][9].as_f64().unwrap();
+    let found = document(&asked);
+    // The rod carries the pin's force, and at the weld its moment about that place: none.
+    let force = ["x", "y"].map(|axis| {
+        let [pin, weld] = ["K", "S"].map(|name| value(&found, &format!("{name}.{axis}")));
+        assert!((pin - weld).abs() < 1e-9, "{pin} {weld}");
+        pin
+    });
+    assert!((force[0].hypot(force[1]) - 510.310_363_079_828_8).abs() < 1e-9);
+    assert!(value(&found, "S.couple").abs() < 1e-9);
+    let whole = document(&[
+        "forces",
+        &scenario("linkages/three_cranks.json"),
+        "--json",
+        "--positions",
+        "36",
+    ]);
+    let [one, other] = [&found, &whole].map(|found| value(found, "drive"));
+    assert!((one - other).abs() < 1e-10);
+    // A weld has no friction, no coordinate, and joins what is not one yet.
+    scene["objects"]["screen"]["pairs"]["S"]["friction"] = json!(0.1);
+    let (code, said) = check(&scene);
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("a weld does not move and has no `friction`"),
+        "{said}"
+    );
+    scene["objects"]["screen"]["pairs"]["S"]
+        .as_object_mut()
+        .unwrap()
+        .remove("friction");
+    scene["objects"]["screen"]["outputs"]["seam"] = json!({ "pair": "S" });
+    let (code, said) = check(&scene);
+    assert_eq!(code, Some(2));
+    assert!(said.contains("there is no pair `S`"), "{said}");
+}
+
 #[test]
 fn a_second_input_is_refused_with_what_would_be_right() {
     let crank = json!({ "points": { "A": [0.3, 0] } });

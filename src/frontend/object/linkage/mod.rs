@@ -147,7 +147,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     fields.dimensions(doc);
     let mut names = Names::new(fields.node());
     let parts = links::read(fields, &mut names);
-    let pairs = pairs::read(fields, &names, several);
+    let (pairs, welds) = pairs::read(fields, &names, several).unzip();
     let couplings = couplings::read(fields, &names, pairs.as_deref());
     let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
@@ -183,6 +183,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
         ground,
         pairs: pairs?,
         couplings: couplings?,
+        welds: welds?,
         redundant: Vec::new(),
         driver: driven.unwrap_or_default(),
         assembly: assembly?,

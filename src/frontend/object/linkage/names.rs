@@ -37,7 +37,7 @@ impl Names {
         Self {
             ground: points(linkage.get(GROUND)),
             links: sorted(links, &[]).into_iter().map(of_link).collect(),
-            pairs: sorted(linkage.get("pairs"), &[]),
+            pairs: pairs(linkage.get("pairs")),
         }
     }
 
@@ -179,6 +179,17 @@ fn sorted(node: Option<&Node>, further: &[&str]) -> Vec<String> {
     names.extend(further.iter().map(|name| (*name).to_owned()));
     names.sort();
     names.dedup();
+    names
+}
+
+/// The names of the pairs, those of the welds among them left out.
+fn pairs(node: Option<&Node>) -> Vec<String> {
+    let is_weld = |name: &String| {
+        let pair = node.and_then(|node| node.get(name));
+        pair.is_some_and(|pair| pair.get("weld").is_some())
+    };
+    let mut names = sorted(node, &[]);
+    names.retain(|name| !is_weld(name));
     names
 }
 

@@ -3,7 +3,9 @@
 use super::names::Names;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot};
-use crate::kinematics::linkage::spec::{AssemblyChoice, AssemblySpec, PairKind, PairSpec, PointOf};
+use crate::kinematics::linkage::spec::{
+    AssemblyChoice, AssemblySpec, PairKind, PairSpec, PointOf, WeldSpec,
+};
 use crate::units::quantities as q;
 use serde_json::json;
 
@@ -18,17 +20,42 @@ pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
     }
 }
 
-/// Reads `pairs`, in the order of their names; `several`: those of a linkage of several
-/// inputs.
-pub(super) fn read(fields: &mut Fields<'_>, names: &Names, several: bool) -> Option<Vec<PairSpec>> {
-    fields.need("pairs", "The kinematic pairs by name.", |slot| {
-        slot.names(|name, slot| {
-            slot.defined("linkage_pair", |slot| pair(slot, name, names, several))
-        })
-    })
+/// What joins two links.
+enum Joined {
+    Pair(PairSpec),
+    Weld(WeldSpec),
 }
 
-fn pair(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<PairSpec> {
+/// Reads `pairs`, in the order of their names, and the welds among them; `several`: those of a
+/// linkage of several inputs.
+pub(super) fn read(
+    fields: &mut Fields<'_>,
+    names: &Names,
+    several: bool,
+) -> Option<(Vec<PairSpec>, Vec<WeldSpec>)> {
+    let doc = "The kinematic pairs by name, and the welds.";
+    let all = fields.need("pairs", doc, |slot| {
+        slot.names(|name, slot| {
+            slot.defined("linkage_pair", |slot| joined(slot, name, names, several))
+        })
+    });
+    let (mut pairs, mut welds) = (Vec::new(), Vec::new());
+    for one in all? {
+        match one {
+            Joined::Pair(pair) => pairs.push(pair),
+            Joined::Weld(weld) => welds.push(weld),
+        }
+    }
+    Some((pairs, welds))
+}
+
+/// How two links are joined.
+enum Kind {
+    Pair(PairKind),
+    Weld(f64),
+}
+
+fn joined(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<Joined> {
     slot.record(|fields| {
         let doc = "Coefficient of Coulomb friction μ; it counts in `dam forces`, and with `joint_friction` in the motion.";
         let friction = fields.or("friction", doc, json!(0.0), |slot| {
@@ -40,41 +67,85 @@ fn pair(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<Pair
             "A pin: its points on both links. Its coordinate is the angle of the second link less that of the first.",
             |slot| {
                 let (on, link) = slot.pair(|slot| names.point(slot), |slot| names.point(slot))?;
-                Some((on, link, PairKind::Revolute { diameter: 0.0 }))
+                let pin = PairKind::Revolute { diameter: 0.0 };
+                Some((on, link, Kind::Pair(pin)))
             },
         );
         kind.case("sliding", "A block that slides along a guide.", |slot| {
-            sliding(slot, names)
+            let (guide, block, kind) = sliding(slot, names)?;
+            Some((guide, block, Kind::Pair(kind)))
         });
+        let doc = "Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam forces` tells its force and couple.";
+        kind.case("weld", doc, |slot| weld(slot, names));
         let kind = kind.finish();
         let doc = "Diameter of the pin, for friction; default 0";
         let diameter = fields.maybe("diameter", doc, |slot| {
             slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
         });
-        let whole = fits_a_block(fields, friction.unwrap_or(0.0));
+        let whole = fits_a_block(fields, friction.unwrap_or(0.0)) && fits_a_weld(fields);
         if several && friction.is_some_and(|friction| friction > 0.0) {
             let message = "this friction counts in `dam forces` alone: in a run the pairs of a \
                            linkage of several inputs move freely";
             fields.warn("friction", "no-effect", message);
         }
-        let (friction, (on, link, mut kind), given) = (friction?, kind?, diameter?);
-        if let PairKind::Revolute { diameter } = &mut kind {
-            *diameter = given.unwrap_or(0.0);
-        }
+        let (friction, (on, link, kind), given) = (friction?, kind?, diameter?);
         if on.link == link.link {
             let message = format!("`{name}` joins a link to itself");
             fields.refuse("", "contradiction", message);
             return None;
         }
         whole.then_some(())?;
-        Some(PairSpec {
-            name: name.to_owned(),
+        let name = name.to_owned();
+        let mut kind = match kind {
+            Kind::Pair(kind) => kind,
+            Kind::Weld(angle) => {
+                return Some(Joined::Weld(WeldSpec {
+                    name,
+                    on,
+                    link,
+                    angle,
+                }));
+            }
+        };
+        if let PairKind::Revolute { diameter } = &mut kind {
+            *diameter = given.unwrap_or(0.0);
+        }
+        Some(Joined::Pair(PairSpec {
+            name,
             on,
             link,
             kind,
             friction,
-        })
+        }))
     })
+}
+
+/// Reads a weld: its point on both links, and how they are turned.
+fn weld(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, Kind)> {
+    slot.record(|fields| {
+        let doc = "The weld's point on the first link, to which its force and couple refer.";
+        let on = fields.need("on", doc, |slot| names.point(slot));
+        let doc = "The same point on the second link, on which force and couple act.";
+        let link = fields.need("link", doc, |slot| names.point(slot));
+        let doc = "Angle of the second link's frame less that of the first";
+        let angle = fields.or("angle", doc, json!(0.0), |slot| {
+            slot.quantity(q::ANGLE, Bounds::ANY)
+        });
+        Some((on?, link?, Kind::Weld(angle?)))
+    })
+}
+
+/// Refuses what a weld has not; true when there is nothing of it.
+fn fits_a_weld(fields: &mut Fields<'_>) -> bool {
+    let mut fits = true;
+    for property in ["friction", "diameter"] {
+        if fields.member("weld").is_some() && fields.member(property).is_some() {
+            let message = format!("a weld does not move and has no `{property}`");
+            fields.refuse(property, "contradiction", message);
+            fits = false;
+        }
+    }
+    fits
 }
 
 /// Whether what is said of a pair beside its kind is enough for a block, and no more;

@@ -1,6 +1,7 @@
 //! Equilibrium of the links: W·F = B − P − T, three rows a link.
 //!
-//! Unknowns F: two of every pair, one of every coupling, and the driver's force. Rows: forces along x
+//! Unknowns F: two of every pair, one of every coupling, three of every weld, and the
+//! driver's force. Rows: forces along x
 //! and y, moment about the centre of mass. Moments are divided by the length
 //! scale ℓ of the linkage, so that all entries are of the order of one and all
 //! unknowns are forces.
@@ -43,6 +44,13 @@ impl Kinetostatics {
             let places = (w.pairs.as_slice(), w.links.as_slice(), w.centres.as_slice());
             self.each_coupling_row(coupling, places, |row, value| {
                 w.factors.add(row, column, value);
+            });
+        }
+        for weld in 0..self.spec.welds.len() {
+            let first = self.first_of_weld(weld);
+            let places = (w.links.as_slice(), w.centres.as_slice());
+            self.each_weld_entry(weld, places, |row, which, value| {
+                w.factors.add(row, first + which, value);
             });
         }
         match unknown {

@@ -24,6 +24,8 @@ pub struct Indeterminate {
     pub pairs: Vec<bool>,
     /// Of every coupling whether its force does.
     pub couplings: Vec<bool>,
+    /// Of every weld whether its force or couple does.
+    pub welds: Vec<bool>,
     /// True where the driving force does: by the friction of such pairs.
     pub drive: bool,
 }
@@ -31,7 +33,10 @@ pub struct Indeterminate {
 impl Indeterminate {
     /// True where nothing is left open.
     pub fn is_empty(&self) -> bool {
-        !(self.drive || self.pairs.contains(&true) || self.couplings.contains(&true))
+        !(self.drive
+            || self.pairs.contains(&true)
+            || self.couplings.contains(&true)
+            || self.welds.contains(&true))
     }
 
     /// Takes in what is left open at another position.
@@ -44,6 +49,7 @@ impl Indeterminate {
         };
         join(&mut self.pairs, &other.pairs);
         join(&mut self.couplings, &other.couplings);
+        join(&mut self.welds, &other.welds);
         self.drive |= other.drive;
     }
 }
@@ -69,6 +75,7 @@ impl Kinetostatics {
             return Indeterminate {
                 pairs: vec![false; self.spec.pairs.len()],
                 couplings: vec![false; self.spec.couplings.len()],
+                welds: vec![false; self.spec.welds.len()],
                 drive: false,
             };
         }
@@ -78,10 +85,15 @@ impl Kinetostatics {
             let (pairs, rest) = open.split_at(2 * self.spec.pairs.len());
             [pairs, rest]
         };
-        let (couplings, drives) = rest.split_at(self.spec.couplings.len());
+        let (couplings, rest) = rest.split_at(self.spec.couplings.len());
+        let (welds, drives) = rest.split_at(3 * self.spec.welds.len());
         Indeterminate {
             pairs: pairs.chunks_exact(2).map(|two| two[0] | two[1]).collect(),
             couplings: couplings.to_vec(),
+            welds: welds
+                .chunks_exact(3)
+                .map(|three| three.contains(&true))
+                .collect(),
             drive: drives.contains(&true),
         }
     }

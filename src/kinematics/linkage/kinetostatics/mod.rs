@@ -2,7 +2,7 @@
 //! motion is given.
 //!
 //! Free-body equations of all links, W·F = B − P − T, with two unknowns a pair, one a
-//! coupling (gears, belt, rack) and the driver's force; W depends on the position alone and is factorised
+//! coupling (gears, belt, rack), three a weld and the driver's force; W depends on the position alone and is factorised
 //! once. Coulomb's friction in pins and in both corners of blocks; sliding
 //! directions just after the position, in the direction of motion. The same
 //! equations with the driver's force given and the acceleration unknown
@@ -41,6 +41,7 @@ mod search;
 mod sensitivity;
 mod sides;
 mod solve;
+mod welds;
 mod workspace;
 
 pub use accelerate::{Acceleration, Outcome};
@@ -53,6 +54,7 @@ pub use result::{Balance, Reaction, SlidingFriction};
 pub use reversals::Reversals;
 pub use sensitivity::Sensitivities;
 pub use solve::{BAD_CONDITION, ForceFailure, Options, Solved};
+pub use welds::WeldForce;
 pub use workspace::ForceWorkspace;
 
 use super::couplings::Meeting;
@@ -318,7 +320,7 @@ fn check(spec: &LinkageSpec, inputs: usize) -> Result<(), Vec<Fault>> {
 fn count(spec: &LinkageSpec, inputs: usize, faults: &mut Faults) {
     let (links, pairs) = (spec.links.len(), spec.pairs.len());
     let redundant: usize = spec.redundant.iter().map(Redundant::equations).sum();
-    let unknowns = 2 * pairs + spec.couplings.len() + inputs;
+    let unknowns = 2 * pairs + spec.couplings.len() + 3 * spec.welds.len() + inputs;
     if unknowns != 3 * links + redundant {
         let coupled = match spec.couplings.len() {
             0 => String::new(),

@@ -246,6 +246,7 @@ impl Kinetostatics {
         }
         self.add_floating_drives(w, &mut sum);
         self.add_couplings_on_frame(w, &mut sum);
+        self.add_welds_on_frame(w, &mut sum);
         sum
     }
 

@@ -80,6 +80,7 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
     let plan = Plan {
         driver,
         steps,
+        attached: Vec::new(),
         links: joints.bodies,
         size: size(linkage),
     };

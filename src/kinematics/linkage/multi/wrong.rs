@@ -56,6 +56,13 @@ pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
             floating(spec, link, &path, &mut faults);
         }
     }
+    for weld in &linkage.welds {
+        faults.add(
+            format!("pairs.{}", weld.name),
+            "links are welded in a linkage of one input alone",
+            "make both one link with the points of both",
+        );
+    }
     forces::refused(&linkage, &mut faults);
     faults.check()
 }

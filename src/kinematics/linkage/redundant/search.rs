@@ -6,6 +6,7 @@
 use super::{other_pair, pairs_of};
 use crate::kinematics::linkage::Linkage;
 use crate::kinematics::linkage::elements::slides;
+use crate::kinematics::linkage::skeleton::Skeleton;
 use crate::kinematics::linkage::spec::{
     CouplingSpec, LinkageSpec, PairSpec, Redundant, RedundantPart,
 };
@@ -27,7 +28,7 @@ pub(in crate::kinematics::linkage) fn found(
         return None;
     }
     let mut search = Search {
-        candidates: candidates(spec),
+        candidates: candidates(&Skeleton::of(spec).spec),
         trial: spec.clone(),
         left: MOST_TRIED,
         closed_forms,

@@ -12,3 +12,4 @@ mod redundant;
 mod refusals;
 mod resistance;
 mod support;
+mod welds;
