@@ -99,7 +99,7 @@ def frame(payload, opcode=1, masked=True, fin=True, length=None):
 def hostile(studio, rng):
     """A request as bytes, and what follows an upgrade; never one that may be served."""
     host, origin, bearer = studio.host, f"http://{studio.host}", f"Authorization: Bearer {studio.token}"
-    api = rng.choice(["/api/scenes", "/api/schema?scene=scene.json", "/api/parts?scene=scene.json", "/api/model?scene=scene.json", "/api/linkages?scene=scene.json", "/api/figures?scene=scene.json", "/api/first", "/api/questions?scene=scene.json", "/api/text?scene=scene.json", "/api/file?scene=scene.json&name=report.html&question=%7B%22command%22%3A%22run%22%7D"])
+    api = rng.choice(["/api/scenes", "/api/schema?scene=scene.json", "/api/parts?scene=scene.json", "/api/model?scene=scene.json", "/api/linkages?scene=scene.json", "/api/linkages?scene=scene.json&at=%7B%22x%22%3A%5B1%2Cnull%5D%7D", "/api/figures?scene=scene.json", "/api/first", "/api/questions?scene=scene.json", "/api/text?scene=scene.json", "/api/file?scene=scene.json&name=report.html&question=%7B%22command%22%3A%22run%22%7D"])
     other = rng.choice(["evil.example", f"localhost:{studio.port}", "127.0.0.1", f"127.0.0.1:{studio.port + 1}", f"evil.example:{studio.port}", f"127.0.0.1:{studio.port}.evil.example", "[::1]", f"0.0.0.0:{studio.port}"])
     wrong = rng.choice(["null", "http://evil.example", f"https://{host}", f"http://localhost:{studio.port}", f"http://{host}.evil.example", "file://"])
     path = rng.choice(["../secret.json", "..%2fsecret.json", "%2e%2e/secret.json", "link.json", "away/secret.json", "/etc/passwd", "scene.json/../../secret.json", "..\\secret.json", "scene.json%00", "./scene.json", "", ".", "open", "a" * 3000])

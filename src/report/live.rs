@@ -24,6 +24,7 @@ use crate::studies::map::{MapResult, Study};
 use crate::studies::order::Certificate;
 use crate::studies::run::RunResult;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
 /// The scripts of charts and of what moves.
 pub(crate) const PLOT_SCRIPT: &str = page::SCRIPT;
@@ -155,9 +156,9 @@ pub(crate) fn columns_of(plot: &Value) -> Vec<usize> {
         .collect()
 }
 
-/// The linkages as they are drawn by hand.
-pub(crate) fn sketches(system: &System) -> Value {
-    mechanism::sketch::sketches(system.model())
+/// The linkages as they are drawn by hand, those of several inputs about where `at` has them.
+pub(crate) fn sketches(system: &System, at: &BTreeMap<String, Vec<f64>>) -> Value {
+    mechanism::sketch::sketches(system.model(), at)
 }
 
 /// What the figures are worth, and the levels of the objects with why.

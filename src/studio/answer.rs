@@ -2,8 +2,9 @@
 //! run as it is shown.
 
 use super::limits::{MASSES, ROWS, RUN, SAMPLES};
+use super::pins::Source;
 use super::units::Counter;
-use super::view::View;
+use super::view::{SourcedRun, View};
 use crate::ask::{Judging, Mechanism};
 use crate::budget::Budget;
 use crate::dynamics::integrate::Stop;
@@ -16,7 +17,6 @@ use crate::report::verdict::Sort;
 use crate::studies::cam::disc_cams;
 use crate::studies::expectations::{check, of_run};
 use crate::studies::plausible;
-use crate::studies::run::RunResult;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::collections::hash_map::DefaultHasher;
@@ -150,6 +150,11 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
     ) -> Result<Option<Ran>, Diagnostics> {
         let budget = Budget::interrupted_by(stop).within(RUN);
         let wrong = |error: crate::Error| error.into_diagnostics();
+        let source = Source {
+            text: self.text.to_owned(),
+            hash: reading.scene.hash.clone(),
+            judged: matches!(judging, Judging::Asked),
+        };
         let mut mechanism = Mechanism::of_within(reading, judging, &budget).map_err(wrong)?;
         let settings = &mut mechanism.settings;
         if !plausible::looks_at_samples(mechanism.system.model()) {
@@ -174,7 +179,10 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
         Ok(Some(Ran {
             version: self.version,
             mechanism,
-            result: Arc::new(result),
+            run: SourcedRun {
+                source: Arc::new(source),
+                result: Arc::new(result),
+            },
             coarse,
         }))
     }
@@ -185,7 +193,7 @@ impl<C: Catalogue + Sync> Asked<'_, C> {
 pub(super) struct Ran {
     version: u64,
     mechanism: Mechanism,
-    pub(super) result: Arc<RunResult>,
+    pub(super) run: SourcedRun,
     /// The model is still to be judged.
     coarse: bool,
 }
@@ -194,9 +202,8 @@ impl Ran {
     /// The answer as a window sees it; charts `before` are taken where they differ in numbers
     /// alone.
     pub(super) fn answer(&self, view: &View, before: &Charts) -> (Answer, Charts) {
-        let Self {
-            mechanism, result, ..
-        } = self;
+        let Self { mechanism, run, .. } = self;
+        let result = &run.result;
         let model = mechanism.model();
         let cams = disc_cams(mechanism.scene(), model);
         let found = (&result.figures, &result.record);

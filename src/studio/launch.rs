@@ -1,7 +1,7 @@
 //! Opening the browser: the token goes through a file that only the user can read, so that it
 //! stands in no list of processes.
 
-use super::{atomic, drafts, token};
+use super::{atomic, by_file, token};
 use std::fs;
 use std::io::Write;
 use std::path::PathBuf;
@@ -23,7 +23,7 @@ impl Drop for Page {
 /// # Errors
 /// The file cannot be written, or there is nothing that opens a browser.
 pub(super) fn open(address: &str) -> Result<Page, String> {
-    let folder = drafts::state_folder().ok_or("there is no folder for the state of programs")?;
+    let folder = by_file::state_folder().ok_or("there is no folder for the state of programs")?;
     let page = (|| {
         atomic::private_folder(&folder)?;
         let name = token::random().map_err(std::io::Error::other)?;

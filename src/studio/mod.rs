@@ -2,8 +2,8 @@
 //! changed, while its answers follow.
 //!
 //! * `served`, `server`, `guard`, `connections`: what is served, to whom, how much at a time;
-//! * `folder`, `atomic`, `drafts`, `launch`: files: within one folder, written as a whole, kept
-//!   from crashes; how the browser is told the token;
+//! * `folder`, `atomic`, `by_file`, `drafts`, `pins`, `launch`: files: within one folder, written as
+//!   a whole, kept from crashes; how the browser is told the token;
 //! * `first`, `recent`, `gallery`: the first page: what was opened last, what is built in;
 //!   `settings`: what the user chose for all windows;
 //! * `text`: a scene's text with its edits; `room`: the text that all windows on a file share,
@@ -17,6 +17,7 @@
 
 mod answer;
 mod atomic;
+mod by_file;
 mod chart;
 pub(crate) mod commands;
 mod connections;
@@ -32,6 +33,9 @@ mod inquiry;
 mod launch;
 mod limits;
 mod messages;
+#[cfg(test)]
+mod pin_tests;
+mod pins;
 mod questions;
 mod recent;
 mod room;

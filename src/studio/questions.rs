@@ -18,6 +18,7 @@ use axum::http::request::Parts;
 use axum::response::{IntoResponse, Response};
 use serde::Deserialize;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A scene in the query.
@@ -82,14 +83,23 @@ pub(super) async fn model(opened: Opened) -> Response {
     .await
 }
 
+/// Where linkages of several inputs are drawn, in the query: values of the inputs by the object's
+/// id, as JSON.
+#[derive(Deserialize)]
+pub(super) struct Place {
+    at: Option<String>,
+}
+
 /// Its linkages, to be drawn.
-pub(super) async fn linkages(opened: Opened) -> Response {
-    told(
-        opened,
-        Judging::Never,
-        |mechanism| json!({ "linkages": live::sketches(&mechanism.system) }),
-    )
-    .await
+pub(super) async fn linkages(opened: Opened, Query(place): Query<Place>) -> Response {
+    // What cannot be read is of nothing: they are drawn where they are put together.
+    let at = place.at.and_then(|at| serde_json::from_str(&at).ok());
+    let at: BTreeMap<String, Vec<f64>> = at.unwrap_or_default();
+    let tell = move |mechanism: &Mechanism| {
+        let linkages = live::sketches(&mechanism.system, &at);
+        json!({ "linkages": linkages })
+    };
+    told(opened, Judging::Never, tell).await
 }
 
 /// The figures of its run that it may expect, with how closely.
@@ -110,7 +120,11 @@ pub(super) async fn figures(opened: Opened) -> Response {
     .await
 }
 
-async fn told(Opened(room): Opened, judging: Judging, tell: fn(&Mechanism) -> Value) -> Response {
+async fn told(
+    Opened(room): Opened,
+    judging: Judging,
+    tell: impl FnOnce(&Mechanism) -> Value + Send + 'static,
+) -> Response {
     let worked = tokio::task::spawn_blocking(move || shown(&room, judging, tell)).await;
     match worked {
         Ok(told) => Json(told).into_response(),
@@ -119,7 +133,7 @@ async fn told(Opened(room): Opened, judging: Judging, tell: fn(&Mechanism) -> Va
 }
 
 /// `None`: the text is no scene, or none that can be run.
-fn shown(room: &Room, judging: Judging, tell: fn(&Mechanism) -> Value) -> Option<Value> {
+fn shown(room: &Room, judging: Judging, tell: impl FnOnce(&Mechanism) -> Value) -> Option<Value> {
     let (version, text) = room.newest();
     let document = Document::parse(room.name(), text.as_bytes()).ok()?;
     let catalogue = Layered(room.catalogue(), &BuiltIn);

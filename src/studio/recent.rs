@@ -1,8 +1,7 @@
 //! Which scenes were opened when: kept in the user's state folder, a file for every scene, so
 //! that programs that run beside each other forget nothing of each other's.
 
-use super::atomic;
-use super::drafts::{hash, state_folder};
+use super::by_file::{ByFile, Record};
 use super::folder::Folder;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -17,49 +16,33 @@ const TOLD: usize = 8;
 /// When a scene was opened last.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Opened {
-    /// The scene's file, links resolved.
-    path: PathBuf,
     /// When (ms since 1970).
     time: u64,
 }
 
-/// The folder in which that is kept; `None`: nothing is remembered.
+/// The folder in which that is kept.
 #[derive(Clone, Debug)]
-pub(super) struct Recent {
-    folder: Option<PathBuf>,
-}
+pub(super) struct Recent(ByFile);
 
 impl Recent {
     /// What the user opened.
     pub(super) fn of_user() -> Self {
-        Self {
-            folder: state_folder().map(|folder| folder.join("recent")),
-        }
+        Self(ByFile::of_user("recent"))
     }
 
     /// What is kept in a folder.
     #[cfg(test)]
     pub(super) fn within(folder: &Path) -> Self {
-        Self {
-            folder: Some(folder.to_owned()),
-        }
+        Self(ByFile::within(folder))
     }
 
     /// Remembers that a file is opened now. Where nothing can be kept, nothing is.
     pub(super) fn remember(&self, path: &Path) {
-        let Some(folder) = &self.folder else { return };
         let now = SystemTime::now().duration_since(UNIX_EPOCH);
         let opened = Opened {
-            path: path.to_owned(),
             time: now.map_or(0, |now| u64::try_from(now.as_millis()).unwrap_or(u64::MAX)),
         };
-        let Ok(content) = serde_json::to_vec(&opened) else {
-            return;
-        };
-        let place = folder.join(format!("{}.json", hash(path.to_string_lossy().as_bytes())));
-        let written =
-            atomic::private_folder(folder).and_then(|()| atomic::write(&place, &content, true));
-        if written.is_ok() {
+        if self.0.keep(path, opened).is_ok() {
             for (old, _) in self.all().into_iter().skip(MOST) {
                 // Another program may have been there before.
                 let _ = fs::remove_file(old);
@@ -68,26 +51,12 @@ impl Recent {
     }
 
     /// Everything that is kept, with its files, the newest first.
-    fn all(&self) -> Vec<(PathBuf, Opened)> {
-        let entries = self
-            .folder
-            .as_ref()
-            .and_then(|folder| fs::read_dir(folder).ok());
-        let files = entries
-            .into_iter()
-            .flatten()
-            .flatten()
-            .map(|entry| entry.path());
-        let json = |path: &PathBuf| {
-            path.extension()
-                .is_some_and(|extension| extension == "json")
-        };
-        let read = |path: PathBuf| {
-            let opened = serde_json::from_slice(&fs::read(&path).ok()?).ok()?;
-            Some((path, opened))
-        };
-        let mut all: Vec<(PathBuf, Opened)> = files.filter(json).filter_map(read).collect();
-        all.sort_by(|(_, a), (_, b)| b.time.cmp(&a.time).then_with(|| a.path.cmp(&b.path)));
+    fn all(&self) -> Vec<(PathBuf, Record<Opened>)> {
+        let mut all = self.0.all::<Opened>();
+        all.sort_by(|(_, a), (_, b)| {
+            let newest = b.content.time.cmp(&a.content.time);
+            newest.then_with(|| a.path.cmp(&b.path))
+        });
         all
     }
 

@@ -1,6 +1,7 @@
 //! The document of a file: its text, which all windows on it share, and what follows from it.
 
 mod desks;
+mod pinned;
 
 use super::commands::{Commands, Question};
 use super::disk::OnDisk;
@@ -9,15 +10,15 @@ use super::folder::Shelf;
 use super::history::EditGroup;
 use super::inquiry::{Inquirer, Inquiry};
 use super::messages::{self, Update};
+use super::pins::Pins;
 use super::state::State;
 use super::text::Text;
-use super::view::View;
 use super::window::Window;
 use super::work::{Desk, Rank};
 use desks::{Kept, failed, failed_question};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -25,7 +26,10 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 #[derive(Debug)]
 pub(super) struct Room {
     name: String,
+    path: PathBuf,
     shelf: Shelf,
+    /// One at a time writes what is pinned.
+    pins: Mutex<Pins>,
     state: Mutex<State>,
     runs: OnceLock<Arc<Desk<RunQuestion>>>,
     maps: OnceLock<Arc<Desk<MapQuestion>>>,
@@ -61,15 +65,17 @@ impl Room {
         name: &str,
         path: &Path,
         shelf: Shelf,
-        drafts: Drafts,
+        (drafts, pins): (Drafts, Pins),
         commands: &'static dyn Commands,
     ) -> Result<Arc<Self>, String> {
         let disk = OnDisk::open(path, drafts)?;
         let text = Text::new(disk.saved().to_owned())?;
         let room = Arc::new(Self {
             name: name.to_owned(),
+            path: path.to_owned(),
             shelf,
-            state: Mutex::new(State::new(text, disk)),
+            state: Mutex::new(State::new(text, disk, pins.find(path))),
+            pins: Mutex::new(pins),
             runs: OnceLock::new(),
             maps: OnceLock::new(),
             questions: OnceLock::new(),
@@ -282,31 +288,6 @@ impl Room {
             None => state.asked.remove(&window),
         };
         self.ask_map(&state);
-    }
-
-    /// A window keeps the present run beside those that come.
-    pub(super) fn pin(&self, window: u64, name: &str) -> Result<(), String> {
-        let mut state = self.lock();
-        let result = state.result.clone().ok_or("there is no run to be pinned")?;
-        state.views.entry(window).or_default().pin(name, &result)?;
-        self.ask_again(&state);
-        Ok(())
-    }
-
-    /// A window wants to see something else.
-    pub(super) fn look_at(&self, window: u64, change: impl FnOnce(&mut View)) {
-        let mut state = self.lock();
-        let view = state.views.entry(window).or_default();
-        change(view);
-        if view.is_plain() {
-            state.views.remove(&window);
-            state.answers.remove(&window);
-            if let (Some(window), Some(answer)) = (state.windows.get(&window), &state.answer) {
-                window.answer(answer.clone());
-            }
-            return;
-        }
-        self.ask_again(&state);
     }
 
     /// Asks a question that follows the text.

@@ -4,6 +4,7 @@ use super::commands::Question;
 use super::drafts::Drafts;
 use super::folder::Folder;
 use super::messages::Update;
+use super::pins::Pins;
 use super::room::Room;
 use super::window::{Sent, Taken, Window};
 use crate::cli::questions::Program;
@@ -12,29 +13,30 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-struct Opened {
-    base: tempfile::TempDir,
-    room: Arc<Room>,
-    window: Arc<Window>,
+pub(super) struct Opened {
+    pub(super) base: tempfile::TempDir,
+    pub(super) room: Arc<Room>,
+    pub(super) window: Arc<Window>,
 }
 
-fn room(base: &std::path::Path) -> Arc<Room> {
+pub(super) fn room(base: &std::path::Path) -> Arc<Room> {
     let folder = base.join("open");
     let (folder, _) = Folder::open(Some(&folder)).unwrap();
     let path = folder.file("scene.json").unwrap();
     let drafts = Drafts::within(&base.join("drafts"));
+    let pins = Pins::within(&base.join("pins"));
     Room::open(
         "scene.json",
         &path,
         folder.catalogue(&path),
-        drafts,
+        (drafts, pins),
         &Program,
     )
     .unwrap()
 }
 
 impl Opened {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         let base = tempfile::tempdir().unwrap();
         std::fs::create_dir(base.path().join("open")).unwrap();
         std::fs::copy(
@@ -52,7 +54,7 @@ impl Opened {
     }
 
     /// Puts something in place of a piece of the text.
-    fn replace(&self, version: u64, old: &str, new: &str, drag: Option<u64>) {
+    pub(super) fn replace(&self, version: u64, old: &str, new: &str, drag: Option<u64>) {
         let text = self.room.text();
         let at = text.find(old).unwrap();
         let [before, removed, rest] =
@@ -64,7 +66,7 @@ impl Opened {
     }
 
     /// Waits for a message of a kind.
-    fn told(&self, kind: &str, fits: impl Fn(&Value) -> bool) -> Value {
+    pub(super) fn told(&self, kind: &str, fits: impl Fn(&Value) -> bool) -> Value {
         let begun = Instant::now();
         loop {
             while let Some(sent) = self.window.next().unwrap() {
@@ -148,86 +150,6 @@ fn a_question_is_answered_anew_as_the_text_changes_and_no_longer_than_it_is_aske
     std::thread::sleep(Duration::from_millis(300));
     while let Some(sent) = opened.window.next().unwrap() {
         assert!(!matches!(sent, Sent::Text(text) if text.contains("\"question\"")));
-    }
-}
-
-#[test]
-fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
-    let opened = Opened::new();
-    opened.told("answer", |one| one["version"] == 0);
-    let other = Arc::new(Window::new(8, ""));
-    opened.room.join(&other);
-    opened.room.pin(7, "first").unwrap();
-    let both = opened.told("answer", |one| one["pins"] == json!(["first"]));
-    opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
-    let moved = opened.told("answer", |one| one["version"] == 1);
-    assert_eq!(moved["pins"], json!(["first"]));
-    // The same charts with other numbers; of the first two curves the pinned one has stayed.
-    assert!(moved["charts"].is_null());
-    let labels = |answer: &Value| {
-        let series = answer["plots"][0]["series"].as_array().unwrap().iter();
-        series
-            .map(|one| one["label"].as_str().unwrap().to_owned())
-            .collect::<Vec<_>>()
-    };
-    assert_eq!(
-        (labels(&both), labels(&moved)),
-        (labels(&moved), vec!["now".to_owned(), "first".to_owned()])
-    );
-    let tables = moved["compared"].as_str().unwrap();
-    assert!(tables.contains("Figures of rocker over pinned runs") && tables.contains('%'));
-    // The other window sees nothing of it.
-    let mut seen = 0;
-    while let Some(sent) = other.next().unwrap() {
-        other.shown(Taken::Answer);
-        if let Sent::Binary(bytes) = sent {
-            assert!(!String::from_utf8_lossy(&bytes).contains("pinned runs"));
-            seen += 1;
-        }
-    }
-    assert!(seen > 0);
-    for name in [
-        "first",
-        "",
-        "a name that is much longer than a legend bears",
-    ] {
-        let _ = opened.room.pin(7, name);
-    }
-    let full = opened.told("answer", |one| one["pins"].as_array().unwrap().len() == 3);
-    assert_eq!(full["pins"], json!(["first", "first (2)", "run 3"]));
-    assert!(opened.room.pin(7, "one too many").is_err());
-    opened.room.look_at(7, |view| view.rename(1, "now"));
-    opened.told("answer", |one| one["pins"][1] == "now (2)");
-    for _ in 0..3 {
-        opened.room.look_at(7, |view| view.unpin(0));
-    }
-    let alone = opened.told("answer", |one| one["pins"] == json!([]));
-    assert_eq!(alone["compared"], "");
-}
-
-#[test]
-fn a_tab_that_is_loaded_anew_has_its_pinned_runs() {
-    let mut opened = Opened::new();
-    opened.told("answer", |one| one["version"] == 0);
-    opened.room.pin(7, "first").unwrap();
-    opened.told("answer", |one| one["pins"] == json!(["first"]));
-    let window = |id: u64, tab: &str| Arc::new(Window::new(id, tab));
-    let joined = |opened: &mut Opened, new: Arc<Window>| {
-        opened.room.join(&new);
-        std::mem::replace(&mut opened.window, new)
-    };
-    // Before the old window was missed, and after.
-    let old = joined(&mut opened, window(9, "one"));
-    opened.told("answer", |one| one["pins"] == json!(["first"]));
-    opened.room.leave(&old);
-    opened.room.leave(&opened.window);
-    joined(&mut opened, window(10, "one"));
-    opened.told("answer", |one| one["pins"] == json!(["first"]));
-    // Another tab, and one that says nothing, see the run alone.
-    for tab in ["two", ""] {
-        joined(&mut opened, window(11, tab));
-        let alone = opened.told("answer", |_| true);
-        assert_eq!(alone["pins"], json!([]), "{tab}");
     }
 }
 

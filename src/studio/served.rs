@@ -4,6 +4,7 @@ use super::commands::Commands;
 use super::drafts::Drafts;
 use super::folder::Folder;
 use super::limits::ROOMS;
+use super::pins::Pins;
 use super::recent::Recent;
 use super::room::Room;
 use super::settings::Settings;
@@ -21,6 +22,8 @@ pub(super) struct Studio {
     /// The scene that a window opens first.
     pub(super) scene: Option<String>,
     pub(super) drafts: Drafts,
+    /// Runs that were pinned.
+    pub(super) pins: Pins,
     /// What was opened last.
     pub(super) recent: Recent,
     pub(super) settings: Settings,
@@ -49,6 +52,7 @@ impl Studio {
             folder,
             scene,
             drafts: Drafts::of_user(),
+            pins: Pins::of_user(),
             recent: Recent::of_user(),
             settings: Settings::of_user(),
             windows: Arc::default(),
@@ -100,7 +104,7 @@ impl Studio {
             name,
             &path,
             self.folder.catalogue(&path),
-            self.drafts.clone(),
+            (self.drafts.clone(), self.pins.clone()),
             self.commands,
         )?;
         rooms.insert(path, room.clone());

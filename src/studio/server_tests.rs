@@ -187,6 +187,8 @@ fn only_rightful_requests_are_answered() {
         "GET /api/model?scene=scene.json",
         "GET /api/figures?scene=scene.json",
         "GET /api/linkages?scene=scene.json",
+        "GET /api/linkages?scene=scene.json&at=%7B%22x%22%3A%5B1%5D%7D",
+        "GET /api/linkages?scene=scene.json&at=%5B",
         "GET /api/questions?scene=scene.json",
         "GET /api/text?scene=scene.json",
         "GET /api/file?scene=scene.json&question=%7B%22command%22%3A%22run%22%7D&name=summary.json",

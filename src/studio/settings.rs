@@ -2,7 +2,7 @@
 //! a browser keeps goes with the port.
 
 use super::atomic;
-use super::drafts::state_folder;
+use super::by_file::state_folder;
 use serde_json::{Map, Value};
 use std::fs;
 use std::path::PathBuf;

@@ -138,7 +138,21 @@ impl Visit {
                 updates,
             } => room.push(&self.window, version, heard.unwrap_or(version), &updates),
             Said::Save => room.save(),
-            Said::Pin { name } => room.pin(id, &name),
+            Said::Pin { name } => {
+                room.pin(id, &name)?;
+                keep_pins(room);
+                Ok(())
+            }
+            Said::Unpin { pin } => {
+                room.look_at(id, |view| view.unpin(pin));
+                keep_pins(room);
+                Ok(())
+            }
+            Said::Rename { pin, name } => {
+                room.look_at(id, |view| view.rename(pin, &name));
+                keep_pins(room);
+                Ok(())
+            }
             Said::SaveAs { scene } => {
                 self.write(&scene, &room.text())?;
                 self.open(&scene)
@@ -152,8 +166,6 @@ impl Visit {
                     Said::Draft { restore } => room.draft(restore),
                     Said::Map { question } => room.map(id, question),
                     Said::Question { question } => room.question(id, question),
-                    Said::Unpin { pin } => room.look_at(id, |view| view.unpin(pin)),
-                    Said::Rename { pin, name } => room.look_at(id, |view| view.rename(pin, &name)),
                     Said::Over { signals } => room.look_at(id, |view| view.over = signals),
                     Said::Sight { charts } => room.sight(&self.window, charts),
                     // Heard above.
@@ -188,6 +200,11 @@ impl Visit {
             })
             .map_err(|error| format!("the file cannot be written: {}", error.kind()))
     }
+}
+
+/// Keeps what is pinned; nobody waits for the disk.
+fn keep_pins(room: Arc<Room>) {
+    tokio::task::spawn_blocking(move || room.keep_pins());
 }
 
 /// An empty scene.

@@ -5,10 +5,10 @@ use super::commands::Question;
 use super::disk::OnDisk;
 use super::limits::LEFT;
 use super::messages::Asked;
+use super::pins::Kept;
 use super::text::Text;
-use super::view::View;
+use super::view::{SourcedRun, View};
 use super::window::Window;
-use crate::studies::run::RunResult;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -27,19 +27,21 @@ pub(super) struct State {
     pub(super) checked: Option<Arc<str>>,
     pub(super) answer: Option<Arc<Answer>>,
     /// The run that it tells of.
-    pub(super) result: Option<Arc<RunResult>>,
+    pub(super) run: Option<SourcedRun>,
     /// What windows see besides, and the answers as they see them.
     pub(super) views: BTreeMap<u64, View>,
     pub(super) answers: BTreeMap<u64, Arc<Answer>>,
     /// What windows saw that are gone, by their tabs, the last one last.
     left: Vec<(String, View)>,
+    /// What was pinned last, and stays when the program ends.
+    pub(super) pins: Kept,
     status: String,
     /// Who made the last edits, and the version from which on all are theirs.
     stretch: (u64, u64),
 }
 
 impl State {
-    pub(super) fn new(text: Text, disk: OnDisk) -> Self {
+    pub(super) fn new(text: Text, disk: OnDisk, pins: Kept) -> Self {
         Self {
             text,
             disk,
@@ -48,10 +50,11 @@ impl State {
             questions: BTreeMap::new(),
             checked: None,
             answer: None,
-            result: None,
+            run: None,
             views: BTreeMap::new(),
             answers: BTreeMap::new(),
             left: Vec::new(),
+            pins,
             status: String::new(),
             stretch: (0, 0),
         }
@@ -77,24 +80,45 @@ impl State {
 
     /// A window comes: whether it sees again what its tab saw.
     pub(super) fn back(&mut self, window: &Window) -> bool {
-        if window.tab.is_empty() {
-            return false;
-        }
-        let own = self.left.iter().position(|(tab, _)| *tab == window.tab);
-        let view = match own {
-            Some(place) => Some(self.left.remove(place).1),
-            // The one that it replaces has not been missed yet.
-            None => {
-                let mut others = self.windows.values();
-                let same = others.find(|other| other.tab == window.tab);
-                same.and_then(|other| self.views.get(&other.id).cloned())
-            }
-        };
+        let view = self.view_of(&window.tab).or_else(|| {
+            let kept = self.pins.give(&window.tab)?;
+            Some(View::of_kept(kept))
+        });
         let again = view.is_some();
         if let Some(view) = view {
             self.views.insert(window.id, view);
         }
         again
+    }
+
+    /// What a tab saw.
+    fn view_of(&mut self, tab: &str) -> Option<View> {
+        if tab.is_empty() {
+            return None;
+        }
+        let own = self.left.iter().position(|(other, _)| other == tab);
+        match own {
+            Some(place) => Some(self.left.remove(place).1),
+            // The one that it replaces has not been missed yet.
+            None => {
+                let mut others = self.windows.values();
+                let same = others.find(|other| other.tab == tab);
+                same.and_then(|other| self.views.get(&other.id).cloned())
+            }
+        }
+    }
+
+    /// Changes what a window sees; what is pinned is to be kept then.
+    pub(super) fn change_view<T>(&mut self, window: u64, change: impl FnOnce(&mut View) -> T) -> T {
+        let view = self.views.entry(window).or_default();
+        let before = view.kept();
+        let told = change(view);
+        let pins = view.kept();
+        if pins != before {
+            let tab = self.windows.get(&window).map_or("", |window| &window.tab);
+            self.pins = Kept::of_window(tab, pins);
+        }
+        told
     }
 
     /// The answer as a window sees it.

@@ -1,6 +1,7 @@
 //! What a window sees besides the run: runs that it has pinned, a signal over another.
 
 use super::limits::{NAME, PINS};
+use super::pins::{KeptPin, Source};
 use crate::report::live::Beside;
 use crate::studies::run::RunResult;
 use std::sync::Arc;
@@ -13,14 +14,68 @@ pub(super) struct View {
     pub(super) over: Option<[String; 2]>,
 }
 
+/// A run with what it is worked out again from.
+#[derive(Clone, Debug)]
+pub(super) struct SourcedRun {
+    pub(super) source: Arc<Source>,
+    pub(super) result: Arc<RunResult>,
+}
+
 /// A run that stays.
 #[derive(Clone, Debug)]
 struct Pin {
     name: String,
-    result: Arc<RunResult>,
+    source: Arc<Source>,
+    /// `None`: it is one of an earlier program, still to be worked out again.
+    result: Option<Arc<RunResult>>,
 }
 
 impl View {
+    /// Runs that an earlier program kept, still to be worked out again.
+    pub(super) fn of_kept(kept: &[KeptPin]) -> Self {
+        let mut view = Self::default();
+        for pin in kept {
+            let name = view.named(&pin.name, view.pins.len());
+            view.pins.push(Pin {
+                name,
+                source: Arc::new(pin.source.clone()),
+                result: None,
+            });
+        }
+        view
+    }
+
+    /// The pinned runs as they are kept.
+    pub(super) fn kept(&self) -> Vec<KeptPin> {
+        let one = |pin: &Pin| KeptPin {
+            name: pin.name.clone(),
+            source: (*pin.source).clone(),
+        };
+        self.pins.iter().map(one).collect()
+    }
+
+    /// A pinned run that is still to be worked out again.
+    pub(super) fn waiting(&self) -> Option<&Arc<Source>> {
+        let mut waiting = self.pins.iter().filter(|pin| pin.result.is_none());
+        waiting.next().map(|pin| &pin.source)
+    }
+
+    /// What was waited for was worked out, or cannot be: names of pins that go with it.
+    pub(super) fn worked_out(
+        &mut self,
+        source: &Source,
+        result: Option<&Arc<RunResult>>,
+    ) -> Vec<String> {
+        let is_it = |pin: &Pin| pin.result.is_none() && *pin.source == *source;
+        if let Some(result) = result {
+            for pin in self.pins.iter_mut().filter(|pin| is_it(pin)) {
+                pin.result = Some(result.clone());
+            }
+        }
+        let gone = self.pins.extract_if(.., |pin| is_it(pin));
+        gone.map(|pin| pin.name).collect()
+    }
+
     /// Whether there is nothing but the run.
     pub(super) fn is_plain(&self) -> bool {
         self.pins.is_empty() && self.over.is_none()
@@ -33,8 +88,9 @@ impl View {
 
     pub(super) fn beside(&self) -> Beside<'_> {
         let pins = self.pins.iter();
+        let pins = pins.filter_map(|pin| Some((pin.name.as_str(), &**pin.result.as_ref()?)));
         Beside {
-            pins: pins.map(|pin| (pin.name.as_str(), &*pin.result)).collect(),
+            pins: pins.collect(),
             over: self.over.as_ref(),
         }
     }
@@ -43,18 +99,14 @@ impl View {
     ///
     /// # Errors
     /// There are as many as there may be.
-    pub(super) fn pin(&mut self, name: &str, result: &RunResult) -> Result<(), String> {
+    pub(super) fn pin(&mut self, name: &str, run: &SourcedRun) -> Result<(), String> {
         if self.pins.len() >= PINS {
             return Err(format!("{PINS} runs are pinned: unpin one of them first"));
         }
-        let record = result.record.merged();
-        let result = RunResult {
-            record,
-            ..result.clone()
-        };
         self.pins.push(Pin {
             name: self.named(name, self.pins.len()),
-            result: Arc::new(result),
+            source: run.source.clone(),
+            result: Some(merged(&run.result)),
         });
         Ok(())
     }
@@ -92,4 +144,13 @@ impl View {
         let mut all = std::iter::once(short.clone()).chain(more);
         all.find(|tried| !is_taken(tried)).unwrap_or(short)
     }
+}
+
+/// A run as it is shown beside others.
+pub(super) fn merged(result: &RunResult) -> Arc<RunResult> {
+    let record = result.record.merged();
+    Arc::new(RunResult {
+        record,
+        ..result.clone()
+    })
 }

@@ -163,7 +163,7 @@ export function guided(steps: Steps, board: Board, from: Spot, to: Spot): string
 }
 
 // Names in a part of a linkage that say what it is about.
-const ABOUT = ["point", "from", "to", "angle", "link", "pair", "guide", "block", "through", "revolute", "driver"];
+const ABOUT = ["point", "from", "to", "angle", "x", "y", "link", "pair", "guide", "block", "through", "revolute", "driver"];
 
 function isAbout(value: Value, fits: (name: string) => boolean, at = ""): boolean {
   if (value.sort === "string") return ABOUT.includes(at) && fits(value.text);
@@ -173,7 +173,7 @@ function isAbout(value: Value, fits: (name: string) => boolean, at = ""): boolea
 // Takes away the pairs that are about something, and what is about those or about what goes with them.
 function loosened(steps: Steps, board: Board, ofPair: (name: string) => boolean, gone: (name: string) => boolean): void {
   const loose: string[] = [], lost = (name: string): boolean => gone(name) || loose.includes(name);
-  for (const part of ["pairs", "outputs", "forces", "assembly"]) {
+  for (const part of ["pairs", "inputs", "outputs", "forces", "assembly"]) {
     for (const one of find(steps.root, pathOf(board, part))?.members ?? []) {
       const goes = part === "pairs" ? isAbout(one.value, ofPair) : part === "assembly" ? gone(one.name) : isAbout(one.value, lost);
       if (!goes) continue;

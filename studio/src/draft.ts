@@ -21,7 +21,7 @@ function points(list: Value | undefined, dimensions: Value | undefined): Named[]
 // A linkage of a text; null: its parts do not stand there.
 export function drafted(id: string, own: Value, known: Known): Sketch | null {
   const part = (name: string): Value | undefined => member(own, name)?.value;
-  if (!["ground", "links", "pairs"].some((name) => part(name)?.sort === "object") || part("inputs")) return null;
+  if (!["ground", "links", "pairs"].some((name) => part(name)?.sort === "object")) return null;
   const dimensions = part("dimensions"), ground = points(part("ground"), dimensions);
   const links = (part("links")?.members ?? []).map(({ name, value }) => ({ name, points: points(member(value, "points")?.value, dimensions) }));
   const end = (value: Value | undefined): End | null => {
@@ -31,7 +31,7 @@ export function drafted(id: string, own: Value, known: Known): Sketch | null {
     const own = link === null ? ground : links[link]!.points, at = link !== null && name === "origin" ? [0, 0] as Point : own.find((one) => one.name === name)?.at;
     return at ? { link, at } : null;
   };
-  const driver = part("driver")?.text;
+  const inputs = (part("inputs")?.members ?? []).map(({ value }) => member(value, "pair")?.value.text), drivers = [part("driver")?.text, ...inputs];
   // The block's angle in its guide's frame is kept beside: only here it says how the block stands.
   const turned: number[] = [], pairs: Pair[] = [];
   for (const { name, value } of part("pairs")?.members ?? []) {
@@ -41,13 +41,14 @@ export function drafted(id: string, own: Value, known: Known): Sketch | null {
     if (!on || !link || on.link === link.link) continue;
     const through = end(inner("through")), given = through ? Math.atan2(through.at[1] - on.at[1], through.at[0] - on.at[0]) : angleOf(inner("direction"), dimensions) ?? 0;
     const direction = revolute ? null : given;
-    pairs.push({ name, on, link, direction, driven: name === driver });
+    pairs.push({ name, on, link, direction, driven: drivers.includes(name) });
     turned.push(given + (angleOf(inner("angle"), dimensions) ?? 0));
   }
   const [n, p] = [links.length, pairs.length], freedom = 3 * n - 2 * p;
   const told = [`${many(n, "moving link")}, ${many(p, "pair")}: 3·${n} − 2·${p} = ${freedom} ${freedom === 1 ? "degree" : "degrees"} of freedom`];
-  const sketch: Sketch = { id, told, range: "", unit: "rad", links, ground, pairs, inputs: [0], start: 0, poses: [], draft: true };
-  sketch.poses = [pose(sketch, turned, (name) => known.get(name), (name) => angleOf(find(own, ["assembly", name, "angle"]), dimensions))];
+  const sketch: Sketch = { id, told, links, ground, pairs, courses: [], draft: true };
+  const poses = [pose(sketch, turned, (name) => known.get(name), (name) => angleOf(find(own, ["assembly", name, "angle"]), dimensions))];
+  sketch.courses = [{ name: "", unit: "rad", range: "", values: [0], start: 0, poses }];
   return sketch;
 }
 

@@ -5,7 +5,9 @@ import { useEffect, useRef, useState } from "preact/hooks";
 import { begun, driven, removed, spotAt, type Board, type Spot } from "./build";
 import { drafted, stances, type Known } from "./draft";
 import { framed, Grid, HEIGHT, JointMark, Links, START, toPixel, toPlace, WIDTH, zoomed, type Frame } from "./figure";
-import { dragged, gridOf, joints, snapped, stepOf, type Joint, type Point, type Sketch } from "./linkage";
+import { dragged } from "./drag";
+import { baseOf, basePose, gridOf, joints, leads, poseAt, snapped, stepOf, type Joint, type Point, type Sketch } from "./linkage";
+import { InputRows } from "./inputs";
 import type { Link } from "./link";
 import { TOOLS, Tools, type Tool } from "./tools";
 import { find, member, Steps, type Change, type Edits, type Value } from "./tree";
@@ -24,7 +26,8 @@ const ARROWS: Record<string, Point> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], 
 export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props) {
   const [all, setAll] = useState<Sketch[]>([]);
   const [chosen, setChosen] = useState("");
-  const [at, setAt] = useState<number | null>(null);
+  // Values of the inputs at which it is seen; null: where it is put together.
+  const [at, setAt] = useState<number[] | null>(null);
   const [stale, setStale] = useState(false);
   const [told, setTold] = useState("");
   const [tool, setTool] = useState<Tool>("select");
@@ -37,15 +40,17 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
   // How links stood when their linkage was whole, and where they were drawn.
   const known = useRef(new Map<string, Known>());
   const asking = useRef(false), wanted = useRef(version), shown = useRef(-1);
+  // Where linkages of several inputs are asked for, and where they were: in the server's words.
+  const place = useRef(""), placeShown = useRef(""), base = useRef<number[] | null>(null);
   // The version that the drawing shows, and the one that the last move was made on: until another
   // is drawn, further moves wait.
   const [drawn, setDrawn] = useState(-1), behind = useRef<number | null>(null);
-  const [busy, setBusy] = useState(false);
+  const [busy, setBusy] = useState(false), [, setRound] = useState(0);
   wanted.current = version;
 
   const take = (found: { linkages: Sketch[] } | null) => {
     if (found) {
-      for (const one of found.linkages) if (one.poses[one.start]) known.current.set(one.id, stances(one, one.poses[one.start]!));
+      for (const one of found.linkages) { const pose = basePose(one); if (pose) known.current.set(one.id, stances(one, pose)); }
       setAll(found.linkages);
       setStale(false);
       return;
@@ -56,7 +61,7 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
       const made = texts.flatMap(({ name, value }) => {
         if (member(value, "kind")?.value.text !== "linkage") return [];
         const stood = known.current.get(name) ?? new Map(), draft = drafted(name, value, stood) ?? before.find((one) => one.id === name);
-        if (draft?.draft) known.current.set(name, stances(draft, draft.poses[0]!));
+        if (draft?.draft) known.current.set(name, stances(draft, basePose(draft)!));
         return draft ? [draft] : [];
       });
       return made.length ? made : before;
@@ -66,26 +71,32 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
   useEffect(() => {
     let gone = false;
     const ask = async () => {
-      if (!scene || asking.current || shown.current === wanted.current) return;
+      const isShown = () => shown.current === wanted.current && placeShown.current === place.current;
+      if (!scene || asking.current || isShown()) return;
       asking.current = true;
-      const asked = wanted.current;
+      const asked = wanted.current, there = place.current;
       try {
-        const found = await link.get(`/api/linkages?scene=${encodeURIComponent(scene)}`);
+        const found = await link.get(`/api/linkages?scene=${encodeURIComponent(scene)}${there && `&at=${encodeURIComponent(there)}`}`);
         if (gone) return;
         take(found);
       } catch { if (!gone) setStale(true); }
       shown.current = asked;
+      placeShown.current = there;
       asking.current = false;
-      if (!gone) setDrawn(asked);
-      if (!gone && shown.current !== wanted.current) void ask();
+      if (!gone) { setDrawn(asked); setRound((round) => round + 1); }
+      if (!gone && !isShown()) void ask();
     };
     void ask();
     return () => { gone = true; asking.current = false; };
-  }, [version, scene]);
+  }, [version, scene, place.current]);
 
   const sketch = all.find((one) => one.id === chosen) ?? all[0];
   // What is drawn is drawn where the assembly holds.
-  const k = sketch ? Math.min(tool === "select" ? at ?? sketch.start : sketch.start, sketch.poses.length - 1) : 0, pose = sketch?.poses[k] ?? null;
+  const own = tool === "select" && at?.length === sketch?.courses.length ? at : null, there = sketch ? poseAt(sketch, own ?? baseOf(sketch)) : null;
+  // Where no course goes there yet, it is drawn as it stood.
+  const stood = useRef<number[] | null>(null), settled = placeShown.current === place.current;
+  const pose = there !== undefined ? there : settled && sketch ? basePose(sketch) : stood.current;
+  stood.current = pose;
   // While a joint is held the scale stays.
   if (sketch && (!frame.current || !held.current)) frame.current = fixed ?? framed(sketch);
   const view = frame.current!, grid = view ? gridOf(MESH / view.scale) : 1;
@@ -95,7 +106,7 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
   const now = useRef(board);
   now.current = board;
 
-  const free = () => !asking.current && shown.current === wanted.current && behind.current === null && isAt(shown.current);
+  const free = () => !asking.current && placeShown.current === place.current && shown.current === wanted.current && behind.current === null && isAt(shown.current);
   const changing = (make: (edits: Edits) => Change[] | string, step?: number) => {
     const changed = edit((edits) => {
       const done = make(edits);
@@ -104,9 +115,16 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
     }, step);
     if (changed) { behind.current = shown.current; setBusy(true); }
   };
+  // Shows it at values of the inputs; where the courses do not lead there, such are asked for that do.
+  const see = (values: number[] | null) => {
+    setAt(values);
+    if (!values) base.current = null;
+    else if (sketch && !leads(base.current ?? baseOf(sketch), values)) base.current = values;
+    place.current = base.current && sketch ? JSON.stringify({ [sketch.id]: base.current }) : "";
+  };
   const pull = ({ to, joint: name, drag: step }: Move) => {
     const { sketch: own, pose: stands, joints: there } = now.current ?? { joints: [] }, joint = there.find((one) => one.names.includes(name));
-    if (own && stands && joint) changing((edits) => dragged(edits, own, stands, joint, to, stepOf(1.5 / view.scale)), step);
+    if (own && stands && joint) changing((edits) => dragged(edits, own, stands, there, joint, to, stepOf(1.5 / view.scale)), step);
   };
   const later = (next: Move) => { if (free()) pull(next); else { waiting.current = next; setBusy(true); } };
   // What a tool does, on the drawing as it is once everything before has come to it.
@@ -190,7 +208,7 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
     if (by) { event.preventDefault(); const [x, y] = snapped(from, grid); setCursor([x + by[0] * size, y + by[1] * size]); }
     if (event.key === "Enter" || event.key === " ") { event.preventDefault(); press({ screen: [NaN, NaN], place: from }); }
   };
-  const choose = (next: Tool) => { setTool(next); setPressed(null); setCursor(null); setTold(""); if (next !== "select" && view) setFixed(view); };
+  const choose = (next: Tool) => { setTool(next); setPressed(null); setCursor(null); setTold(""); if (next !== "select") see(null); if (next !== "select" && view) setFixed(view); };
   const fresh = () => {
     if (edit((edits) => { const steps = new Steps(edits); setChosen(begun(steps)); return steps.changes; })) { behind.current = shown.current; setBusy(true); setFixed(START); setTool("ground"); }
   };
@@ -203,21 +221,20 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
       </div>
     );
   }
-  const value = sketch.inputs[k] ?? 0, several = find(root() ?? undefined, ["objects", sketch.id, "inputs"]) !== undefined;
+  const several = find(root() ?? undefined, ["objects", sketch.id, "inputs"]) !== undefined;
   const target: Spot | null = board && cursor && tool !== "select" ? spotAt(board, cursor, REACH / view.scale) : null;
   const begin = board && pressed ? spotAt(board, pressed.place, REACH / view.scale) : null;
   return (
     <div class="drawing">
       <Tools tool={tool} choose={choose} />
       <div class="tools">
-        {all.length > 1 && <label>linkage <select value={sketch.id} onChange={(event) => { setChosen(event.currentTarget.value); setAt(null); setTool("select"); setFixed(null); }}>{all.map((one) => <option value={one.id}>{one.id}</option>)}</select></label>}
-        {!sketch.draft && <label class="wide">input <input type="range" aria-label="input of the linkage" disabled={tool !== "select"} min={0} max={sketch.inputs.length - 1} value={k} onInput={(event) => setAt(Number(event.currentTarget.value))} /></label>}
-        {!sketch.draft && <output>{sketch.unit === "rad" ? `${numbers.withUnit(value * 180 / Math.PI, "°", 4)}` : numbers.withUnit(value, sketch.unit, 4)}</output>}
+        {all.length > 1 && <label>linkage <select value={sketch.id} onChange={(event) => { setChosen(event.currentTarget.value); see(null); setTool("select"); setFixed(null); }}>{all.map((one) => <option value={one.id}>{one.id}</option>)}</select></label>}
+        {!sketch.draft && <InputRows sketch={sketch} at={own ?? baseOf(sketch)} disabled={tool !== "select"} set={see} />}
         {!several && sketch.pairs.length > 0 && <label>driven <select aria-label="driven pair" value={sketch.pairs.find((pair) => pair.driven)?.name ?? ""} onChange={(event) => { const name = event.currentTarget.value; if (name) act((steps, board) => driven(steps, board, name)); }}>
           {!sketch.pairs.some((pair) => pair.driven) && <option value="">none yet</option>}{sketch.pairs.map((pair) => <option value={pair.name}>{pair.name}</option>)}</select></label>}
       </div>
       <div class="sheet">
-        <svg class={tool === "select" ? "sketch" : "sketch drawn"} ref={svg} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} tabindex={tool === "select" ? -1 : 0} role="group" aria-label={`linkage ${sketch.id}`} aria-busy={busy} onKeyDown={keys}
+        <svg class={tool === "select" ? "sketch" : "sketch drawn"} ref={svg} viewBox={`0 0 ${WIDTH} ${HEIGHT}`} tabindex={tool === "select" ? -1 : 0} role="group" aria-label={`linkage ${sketch.id}`} aria-busy={busy || !settled} onKeyDown={keys}
           onPointerDown={down} onPointerMove={move} onPointerUp={up} onPointerCancel={cancel} onPointerLeave={() => { if (!pressed) setCursor(null); }}>
           {tool !== "select" && <Grid frame={view} step={grid} />}
           {pose && <Links sketch={sketch} pose={pose} pixel={pixel} />}
@@ -236,7 +253,7 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
       </div>
       {told ? <p class="told" role="status">{told}</p> : stale && <p class="told" role="status">{sketch.draft ? "Not whole yet: drawn as its text has it." : "Stale: the scene has faults; this is the last good drawing."}</p>}
       <p class="soft">{TOOLS[tool].help}</p>
-      <ul class="structure" aria-label="structure">{[...sketch.told, ...(sketch.range ? [`input ${sketch.range}`] : [])].map((line) => <li>{line}</li>)}</ul>
+      <ul class="structure" aria-label="structure">{[...sketch.told, ...sketch.courses.flatMap(({ name, range }) => range ? [`input ${name && `${name} `}${range}`] : [])].map((line) => <li>{line}</li>)}</ul>
       <button type="button" onClick={fresh}>New linkage</button>
     </div>
   );

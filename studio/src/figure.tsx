@@ -15,7 +15,7 @@ export const toPlace = ({ left, bottom, scale }: Frame, [x, y]: Point): Point =>
 // Everything that is reached, in the picture.
 export function framed(sketch: Sketch): Frame {
   const all: Point[] = sketch.ground.map((point) => point.at);
-  for (const pose of sketch.poses) if (pose) {
+  for (const pose of sketch.courses.flatMap((course) => course.poses)) if (pose) {
     sketch.links.forEach((link, k) => { all.push(placed(pose, k, [0, 0]), ...link.points.map((point) => placed(pose, k, point.at))); });
   }
   const ends = [0, 1].map((c) => [Math.min(...all.map((one) => one[c]!)), Math.max(...all.map((one) => one[c]!))]) as [Point, Point];

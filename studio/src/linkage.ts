@@ -1,15 +1,20 @@
 // A linkage in one position, and what a dragged joint changes of its text.
 
-import { find, member, type Change, type Edits, type Step, type Value } from "./tree";
+import { member, type Value } from "./tree";
 
 export type Point = [number, number];
 export interface Named { name: string; at: Point }
 export interface End { link: number | null; at: Point }
 export interface Pair { name: string; on: End; link: End; direction: number | null; driven: boolean }
+// The positions over one input, the others held where `start` of their own courses has them.
+export interface Course { name: string; unit: string; range: string; values: number[]; start: number; poses: (number[] | null)[] }
 export interface Sketch {
-  id: string; told: string[]; range: string; unit: string;
+  id: string; told: string[];
   links: { name: string; points: Named[] }[]; ground: Named[]; pairs: Pair[];
-  inputs: number[]; start: number; poses: (number[] | null)[];
+  // One for each input, all through the same position.
+  courses: Course[];
+  // Links whose places are inputs themselves.
+  floating?: number[];
   // Made of a text that is not whole: in the position in which it is drawn.
   draft?: boolean;
 }
@@ -30,6 +35,25 @@ export const far = (a: Point, b: Point): number => Math.hypot(a[0] - b[0], a[1] 
 // Whether the origin of a link is a place of it: a pair is on it or may be, or there is not much else.
 export const shows = ({ links, pairs, draft }: Sketch, index: number): boolean => draft === true || links[index]!.points.length < 2
   || pairs.some(({ on, link }) => [on, link].some((end) => end.link === index && end.at[0] === 0 && end.at[1] === 0));
+
+// The values of all inputs at the position that the courses go through, and that position.
+export const baseOf = ({ courses }: Sketch): number[] => courses.map(({ values, start }) => values[start]!);
+export const basePose = ({ courses: [first] }: Sketch): number[] | null => first?.poses[first.start] ?? null;
+// Which of its values is nearest to another.
+export function nearest({ values }: Course, value: number): number {
+  let best = 0;
+  values.forEach((one, k) => { if (Math.abs(one - value) < Math.abs(values[best]! - value)) best = k; });
+  return best;
+}
+// The inputs whose values are others.
+const others = (one: number[], other: number[]): number[] => one.flatMap((value, k) => value === other[k] ? [] : [k]);
+// Whether the courses through one position lead to another.
+export const leads = (from: number[], to: number[]): boolean => others(from, to).length < 2;
+// The position at values of the inputs; undefined: no course leads there.
+export function poseAt(sketch: Sketch, at: number[]): number[] | null | undefined {
+  const from = baseOf(sketch), course = sketch.courses[others(from, at)[0] ?? 0];
+  return course && leads(from, at) ? course.poses[nearest(course, at[sketch.courses.indexOf(course)]!)] : undefined;
+}
 
 // What is drawn at one place and goes together: named points, and origins of links.
 export interface Joint { at: Point; points: { link: number | null; name: string; at: Point }[]; origins: number[]; names: string[] }
@@ -59,7 +83,7 @@ export function sizeOf({ links, ground }: Sketch): number {
   return Math.max(1e-9, ...all);
 }
 
-const NAME = /^[A-Za-z_][A-Za-z0-9_-]*$/;
+export const NAME = /^[A-Za-z_][A-Za-z0-9_-]*$/;
 const LENGTHS: Record<string, number> = { m: 1, mm: 1e-3, cm: 1e-2, "µm": 1e-6 };
 const ANGLES: Record<string, number> = { rad: 1, deg: Math.PI / 180, mrad: 1e-3, rev: 2 * Math.PI };
 const MEASURE = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([a-zµ]*)\s*$/;
@@ -90,47 +114,6 @@ export function length(metres: number, before?: Value): string {
 }
 
 export const COPY = "This linkage is a copy from the catalogue: its points do not stand in this text.";
-
-// Moves a joint of a position; all others stay where they are, and all links keep their angles.
-// Text: what cannot be done.
-export function dragged(edits: Edits, sketch: Sketch, pose: number[], joint: Joint, to: Point, step: number): Change[] | string {
-  const place: Point = [Math.round(to[0] / step) * step, Math.round(to[1] / step) * step];
-  const shift: Point = [place[0] - joint.at[0], place[1] - joint.at[1]], path = ["objects", sketch.id];
-  const own = find(edits.root, path);
-  if (!member(own, "links")) return COPY;
-  const moved = new Map<string, { path: Step[]; at: Point; was: Point }>();
-  const set = (link: number | null, name: string, at: Point, was: Point) => {
-    const where = link === null ? ["ground", name] : ["links", sketch.links[link]!.name, "points", name];
-    moved.set(where.join(" "), { path: [...path, ...where], at, was });
-  };
-  // The frames that go with it: their other points are counted from elsewhere then.
-  for (const origin of joint.origins) {
-    const [, , c, s] = pose.slice(4 * origin, 4 * origin + 4) as [number, number, number, number];
-    const back: Point = [c * shift[0] + s * shift[1], -s * shift[0] + c * shift[1]];
-    for (const point of sketch.links[origin]!.points) set(origin, point.name, [point.at[0] - back[0], point.at[1] - back[1]], point.at);
-    const inner = sketch.pairs.some(({ on, link, direction }) => direction !== null && (on.link === origin || link.link === origin));
-    if (inner) return "A guide or block stands at the origin of a link here: its numbers are in the form.";
-  }
-  for (const point of joint.points) {
-    const frame = point.link !== null && joint.origins.includes(point.link);
-    if (!frame) set(point.link, point.name, within(pose, point.link, place), point.at);
-  }
-  const changes = new Map<number, Change>();
-  for (const { path: where, at, was } of moved.values()) {
-    const value = find(edits.root, where);
-    if (value?.sort !== "array" || value.items.length !== 2) return `${where.slice(2).join(".")} stands elsewhere: its numbers are in the form.`;
-    for (const k of [0, 1] as const) {
-      if (Math.abs(at[k] - was[k]) < 1e-3 * step) continue;
-      const item = value.items[k]!, name = item.text.replace(/^-/, ""), dimension = item.sort === "string" && NAME.test(name) ? find(edits.root, [...path, "dimensions", name]) : undefined;
-      const target = dimension ?? item, metres = dimension && item.text.startsWith("-") ? -at[k] : at[k];
-      const known = changes.get(target.from), insert = length(metres, target);
-      // Of two that share a number the first has it; the other is written out.
-      if (known && known.insert !== insert) changes.set(item.from, { from: item.from, to: item.to, insert: length(at[k]) });
-      else changes.set(target.from, { from: target.from, to: target.to, insert });
-    }
-  }
-  return [...changes.values()].sort((a, b) => a.from - b.from);
-}
 
 // A step that is as fine as the picture shows, and short to write.
 export const stepOf = (metres: number): number => 10 ** Math.floor(Math.log10(Math.max(1e-9, metres)));

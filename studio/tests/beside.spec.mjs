@@ -4,7 +4,7 @@ import { expect, test } from "@playwright/test";
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { deltaOf, opened as openedAt, slider, textOf, watched } from "./page.mjs";
+import { agrees, deltaOf, opened as openedAt, slider, textOf, watched } from "./page.mjs";
 import { Server, dam } from "./server.mjs";
 
 let server, wrong;
@@ -84,6 +84,40 @@ test("a pinned run stays in the charts and beside the figures", async ({ page })
   await page.getByRole("button", { name: "unpin run 2" }).click();
   await expect(page.locator(".seen-beside .pin")).toHaveCount(0);
   await expect(page.locator(".charts .legend .entry", { hasText: "now" })).toHaveCount(0);
+});
+
+test("pinned runs are there again after the program was killed", async ({ page, context }) => {
+  await opened(page);
+  const first = await deltaOf(page);
+  await page.getByRole("button", { name: "Pin this run" }).click();
+  await expect(page.getByLabel("name of pinned run 1")).toHaveValue("run 1");
+  await moved(page);
+  await agrees(page, server);
+  const second = await deltaOf(page);
+  await page.getByRole("button", { name: "Pin this run" }).click();
+  const name = page.getByLabel("name of pinned run 2");
+  await name.fill("heavier");
+  await name.blur();
+  const row = (one) => one.locator(".compared tr", { hasText: "greatest |δ|" }).first();
+  const titles = (one) => row(one).locator("td span[title]").evaluateAll((all) => all.map((each) => each.title.split(" ")[0]));
+  await expect.poll(() => titles(page)).toContain(second);
+  await expect(page.locator(".compared")).toContainText("heavier");
+  const before = await titles(page);
+  await expect.poll(() => server.pinned()).toEqual(["run 1", "heavier"]);
+  await page.close();
+  await server.kill();
+  // Another port, another tab: the text is that of the file, the pinned figures are those of before.
+  const port = Number(new URL(server.address).port), later = await context.newPage(), late = watched(later);
+  await server.start({ port: port === 65535 ? port - 1 : port + 1 });
+  await openedAt(later, server.address);
+  await expect(later.getByLabel("name of pinned run 1")).toHaveValue("run 1");
+  await expect(later.getByLabel("name of pinned run 2")).toHaveValue("heavier");
+  await expect.poll(() => titles(later)).toContain(second);
+  const after = await titles(later), columns = await row(later).locator("td").count();
+  expect(columns).toBeGreaterThan(2);
+  expect([first, second].map((one) => after.includes(one))).toEqual([true, true]);
+  expect(after.slice(1, 3).sort()).toEqual(before.slice(1, 3).sort());
+  expect(late).toEqual([]);
 });
 
 test("a signal over another is a chart of the record's columns", async ({ page }) => {

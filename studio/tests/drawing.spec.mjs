@@ -168,3 +168,107 @@ test("the keyboard draws a link and deletes a joint", async ({ page }) => {
   await expect.poll(async () => JSON.parse(await textOf(page)).objects.linkage.pairs).toEqual({});
   expect(JSON.parse(await textOf(page)).objects.linkage.ground).toEqual({});
 });
+
+// A scene of the program in the drawing.
+async function shown(page, scene) {
+  server = new Server({ "scene.json": scene });
+  await server.start();
+  await page.goto(server.address);
+  await page.getByRole("tab", { name: "Drawing" }).click();
+  await page.locator(".joint").first().waitFor();
+  await settled(page);
+}
+// Pulls a joint by so many pixels of the screen.
+async function pulled(page, name, [dx, dy]) {
+  const before = await textOf(page), box = await joint(page, name).locator(".hit").boundingBox(), [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + dx, y + dy, { steps: 3 });
+  await page.mouse.up();
+  await expect.poll(() => textOf(page)).not.toBe(before);
+  await settled(page);
+}
+// How far the joints are from where they were (m).
+const offs = (before, after) => Object.fromEntries(Object.entries(after).map(([name, [x, y]]) => [name, [x - before[name][0], y - before[name][1]]]));
+const still = (moved, ...names) => { for (const [name, [x, y]] of Object.entries(moved)) if (!names.includes(name)) expect(Math.hypot(x, y), name).toBeLessThan(1e-9); };
+
+test("a five-bar goes with each of its inputs, and its joints are dragged where they have put it", async ({ page }) => {
+  await shown(page, "scenarios/linkages/five_bar.json");
+  await expect(page.locator(".structure")).toContainText("2 degrees of freedom");
+  await expect(page.locator(".structure")).toContainText("input left");
+  await expect(page.locator(".structure")).toContainText("while the others are held");
+  const file = await textOf(page), start = await places(page), left = page.getByLabel("input left of the linkage"), right = page.getByLabel("input right of the linkage");
+  const there = Number(await left.inputValue());
+  await left.fill(String(there + 6));
+  await settled(page);
+  const one = await places(page);
+  expect(Math.hypot(one["crank.A"][0], one["crank.A"][1])).toBeCloseTo(0.2, 12);
+  expect(Math.atan2(one["crank.A"][1], one["crank.A"][0]) - Math.atan2(start["crank.A"][1], start["crank.A"][0])).toBeCloseTo(6 * Math.PI / 90, 9);
+  expect(one["servo.B"]).toEqual(start["servo.B"]);
+  // The other input goes on from there.
+  await right.fill(String(Number(await right.inputValue()) - 4));
+  await settled(page);
+  await expect.poll(async () => (await places(page))["servo.B"][0]).not.toBe(start["servo.B"][0]);
+  const both = await places(page);
+  for (const c of [0, 1]) expect(both["crank.A"][c]).toBeCloseTo(one["crank.A"][c], 12);
+  expect(await textOf(page)).toBe(file);
+  // A joint that is dragged here is the only one that moves.
+  await pulled(page, "crank.A", [14, -9]);
+  await expect(page.locator(".faults button.error")).toHaveCount(0);
+  await expect.poll(async () => Math.hypot(...offs(both, await places(page))["crank.A"])).toBeGreaterThan(1e-3);
+  const moved = offs(both, await places(page));
+  still(moved, "crank.A", "rod.origin");
+  await button(page, "Undo").click();
+  await expect.poll(() => textOf(page)).toBe(file);
+});
+
+test("a block is dragged along its guide, and a guide takes its block along", async ({ page }) => {
+  await shown(page, "scenarios/linkages/slider_crank_spring.json");
+  const start = await places(page);
+  await pulled(page, "slide.origin", [25, 18]);
+  await expect(page.locator(".faults button.error")).toHaveCount(0);
+  await expect.poll(async () => Math.abs(offs(start, await places(page))["slide.origin"][0])).toBeGreaterThan(1e-3);
+  const slid = offs(start, await places(page));
+  still(slid, "slide.origin", "rod.B");
+  expect(slid["rod.B"][1]).toBeCloseTo(0, 9);
+  const before = await places(page);
+  // The guide stands at the crank's pivot: its joint goes, and the block with it across the guide.
+  await pulled(page, "ground.O", [5, -20]);
+  await expect.poll(async () => Math.abs(offs(before, await places(page))["ground.O"][1])).toBeGreaterThan(1e-3);
+  const across = offs(before, await places(page));
+  expect(across["slide.origin"][1]).toBeCloseTo(across["ground.O"][1], 9);
+  expect(across["slide.origin"][0]).toBeCloseTo(0, 9);
+  still(across, "ground.O", "crank.origin", "slide.origin", "rod.B");
+});
+
+test("a block slides along a guide on a moving link", async ({ page }) => {
+  await shown(page, "scenarios/kinetostatics/slotted_lever.json");
+  await expect(page.locator(".sketch .guide-line")).toHaveCount(1);
+  const start = await places(page), [x, y] = start["block.origin"], [u, v] = start["lever.origin"];
+  await pulled(page, "block.origin", [4, -20]);
+  await expect(page.locator(".faults button.error")).toHaveCount(0);
+  await expect.poll(async () => Math.hypot(...offs(start, await places(page))["block.origin"])).toBeGreaterThan(1e-3);
+  const moved = offs(start, await places(page)), [dx, dy] = moved["block.origin"];
+  still(moved, "block.origin", "crank.A");
+  // Along the lever, on which it stands.
+  expect((dx * (y - v) - dy * (x - u)) / Math.hypot(x - u, y - v)).toBeCloseTo(0, 9);
+});
+
+test("of a frame that floats the inputs tell the place, its parts are dragged", async ({ page }) => {
+  await shown(page, "scenarios/linkages/floating_slider_crank.json");
+  await expect(page.getByLabel(/^input .* of the linkage$/)).toHaveCount(4);
+  const file = await textOf(page), start = await places(page), tilt = page.getByLabel("input tilt of the linkage");
+  await tilt.fill(String(Number(await tilt.inputValue()) + 10));
+  await settled(page);
+  await expect(page.locator(".drawing output", { hasText: "20 °" })).toHaveCount(1);
+  await joint(page, "frame.origin").focus();
+  await page.keyboard.press("ArrowRight");
+  await expect(page.locator(".drawing .told")).toContainText("floats");
+  expect(await textOf(page)).toBe(file);
+  const tilted = await places(page);
+  expect(tilted["slide.origin"][1]).toBeCloseTo(start["slide.origin"][0] * Math.sin(Math.PI / 9), 9);
+  await pulled(page, "slide.origin", [-20, 0]);
+  await expect.poll(async () => Math.hypot(...offs(tilted, await places(page))["slide.origin"])).toBeGreaterThan(1e-3);
+  const [dx, dy] = offs(tilted, await places(page))["slide.origin"];
+  expect(Math.atan2(-dy, -dx)).toBeCloseTo(Math.PI / 9, 9);
+});

@@ -212,7 +212,7 @@ test("a joint of a linkage is dragged, the others stay, and the structure is tol
     return (await answer.json()).linkages[0];
   });
   // Where every named point is at the start.
-  const places = ({ links, ground, poses, start }) => Object.fromEntries([
+  const places = ({ links, ground, courses: [{ poses, start }] }) => Object.fromEntries([
     ...ground.map((point) => [`ground.${point.name}`, point.at]),
     ...links.flatMap((link, k) => link.points.map(({ name, at: [x, y] }) => { const [u, v, c, s] = poses[start].slice(4 * k, 4 * k + 4); return [`${link.name}.${name}`, [u + c * x - s * y, v + s * x + c * y]]; })),
   ]);

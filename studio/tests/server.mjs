@@ -1,7 +1,7 @@
 // A studio on a folder of its own, and the program beside it.
 
 import { execFileSync, spawn } from "node:child_process";
-import { copyFileSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -36,6 +36,12 @@ export class Server {
       this.child.on("exit", () => failed(new Error(told)));
     });
     return this.address;
+  }
+  // Names of the pinned runs that are kept.
+  pinned() {
+    const folder = join(this.base, "state/dam/pins");
+    const files = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith(".json") && !name.startsWith(".")) : [];
+    return files.flatMap((name) => JSON.parse(readFileSync(join(folder, name), "utf8")).pins.map((pin) => pin.name));
   }
   remove(name) { rmSync(this.path(name)); }
   async kill() {

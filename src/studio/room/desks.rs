@@ -89,14 +89,14 @@ impl Room {
         };
         if question.again {
             self.tell_views(kept);
-            if kept.done == Some(question.version) {
-                return;
+        }
+        if !question.again || kept.done != Some(question.version) {
+            self.work_on(&asked, stop, kept);
+            if !stop.load(Ordering::Relaxed) {
+                kept.done = Some(question.version);
             }
         }
-        self.work_on(&asked, stop, kept);
-        if !stop.load(Ordering::Relaxed) {
-            kept.done = Some(question.version);
-        }
+        self.work_out_pins(stop, kept);
     }
 
     fn work_on(&self, asked: &Asked<'_, Shelf>, stop: &AtomicBool, kept: &mut Kept) {
@@ -185,14 +185,14 @@ impl Room {
                 window.answer(answer.clone());
             }
             state.answer = Some(answer);
-            state.result = Some(ran.result.clone());
+            state.run = Some(ran.run.clone());
         }
         kept.ran = Some(ran);
         self.tell_views(kept);
     }
 
     /// Tells the windows that see more than the run.
-    fn tell_views(&self, kept: &mut Kept) {
+    pub(super) fn tell_views(&self, kept: &mut Kept) {
         let views = self.lock().views.clone();
         kept.own.retain(|window, _| views.contains_key(window));
         let Some(ran) = &kept.ran else {
