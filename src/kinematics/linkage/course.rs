@@ -125,6 +125,8 @@ pub(super) struct Table {
     pub(super) links: usize,
     /// Angle that each link gains in a period.
     pub(super) gains: Vec<f64>,
+    /// True where the angles go on beyond both ends as evenly as between them.
+    pub(super) goes_on: bool,
 }
 
 impl Table {
@@ -146,9 +148,13 @@ impl Table {
         // Beside the ends derivatives grow without bound: no further out than
         // the last place.
         let x = ((reduced - self.inputs[index]) / step).clamp(0.0, 1.0);
-        std::array::from_fn(|k| {
+        let mut near = std::array::from_fn(|k| {
             hermite(x, step, [before[k], before[k + 3], after[k], after[k + 3]])
-        })
+        });
+        if self.goes_on {
+            near[2] += before[5] * (reduced - self.inputs[index] - x * step);
+        }
+        near
     }
 
     /// Takes the present position in as the last place; the angles continue

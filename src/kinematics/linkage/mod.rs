@@ -28,6 +28,7 @@ mod course;
 mod decompose;
 mod dyad;
 mod elements;
+mod endless;
 mod examine;
 mod forces;
 mod guesses;
@@ -278,6 +279,16 @@ fn explore(
         }
     }
     course.finish(&plan.driver);
+    let unexplored = |way: WayEnd| matches!(way, WayEnd::Ends(_, Cause::Unexplored));
+    if !spec.couplings.is_empty()
+        && unexplored(down)
+        && unexplored(up)
+        && endless::goes_on(plan, course, state)
+    {
+        course.ends = [f64::NEG_INFINITY, f64::INFINITY];
+        course.table.goes_on = true;
+        return Ok([WayEnd::Everywhere; 2]);
+    }
     Ok([down, up])
 }
 

@@ -159,6 +159,45 @@ fn a_planetary_gear_obeys_willis() {
     }
 }
 
+#[test]
+fn a_gear_train_that_does_not_repeat_soon_turns_for_ever() {
+    let (sun, planet, carrier) = (CRANK, Some(1), Some(2));
+    let (s, p, r) = (23.0, 31.0, 85.0);
+    let spec = Builder::new(&["sun", "planet", "carrier"])
+        .pin((GROUND, [0.0; 2]), (sun, [0.0; 2]))
+        .pin((GROUND, [0.0; 2]), (carrier, [0.0; 2]))
+        .pin((carrier, [0.21, 0.0]), (planet, [0.0; 2]))
+        .couple(
+            [sun, planet],
+            carrier,
+            CouplingKind::Gear { ratio: -s / p },
+            0.0,
+        )
+        .couple(
+            [GROUND, planet],
+            carrier,
+            CouplingKind::Gear { ratio: r / p },
+            0.0,
+        );
+    let linkage = linkage(spec);
+    assert_eq!(linkage.range().ends(), [f64::NEG_INFINITY, f64::INFINITY]);
+    for q in [0.3, 1e3, -7e3, 2e5] {
+        let workspace = solved(&linkage, q);
+        let turned = q * s / (s + r);
+        let near = 1e-15 * q.abs() + 1e-12;
+        assert!((workspace.angle(2) - turned).abs() < 4.0 * near, "{q}");
+        let planet = turned - (q - turned) * s / p;
+        assert!((workspace.angle(1) - planet).abs() < 4.0 * near, "{q}");
+    }
+}
+
+#[test]
+fn what_may_come_to_an_end_is_not_taken_for_endless() {
+    // The rods of this five-bar are never at the same angle again, and may be in line some time.
+    let linkage = linkage(five_bar(-97.0 / 101.0));
+    assert!(linkage.range().ends().iter().all(|end| end.is_finite()));
+}
+
 /// Crank and connecting rod swing a lever with a gear, which moves a rack on an inclined guide.
 fn rack() -> Builder {
     let (rod, lever, rack) = (Some(1), Some(2), Some(3));
