@@ -129,7 +129,7 @@ fn words(verdict: Verdict) -> Words {
         Sort::Numerical => "numerical",
         Sort::Unfinished => "unfinished",
     };
-    (sort, verdict.headline, verdict.text)
+    (sort, verdict.headline.to_string(), verdict.text.to_string())
 }
 
 #[pymethods]

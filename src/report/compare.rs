@@ -6,7 +6,8 @@ use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Valu
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{significant, units, with_unit};
+use crate::report::quantity::{significant, units};
+use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, verdict};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
 use crate::units::shown;
@@ -108,12 +109,14 @@ fn answer(runs: &[ComparedRun]) -> Verdict {
     let least = found.iter().min_by(|a, b| a.1.total_cmp(&b.1));
     let most = found.iter().max_by(|a, b| a.1.total_cmp(&b.1));
     let headline = match least.zip(most) {
-        Some(((id, least, unit), (_, most, _))) if *most > 0.0 => format!(
-            "Greatest |δ|, of {id}: {} to {}.",
-            with_unit(*least, unit, 4),
-            with_unit(*most, unit, 4)
-        ),
-        _ => "No object deviates from its law.".to_owned(),
+        Some(((id, least, unit), (_, most, _))) if *most > 0.0 => {
+            Sentence::from(format!("Greatest |δ|, of {id}: "))
+                .quantity(*least, unit, 4)
+                .words(" to ")
+                .quantity(*most, unit, 4)
+                .words(".")
+        }
+        _ => Sentence::from("No object deviates from its law."),
     };
     let bad = |sort: Sort| judged.iter().filter(|one| one.sort == sort).count();
     let (numerical, mechanism, unfinished) = (

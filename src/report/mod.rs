@@ -44,6 +44,7 @@ pub mod plot;
 pub mod quantity;
 pub mod reduce;
 pub mod run;
+pub mod sentence;
 pub mod show;
 pub mod steady;
 pub mod svg;

@@ -2,7 +2,8 @@
 //! the numbers can be trusted. The two are never mixed up.
 
 use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures, Units};
-use crate::report::quantity::{significant, units, with_unit};
+use crate::report::quantity::{significant, units};
+use crate::report::sentence::Sentence;
 
 /// Sort of a verdict: good news, bad news, or neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,18 +26,22 @@ pub struct Verdict {
     /// Sort of news.
     pub sort: Sort,
     /// Two or three words: `In working order`.
-    pub headline: String,
+    pub headline: Sentence,
     /// The sentence that follows.
-    pub text: String,
+    pub text: Sentence,
 }
 
 impl Verdict {
     /// An answer in a sentence: what it comes to, and what is to be added.
-    pub(in crate::report) fn answer(sort: Sort, headline: String, text: String) -> Self {
+    pub(in crate::report) fn answer(
+        sort: Sort,
+        headline: impl Into<Sentence>,
+        text: impl Into<Sentence>,
+    ) -> Self {
         Self {
             sort,
-            headline,
-            text,
+            headline: headline.into(),
+            text: text.into(),
         }
     }
 }
@@ -62,7 +67,7 @@ pub fn verdict(figures: &Figures) -> Verdict {
         return Verdict {
             sort: Sort::Numerical,
             headline: "Not to be trusted".into(),
-            text: format!("The computation failed its own check: {reason}."),
+            text: format!("The computation failed its own check: {reason}.").into(),
         };
     }
     pairs(figures)
@@ -87,8 +92,12 @@ fn is_finite(object: &ObjectFigures) -> bool {
 /// A run that did not reach its end.
 fn stopped(figures: &Figures) -> Verdict {
     let name = figures.run.stopped.as_deref().unwrap_or("");
-    let time = with_unit(figures.run.time, "s", 6);
     let reason = figures.run.stopped_because.as_deref().unwrap_or("");
+    let ended = Sentence::from("The run ended at t = ").quantity(figures.run.time, "s", 6);
+    let text = match reason.trim_end() {
+        "" => ended.words("."),
+        reason => ended.words(". ").sentence(Sentence::read(reason)),
+    };
     let (sort, headline) = match name {
         "interrupted" | "wall_clock" | "too_many_steps" | "not_explored" => {
             (Sort::Unfinished, "Not finished")
@@ -101,9 +110,7 @@ fn stopped(figures: &Figures) -> Verdict {
     Verdict {
         sort,
         headline: headline.into(),
-        text: format!("The run ended at t = {time}. {reason}")
-            .trim_end()
-            .into(),
+        text,
     }
 }
 
@@ -114,7 +121,7 @@ fn pairs(figures: &Figures) -> Verdict {
         .iter()
         .filter_map(|(id, object)| Some((id, object.pair.as_ref()?)))
         .collect();
-    let failing: Vec<String> = pairs
+    let failing: Vec<Sentence> = pairs
         .iter()
         .filter_map(|(id, pair)| complaint(id, pair, units(figures, id)))
         .collect();
@@ -122,7 +129,7 @@ fn pairs(figures: &Figures) -> Verdict {
         return Verdict {
             sort: Sort::Mechanism,
             headline: "Pair opens".into(),
-            text: sentence(&failing),
+            text: sentence(failing),
         };
     }
     let passing: u64 = pairs.iter().map(|(_, pair)| pair.separations).sum();
@@ -137,19 +144,17 @@ fn pairs(figures: &Figures) -> Verdict {
     Verdict {
         sort: Sort::Good,
         headline: "In working order".into(),
-        text,
+        text: text.into(),
     }
 }
 
 /// Complaint about one pair; `None` when nothing is wrong. Without a window every
 /// separation of the run counts.
-fn complaint(id: &str, pair: &PairFigures, units: Units) -> Option<String> {
+fn complaint(id: &str, pair: &PairFigures, units: Units) -> Option<Sentence> {
     if let Some(margin) = pair.margin {
         return (margin < 0.0).then(|| {
-            format!(
-                "{id} would lift off (least contact force {})",
-                with_unit(margin, units.force, 4)
-            )
+            let lifts = Sentence::from(format!("{id} would lift off (least contact force "));
+            lifts.quantity(margin, units.force, 4).words(")")
         });
     }
     let fails = match pair.in_working_order {
@@ -157,12 +162,10 @@ fn complaint(id: &str, pair: &PairFigures, units: Units) -> Option<String> {
         None => pair.separations > 0,
     };
     fails.then(|| {
-        format!(
-            "{id} separates {}, {} in all, the longest {}",
-            times(pair.separations),
-            with_unit(pair.separated_time, "s", 4),
-            with_unit(pair.longest_separation, "s", 4)
-        )
+        Sentence::from(format!("{id} separates {}, ", times(pair.separations)))
+            .quantity(pair.separated_time, "s", 4)
+            .words(" in all, the longest ")
+            .quantity(pair.longest_separation, "s", 4)
     })
 }
 
@@ -175,11 +178,12 @@ fn times(count: u64) -> String {
 }
 
 /// Parts joined to a sentence, at most three of them spelt out.
-fn sentence(parts: &[String]) -> String {
-    let shown = parts.iter().take(3).cloned().collect::<Vec<_>>().join("; ");
-    match parts.len() {
-        0..=3 => format!("{shown}."),
-        more => format!("{shown}; and {} more.", more - 3),
+fn sentence(parts: Vec<Sentence>) -> Sentence {
+    let count = parts.len();
+    let shown = Sentence::joined(parts.into_iter().take(3), "; ");
+    match count {
+        0..=3 => shown.words("."),
+        more => shown.words(format!("; and {} more.", more - 3)),
     }
 }
 
@@ -201,7 +205,7 @@ mod tests {
         let judged = verdict(&figures);
         assert_eq!(judged.sort, Sort::Mechanism);
         assert!(
-            judged.text.starts_with("rocker separates"),
+            judged.text.to_string().starts_with("rocker separates"),
             "{}",
             judged.text
         );

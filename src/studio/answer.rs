@@ -13,6 +13,7 @@ use crate::frontend::scene::{
     BuiltIn, Catalogue, Document, Layered, Overrides, Reading, TypedScene, edit,
 };
 use crate::report::live::{self, Charts};
+use crate::report::sentence::Sentence;
 use crate::report::verdict::Sort;
 use crate::studies::cam::disc_cams;
 use crate::studies::expectations::{check, of_run};
@@ -253,7 +254,7 @@ impl Ran {
             },
             "coarse": self.coarse,
             "title": mechanism.scene().name,
-            "warnings": warnings,
+            "warnings": warnings.iter().map(|one| Sentence::read(one)).collect::<Vec<_>>(),
             "expect": verdicts,
             "expect_others": others,
             "tables": shown.tables,

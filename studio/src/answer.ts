@@ -3,15 +3,15 @@
 
 import type { Verdict } from "./expect";
 import { offer } from "./export";
-import { remeasure, reshow } from "./units";
+import { remeasure, reshow, type Sentence } from "./units";
 
 export interface Answer {
   version: number;
-  verdict: { sort: string; headline: string; text: string };
+  verdict: { sort: string; headline: Sentence; text: Sentence };
   coarse: boolean;
   // The name of the scene.
   title: string;
-  warnings: string[];
+  warnings: Sentence[];
   // What is expected of the run, and how much is expected that it does not tell.
   expect: Verdict[];
   expect_others: number;

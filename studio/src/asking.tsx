@@ -6,6 +6,7 @@ import { offer, save } from "./export";
 import { Host } from "./host";
 import type { Link, Message } from "./link";
 import { OptionField, type Option } from "./option";
+import { choice, reshow } from "./units";
 
 export interface Question { command: string; tab: string; about: string; fields: Option[]; why: string | null; choices: Record<string, string[]> | null }
 type Values = Record<string, string[]>;
@@ -46,7 +47,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const [subtitle, setSubtitle] = useState("");
   const [files, setFiles] = useState<string[]>([]);
   const [waiting, setWaiting] = useState(false);
-  const place = useRef<HTMLElement>(null!), shown = useRef("");
+  const place = useRef<HTMLElement>(null!), shown = useRef(""), drawn = useRef<{ message: Message; command: string } | null>(null);
   const made = useRef<PlotChart[]>([]), players = useRef<Playing[]>([]);
   const { questions } = forms;
   const names = [...new Set(questions.map((one) => one.tab))];
@@ -65,6 +66,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
     made.current = [];
     players.current = [];
     shown.current = "";
+    drawn.current = null;
     place.current?.replaceChildren();
     setSubtitle(""); setFiles([]);
   };
@@ -128,7 +130,9 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
     const width = made.current[0]?.width;
     live.drop(made.current);
     players.current.forEach((one) => one.stop());
+    drawn.current = { message, command };
     place.current.innerHTML = (message.answer ?? "") + message.warnings + message.html;
+    reshow(place.current);
     const plots: PlotData[] = [];
     for (const [index, plot] of Object.entries<PlotData>(message.plots)) plots[+index] = plot;
     made.current = live.make(place.current, { columns: message.columns, plots }, width);
@@ -142,6 +146,9 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
     setSubtitle(message.subtitle);
     setFiles(message.files);
   };
+
+  // In other units.
+  useEffect(() => { if (drawn.current) draw(drawn.current.message, drawn.current.command); }, [choice.number]);
 
   const fetched = async (name: string) => {
     setTold(`${name} is being made …`);

@@ -24,7 +24,7 @@ import type { Guide } from "./schema";
 import { Sliders } from "./sliders";
 import { seen, Tour, type Show } from "./tour";
 import { Edits, member, find, parse, type Change, type Value } from "./tree";
-import { offered, Units } from "./units";
+import { offered, said, Units } from "./units";
 import "./style.css";
 import "./first.css";
 import "./tour.css";
@@ -314,8 +314,8 @@ function Studio() {
           {stale && <p key="stale" class="stale-mark" role="status">{errors.length
             ? `Stale: the text has ${errors.length} ${errors.length === 1 ? "fault" : "faults"}; this is the last good answer.` : "Stale: there is no answer to this text."}</p>}
           {answer && <p key="verdict" class={`verdict ${answer.verdict.sort}`}><span class="sort">{answer.coarse ? "First look, the model is still being judged" : "Answer"}</span>
-            <b>{answer.verdict.headline}</b> {answer.verdict.text}</p>}
-          {answer && answer.warnings.length > 0 && <ul key="warnings" class="warnings">{answer.warnings.map((one) => <li>{one}</li>)}</ul>}
+            <b>{said(answer.verdict.headline)}</b> {said(answer.verdict.text)}</p>}
+          {answer && answer.warnings.length > 0 && <ul key="warnings" class="warnings">{answer.warnings.map((one) => <li>{said(one)}</li>)}</ul>}
           {scene && <Expectations key={`expectations ${scene}`} link={link} scene={scene} feed={judged} latest={latest} isAt={(one) => editor.current!.isAt(one)} edit={edit} program={program.current} />}
           {answer && <Beside key="pins" link={link} answer={answer} opened={opened} stale={stale} />}
           <div key="beside" class="beside">

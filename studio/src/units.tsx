@@ -47,13 +47,36 @@ export function offered(settings: Record<string, string>): boolean {
   return taken;
 }
 
+// A sentence of the program: words, and quantities as it told them, with their values.
+export type Sentence = (string | { words: string; value: number; unit: string; digits: number })[];
+
+// A sentence in the units that were chosen.
+export function said(sentence: Sentence): string {
+  return sentence.map((part) => typeof part === "string" ? part : inOwn(part.value, part.unit, part.digits) ?? part.words).join("");
+}
+
+// A value of an SI unit in the one that was chosen; null: in whichever reads best.
+function inOwn(value: number, si: string, digits: number): string | null {
+  const own = chosen.get(si);
+  return own ? `${numbers.significant(value / own.factor, digits)} ${own.unit}` : null;
+}
+
+// The SI unit of what is told in degrees.
+const ofDegrees: Record<string, [string, number]> = { deg: ["rad", TURN / 360], "deg/s": ["rad/s", TURN / 360], rpm: ["rad/s", TURN / 60] };
+
 // Figures in a piece of a page, each with its value and SI unit as its title.
-export function reshow(piece: DocumentFragment): void {
+export function reshow(piece: ParentNode): void {
+  for (const one of piece.querySelectorAll<HTMLElement>("span.quantity[title]")) {
+    const [, number, unit] = /^(\S+) (.+)$/.exec(one.title) ?? [];
+    one.dataset["words"] ??= one.textContent ?? "";
+    one.textContent = inOwn(Number(number), unit ?? "", Number(one.dataset["digits"])) ?? one.dataset["words"];
+  }
   if (!chosen.size) return;
   for (const one of piece.querySelectorAll<HTMLElement>("td span[title]")) {
-    const [, number, unit] = /^(\S+) (.+)$/.exec(one.title) ?? [], own = unit === undefined ? undefined : chosen.get(unit), name = one.querySelector(".unit");
+    const [, number, unit = ""] = /^(\S+) (.+)$/.exec(one.title) ?? [], [si, factor] = ofDegrees[unit] ?? [unit, 1];
+    const own = chosen.get(si), name = one.querySelector(".unit");
     if (!own || !name || !Number.isFinite(Number(number))) continue;
-    one.replaceChildren(`${numbers.significant(Number(number) / own.factor, 7)} `, name);
+    one.replaceChildren(`${numbers.significant(Number(number) * factor / own.factor, 7)} `, name);
     name.textContent = own.unit;
   }
 }

@@ -232,6 +232,13 @@ test("units are those that were chosen, and the text stays as it is", async ({ p
   expect(shown).toBeCloseTo(size * 180 / Math.PI, 6);
   await expect(page.locator(".charts svg.dam-plot").filter({ hasText: /, deg/ }).first()).toBeVisible();
   await expect(page.locator(".charts")).not.toContainText("mrad");
+  // The answer's sentence too, to as many digits as it has.
+  await expect(page.locator(".answers > .verdict")).toContainText(/separates .*, [\d.]+ m?s in all/);
+  await choose("times", "ms");
+  await expect(page.locator(".answers > .verdict")).toContainText(/separates .*, [\d.]+ ms in all, the longest [\d.]+ ms/);
+  const told = /, ([\d.]+) ms in all/.exec(await page.locator(".answers > .verdict").textContent());
+  const { separated_time: whole } = server.run(before).objects.rocker.pair;
+  expect(Number(told[1])).toBeCloseTo(Number((1000 * whole).toPrecision(4)), 9);
   await expect(field).toHaveValue("600 rpm");
   expect(await textOf(page)).toBe(before);
   // What is typed goes into the text in the unit that it has there.

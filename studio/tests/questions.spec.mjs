@@ -51,7 +51,7 @@ function told(scene, command, ...options) {
 // Everything that is read on a page or tab: words, and numbers with all their digits.
 const read = (page, selector) => page.evaluate((selector) => {
   const at = document.querySelector(selector);
-  const titles = [...at.querySelectorAll("span[title]")].map((one) => one.title);
+  const titles = [...at.querySelectorAll("span[title]:not(.quantity)")].map((one) => one.title);
   const tables = [...at.querySelectorAll("tbody tr, dl.facts:not(.readings) > *")].map((one) => one.textContent.trim());
   return { titles, tables, heads: [...at.querySelectorAll("h2")].map((one) => one.textContent) };
 }, selector);
@@ -227,4 +227,25 @@ test("long work tells how far it is, and ends when something newer is asked", as
   await expect(page.locator(".found h2").first()).toBeVisible({ timeout: 20_000 });
   await expect(page.locator(".found .dam-plot").first()).toBeVisible();
   await done(page);
+});
+
+test("a tab's answer is told in the units that were chosen", async ({ page }) => {
+  test.setTimeout(120_000);
+  await opened(page, "shaper.json");
+  await tab(page, "Kinematics");
+  const quantities = () => page.locator(".found .verdict .quantity").allTextContents(), before = await quantities();
+  expect(before.some((one) => one.endsWith(" deg"))).toBe(true);
+  const values = await page.locator(".found .verdict .quantity").evaluateAll((all) => all.map((one) => one.title.split(" ")));
+  const choose = async (unit) => {
+    await page.getByRole("button", { name: "Units", exact: true }).click();
+    await page.getByRole("group", { name: "units shown" }).getByLabel("angles", { exact: true }).selectOption({ label: unit });
+    await page.keyboard.press("Escape");
+  };
+  await choose("rad");
+  await expect.poll(async () => (await quantities()).some((one) => one.endsWith(" deg"))).toBe(false);
+  for (const [k, text] of (await quantities()).entries()) if (values[k][1] === "rad") expect(Number(text.replace("−", "-").split(" ")[0])).toBeCloseTo(Number(values[k][0]), 5);
+  // Cells that have degrees too.
+  await expect(page.locator(".found td span[title$=' deg']").first()).toHaveText(/ rad$/);
+  await choose("whichever reads best");
+  await expect.poll(quantities).toEqual(before);
 });

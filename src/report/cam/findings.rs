@@ -10,6 +10,7 @@ use crate::kinematics::cam::DiscCam;
 use crate::report::findings::{Findings, Item, Layout, Section, Source};
 use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
 use crate::report::plot::Plots;
+use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::cam::{CamFigures, CamForce};
 use serde_json::{Value, json};
@@ -107,16 +108,16 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
     match grave.first() {
         None => Verdict {
             sort: Sort::Good,
-            headline: "The cam is sound.".to_owned(),
+            headline: "The cam is sound.".into(),
             text: "No undercut, no corner; pressure angle, face and closing force are as asked."
-                .to_owned(),
+                .into(),
         },
         Some(first) => Verdict {
             sort: Sort::Mechanism,
-            headline: capitalised(first) + ".",
+            headline: Sentence::read(&(capitalised(first) + ".")),
             text: match grave.len() {
-                1 => String::new(),
-                count => format!("And {} more, listed below.", count - 1),
+                1 => Sentence::default(),
+                count => format!("And {} more, listed below.", count - 1).into(),
             },
         },
     }

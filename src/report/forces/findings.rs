@@ -7,7 +7,8 @@ use crate::kinematics::linkage::spec::PairSpec;
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Plot, page::hodograph};
-use crate::report::quantity::{DIGITS, significant, with_unit};
+use crate::report::quantity::{DIGITS, significant};
+use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::forces::{Extreme, Extremes, ForceStudy};
 use std::fmt::Write as _;
@@ -75,22 +76,25 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
     let study = report.study;
     let between = |drive: &Extremes| {
         let end = |end: &Extreme| match end.value.is_finite() {
-            true => with_unit(end.value, &drive.unit, DIGITS),
-            false => "unbounded".to_owned(),
+            true => Sentence::default().quantity(end.value, &drive.unit, DIGITS),
+            false => Sentence::from("unbounded"),
         };
         let at = drive.name.strip_prefix("drive.");
         let at = at.map_or(String::new(), |input| format!("at {input} "));
-        format!("{at}from {} to {}", end(&drive.least), end(&drive.greatest))
+        let from = Sentence::from(format!("{at}from ")).sentence(end(&drive.least));
+        from.words(" to ").sentence(end(&drive.greatest))
     };
     let drives = (study.extremes.iter())
         .filter(|found| found.name == "drive" || found.name.starts_with("drive."));
-    let drives: Vec<String> = drives.map(between).collect();
+    let drives: Vec<Sentence> = drives.map(between).collect();
     let headline = match drives.is_empty() {
-        false => format!("Driving force {}.", drives.join(", ")),
+        false => Sentence::from("Driving force ")
+            .sentence(Sentence::joined(drives, ", "))
+            .words("."),
         true if study.indeterminate.drive => {
-            "The driving force is statically indeterminate.".to_owned()
+            Sentence::from("The driving force is statically indeterminate.")
         }
-        true => "No position has forces.".to_owned(),
+        true => Sentence::from("No position has forces."),
     };
     let missing = study.rows.len().saturating_sub(study.solved().count());
     let balance = study.worst_balance();

@@ -6,7 +6,8 @@ pub mod runs;
 use crate::report::diagram::Diagram;
 use crate::report::mechanism;
 use crate::report::plot::{Plots, page::SCRIPT, palette};
-use crate::report::quantity::{escape, raised, scale, significant};
+use crate::report::quantity::{escape, scale, significant};
+use crate::report::sentence::Sentence;
 use crate::report::svg::graph;
 use crate::report::verdict::{Sort, Verdict};
 
@@ -62,8 +63,8 @@ pub(in crate::report) fn verdict_banner(verdict: &Verdict) -> String {
     };
     format!(
         "<p class=\"verdict {class}\"><span class=\"sort\">{sort}</span><b>{}</b> {}</p>\n",
-        escape(&raised(&verdict.headline)),
-        escape(&raised(&verdict.text))
+        verdict.headline.html(),
+        verdict.text.html()
     )
 }
 
@@ -77,7 +78,7 @@ pub(in crate::report) fn warnings(warnings: &[String]) -> String {
     if warnings.is_empty() {
         return String::new();
     }
-    let item = |warning: &String| format!("<li>{}</li>\n", escape(&raised(warning)));
+    let item = |warning: &String| format!("<li>{}</li>\n", Sentence::read(warning).html());
     let items: String = warnings.iter().map(item).collect();
     format!("<h2>Warnings</h2>\n<ul class=\"warnings\">\n{items}</ul>\n")
 }

@@ -1,10 +1,11 @@
 //! What the kinematics of a linkage comes to.
 
-use super::{drawing, input, place, plots, several};
+use super::{drawing, input, input_said, place, plots, several};
 use crate::dynamics::model::Coordinate;
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
 use crate::report::quantity::{DIGITS, significant, with_unit};
+use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::kinematics::{
     AnyLinkage, Column, Equilibrium, Extremes, Kinematics, Quantity, Stroke,
@@ -51,19 +52,24 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
 /// Where it stops, or how far its outputs and links go.
 fn answer(found: &Kinematics) -> Verdict {
     if let Some(stop) = &found.stopped {
-        let headline = format!("The mechanism stops at {}.", place(found, stop.at));
-        let text = format!("Input {}: {}", input(found, stop.input), stop.cause);
+        let headline = Sentence::from("The mechanism stops at ")
+            .angle_or(stop.at, found.axis.unit, 6)
+            .words(".");
+        let text = Sentence::from("Input ")
+            .sentence(input_said(found, stop.input))
+            .words(format!(": {}", stop.cause));
         return Verdict::answer(Sort::Mechanism, headline, text);
     }
     let stroke = |stroke: &Stroke| {
         let size = stroke.ends[1].1 - stroke.ends[0].1;
-        let size = Value::angle_or(size, stroke.unit, DIGITS).words();
-        format!("{} {size}", stroke.owner)
+        Sentence::from(format!("{} ", stroke.owner)).angle_or(size, stroke.unit, DIGITS)
     };
-    let strokes: Vec<String> = found.strokes.iter().take(3).map(stroke).collect();
+    let strokes: Vec<Sentence> = found.strokes.iter().take(3).map(stroke).collect();
     let text = match strokes.is_empty() {
-        true => String::new(),
-        false => format!("Strokes: {}.", strokes.join(", ")),
+        true => Sentence::default(),
+        false => Sentence::from("Strokes: ")
+            .sentence(Sentence::joined(strokes, ", "))
+            .words("."),
     };
     let headline = format!("It goes through all {} positions.", found.axis.values.len());
     Verdict::answer(Sort::Good, headline, text)

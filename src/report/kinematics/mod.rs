@@ -12,6 +12,7 @@ pub use findings::{findings, rows};
 
 use crate::dynamics::model::Coordinate;
 use crate::report::findings::Value;
+use crate::report::sentence::Sentence;
 use crate::studies::kinematics::Kinematics;
 
 /// A place on the axis for reading: angles in degrees.
@@ -19,16 +20,24 @@ fn place(found: &Kinematics, at: f64) -> String {
     Value::angle_or(at, found.axis.unit, 6).words()
 }
 
+/// An input coordinate in a sentence.
+fn input_said(found: &Kinematics, at: f64) -> Sentence {
+    Sentence::default().angle_or(at, unit_of(found.input), 6)
+}
+
 /// An input coordinate for reading.
 fn input(found: &Kinematics, at: f64) -> String {
     coordinate(found.input, at)
 }
 
-/// A value of a coordinate for reading.
-fn coordinate(own: Coordinate, at: f64) -> String {
-    let unit = match own {
+fn unit_of(own: Coordinate) -> &'static str {
+    match own {
         Coordinate::Turning => "rad",
         Coordinate::Sliding => "m",
-    };
-    Value::angle_or(at, unit, 6).words()
+    }
+}
+
+/// A value of a coordinate for reading.
+fn coordinate(own: Coordinate, at: f64) -> String {
+    Value::angle_or(at, unit_of(own), 6).words()
 }

@@ -7,6 +7,7 @@ use crate::report::csv::Rows;
 use crate::report::findings::{Figure, Findings, Section, Source};
 use crate::report::plot::Axis;
 use crate::report::quantity::significant;
+use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
 use crate::units::shown;
 
@@ -48,12 +49,15 @@ pub fn stroke_findings(
     extras: StrokeExtras,
 ) -> Findings<'static> {
     let found = stroke.figures();
-    let headline = format!(
-        "Stroke {} {unit} in {} rad, greatest speed {} {unit}/rad.",
-        significant(found.stroke, 6),
-        significant(found.span, 6),
+    let own = |sentence: Sentence, value: f64, unit: &str| {
+        let words = format!("{} {unit}", significant(value, 6));
+        sentence.worded(value, (unit, 6), words)
+    };
+    let headline = own(Sentence::from("Stroke "), found.stroke, unit).words(" in ");
+    let headline = own(headline, found.span, "rad").words(format!(
+        ", greatest speed {} {unit}/rad.",
         significant(found.peak_speed, 6)
-    );
+    ));
     let text = format!(
         "Greatest Π″ {} {unit}/rad² in the run-up and {} {unit}/rad² in the run-out.",
         significant(found.acceleration_run_up, 6),

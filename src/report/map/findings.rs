@@ -6,6 +6,7 @@ use super::pointing::section;
 use crate::report::findings::{Cell as Entry, Findings, Layout, Section, Source, Table, Value};
 use crate::report::html::facts;
 use crate::report::quantity::{significant, with_unit};
+use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict as Answer};
 use crate::studies::axis::Axis;
 use crate::studies::map::{Cell, Extreme, MapResult, PanelSummary, Study, Verdict, summary};
@@ -72,13 +73,12 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
     let greatest = panels.iter().filter_map(|panel| panel.greatest.as_ref());
     let greatest = greatest.max_by(|a, b| a.value.total_cmp(&b.value));
     let headline = match least.zip(greatest) {
-        Some((least, greatest)) => format!(
-            "{} from {} to {}.",
-            study.figure,
-            with_unit(least.value, &study.unit, 4),
-            with_unit(greatest.value, &study.unit, 4)
-        ),
-        None => format!("{} has no value anywhere.", study.figure),
+        Some((least, greatest)) => Sentence::from(format!("{} from ", study.figure))
+            .quantity(least.value, &study.unit, 4)
+            .words(" to ")
+            .quantity(greatest.value, &study.unit, 4)
+            .words("."),
+        None => format!("{} has no value anywhere.", study.figure).into(),
     };
     let (good, failed) = (
         count(Verdict::InWorkingOrder),

@@ -7,6 +7,7 @@ use crate::report::diagram::Diagram;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::html::mechanism;
 use crate::report::quantity::{significant, with_unit};
+use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
 use crate::studies::methods::{GROWN, MethodLine, ModelError, Point, Reference, Study, Verdict};
 
@@ -63,7 +64,11 @@ fn answer(study: &Study) -> Answer {
         false => " INTERRUPTED: points that were not run are missing.",
     };
     let text = capitalised(&study.recommendation.text);
-    Answer::answer(sort, headline, format!("{text}.{interrupted}"))
+    Answer::answer(
+        sort,
+        headline,
+        Sentence::read(&format!("{text}.{interrupted}")),
+    )
 }
 
 /// The methods that no line stands for.

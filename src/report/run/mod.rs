@@ -74,7 +74,7 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
             figures.run.method
         ),
         answer: Some(Verdict {
-            headline: judged.headline + ".",
+            headline: judged.headline.words("."),
             ..judged
         }),
         warnings: figures.warnings.clone(),

@@ -6,6 +6,7 @@ use crate::dynamics::steady::flywheel::{Approximation, Flywheel};
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::quantity::significant;
+use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
 
 /// A quantity to all the digits that say something.
@@ -32,12 +33,14 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
         "The speed fluctuates by δ = {}.",
         significant(f.fluctuation, 4)
     );
-    let text = format!(
-        "From {} to {} rad/s about a mean of {} rad/s.",
-        significant(f.least_speed.value, 5),
-        significant(f.greatest_speed.value, 5),
-        significant(f.mean_speed, 5)
-    );
+    // In SI the unit of the first is that of the second.
+    let speed = |sentence: Sentence, value: f64, unit: &str| {
+        let words = significant(value, 5) + unit;
+        sentence.worded(value, ("rad/s", 5), words)
+    };
+    let text = speed(Sentence::from("From "), f.least_speed.value, "").words(" to ");
+    let text = speed(text, f.greatest_speed.value, " rad/s").words(" about a mean of ");
+    let text = speed(text, f.mean_speed, " rad/s").words(".");
     let sort = match f.warnings.is_empty() {
         true => Sort::Good,
         false => Sort::Mechanism,
