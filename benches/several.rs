@@ -339,7 +339,13 @@ fn main() {
             summed: true,
         },
     ];
-    for case in cases {
+    // A word picks cases: `cargo bench -p dam-benches --bench several -- five`.
+    let word = std::env::args().skip(1).find(|word| !word.starts_with('-'));
+    let asked = |case: &Case| {
+        word.as_ref()
+            .is_none_or(|word| case.name.contains(word.as_str()))
+    };
+    for case in cases.into_iter().filter(asked) {
         let system = system(&case.text);
         let start = system.initial_state().expect("a start");
         let n = system.coordinates();
