@@ -3,7 +3,7 @@
 
 mod reading;
 
-use super::findings::Value;
+use super::findings::table::Value;
 use super::quantity::{escape, raised, with_unit};
 use serde::Serialize;
 use std::fmt;

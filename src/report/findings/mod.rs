@@ -3,7 +3,7 @@
 //! (`page`); tables for other programs are [`Rows`](super::csv::Rows).
 
 mod page;
-mod table;
+pub(super) mod table;
 mod text;
 
 #[cfg(feature = "studio")]
