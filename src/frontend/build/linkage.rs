@@ -65,6 +65,11 @@ impl Linkage {
         self.entry("pairs", name, joint)
     }
 
+    /// Adds a coupling of two links: gears, a belt, a rack.
+    pub fn coupling(self, name: &str, coupling: Coupling) -> Self {
+        self.entry("couplings", name, coupling)
+    }
+
     /// Says on which side a link, or a group, is put together.
     pub fn assembly(self, link: &str, assembly: Assembly) -> Self {
         self.entry("assembly", link, assembly)
@@ -192,6 +197,78 @@ impl Joint {
         sliding.put("through", through);
         sliding.put("block", block);
         Self(only("sliding", sliding))
+    }
+
+    /// A weld: the same point on both links, and the angle of the second link's frame less that of
+    /// the first (rad). Both are one body.
+    pub fn weld(on: &str, link: &str, angle: impl Into<Node>) -> Self {
+        let mut weld = only("on", on);
+        weld.put("link", link);
+        weld.put("angle", angle);
+        Self(only("weld", weld))
+    }
+}
+
+/// A coupling of two links by gears, a belt, or a gear and a rack.
+#[derive(Clone, Debug, PartialEq)]
+#[must_use]
+pub struct Coupling {
+    kind: &'static str,
+    own: Node,
+}
+
+impl Coupling {
+    /// Two gears with external teeth, by their numbers of teeth.
+    pub fn gears(wheels: [&str; 2], teeth: [u32; 2]) -> Self {
+        Self::of("gear", wheels, "teeth", teeth)
+    }
+
+    /// Two gears of which one has internal teeth: both turn the same way.
+    pub fn internal_gears(wheels: [&str; 2], teeth: [u32; 2]) -> Self {
+        Self::gears(wheels, teeth).with("internal", true)
+    }
+
+    /// A toothed belt or a chain between two wheels, by their diameters (m).
+    pub fn belt(wheels: [&str; 2], diameters: [f64; 2]) -> Self {
+        Self::of("belt", wheels, "diameters", diameters)
+    }
+
+    /// A crossed belt: the wheels turn against each other.
+    pub fn crossed_belt(wheels: [&str; 2], diameters: [f64; 2]) -> Self {
+        Self::belt(wheels, diameters).with("crossed", true)
+    }
+
+    /// A gear and a rack, by the radius of the gear's pitch circle (m): positive where the rack lies to
+    /// the right of the gear, seen along its guide.
+    pub fn rack(gear: &str, rack: &str, radius: f64) -> Self {
+        Self::of("rack", [gear, rack], "radius", radius)
+    }
+
+    /// The link that carries both, or `ground`; needed where there is more than one that could.
+    pub fn carrier(self, link: &str) -> Self {
+        self.with("carrier", link)
+    }
+
+    /// Angle of the second wheel (rad), or displacement of the rack (m), where that of the first wheel is
+    /// zero, both seen from the carrier.
+    pub fn offset(self, offset: impl Into<Node>) -> Self {
+        self.with("offset", offset)
+    }
+
+    fn of(kind: &'static str, wheels: [&str; 2], size: &str, value: impl Into<Node>) -> Self {
+        let own = only("wheels", wheels);
+        Self { kind, own }.with(size, value)
+    }
+
+    fn with(mut self, property: &str, value: impl Into<Node>) -> Self {
+        self.own.put(property, value);
+        self
+    }
+}
+
+impl From<Coupling> for Node {
+    fn from(coupling: Coupling) -> Self {
+        only(coupling.kind, coupling.own)
     }
 }
 

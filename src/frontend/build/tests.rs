@@ -76,6 +76,7 @@ fn every_property_of_every_kind_can_be_built() {
         "ground",
         "links",
         "pairs",
+        "couplings",
         "assembly",
         "forces",
         "outputs",
@@ -99,7 +100,7 @@ fn every_property_of_every_kind_can_be_built() {
         &schema,
         &["linkage_pair"],
         Joint::PROPERTIES,
-        &["revolute", "sliding"],
+        &["revolute", "sliding", "weld"],
     );
     same(&schema, &["rocker", "pair"], Pair::PROPERTIES, &["closure"]);
     same(&schema, &["sliding_stop"], Stop::PROPERTIES, &[]);
@@ -177,6 +178,18 @@ fn stations_forces_and_outputs_can_be_built() {
                 given.is_subset(&described(&schema, &["linkage_force", law])),
                 "{law}"
             );
+        }
+    }
+    let couplings = [
+        Coupling::internal_gears(["a", "b"], [20, 40]).carrier("c"),
+        Coupling::crossed_belt(["a", "b"], [0.04, 0.08]).offset(0.1),
+        Coupling::rack("a", "b", 0.03),
+    ];
+    for coupling in couplings.map(|coupling| json(coupling.into())) {
+        for (kind, options) in coupling.as_object().unwrap() {
+            let given = names(options.as_object().unwrap().keys().map(String::as_str));
+            let known = described(&schema, &["linkage_coupling", kind]);
+            assert!(given.is_subset(&known), "{kind}: {known:?}");
         }
     }
 }
