@@ -81,33 +81,55 @@ impl<'a> Step<'a> {
 
     /// The state y = [u, u′] at s.
     pub fn state(&self, s: f64, y: &mut [f64]) {
-        let n = self.coordinates;
         if self.degree == 0 || !(0.0..=1.0).contains(&s) {
+            let n = self.coordinates;
             for index in 0..n {
                 (y[index], y[n + index]) = self.value(index, s);
             }
             return;
         }
+        self.weighted_state(s, &weights(self.degree - 1, s), y);
+    }
+
+    /// As [`Self::state`], at a place whose weights are known: those of a degree less one.
+    pub(crate) fn weighted_state(&self, s: f64, weights: &Coefficients, y: &mut [f64]) {
         // All signals are weighted sums of their coefficients with the same weights: those
         // of the polynomial between the first and last but one coefficient, and of what the
         // next ones add.
-        let weights = weights(self.degree - 1, s);
+        let n = self.coordinates;
         let rate = self.degree as f64 / self.length;
         for index in 0..n {
-            let row = self.differences(index);
-            let (mut value, mut slope) = (0.0, 0.0);
-            for (weight, pair) in weights.iter().zip(row.windows(2)) {
-                value += weight * pair[0];
-                slope += weight * (pair[1] - pair[0]);
-            }
+            let (value, slope) = weighted(&weights[..self.degree], self.differences(index));
             y[index] = self.bases[index] + (value + s * slope);
             y[n + index] = rate * slope;
         }
     }
 }
 
+/// Sums of a row's coefficients and of their differences, but for the last, by weights.
+#[inline]
+fn weighted(weights: &[f64], row: &[f64]) -> (f64, f64) {
+    // (Four sums each: one would wait for each addition before the next.)
+    const LANES: usize = 4;
+    let (mut values, mut slopes) = ([0.0; LANES], [0.0; LANES]);
+    let (here, next) = (&row[..weights.len()], &row[1..=weights.len()]);
+    let fours = weights.chunks_exact(LANES).zip(here.chunks_exact(LANES));
+    for ((weights, here), next) in fours.zip(next.chunks_exact(LANES)) {
+        for lane in 0..LANES {
+            values[lane] += weights[lane] * here[lane];
+            slopes[lane] += weights[lane] * (next[lane] - here[lane]);
+        }
+    }
+    let (mut value, mut slope) = (values.iter().sum(), slopes.iter().sum());
+    for rest in weights.len() / LANES * LANES..weights.len() {
+        value += weights[rest] * here[rest];
+        slope += weights[rest] * (next[rest] - here[rest]);
+    }
+    (value, slope)
+}
+
 /// The Bernstein polynomials of a degree at 0 ≤ s ≤ 1.
-fn weights(degree: usize, s: f64) -> Coefficients {
+pub(crate) fn weights(degree: usize, s: f64) -> Coefficients {
     let mut weights = [0.0; MAX_DEGREE + 1];
     let rest = 1.0 - s;
     let mut power = 1.0;

@@ -3,6 +3,7 @@
 
 import type { Verdict } from "./expect";
 import { offer } from "./export";
+import { patch } from "./patch";
 import { remeasure, reshow, type Sentence } from "./units";
 
 export interface Answer {
@@ -49,27 +50,11 @@ function lazily(lengths: (number | null)[], values: Float64Array): (number | nul
 }
 
 // Makes an element's content another one, and touches only what differs.
-function patch(parent: Element, html: string): void {
+function retell(parent: Element, html: string): void {
   const wanted = document.createElement("template");
   wanted.innerHTML = html;
   reshow(wanted.content);
-  if (!alike(parent, wanted.content)) parent.replaceChildren(wanted.content);
-}
-
-// Takes texts and attributes over; false: there are other elements.
-function alike(own: Node, wanted: Node): boolean {
-  const [a, b] = [own.childNodes, wanted.childNodes];
-  if (a.length !== b.length) return false;
-  for (let k = 0; k < a.length; k++) {
-    const [one, other] = [a[k]!, b[k]!];
-    if (one.nodeName !== other.nodeName) return false;
-    if (one instanceof Element && other instanceof Element) {
-      if (one.attributes.length !== other.attributes.length) return false;
-      for (const { name, value } of other.attributes) if (one.getAttribute(name) !== value) one.setAttribute(name, value);
-      if (!alike(one, other)) return false;
-    } else if (one.nodeValue !== other.nodeValue) one.nodeValue = other.nodeValue;
-  }
-  return true;
+  patch(parent, wanted.content);
 }
 
 // How long nothing is changed before the charts out of sight get their numbers too.
@@ -137,19 +122,19 @@ export class Board {
     this.move(head, source);
     if (head.tables !== this.tables) {
       this.tables = head.tables;
-      patch(this.parts.tables, head.tables);
+      retell(this.parts.tables, head.tables);
     }
     if (head.compared !== this.compared) {
       this.compared = head.compared;
-      patch(this.parts.compared, head.compared);
+      retell(this.parts.compared, head.compared);
     }
     return head;
   }
 
   // Other units.
   again(): void {
-    patch(this.parts.tables, this.tables);
-    patch(this.parts.compared, this.compared);
+    retell(this.parts.tables, this.tables);
+    retell(this.parts.compared, this.compared);
     live.draw();
     remeasure(this.parts.machine);
     if (this.last) this.playing?.update(...this.last);

@@ -5,6 +5,7 @@ import type { Editor } from "./editor";
 import { offer } from "./export";
 import { Host } from "./host";
 import type { Link, Message } from "./link";
+import { patch } from "./patch";
 import { fieldOf, spanOf, written, type Field, type Span } from "./numbers";
 
 interface Props { editor: Editor; link: Link; fields: Field[]; figures: string[]; spans: Map<string, Span>; scene: string }
@@ -64,18 +65,28 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
       latest = [done, of];
       frame ||= requestAnimationFrame(() => { frame = 0; setProgress(latest); });
     });
+    // Over the same axes in the same frame the chart stays, and what differs in it is touched alone.
+    const show = (html: string, source: PlotSource) => {
+      const width = made.current[0]?.width, wanted = document.createElement("template");
+      wanted.innerHTML = html;
+      if (made.current.length && live.alike(made.current, source)) {
+        patch(place.current!, wanted.content, ".over, .grid, .export");
+        live.renew(made.current, source);
+        return;
+      }
+      live.drop(made.current);
+      place.current!.replaceChildren(wanted.content);
+      made.current = live.make(place.current!, source, width);
+      offer(made.current);
+    };
     link.on("map", (message: Message) => {
       latest = null;
       setProgress(null);
       setTold(message.refused ? `There is no map: ${message.refused}` : `${message.figure}, ${message.cells} points. Click or drag sets both numbers.`);
       if (!message.refused && place.current) {
-        const width = made.current[0]?.width;
-        live.drop(made.current);
-        place.current.innerHTML = message.html;
         const source = { columns: message.columns, plots: message.plots };
         for (const plot of Object.values<PlotData>(message.plots)) if (plot.field) plot.field.notes = message.notes;
-        made.current = live.make(place.current, source, width);
-        offer(made.current);
+        show(message.html, source);
         mark();
       }
       requestAnimationFrame(() => link.send({ type: "map_shown" }));

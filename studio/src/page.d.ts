@@ -9,6 +9,8 @@ interface PlotChart { svg: SVGElement; group: SVGElement; data: PlotData; column
 declare const live: {
   make(root: Element, source: PlotSource, width?: number): PlotChart[];
   update(made: PlotChart[], source: PlotSource, visible?: (chart: PlotChart) => boolean): void;
+  alike(made: PlotChart[], source: PlotSource): boolean;
+  renew(made: PlotChart[], source: PlotSource): void;
   drop(made: PlotChart[]): void;
   draw(): void;
 };

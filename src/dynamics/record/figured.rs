@@ -3,8 +3,9 @@
 use super::audit::{Ledger, WEIGHTED};
 use super::failure::{self, Failure};
 use super::joints::JointTracker;
-use super::observed::{Coordinates, Observed, places};
+use super::observed::{Coordinates, Looks, Observed};
 use super::observer::Observer;
+use super::peaks::PLACES;
 use super::pieces::{self, Pieces};
 use super::rows::is_finite;
 use super::settings::RecorderSettings;
@@ -31,6 +32,8 @@ pub(crate) struct Figured<'s> {
     time: f64,
     /// States at the places of the present step.
     states: Vec<ObjectState>,
+    /// What was looked at within the present step.
+    looks: Looks,
     /// False at the start and after every switch: the state at the start of the
     /// next step is then not that at the end of the last one.
     continues: bool,
@@ -82,6 +85,7 @@ impl<'s> Figured<'s> {
             audit: EnergyAudit::default(),
             time: 0.0,
             states: vec![ObjectState::default(); 7 * count],
+            looks: Looks::default(),
             continues: false,
             kinks: Vec::new(),
             failure: None,
@@ -187,12 +191,12 @@ impl<'s> Figured<'s> {
     /// the energies at the end.
     fn observe_step(&mut self, step: &Step<'_>, modes: &Modes) {
         let count = self.tallies.len();
-        for (index, &place) in places(step.end).iter().enumerate() {
+        for index in 0..PLACES.len() {
             if index > 0 || !self.continues {
                 let states = &mut self.states[index * count..(index + 1) * count];
-                self.observer.put(step, place, modes, states);
+                self.observer.put_at(step, index, modes, states);
                 if WEIGHTED.contains(&index) {
-                    self.powers[index] = self.observer.power_there(step, place, modes);
+                    self.powers[index] = self.observer.power_there(modes);
                 }
                 self.sides[index] = match self.joints.is_empty() {
                     true => 0,
@@ -253,10 +257,12 @@ impl<'s> Figured<'s> {
         self.continues = true;
         self.see_window_edges(step, modes);
         let works = self.balance_step(step, modes);
+        self.looks.clear();
         let mut segment = Observed {
             step,
             modes,
             observer: &mut self.observer,
+            looks: &mut self.looks,
             states: &self.states,
             coordinates: &self.coordinates,
             works,

@@ -50,6 +50,40 @@ impl Coordinates {
     }
 }
 
+/// What was seen of all objects between the places of a step: several extremes are
+/// often climbed to by the same looks, those of a reaction and of its pair's contact force.
+#[derive(Debug, Default)]
+pub(super) struct Looks {
+    places: Vec<f64>,
+    states: Vec<ObjectState>,
+}
+
+impl Looks {
+    /// Forgets all, for the next step.
+    pub(super) fn clear(&mut self) {
+        self.places.clear();
+        self.states.clear();
+    }
+
+    /// What one of the objects does at s, looked at if it was not yet.
+    fn at(
+        &mut self,
+        (object, objects): (usize, usize),
+        s: f64,
+        look: impl FnOnce(&mut [ObjectState]),
+    ) -> &ObjectState {
+        let known = self.places.iter().position(|place| *place == s);
+        let number = known.unwrap_or_else(|| {
+            self.places.push(s);
+            let from = self.states.len();
+            self.states.resize_with(from + objects, ObjectState::default);
+            look(&mut self.states[from..]);
+            self.places.len() - 1
+        });
+        &self.states[number * objects + object]
+    }
+}
+
 /// The places of a step cut off at `end`.
 pub(super) fn places(end: f64) -> [f64; 7] {
     PLACES.map(|place| place * end)
@@ -63,19 +97,17 @@ pub(super) fn at_places(
     object: usize,
     signal: Signal,
 ) -> [f64; 7] {
-    let field = |values: fn(&ObjectState) -> f64| {
-        std::array::from_fn(|place| values(&states[place * objects + object]))
-    };
+    let own = |place: usize| &states[place * objects + object];
     // (One loop a signal, not a choice for every value.)
     match signal {
-        Signal::Deviation => field(|state| state.delta),
-        Signal::Speed => field(|state| state.speed),
-        Signal::Acceleration => field(|state| state.acceleration),
-        Signal::Reaction => field(|state| state.reaction),
-        Signal::ContactForce => field(|state| state.contact_force),
-        Signal::Clearance => field(|state| state.lift),
-        Signal::Indentation => field(|state| state.indentation),
-        Signal::Pressure => field(|state| state.pressure),
+        Signal::Deviation => std::array::from_fn(|place| own(place).delta),
+        Signal::Speed => std::array::from_fn(|place| own(place).speed),
+        Signal::Acceleration => std::array::from_fn(|place| own(place).acceleration),
+        Signal::Reaction => std::array::from_fn(|place| own(place).reaction),
+        Signal::ContactForce => std::array::from_fn(|place| own(place).contact_force),
+        Signal::Clearance => std::array::from_fn(|place| own(place).lift),
+        Signal::Indentation => std::array::from_fn(|place| own(place).indentation),
+        Signal::Pressure => std::array::from_fn(|place| own(place).pressure),
     }
 }
 
@@ -84,6 +116,7 @@ pub(super) struct Observed<'a, 's> {
     pub(super) step: &'a Step<'a>,
     pub(super) modes: &'a Modes,
     pub(super) observer: &'a mut Observer<'s>,
+    pub(super) looks: &'a mut Looks,
     /// States of all objects at [`places`], place after place.
     pub(super) states: &'a [ObjectState],
     pub(super) coordinates: &'a [Coordinates],
@@ -107,6 +140,10 @@ impl Segment for Observed<'_, '_> {
         let own = self.coordinates[object];
         let found = match signal {
             Signal::Deviation if own.deviation.is_some() => own.deviation.and_then(|coordinate| {
+                let (base, differences) = (step.bases[coordinate], step.differences(coordinate));
+                let all = differences.iter().map(|other| sign * (base + other));
+                // (Without a copy: most often that is all.)
+                (all.fold(f64::MIN, f64::max) > peak.value).then_some(())?;
                 let delta = step.signal(coordinate, &mut room);
                 if sign > 0.0 {
                     maximum(delta, end, peak.value)
@@ -174,8 +211,12 @@ impl Observed<'_, '_> {
             sign,
         } = asked;
         let step = self.step;
-        let (observer, modes) = (&mut *self.observer, self.modes);
-        let look = |s: f64| sign * read(signal, &observer.at(step, s, modes)[object]);
+        let (observer, modes, looks) = (&mut *self.observer, self.modes, &mut *self.looks);
+        let of = (object, self.coordinates.len());
+        let look = |s: f64| {
+            let state = looks.at(of, s, |states| observer.put(step, s, modes, states));
+            sign * read(signal, state)
+        };
         let time = |place| step.time(place);
         peak.follow(&places(step.end), values, time, look);
     }

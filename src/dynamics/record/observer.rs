@@ -2,7 +2,8 @@
 
 use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::system::{Bends, Energy, MassState, ObjectState, Power, Scratch, System};
-use crate::math::polynomial::Step;
+use super::peaks::PLACES;
+use crate::math::polynomial::{Coefficients, MAX_DEGREE, Step, weights};
 
 /// Looks at a system between the ends of a step.
 pub(crate) struct Observer<'s> {
@@ -12,6 +13,8 @@ pub(crate) struct Observer<'s> {
     states: Vec<ObjectState>,
     /// Where accelerations are read off long steps.
     bends: Option<Bends>,
+    /// What the coefficients of a step of this degree count at [`PLACES`].
+    weights: (usize, [Coefficients; 7]),
 }
 
 impl<'s> Observer<'s> {
@@ -23,6 +26,7 @@ impl<'s> Observer<'s> {
             y: vec![0.0; 2 * system.coordinates()],
             states: vec![ObjectState::default(); system.model().objects.len()],
             bends: None,
+            weights: (0, [[0.0; MAX_DEGREE + 1]; 7]),
         }
     }
 
@@ -61,6 +65,33 @@ impl<'s> Observer<'s> {
         states: &mut [ObjectState],
     ) {
         step.state(s, &mut self.y);
+        self.look(step, s, modes, states);
+    }
+
+    /// States of all objects at one of the [`PLACES`] of a step, into `states`.
+    pub(crate) fn put_at(
+        &mut self,
+        step: &Step<'_>,
+        place: usize,
+        modes: &Modes,
+        states: &mut [ObjectState],
+    ) {
+        let s = PLACES[place] * step.end;
+        if step.end == 1.0 && step.degree > 0 {
+            let (degree, of_places) = &mut self.weights;
+            if *degree != step.degree {
+                *degree = step.degree;
+                *of_places = PLACES.map(|s| weights(step.degree - 1, s));
+            }
+            step.weighted_state(s, &of_places[place], &mut self.y);
+        } else {
+            step.state(s, &mut self.y);
+        }
+        self.look(step, s, modes, states);
+    }
+
+    /// States of all objects at s of a step, of which the state is there.
+    fn look(&mut self, step: &Step<'_>, s: f64, modes: &Modes, states: &mut [ObjectState]) {
         let (time, system, scratch) = (step.time(s), self.system, &mut self.scratch);
         let bends = self.bends.as_mut();
         match bends.and_then(|bends| bends.read(step, s).then_some(bends)) {
@@ -113,9 +144,9 @@ impl<'s> Observer<'s> {
         &self.states
     }
 
-    /// Powers at the place s of a step, where it was looked last.
-    pub(crate) fn power_there(&self, step: &Step<'_>, s: f64, modes: &Modes) -> Power {
-        (self.system).power_observed(step.time(s), &self.y, modes, &self.scratch)
+    /// Powers where it was looked last.
+    pub(crate) fn power_there(&self, modes: &Modes) -> Power {
+        (self.system).power_observed(&self.y, modes, &self.scratch)
     }
 
     /// Energies at the place of a step where it was looked last.

@@ -49,11 +49,11 @@ impl Piece {
     }
 
     fn mean(&self) -> f64 {
-        self.values().iter().sum::<f64>() / (self.degree + 1) as f64
+        mean(self.values())
     }
 
     fn has_one_sign(&self) -> bool {
-        self.values().iter().all(|&c| c >= 0.0) || self.values().iter().all(|&c| c <= 0.0)
+        of_one_sign(self.values())
     }
 
     /// Length of a piece halved so often from the whole interval.
@@ -84,6 +84,16 @@ impl Piece {
             ..left
         }
     }
+}
+
+/// The mean over [0, 1] of a polynomial in Bernstein form.
+fn mean(coefficients: &[f64]) -> f64 {
+    coefficients.iter().sum::<f64>() / coefficients.len() as f64
+}
+
+/// Whether a polynomial's coefficients, and so its values over [0, 1], have one sign.
+fn of_one_sign(coefficients: &[f64]) -> bool {
+    coefficients.iter().all(|&c| c >= 0.0) || coefficients.iter().all(|&c| c <= 0.0)
 }
 
 /// Greatest value on [0, `end`] and its place, if it is greater than `floor`: what
@@ -131,6 +141,10 @@ fn extreme(coefficients: &[f64], factor: f64, end: f64, floor: f64) -> Option<(f
 
 /// ∫|p| ds over [0, `end`], every zero crossing enclosed to rounding.
 pub(crate) fn integral_of_magnitude(coefficients: &[f64], end: f64) -> f64 {
+    // (Without a copy: most often that is all.)
+    if end >= 1.0 && of_one_sign(coefficients) {
+        return mean(coefficients).abs() * end;
+    }
     let whole = Piece::new(coefficients, 1.0).cut(end);
     if whole.has_one_sign() {
         return whole.mean().abs() * end;

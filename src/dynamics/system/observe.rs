@@ -197,15 +197,9 @@ impl System {
         Energy { kinetic, elastic }
     }
 
-    /// Powers, of the last complete evaluation, which was of this instant and state.
-    pub(crate) fn power_observed(
-        &self,
-        time: f64,
-        y: &[f64],
-        modes: &Modes,
-        scratch: &Scratch,
-    ) -> Power {
-        self.read_power(time, y, modes, &scratch.work)
+    /// Powers, of the last complete evaluation, which was of this state.
+    pub(crate) fn power_observed(&self, y: &[f64], modes: &Modes, scratch: &Scratch) -> Power {
+        self.read_power(y, modes, &scratch.work)
     }
 
     /// States, read off a complete evaluation.
@@ -227,8 +221,8 @@ impl System {
             match &place.body {
                 Body::Prescribed => out.reaction = self.drive_moment(place.node, work),
                 Body::Motor { loads, constant } => {
-                    let torque = |&load: &usize| self.frozen.load(load, time, &modes.0, work);
-                    out.reaction = constant + loads.iter().map(torque).sum::<f64>();
+                    let torque = loads.iter().map(|&load| work.loads[load]);
+                    out.reaction = constant + torque.sum::<f64>();
                 }
                 Body::Rigid(rigid, pair) => {
                     out.reaction = rigid.pull(work);
@@ -313,11 +307,11 @@ impl System {
     /// Powers of drives, loads and dampers. Allocates nothing.
     pub fn power(&self, time: f64, y: &[f64], modes: &Modes, scratch: &mut Scratch) -> Power {
         self.evaluate_fully(time, y, modes, scratch);
-        self.read_power(time, y, modes, &scratch.work)
+        self.read_power(y, modes, &scratch.work)
     }
 
     /// Powers, read off a complete evaluation.
-    fn read_power(&self, time: f64, y: &[f64], modes: &Modes, work: &Work<f64>) -> Power {
+    fn read_power(&self, y: &[f64], modes: &Modes, work: &Work<f64>) -> Power {
         let frozen = &self.frozen;
         let drive = |step: &Step| match step {
             Step::Prescribed(drive) => self.drive_moment(drive.node, work) * work.speed[drive.node],
@@ -325,10 +319,9 @@ impl System {
         };
         let constant = frozen.constant_force.iter().zip(&work.speed);
         // (What stops take is stored or lost.)
-        let loads = (0..frozen.loads.len()).filter(|&load| frozen.loads[load].stop.is_none());
-        let varying = loads.map(|load| {
-            frozen.load(load, time, &modes.0, work) * work.speed[frozen.loads[load].node]
-        });
+        let loads = frozen.loads.iter().zip(&work.loads);
+        let loads = loads.filter(|(load, _)| load.stop.is_none());
+        let varying = loads.map(|(load, force)| force * work.speed[load.node]);
         let (mut applied, mut damped) = (0.0, 0.0);
         for (index, linkage) in frozen.linkages.iter().enumerate() {
             let (reduced, speed) = (frozen.linkage(index, work), work.speed[linkage.node]);

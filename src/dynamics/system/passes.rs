@@ -41,6 +41,8 @@ pub(super) struct Work<N> {
     /// Q: loads, reactions of followers and forces of rigid followers on each
     /// node (k); not the forces of a mass's own links.
     pub(super) force: Vec<N>,
+    /// The forces of the loads that are not constant, as last applied.
+    pub(super) loads: Vec<N>,
     /// M: inertia of each node with that of its rigid followers (k).
     pub(super) mass: Vec<N>,
     /// The laws (one for each chain and rigid node).
@@ -90,6 +92,7 @@ impl<N: Quantity> Work<N> {
             speed: vec![zero; nodes],
             acceleration: vec![zero; nodes],
             force: vec![zero; nodes],
+            loads: vec![zero; frozen.loads.len()],
             mass: vec![zero; nodes],
             laws: vec![law; frozen.laws.len()],
             reaction: vec![zero; frozen.chains.len()],
@@ -265,6 +268,7 @@ impl Frozen {
         }
         for index in 0..self.loads.len() {
             let force = self.load(index, time, modes, work);
+            work.loads[index] = force;
             work.force[self.loads[index].node] += force;
         }
         self.apply_linkages(extent, work);

@@ -113,7 +113,25 @@ const live = (() => {
       this.below = this.size[1] - top - height;
       this.hidden = new Set();
       this.axis = `${this.data.x.name} ${this.data.x.unit}`;
-      const one = (selector) => group.querySelector(selector);
+      this.collect();
+      this.over = add(group, "g", { class: "over", "pointer-events": "none" });
+      this.cursor = add(this.over, "line", { class: "pointer", visibility: "hidden" });
+      this.dots = this.data.series.map((series, index) => {
+        const style = this.curves[index] ? [...this.curves[index].classList].find((name) => /^s\d+$/.test(name)) : "s0";
+        return add(this.over, "circle", { r: 3.2, class: `dot f${style.slice(1)}`, visibility: "hidden" });
+      });
+      this.reading = add(this.over, "text", { class: "reading", "text-anchor": "end", y: 18 });
+      this.cell = add(this.over, "rect", { class: "pointed", visibility: "hidden" });
+      this.kept = add(this.over, "rect", { class: "pointed kept", visibility: "hidden" });
+      this.selection = add(this.over, "rect", { class: "selection", visibility: "hidden" });
+      this.entries = [...group.querySelectorAll(".legend .entry")];
+      this.entries.filter((entry) => entry.dataset.series !== undefined).forEach((entry) => this.switches(entry));
+      this.listen();
+    }
+
+    // What there is in the drawing.
+    collect() {
+      const { group } = this, one = (selector) => group.querySelector(selector);
       this.grid = one(".grid");
       this.curves = [...group.querySelectorAll(".inside > [data-series]")];
       this.sets = [...group.querySelectorAll(".points > [data-series]")];
@@ -128,19 +146,6 @@ const live = (() => {
         const [x, y] = node.getAttribute("transform").match(/-?[\d.]+/g).map(Number);
         return { node, x, y };
       });
-      this.over = add(group, "g", { class: "over", "pointer-events": "none" });
-      this.cursor = add(this.over, "line", { class: "pointer", visibility: "hidden" });
-      this.dots = this.data.series.map((series, index) => {
-        const style = this.curves[index] ? [...this.curves[index].classList].find((name) => /^s\d+$/.test(name)) : "s0";
-        return add(this.over, "circle", { r: 3.2, class: `dot f${style.slice(1)}`, visibility: "hidden" });
-      });
-      this.reading = add(this.over, "text", { class: "reading", "text-anchor": "end", y: 18 });
-      this.cell = add(this.over, "rect", { class: "pointed", visibility: "hidden" });
-      this.kept = add(this.over, "rect", { class: "pointed kept", visibility: "hidden" });
-      this.selection = add(this.over, "rect", { class: "selection", visibility: "hidden" });
-      this.entries = [...group.querySelectorAll(".legend .entry")];
-      this.entries.filter((entry) => entry.dataset.series !== undefined).forEach((entry) => this.switches(entry));
-      this.listen();
     }
 
     // The same chart with other numbers, as many series, bands and rules; what is zoomed stays so.
@@ -731,6 +736,22 @@ const live = (() => {
     drawn.forEach((chart, index) => chart.draw(widths[index]));
   }
 
+  // Whether charts would have the same axes and frames over other numbers, and no series to switch.
+  function alike(made, source) {
+    const told = ({ frame, x, y, series }) => JSON.stringify([frame, x, y, series]);
+    return made.every((chart) => { const other = source.plots[+chart.group.dataset.plot]; return other && !other.series.length && told(other) === told(chart.data); });
+  }
+
+  // Charts of which more is drawn anew than their numbers.
+  function renewed(made, source) {
+    for (const chart of made) {
+      for (const mark of [chart.cell, chart.kept]) put(mark, "visibility", "hidden");
+      chart.take(source);
+      chart.collect();
+      chart.draw();
+    }
+  }
+
   // Forgets charts that are about to go.
   function drop(made) {
     const gone = new Set(made);
@@ -766,5 +787,5 @@ const live = (() => {
   make(document, page);
   window.addEventListener("beforeprint", () => { printing = true; drawAll(); });
   window.addEventListener("afterprint", () => { printing = false; drawAll(); });
-  return { make, update, drop, draw: drawAll };
+  return { make, update, alike, renew: renewed, drop, draw: drawAll };
 })();
