@@ -33,6 +33,7 @@ pub mod spec;
 #[cfg(test)]
 mod tests;
 mod twist;
+mod welded;
 mod wrong;
 
 pub use constraint::MultiOutput;
@@ -55,6 +56,7 @@ use place::Known;
 use plan::MultiPlan;
 use spec::{InputCoordinate, InputSpec, MultiSpec};
 use std::sync::Arc;
+use welded::Welded;
 
 /// A planar linkage with several inputs, ready to be solved. Cheap to clone, immutable.
 #[derive(Clone, Debug)]
@@ -83,13 +85,15 @@ impl MultiLinkage {
     /// relative to the linkage: `links.rod.mass`, `inputs.left`.
     pub fn new(spec: MultiSpec) -> Result<Self, Vec<Fault>> {
         wrong::check(&spec)?;
-        let (plan, mut groups) = compile::compile(&spec)?;
+        let welded = Welded::of(&spec);
+        let (plan, mut groups) = compile::compile(&welded)?;
         let mut state = plan.plan.state();
         let inputs: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         place::outwards(&plan, &inputs, &mut state);
         place::turned_outwards(&plan, &inputs, &mut state.near);
+        plan.attach(&mut state);
         // (No one number is the start.)
-        let mut linkage = spec.linkage.clone();
+        let mut linkage = welded.spec.linkage;
         linkage.start = f64::NAN;
         wrong::elsewhere(&spec, &plan, &state)?;
         let branches = assemble::groups(
