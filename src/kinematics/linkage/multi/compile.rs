@@ -5,7 +5,7 @@ use super::geared::Coupled;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, MultiPlan, Screw, driver_of};
-use super::spec::{InputCoordinate, InputSpec, MultiSpec};
+use super::spec::{InputCoordinate, MultiSpec};
 use super::welded::Welded;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::compile;
@@ -37,8 +37,7 @@ pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Grou
     let groups = match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(groups) => groups,
         Decomposition::Unfit { held, free } => {
-            let further = |wanted| further(welded, wanted);
-            return Err(misfit(spec, &bodies, &others, &held, &free, &further));
+            return Err(misfit(spec, &bodies, &others, &held, &free));
         }
     };
     let mut listed = vec![driving_group(spec, &joints, &driving)];
@@ -89,35 +88,13 @@ pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Grou
     Ok((finish(spec, plan, joints, found), listed))
 }
 
-/// Pairs whose coordinates, taken as inputs one after the other, hold nothing more than
-/// once, until so many are found; none where that comes to no end.
-fn further(welded: &Welded, wanted: usize) -> Vec<String> {
-    let spec = &welded.spec;
-    let mut tried = welded.clone();
-    let mut found = Vec::new();
-    for pair in 0..spec.linkage.pairs.len() {
-        if found.len() == wanted {
-            break;
-        }
-        tried.spec.inputs.push(InputSpec {
-            name: String::new(),
-            coordinate: InputCoordinate::Pair(pair),
-            start: 0.0,
-        });
-        let known = input_pairs(spec).any(|own| own == pair);
-        match known || holds_more_than_once(&tried) {
-            true => drop(tried.spec.inputs.pop()),
-            false => found.push(format!("`{}`", spec.linkage.pairs[pair].name)),
-        }
-    }
-    match found.len() == wanted {
-        true => found,
-        false => Vec::new(),
-    }
+/// Of every link whether inputs alone place it.
+pub(super) fn placed(welded: &Welded) -> Vec<bool> {
+    joints(welded, &mut Faults::default()).placed
 }
 
 /// True when inputs, or they and the pairs, place something more than once.
-fn holds_more_than_once(welded: &Welded) -> bool {
+pub(super) fn holds_more_than_once(welded: &Welded) -> bool {
     let mut faults = Faults::default();
     let joints = joints(welded, &mut faults);
     if faults.check().is_err() {

@@ -27,6 +27,7 @@ mod motion;
 mod outputs;
 mod place;
 mod plan;
+mod proposal;
 mod rounding;
 mod singular;
 pub mod spec;
@@ -41,6 +42,7 @@ pub use dynamics::MultiReduced;
 pub use forces::MultiPower;
 pub use motion::MultiMotion;
 pub use place::NotAssembled;
+pub use proposal::{freedom, proposal};
 pub use rounding::MultiRounding;
 pub use singular::{SingularCurve, singular_curves};
 
@@ -86,7 +88,8 @@ impl MultiLinkage {
     pub fn new(spec: MultiSpec) -> Result<Self, Vec<Fault>> {
         wrong::check(&spec)?;
         let welded = Welded::of(&spec);
-        let (plan, mut groups) = compile::compile(&welded)?;
+        let (plan, mut groups) =
+            compile::compile(&welded).map_err(|faults| proposal::hinted(&spec, faults))?;
         let mut state = plan.plan.state();
         let inputs: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         place::outwards(&plan, &inputs, &mut state);

@@ -7,7 +7,7 @@ use super::welded::Welded;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::check;
 use crate::kinematics::linkage::choice::mismatch;
-use crate::kinematics::linkage::spec::AssemblyChoice;
+use crate::kinematics::linkage::spec::{AssemblyChoice, LinkageSpec};
 use crate::kinematics::linkage::state::State;
 
 /// Most inputs: what is dense in their number is found at every evaluation.
@@ -19,13 +19,8 @@ const FAR: f64 = 0.5;
 /// Everything wrong with the numbers, each taken for itself.
 pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
-    let mut linkage = spec.linkage.clone();
-    // (There is no driver.)
-    (linkage.driver, linkage.start, linkage.travel) = (usize::MAX, 0.0, None);
-    if let Err(found) = check::check(&linkage) {
-        let found = found.into_iter().filter(|fault| fault.path != "driver");
-        faults.absorb("", found.collect());
-    }
+    let linkage = &spec.linkage;
+    numbers(linkage, &mut faults);
     if spec.inputs.is_empty() || spec.inputs.len() > MOST_INPUTS {
         let message = format!("{} inputs", spec.inputs.len());
         let hint = format!("at least one, at most {MOST_INPUTS}");
@@ -52,9 +47,20 @@ pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
             floating(spec, link, &path, &mut faults);
         }
     }
-    forces::refused(&linkage, &mut faults);
+    forces::refused(linkage, &mut faults);
     faults.check()?;
     floating_as_one(spec)
+}
+
+/// Everything wrong with the numbers of the linkage itself.
+pub(super) fn numbers(linkage: &LinkageSpec, faults: &mut Faults) {
+    let mut linkage = linkage.clone();
+    // (There is no driver.)
+    (linkage.driver, linkage.start, linkage.travel) = (usize::MAX, 0.0, None);
+    if let Err(found) = check::check(&linkage) {
+        let found = found.into_iter().filter(|fault| fault.path != "driver");
+        faults.absorb("", found.collect());
+    }
 }
 
 /// Refuses links that float and are welded to the ground, or to another one that floats.

@@ -6,6 +6,7 @@ mod geared;
 mod kinetostatics;
 mod margins;
 mod motion;
+mod proposal;
 mod refusals;
 mod singular;
 mod welds;
