@@ -74,9 +74,9 @@ pub(super) fn cut(whole: &MultiSpec, link: usize, pairs: &[usize], about: bool) 
                 force,
                 follows,
             } => {
-                if hand_over(point) && *follows {
-                    *force = turned(*force, -ANGLE);
-                }
+                let handed = hand_over(point);
+                let turn = if handed && *follows { -ANGLE } else { 0.0 };
+                *force = turned(*force, turn);
             }
             ForceLaw::Couple { link: own, .. } if *own == link => *own = part,
             _ => {}
