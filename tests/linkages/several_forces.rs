@@ -21,7 +21,11 @@ const I2: f64 = 0.012;
 const G: f64 = 9.80665;
 
 fn arm(friction: &str) -> Model {
-    let text = format!(
+    model(&text(friction), !friction.is_empty())
+}
+
+fn text(friction: &str) -> String {
+    format!(
         r#"{{ "dam": 1, "name": "arm", "run": {{ "duration": 1 }}, "objects": {{ "arm": {{
             "kind": "linkage", "ground": {{ "O": [0, 0] }},
             "inputs": {{ "shoulder": {{ "pair": "O" }}, "elbow": {{ "pair": "E" }} }},
@@ -32,7 +36,11 @@ fn arm(friction: &str) -> Model {
                 "O": {{ "revolute": ["ground.O", "upper.origin"]{friction} }},
                 "E": {{ "revolute": ["upper.E", "fore.origin"]{friction} }} }},
             "gravity": true }} }} }}"#
-    );
+    )
+}
+
+/// The model of a scene, of which a run leaves out the friction or not.
+fn model(text: &str, friction: bool) -> Model {
     let document = Document::parse("scene", text.as_bytes()).expect("JSON");
     match document.scene(&BuiltIn, &Overrides::default()) {
         Ok(reading) => {
@@ -41,7 +49,7 @@ fn arm(friction: &str) -> Model {
                 .warnings
                 .render(false)
                 .contains("`dam forces` alone");
-            assert_eq!(told, !friction.is_empty());
+            assert_eq!(told, friction);
             lower(&reading.scene).expect("a model")
         }
         Err(faults) => panic!("{}", faults.render(false)),
@@ -92,6 +100,45 @@ fn column(study: &ForceStudy, name: &str) -> Vec<f64> {
         .iter()
         .map(|row| column.value(row).expect("a value"))
         .collect()
+}
+
+/// The forearm as a stub without mass and a hand welded to it, all of its mass in the hand: drives as
+/// ever, and the weld carries what the hand asks for.
+#[test]
+fn a_weld_carries_the_hand() {
+    const D: f64 = 0.1;
+    let whole = studied(&arm(""), &question());
+    let hand = format!(
+        r#""fore": {{ "points": {{ "W": [{D}, 0] }} }},
+           "hand": {{ "mass": {M2}, "centre": [0, {}], "moment": {I2} }} }},"#,
+        C2 - D
+    );
+    let weld = r#""pairs": { "W": { "weld": { "on": "fore.W", "link": "hand.origin", "angle": "-90 deg" } },"#;
+    let text = text("");
+    let (head, rest) = text.split_once("\"fore\"").expect("a forearm");
+    let (_, tail) = rest.split_once("\"pairs\": {").expect("pairs");
+    let study = studied(
+        &model(&format!("{head}{hand}{weld}{tail}"), false),
+        &question(),
+    );
+    for name in ["drive.shoulder", "drive.elbow", "E.x", "E.y", "O.force"] {
+        let (one, other) = (column(&whole, name), column(&study, name));
+        for (one, other) in one.iter().zip(&other) {
+            approx::assert_abs_diff_eq!(one, other, epsilon = 1e-11);
+        }
+    }
+    let elbow = column(&study, "elbow.displacement");
+    let found = ["W.x", "W.y", "W.couple", "E.x", "E.y"].map(|name| column(&study, name));
+    let a = ACCELERATIONS[0] + ACCELERATIONS[1];
+    for (row, q2) in elbow.iter().enumerate() {
+        // The stub hands on the pin's force; the hand turns about its centre of mass.
+        let (x, y) = (found[3][row], found[4][row]);
+        approx::assert_abs_diff_eq!(found[0][row], x, epsilon = 1e-11);
+        approx::assert_abs_diff_eq!(found[1][row], y, epsilon = 1e-11);
+        let (sin, cos) = (0.4 + q2).sin_cos();
+        let couple = I2 * a + (C2 - D) * (cos * y - sin * x);
+        approx::assert_abs_diff_eq!(found[2][row], couple, epsilon = 1e-11);
+    }
 }
 
 #[test]

@@ -4,8 +4,11 @@ use super::reach::{DEAD, place, range};
 use super::spec::DrivenLinkage;
 use super::{Connected, ModelBuilder, Place};
 use crate::dynamics::model::{Law, LinkageBody, NodeIndex, Pair};
+use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::Kinetostatics;
-use crate::kinematics::linkage::spec::{PairKind, PairSpec};
+use crate::kinematics::linkage::multi::proposal;
+use crate::kinematics::linkage::multi::spec::{InputCoordinate, InputSpec, MultiSpec};
+use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec};
 use crate::kinematics::linkage::{Cause, Linkage, Reach};
 use crate::kinematics::position::{LinkageOutput, Position, linkage_reach};
 use std::sync::Arc;
@@ -23,6 +26,7 @@ impl ModelBuilder {
                     self.faults(at, "position", faults);
                 }
                 if let Err(faults) = linkage {
+                    let faults = proposed(&spec.linkage, faults);
                     self.faults(at, "", faults);
                 }
                 return;
@@ -156,4 +160,27 @@ fn ends_in_words(linkage: &Linkage) -> String {
 /// A pin with a coefficient of friction that acts on no radius.
 fn is_bare(pair: &PairSpec) -> bool {
     matches!(pair.kind, PairKind::Revolute { diameter } if diameter == 0.0) && pair.friction > 0.0
+}
+
+/// Adds to what is said of a mobility above one the inputs that the linkage could have.
+fn proposed(linkage: &LinkageSpec, mut faults: Vec<Fault>) -> Vec<Fault> {
+    let Some(driver) = linkage.pairs.get(linkage.driver) else {
+        return faults;
+    };
+    let spec = MultiSpec {
+        linkage: linkage.clone(),
+        inputs: vec![InputSpec {
+            name: driver.name.clone(),
+            coordinate: InputCoordinate::Pair(linkage.driver),
+            start: linkage.start,
+        }],
+    };
+    let count = faults.iter_mut().find(|fault| fault.path == "pairs");
+    if let Some((fault, others)) = count.zip(proposal(&spec)) {
+        fault.hint.push_str(&format!(
+            r#"; it would do with "inputs": {{ "{0}": {{ "pair": "{0}", "object": "…" }}, {others} }}, the `object` being what is its `input`"#,
+            driver.name
+        ));
+    }
+    faults
 }

@@ -58,7 +58,9 @@ impl Inputs {
             Self::One | Self::Several => false,
             Self::OneOrSeveral => {
                 let inputs = node.get("inputs").map_or(&[][..], Node::members);
-                inputs
+                // (Of none it is told which there could be.)
+                let none = node.get("inputs").is_some() && inputs.is_empty();
+                none || inputs
                     .iter()
                     .any(|input| input.value.get("object").is_none())
             }

@@ -28,10 +28,13 @@ pub(super) struct Skeleton {
 impl Skeleton {
     /// Of a linkage whose redundant constraints are known.
     pub(super) fn of(linkage: &LinkageSpec) -> Self {
+        let driven = linkage.pairs.get(linkage.driver);
+        let driven = driven.map(|pair| [pair.on.link, pair.link.link]);
+        let driven = driven.into_iter().flatten().flatten();
         let mut skeleton = Self {
             own: [linkage.links.len(), linkage.pairs.len()],
             left_out: Vec::new(),
-            attached: welds::attached(linkage),
+            attached: welds::attached(linkage, driven),
             spec: linkage.clone(),
         };
         welds::give_to_bases(&mut skeleton.spec, &skeleton.attached);

@@ -5,7 +5,7 @@
 //! they are placed after it.
 
 use super::elements::Frame;
-use super::spec::{AssemblyChoice, LinkageSpec, PairKind, PointOf};
+use super::spec::{AssemblyChoice, LinkageSpec, PairKind, PairSpec, PointOf};
 use crate::fault::Faults;
 
 /// A link that is attached to a base.
@@ -52,9 +52,12 @@ impl Place {
     }
 }
 
-/// All links that are attached to others.
-pub(super) fn attached(spec: &LinkageSpec) -> Vec<Attached> {
-    let places = places(spec);
+/// All links that are attached to others; links in `preferred` are bases wherever they can be.
+pub(super) fn attached(
+    spec: &LinkageSpec,
+    preferred: impl IntoIterator<Item = usize>,
+) -> Vec<Attached> {
+    let places = places(spec, preferred);
     let links = places.iter().enumerate();
     let attached = links.filter_map(|(link, place)| {
         let Place { base, at, angle } = (*place)?;
@@ -68,14 +71,9 @@ pub(super) fn attached(spec: &LinkageSpec) -> Vec<Attached> {
     attached.collect()
 }
 
-/// Places of all links that are welded to any; the ground is the first base, then the driver's links.
-fn places(spec: &LinkageSpec) -> Vec<Option<Place>> {
+/// Places of all links that are welded to any; the ground is the first base, then what is preferred.
+fn places(spec: &LinkageSpec, preferred: impl IntoIterator<Item = usize>) -> Vec<Option<Place>> {
     let mut places: Vec<Option<Place>> = vec![None; spec.links.len()];
-    let driven = spec.pairs.get(spec.driver);
-    let driven = driven
-        .and_then(|pair| pair.on.link)
-        .into_iter()
-        .chain(driven.and_then(|pair| pair.link.link));
     let welded = spec
         .welds
         .iter()
@@ -83,7 +81,8 @@ fn places(spec: &LinkageSpec) -> Vec<Option<Place>> {
         .flatten();
     let mut welded: Vec<usize> = welded.collect();
     welded.sort_unstable();
-    let bases = std::iter::once(None).chain(driven.filter(|link| welded.contains(link)).map(Some));
+    let preferred = preferred.into_iter().filter(|link| welded.contains(link));
+    let bases = std::iter::once(None).chain(preferred.map(Some));
     for base in bases.chain(welded.iter().copied().map(Some)) {
         if base.is_some_and(|link| places[link].is_some()) {
             continue;
@@ -180,6 +179,11 @@ impl Attached {
         }
     }
 
+    /// Its angle, those of all links being known (rad).
+    pub(super) fn turned(&self, angles: &[f64]) -> f64 {
+        self.base.map_or(0.0, |base| angles[base]) + self.angle
+    }
+
     /// Its frame, where that of its base is known.
     pub(super) fn frame<const N: usize>(&self, base: &Frame<N>) -> Frame<N> {
         let (sin, cos) = self.angle.sin_cos();
@@ -188,6 +192,18 @@ impl Attached {
             direction: base.direction.turn_constant([cos, sin]),
         }
     }
+}
+
+/// Coordinate of a pair as one between the bases of its links, less that between these (rad).
+pub(super) fn shift(pair: &PairSpec, attached: &[Attached]) -> f64 {
+    if pair.slides() {
+        return 0.0;
+    }
+    let angle = |end: &PointOf| {
+        let one = attached.iter().find(|one| Some(one.link) == end.link);
+        one.map_or(0.0, |one| one.angle)
+    };
+    angle(&pair.on) - angle(&pair.link)
 }
 
 /// Refuses welds that join what is joined already, and what they would stop.

@@ -81,13 +81,7 @@ pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
         let kind = &linkage.outputs[output].kind;
         list.extend(of_output([coordinate, force], of_kind(kind, linkage)));
     }
-    for (index, pair) in linkage.pairs.iter().enumerate() {
-        list.extend(of_pair(index, &pair.name, &pair.kind));
-    }
-    for (index, weld) in linkage.welds.iter().enumerate() {
-        list.extend(of_weld(index, &weld.name));
-    }
-    list.extend(of_couplings(linkage));
+    list.extend(of_joints(linkage));
     list.extend(of_power());
     list.extend(of_frame());
     list.extend(of_changes(linkage, force));
@@ -132,10 +126,7 @@ pub fn columns_of_inputs(spec: &MultiSpec) -> Vec<Column> {
             f.drives[k] * f.inputs[k].speed
         });
     }
-    for (index, pair) in linkage.pairs.iter().enumerate() {
-        list.extend(of_pair(index, &pair.name, &pair.kind));
-    }
-    list.extend(of_couplings(linkage));
+    list.extend(of_joints(linkage));
     list.extend(of_power());
     list.extend(of_frame());
     list.push(solutions());
@@ -180,6 +171,19 @@ fn of_output(input: [&str; 2], output: [&str; 2]) -> [Column; 3] {
         }),
         Column::new("chi", &chi, true, |_, forces| forces.chi).resting(&[Rests::Drive]),
     ]
+}
+
+/// What joins the links: pairs, welds, couplings.
+fn of_joints(linkage: &LinkageSpec) -> Vec<Column> {
+    let mut list = Vec::new();
+    for (index, pair) in linkage.pairs.iter().enumerate() {
+        list.extend(of_pair(index, &pair.name, &pair.kind));
+    }
+    for (index, weld) in linkage.welds.iter().enumerate() {
+        list.extend(of_weld(index, &weld.name));
+    }
+    list.extend(of_couplings(linkage));
+    list
 }
 
 fn of_pair(index: usize, name: &str, kind: &PairKind) -> Vec<Column> {

@@ -9,6 +9,7 @@ use crate::frontend::object::spec::{DrivenMultiLinkage, InputDrive, LoadSpec};
 use crate::frontend::object::{Context, Outputs, Port, Ports};
 use crate::frontend::read::{Bounds, Fields, Node, Slot};
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, InputSpec, MultiSpec};
+use crate::kinematics::linkage::multi::{freedom, proposal};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
 
 /// An input as it is written.
@@ -195,10 +196,17 @@ pub(super) fn driven(
         return None;
     }
     let Some(first) = written.first() else {
-        let message = "there are no inputs";
+        let message = format!("there are no inputs, and {}", freedom(&linkage));
         let fault = fields.refuse("inputs", "missing-property", message);
         let hint = "name a coordinate for each degree of freedom";
-        fault.hints.push(hint.to_owned());
+        let spec = MultiSpec {
+            linkage,
+            inputs: Vec::new(),
+        };
+        fault.hints.push(match proposal(&spec) {
+            None => hint.to_owned(),
+            Some(inputs) => format!("{hint}: \"inputs\": {{ {inputs} }}"),
+        });
         return None;
     };
     let coordinate = coordinate(first.coordinate, &linkage.pairs);

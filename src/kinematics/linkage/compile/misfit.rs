@@ -33,7 +33,10 @@ pub(super) fn misfit(
                 "name both coordinates as `inputs` in place of `driver`; or tie a second input to the first \
                  by further links and pairs, or leave the loose links out"
             }
-            _ => "join the loose links with further pairs, or leave them out",
+            _ => {
+                "name all coordinates as `inputs` in place of `driver`; or join the loose links with \
+                 further pairs, or leave them out"
+            }
         };
         let message = format!("not one degree of freedom: {}", explanation(spec));
         faults.add("pairs", message, hint);

@@ -175,6 +175,7 @@ impl<N: Number> Columns<N> {
                 false => self.find_group(plan, index, group),
             };
         }
+        self.find_attached(plan);
         regular
     }
 
@@ -302,6 +303,7 @@ impl<N: Number> Columns<N> {
                 self.acceleration[own.driven] = plus(self.acceleration[own.base], change);
             }
         }
+        self.go_attached(plan);
     }
 
     /// The change of a pair's screw times the pair's rate.

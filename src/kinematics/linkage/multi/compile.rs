@@ -5,7 +5,8 @@ use super::geared::Coupled;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, MultiPlan, Screw, driver_of};
-use super::spec::{InputCoordinate, InputSpec, MultiSpec};
+use super::spec::{InputCoordinate, MultiSpec};
+use super::welded::Welded;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::compile;
 use crate::kinematics::linkage::decompose::{Decomposition, Tie, decompose};
@@ -16,12 +17,13 @@ use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, OutputK
 use crate::kinematics::linkage::structure::{self, GroupKind};
 
 /// Structure and plan of a linkage whose numbers are right.
-pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Group>), Vec<Fault>> {
+pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Group>), Vec<Fault>> {
     let mut faults = Faults::default();
-    let joints = joints(spec, &mut faults);
+    let joints = joints(welded, &mut faults);
     faults.check()?;
+    let spec = &welded.spec;
     let linkage = &spec.linkage;
-    let bodies = bodies(&joints);
+    let bodies = bodies(welded, &joints);
     let driving: Vec<usize> = input_pairs(spec).collect();
     let others: Vec<usize> = (0..linkage.pairs.len())
         .filter(|pair| !driving.contains(pair))
@@ -35,8 +37,7 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
     let groups = match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(groups) => groups,
         Decomposition::Unfit { held, free } => {
-            let further = |wanted| further(spec, wanted);
-            return Err(misfit(spec, &bodies, &others, &held, &free, &further));
+            return Err(misfit(spec, &bodies, &others, &held, &free));
         }
     };
     let mut listed = vec![driving_group(spec, &joints, &driving)];
@@ -80,47 +81,27 @@ pub(super) fn compile(spec: &MultiSpec) -> Result<(MultiPlan, Vec<structure::Gro
     let plan = Plan {
         driver,
         steps,
-        attached: Vec::new(),
+        attached: welded.attached.clone(),
         links: joints.bodies,
         size: size(linkage),
     };
     Ok((finish(spec, plan, joints, found), listed))
 }
 
-/// Pairs whose coordinates, taken as inputs one after the other, hold nothing more than
-/// once, until so many are found; none where that comes to no end.
-fn further(spec: &MultiSpec, wanted: usize) -> Vec<String> {
-    let mut tried = spec.clone();
-    let mut found = Vec::new();
-    for pair in 0..spec.linkage.pairs.len() {
-        if found.len() == wanted {
-            break;
-        }
-        tried.inputs.push(InputSpec {
-            name: String::new(),
-            coordinate: InputCoordinate::Pair(pair),
-            start: 0.0,
-        });
-        let known = input_pairs(spec).any(|own| own == pair);
-        match known || holds_more_than_once(&tried) {
-            true => drop(tried.inputs.pop()),
-            false => found.push(format!("`{}`", spec.linkage.pairs[pair].name)),
-        }
-    }
-    match found.len() == wanted {
-        true => found,
-        false => Vec::new(),
-    }
+/// Of every link whether inputs alone place it.
+pub(super) fn placed(welded: &Welded) -> Vec<bool> {
+    joints(welded, &mut Faults::default()).placed
 }
 
 /// True when inputs, or they and the pairs, place something more than once.
-fn holds_more_than_once(spec: &MultiSpec) -> bool {
+pub(super) fn holds_more_than_once(welded: &Welded) -> bool {
     let mut faults = Faults::default();
-    let joints = joints(spec, &mut faults);
+    let joints = joints(welded, &mut faults);
     if faults.check().is_err() {
         return true;
     }
-    let bodies = bodies(&joints);
+    let spec = &welded.spec;
+    let bodies = bodies(welded, &joints);
     let driving: Vec<usize> = input_pairs(spec).collect();
     let pairs = (spec.linkage.pairs.iter().enumerate())
         .filter(|(pair, _)| !driving.contains(pair))
@@ -289,11 +270,23 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
             matrices = [matrices[0] + n * n, matrices[1] + n];
         }
     }
+    for one in &plan.attached {
+        let base = one.base.unwrap_or(bodies);
+        for input in 0..inputs {
+            moves[one.link * inputs + input] = moves[base * inputs + input];
+        }
+        placed[one.link] = one.base.is_none_or(|base| placed[base]);
+    }
     let weighs = |body: usize| {
         let link = spec.linkage.links.get(body);
         link.is_some_and(|link| link.mass > 0.0 || link.moment > 0.0)
     };
     let mut heavy: Vec<bool> = (0..bodies).map(weighs).collect();
+    for one in &plan.attached {
+        if let Some(base) = one.base {
+            heavy[base] |= heavy[one.link];
+        }
+    }
     for joint in joints.tree.iter().rev() {
         if joint.parent < bodies && heavy[joint.body] {
             heavy[joint.parent] = true;

@@ -23,7 +23,7 @@ pub struct MultiReduced<N> {
     pub force: Vec<N>,
     /// Mass, its first moments and its moment of inertia about the reference point of
     /// every body of the tree with all that hangs on it (b).
-    carried: Vec<[N; 4]>,
+    pub(super) carried: Vec<[N; 4]>,
     /// Moment about the reference point and force on every body (b + 1).
     pub(super) wrenches: Vec<Twist<N>>,
 }
@@ -65,6 +65,7 @@ impl<N: Number> MultiReduced<N> {
                 false => self.add_link(plan, body, &own, columns),
             }
         }
+        self.carry_attached(plan);
         for joint in plan.tree.iter().rev() {
             if !plan.heavy[joint.body] {
                 continue;
@@ -157,6 +158,7 @@ impl<N: Number> MultiReduced<N> {
     /// Q from the wrenches on all bodies, which are summed on the way.
     pub(super) fn generalise(&mut self, plan: &MultiPlan, columns: &Columns<N>) {
         self.force.fill(N::from(0.0));
+        self.load_attached(plan);
         for group in &plan.groups {
             let driven = group.inner.as_ref().map(|inner| inner.driven);
             for &body in group.bases.iter().chain(&driven) {

@@ -1,7 +1,8 @@
 //! The inputs of a linkage as joints, from the ground outwards and inside groups.
 
 use super::plan::{InnerJoint, TreeJoint, driver_of};
-use super::spec::{InputCoordinate, InputSpec, MultiSpec};
+use super::spec::{InputCoordinate, InputSpec};
+use super::welded::Welded;
 use crate::fault::Faults;
 use crate::kinematics::linkage::compile::Bodies;
 use crate::kinematics::linkage::elements::{Body, Element};
@@ -31,7 +32,8 @@ pub(super) fn floating_driver(along: [f64; 2], slides: bool) -> Driver {
     }
 }
 
-pub(super) fn joints(spec: &MultiSpec, faults: &mut Faults) -> Joints {
+pub(super) fn joints(welded: &Welded, faults: &mut Faults) -> Joints {
+    let spec = &welded.spec;
     let linkage = &spec.linkage;
     let links = linkage.links.len();
     let mut floating: Vec<usize> = (spec.inputs.iter())
@@ -69,6 +71,7 @@ pub(super) fn joints(spec: &MultiSpec, faults: &mut Faults) -> Joints {
                 input,
                 driver,
                 reversed: false,
+                shift: 0.0,
             });
         }
     }
@@ -100,6 +103,7 @@ pub(super) fn joints(spec: &MultiSpec, faults: &mut Faults) -> Joints {
             body,
             parent: parent.unwrap_or(bodies),
             input,
+            shift: welded.shift(pair),
             driver,
             reversed,
         });
@@ -108,7 +112,7 @@ pub(super) fn joints(spec: &MultiSpec, faults: &mut Faults) -> Joints {
     for (input, pair) in open {
         let driver = driver_of(linkage, pair);
         let path = format!("inputs.{}", spec.inputs[input].name);
-        let pair = &linkage.pairs[pair].name;
+        let name = &linkage.pairs[pair].name;
         let taken = |link: usize| {
             inner
                 .iter()
@@ -118,7 +122,7 @@ pub(super) fn joints(spec: &MultiSpec, faults: &mut Faults) -> Joints {
             (Some(base), Some(driven)) if !placed[base] && !placed[driven] => {
                 if taken(base) || taken(driven) {
                     let message = format!(
-                        "a link of `{pair}` belongs to another input that lies between moving links"
+                        "a link of `{name}` belongs to another input that lies between moving links"
                     );
                     let hint = "choose pairs as inputs that lead from the ground outwards";
                     faults.add(path, message, hint);
@@ -128,12 +132,13 @@ pub(super) fn joints(spec: &MultiSpec, faults: &mut Faults) -> Joints {
                     base,
                     driven,
                     input,
+                    shift: welded.shift(pair),
                     driver,
                 });
             }
             _ => {
                 let message =
-                    format!("the other inputs place both links of `{pair}`: it is no free choice");
+                    format!("the other inputs place both links of `{name}`: it is no free choice");
                 let hint = "name another pair, or leave this input out";
                 faults.add(path, message, hint);
             }
@@ -147,14 +152,14 @@ pub(super) fn joints(spec: &MultiSpec, faults: &mut Faults) -> Joints {
     }
 }
 
-/// The bodies that groups place.
-pub(super) fn bodies(joints: &Joints) -> Bodies {
+/// The bodies that groups place; links that are welded to others are none of their own.
+pub(super) fn bodies(welded: &Welded, joints: &Joints) -> Bodies {
     let links = joints.placed.len();
     let (mut list, mut of_link) = (Vec::new(), vec![None; links]);
     for link in 0..links {
         let own = |joint: &&InnerJoint| joint.base == link || joint.driven == link;
         let inner = joints.inner.iter().find(own);
-        if joints.placed[link] || of_link[link].is_some() {
+        if joints.placed[link] || welded.attachment(link).is_some() || of_link[link].is_some() {
             continue;
         }
         let body = match inner {

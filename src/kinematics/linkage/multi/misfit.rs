@@ -6,15 +6,13 @@ use crate::kinematics::linkage::compile::{Bodies, is_or_are, tie_named};
 use crate::kinematics::linkage::elements::Body;
 use crate::kinematics::linkage::structure::{explanation, mobility};
 
-/// Says what holds a part more than once and what is free; `further`: pairs that so many
-/// inputs more could be.
+/// Says what holds a part more than once and what is free.
 pub(super) fn misfit(
     spec: &MultiSpec,
     bodies: &Bodies,
     others: &[usize],
     held: &[(Vec<usize>, Vec<usize>)],
     free: &[usize],
-    further: &dyn Fn(usize) -> Vec<String>,
 ) -> Vec<Fault> {
     let mut faults = Faults::default();
     let linkage = &spec.linkage;
@@ -31,18 +29,10 @@ pub(super) fn misfit(
     if count != given {
         let message = format!("{given} inputs, and {}", explanation(linkage));
         let hint = match given < count {
-            true => {
-                let free = further((count - given) as usize);
-                let example = match free.is_empty() {
-                    true => String::new(),
-                    false => format!("; it would do with {}", free.join(" and ")),
-                };
-                format!(
-                    "name {} more: coordinates of pairs, or x, y and angle of a link that \
-                     floats{example}",
-                    count - given
-                )
-            }
+            true => format!(
+                "name {} more: coordinates of pairs, or x, y and angle of a link that floats",
+                count - given
+            ),
             false => format!("leave {} of them out", given - count),
         };
         faults.add("inputs", message, &hint);

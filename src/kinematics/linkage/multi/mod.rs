@@ -27,12 +27,14 @@ mod motion;
 mod outputs;
 mod place;
 mod plan;
+mod proposal;
 mod rounding;
 mod singular;
 pub mod spec;
 #[cfg(test)]
 mod tests;
 mod twist;
+mod welded;
 mod wrong;
 
 pub use constraint::MultiOutput;
@@ -40,6 +42,7 @@ pub use dynamics::MultiReduced;
 pub use forces::MultiPower;
 pub use motion::MultiMotion;
 pub use place::NotAssembled;
+pub use proposal::{freedom, proposal};
 pub use rounding::MultiRounding;
 pub use singular::{SingularCurve, singular_curves};
 
@@ -55,6 +58,7 @@ use place::Known;
 use plan::MultiPlan;
 use spec::{InputCoordinate, InputSpec, MultiSpec};
 use std::sync::Arc;
+use welded::Welded;
 
 /// A planar linkage with several inputs, ready to be solved. Cheap to clone, immutable.
 #[derive(Clone, Debug)]
@@ -83,13 +87,16 @@ impl MultiLinkage {
     /// relative to the linkage: `links.rod.mass`, `inputs.left`.
     pub fn new(spec: MultiSpec) -> Result<Self, Vec<Fault>> {
         wrong::check(&spec)?;
-        let (plan, mut groups) = compile::compile(&spec)?;
+        let welded = Welded::of(&spec);
+        let (plan, mut groups) =
+            compile::compile(&welded).map_err(|faults| proposal::hinted(&spec, faults))?;
         let mut state = plan.plan.state();
         let inputs: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         place::outwards(&plan, &inputs, &mut state);
         place::turned_outwards(&plan, &inputs, &mut state.near);
+        plan.attach(&mut state);
         // (No one number is the start.)
-        let mut linkage = spec.linkage.clone();
+        let mut linkage = welded.spec.linkage;
         linkage.start = f64::NAN;
         wrong::elsewhere(&spec, &plan, &state)?;
         let branches = assemble::groups(

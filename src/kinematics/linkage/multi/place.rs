@@ -27,7 +27,7 @@ pub struct NotAssembled {
 /// Places what inputs alone place.
 pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
     for joint in &plan.tree {
-        let relative = joint.driver.relative::<1>(inputs[joint.input]);
+        let relative = joint.driver.relative::<1>(joint.between(inputs));
         let relative = match joint.reversed {
             false => relative,
             true => inverse(&relative),
@@ -49,9 +49,10 @@ pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
 /// Sets the frame of the link that an input moves inside a group.
 pub(super) fn inside(plan: &MultiPlan, group: usize, inputs: &[f64], state: &mut State) {
     if let Some(inner) = &plan.groups[group].inner {
-        let relative = inner.driver.relative::<1>(inputs[inner.input]);
+        let between = inner.between(inputs);
+        let relative = inner.driver.relative::<1>(between);
         state.relative.set(&relative);
-        (state.reduced, state.turned) = (inputs[inner.input], inner.driver.sliding.is_none());
+        (state.reduced, state.turned) = (between, inner.driver.sliding.is_none());
     }
 }
 
@@ -80,6 +81,10 @@ pub(super) fn place(
             angles_of(step, state);
         }
     }
+    plan.attach(state);
+    if plan.geared {
+        plan.turn_attached(&mut state.near);
+    }
     Ok(())
 }
 
@@ -91,7 +96,7 @@ pub(super) fn turned_outwards(plan: &MultiPlan, inputs: &[f64], angles: &mut [f6
             false => angles[joint.parent],
         };
         let own = match joint.driver.sliding {
-            None => inputs[joint.input],
+            None => joint.between(inputs),
             Some([cos, sin]) => sin.atan2(cos),
         };
         angles[joint.body] = if joint.reversed {
@@ -261,6 +266,7 @@ impl Known {
             }
         }
         turned_outwards(plan, inputs, &mut self.angles);
+        plan.turn_attached(&mut self.angles);
     }
 
     /// The least margin of all groups, over its rounding: where it is not above zero,

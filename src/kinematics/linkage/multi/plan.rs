@@ -19,6 +19,8 @@ pub(super) struct TreeJoint {
     pub(super) driver: Driver,
     /// True: the pair's second link is the parent.
     pub(super) reversed: bool,
+    /// Angle between the bodies less the input where the pair's links are welded to them (rad).
+    pub(super) shift: f64,
 }
 
 /// An input whose pair joins two links that a group places as one body.
@@ -32,6 +34,8 @@ pub(super) struct InnerJoint {
     pub(super) input: usize,
     /// The pair, `base` its first link.
     pub(super) driver: Driver,
+    /// Angle between both less the input where the pair's links are welded to them (rad).
+    pub(super) shift: f64,
 }
 
 /// A pair as a screw: the axis of a pin, or the direction of a guide.
@@ -176,6 +180,22 @@ impl Screw {
             along: on.along,
             sides,
         }
+    }
+}
+
+impl TreeJoint {
+    /// The coordinate of the pair between the bodies themselves.
+    #[inline(always)]
+    pub(super) fn between(&self, inputs: &[f64]) -> f64 {
+        inputs[self.input] + self.shift
+    }
+}
+
+impl InnerJoint {
+    /// The coordinate of the pair between the bodies themselves.
+    #[inline(always)]
+    pub(super) fn between(&self, inputs: &[f64]) -> f64 {
+        inputs[self.input] + self.shift
     }
 }
 

@@ -3,10 +3,11 @@
 use super::forces;
 use super::plan::MultiPlan;
 use super::spec::{InputCoordinate, MultiSpec};
+use super::welded::Welded;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::check;
 use crate::kinematics::linkage::choice::mismatch;
-use crate::kinematics::linkage::spec::AssemblyChoice;
+use crate::kinematics::linkage::spec::{AssemblyChoice, LinkageSpec};
 use crate::kinematics::linkage::state::State;
 
 /// Most inputs: what is dense in their number is found at every evaluation.
@@ -18,18 +19,8 @@ const FAR: f64 = 0.5;
 /// Everything wrong with the numbers, each taken for itself.
 pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
-    let mut linkage = spec.linkage.clone();
-    (linkage.driver, linkage.start, linkage.travel) = (0, 0.0, None);
-    if let Err(found) = check::check(&linkage) {
-        // A link that floats alone needs no pair.
-        let pairless = linkage.pairs.is_empty();
-        faults.absorb(
-            "",
-            (found.into_iter())
-                .filter(|fault| !(pairless && fault.path == "driver"))
-                .collect(),
-        );
-    }
+    let linkage = &spec.linkage;
+    numbers(linkage, &mut faults);
     if spec.inputs.is_empty() || spec.inputs.len() > MOST_INPUTS {
         let message = format!("{} inputs", spec.inputs.len());
         let hint = format!("at least one, at most {MOST_INPUTS}");
@@ -56,14 +47,50 @@ pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
             floating(spec, link, &path, &mut faults);
         }
     }
-    for weld in &linkage.welds {
-        faults.add(
-            format!("pairs.{}", weld.name),
-            "links are welded in a linkage of one input alone",
-            "make both one link with the points of both",
-        );
+    forces::refused(linkage, &mut faults);
+    faults.check()?;
+    floating_as_one(spec)
+}
+
+/// Everything wrong with the numbers of the linkage itself.
+pub(super) fn numbers(linkage: &LinkageSpec, faults: &mut Faults) {
+    let mut linkage = linkage.clone();
+    // (There is no driver.)
+    (linkage.driver, linkage.start, linkage.travel) = (usize::MAX, 0.0, None);
+    if let Err(found) = check::check(&linkage) {
+        let found = found.into_iter().filter(|fault| fault.path != "driver");
+        faults.absorb("", found.collect());
     }
-    forces::refused(&linkage, &mut faults);
+}
+
+/// Refuses links that float and are welded to the ground, or to another one that floats.
+fn floating_as_one(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
+    let mut faults = Faults::default();
+    let welded = Welded::of(spec);
+    let name = |link: usize| &spec.linkage.links[link].name;
+    for input in &spec.inputs {
+        let link = input.coordinate.floating_link();
+        let Some(one) = link.and_then(|link| welded.attachment(link)) else {
+            continue;
+        };
+        let path = format!("inputs.{}", input.name);
+        let own = name(one.link);
+        match one.base {
+            None => faults.add(
+                path,
+                format!("`{own}` is welded to the ground and does not float"),
+                "leave this input out, or the weld",
+            ),
+            Some(base) => faults.add(
+                path,
+                format!(
+                    "`{own}` is welded to `{}`: one body floats once",
+                    name(base)
+                ),
+                "leave the coordinates of one of both out",
+            ),
+        }
+    }
     faults.check()
 }
 

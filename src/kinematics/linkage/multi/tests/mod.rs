@@ -1,15 +1,18 @@
 //! Kinematics and equations of motion against differences of positions alone.
 
+mod cut;
 pub(super) mod examples;
 mod geared;
 mod kinetostatics;
 mod margins;
 mod motion;
+mod proposal;
 mod refusals;
 mod singular;
+mod welds;
 
 use super::spec::MultiSpec;
-use super::{MultiLinkage, MultiWorkspace};
+use super::{MultiLinkage, MultiMotion, MultiWorkspace};
 use crate::kinematics::linkage::spec::{ForceLaw, OutputKind, PointOf};
 use crate::math::number::{Dual, Number};
 use examples::all;
