@@ -1,5 +1,6 @@
 //! Linkages: any planar mechanism of rigid links, with one degree of freedom or several.
 
+mod cams;
 mod couplings;
 mod forces;
 mod inputs;
@@ -29,8 +30,8 @@ use serde_json::json;
 /// ```
 ///
 /// Parameters: `ground` and `links` with named points (m), masses (kg), centres
-/// of mass and moments of inertia about them (kg·m²); `pairs`; `couplings`, gears, belts and racks
-/// between the links; `driver`, the pair whose coordinate q is the driver's displacement (times `position`);
+/// of mass and moments of inertia about them (kg·m²); `pairs`; `couplings`, gears, belts, racks and
+/// cams between the links; `driver`, the pair whose coordinate q is the driver's displacement (times `position`);
 /// `assembly` and `start`, which way it is put together; `gravity`, `forces`;
 /// `outputs`, on which other objects hang.
 ///
