@@ -227,7 +227,9 @@ fn tied(
     own: impl Fn(&Element) -> Side,
 ) -> Option<Tied> {
     match &coupling.kind {
-        CouplingKind::Cam(cam) => rolling(coupling.wheels, cam, own).map(Box::new).map(Tied::Cam),
+        CouplingKind::Cam(cam) => rolling(coupling.wheels, cam, own)
+            .map(Box::new)
+            .map(Tied::Cam),
         _ => geared(spec, coupling, own).map(Tied::Wheels),
     }
 }

@@ -24,9 +24,13 @@ impl ForceStudy {
         if self.indeterminate.couplings.get(coupling) == Some(&true) {
             return None;
         }
-        let all = self.solved().map(|(row, found)| (row, found.couplings[coupling]));
+        let all = self
+            .solved()
+            .map(|(row, found)| (row, found.couplings[coupling]));
         let all: Vec<(&Row, f64)> = all.collect();
-        let greatest = all.iter().fold(0.0f64, |most, (_, force)| most.max(force.abs()));
+        let greatest = all
+            .iter()
+            .fold(0.0f64, |most, (_, force)| most.max(force.abs()));
         let pulls = |force: f64| force < -NOTHING * greatest;
         let count = all.iter().filter(|(_, force)| pulls(*force)).count();
         let (row, least) = all.iter().min_by(|one, other| one.1.total_cmp(&other.1))?;

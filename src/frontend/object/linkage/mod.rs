@@ -39,7 +39,7 @@ use serde_json::json;
 /// moment or force, J, V, Q, D the inertia, potential, forces and damping
 /// reduced to q; with `joint_friction` also the friction of the pairs, which
 /// follows from their reactions, these from q, q̇ and q̈. Limits: links do not
-/// bend, pairs have no play; a run ends in dead positions of the driver.
+/// bend, pairs have no play, rollers stay on their cams; a run ends in dead positions of the driver.
 ///
 /// With `inputs` in place of `driver` there are several coordinates q₁, …, qₘ, as many as its
 /// mobility: of pairs, or x, y and angle of a link that floats; each is moved by an object,

@@ -85,7 +85,8 @@ fn shape(spec: &CamPairSpec, curve: &PitchCurve, path: &str, faults: &mut Faults
         .find(jumps);
         if let Some((_, _, what)) = found {
             let message = format!("the {what} of the lift jumps at {} deg", degrees(phi));
-            let hint = "choose laws without a jump of the acceleration, such as `cycloidal` or `3-4-5`";
+            let hint =
+                "choose laws without a jump of the acceleration, such as `cycloidal` or `3-4-5`";
             faults.add(path, message, hint);
             return;
         }

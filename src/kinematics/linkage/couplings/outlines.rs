@@ -4,7 +4,9 @@
 use super::Meeting;
 use super::meeting::axis;
 use super::pitch::PitchCurve;
-use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec, PairSpec};
+use crate::kinematics::linkage::spec::{
+    CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec, PairSpec,
+};
 use std::f64::consts::TAU;
 
 /// Points of a cam's flank that are drawn.

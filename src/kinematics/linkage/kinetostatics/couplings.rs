@@ -167,7 +167,10 @@ fn on_cam(
     links: &[LinkPosition],
 ) -> [OnWheel; 2] {
     let own = frame(links, wheels[0]);
-    let (centre, roller) = (own.point(cam.centre), frame(links, wheels[1]).point(cam.roller));
+    let (centre, roller) = (
+        own.point(cam.centre),
+        frame(links, wheels[1]).point(cam.roller),
+    );
     let [x, y] = [0, 1].map(|axis| roller.place[axis] - centre.place[axis]);
     let seen = [own.cos * x + own.sin * y, own.cos * y - own.sin * x];
     let [x, y] = own.turned(curve.gradient(seen));

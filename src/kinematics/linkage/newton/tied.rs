@@ -1,8 +1,8 @@
 //! The couplings of a group that is solved by iteration: one equation each.
 
+use super::NewtonGroup;
 use super::cam::Rolling;
 use super::geared::Geared;
-use super::NewtonGroup;
 use crate::kinematics::linkage::state::{Scratch, State};
 use crate::math::series::Series;
 

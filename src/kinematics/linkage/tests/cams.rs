@@ -134,10 +134,13 @@ fn on_a_coupler() -> Builder {
         ..with_lift([0.0; 2], lift)
     };
     let mut builder = four_bar([0.1, 0.4, 0.3, 0.35]).choose(1, AssemblyChoice::Branch(1.0));
-    builder.0.links.push(crate::kinematics::linkage::spec::LinkSpec {
-        name: "slide".to_owned(),
-        ..Default::default()
-    });
+    builder
+        .0
+        .links
+        .push(crate::kinematics::linkage::spec::LinkSpec {
+            name: "slide".to_owned(),
+            ..Default::default()
+        });
     builder
         .slide((GROUND, [0.15, 0.0]), (slide, [0.0; 2]), 1.5, 0.0)
         .cam([Some(1), slide], cam)
@@ -201,10 +204,13 @@ fn between_driven_links() -> Builder {
         .pin((GROUND, [0.25, -0.1]), (lever, [0.0; 2]))
         .choose(2, AssemblyChoice::Angle(1.6))
         .start(0.05);
-    builder.0.links.push(crate::kinematics::linkage::spec::LinkSpec {
-        name: "follower".to_owned(),
-        ..Default::default()
-    });
+    builder
+        .0
+        .links
+        .push(crate::kinematics::linkage::spec::LinkSpec {
+            name: "follower".to_owned(),
+            ..Default::default()
+        });
     builder.0.travel = Some([0.03, 0.09]);
     builder
         .pin((GROUND, [0.3, 0.2]), (Some(3), [0.0; 2]))
@@ -288,7 +294,12 @@ fn a_roller_above_the_axis_rises_as_the_lift_says() {
     let lift = rise_and_return(LawName::Polynomial345);
     let builder = Builder::new(&["cam", "slide"])
         .pin((GROUND, [0.0; 2]), (CAM, [0.0; 2]))
-        .slide((GROUND, [0.0; 2]), (slide, [0.0; 2]), 1.570_796_326_794_896_6, 0.0)
+        .slide(
+            (GROUND, [0.0; 2]),
+            (slide, [0.0; 2]),
+            1.570_796_326_794_896_6,
+            0.0,
+        )
         .cam([CAM, slide], with_lift([0.0; 2], lift.clone()))
         .choose(
             1,
@@ -340,7 +351,10 @@ fn cams_that_cannot_be_are_told() {
         "{open}"
     );
     let inside = of_lift(sine(1.0, 0.07));
-    assert!(inside.contains("does not pass round its centre"), "{inside}");
+    assert!(
+        inside.contains("does not pass round its centre"),
+        "{inside}"
+    );
     let jump = of_lift(rise_and_return(LawName::Parabolic));
     assert!(
         jump.contains("the second derivative of the lift jumps at"),
@@ -354,7 +368,10 @@ fn cams_that_cannot_be_are_told() {
     let radius = refused(|_, cam| cam.base_radius = -1.0);
     assert!(radius.contains("couplings.c0.cam.base_radius"), "{radius}");
     let hollow = refused(|_, cam| (cam.surface, cam.roller_radius) = (Surface::Hollow, 0.06));
-    assert!(hollow.contains("does not fit into a hollow cam"), "{hollow}");
+    assert!(
+        hollow.contains("does not fit into a hollow cam"),
+        "{hollow}"
+    );
     let twice = refused(|spec, _| spec.couplings[0].wheels = [CAM, CAM]);
     assert!(twice.contains("`cam` stands in it twice"), "{twice}");
     let far = refused(|_, cam| cam.base_radius = 0.3);
