@@ -297,7 +297,7 @@ fn a_roller_above_the_axis_rises_as_the_lift_says() {
         .slide(
             (GROUND, [0.0; 2]),
             (slide, [0.0; 2]),
-            1.570_796_326_794_896_6,
+            std::f64::consts::FRAC_PI_2,
             0.0,
         )
         .cam([CAM, slide], with_lift([0.0; 2], lift.clone()))
