@@ -42,11 +42,15 @@ __all__ = [
     "Law",
     "LawOf",
     "Lever",
+    "Lift",
+    "LiftCam",
+    "LiftCamLaw",
     "Line",
     "Linear",
     "Linkage",
     "LinkageAssembly",
     "LinkageCoupling",
+    "LinkageCouplingCam",
     "LinkageForce",
     "LinkageForceForce",
     "LinkageForceTable",
@@ -1374,6 +1378,110 @@ class Lever(Tree):
         )
 
 
+class Lift(Tree):
+    """Lift of the roller's centre from its circle, radially, over the angle in the cam: a law that repeats after a turn; default none, a circle.
+
+    Parameters
+    ----------
+    cam
+        Cam with rise, dwell, return and rest.
+    plan
+        Plan of motion: any number of rises, dwells and returns.
+    sine
+        U = amplitude·sin(harmonic·φ + phase) + offset.
+    table
+        Smooth spline through given points.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        cam: LiftCam | Mapping[str, Value] | None = None,
+        plan: Plan | Mapping[str, Value] | None = None,
+        sine: Sine | Mapping[str, Value] | None = None,
+        table: Table | Mapping[str, Value] | None = None,
+    ) -> None:
+        super().__init__(
+            ("cam", cam),
+            ("plan", plan),
+            ("sine", sine),
+            ("table", table),
+        )
+
+
+class LiftCam(Tree):
+    """Cam with rise, dwell, return and rest.
+
+    Parameters
+    ----------
+    law
+        Law of motion of both, or an object with one for the rise and one for the return.
+    lift
+        Full stroke (length in m, mm, cm or µm)
+    return_
+        Angle of the return (angle in rad, deg, mrad or rev)
+    rise
+        Angle of the rise (angle in rad, deg, mrad or rev)
+    dwell
+        Angle of the upper dwell (angle in rad, deg, mrad or rev) Default: 0.0.
+    phase
+        Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
+    rest
+        Angle of the rest; if given, the four angles must make a full turn (angle in rad,
+        deg, mrad or rev)
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        law: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value] | LiftCamLaw,
+        lift: Quantity,
+        return_: Quantity,
+        rise: Quantity,
+        dwell: Quantity | None = None,
+        phase: Quantity | None = None,
+        rest: Quantity | None = None,
+    ) -> None:
+        super().__init__(
+            ("law", law),
+            ("lift", lift),
+            ("return", return_),
+            ("rise", rise),
+            ("dwell", dwell),
+            ("phase", phase),
+            ("rest", rest),
+        )
+
+
+class LiftCamLaw(Tree):
+    """What `law` is made of.
+
+    Parameters
+    ----------
+    return_
+        Law of the return, run backwards.
+    rise
+        Law of the rise.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        return_: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value],
+        rise: Literal['parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | LawOf | Mapping[str, Value],
+    ) -> None:
+        super().__init__(
+            ("return", return_),
+            ("rise", rise),
+        )
+
+
 class Line(Tree):
     """Contact along a line (roller, flat face): k is the secant N/p at a stated load.
 
@@ -1477,7 +1585,7 @@ class Linkage(Tree):
         `+`. Default: {}.
     couplings
         Gears, belts and racks by name, each between two links (or a link and the ground)
-        that a third one carries. Default: {}.
+        that a third one carries; and cams, each between two links. Default: {}.
     description
         Remarks for people.
     dimensions
@@ -1606,6 +1714,8 @@ class LinkageCoupling(Tree):
     ----------
     belt
         A belt or chain over two pulleys.
+    cam
+        A cam of one link on which a roller or a point of another one runs.
     gear
         Two gears: seen from their carrier they turn as their numbers of teeth say.
     rack
@@ -1618,13 +1728,70 @@ class LinkageCoupling(Tree):
         self,
         *,
         belt: Belt | Mapping[str, Value] | None = None,
+        cam: LinkageCouplingCam | Mapping[str, Value] | None = None,
         gear: Gear | Mapping[str, Value] | None = None,
         rack: Rack | Mapping[str, Value] | None = None,
     ) -> None:
         super().__init__(
             ("belt", belt),
+            ("cam", cam),
             ("gear", gear),
             ("rack", rack),
+        )
+
+
+class LinkageCouplingCam(Tree):
+    """A cam of one link on which a roller or a point of another one runs.
+
+    Parameters
+    ----------
+    base_radius
+        Radius of the profile about the centre where the lift is zero; without a `lift` that
+        of the whole circle (length in m, mm, cm or µm)
+    centre
+        The cam's centre, about which its profile is given: a point of the link (or the
+        ground) that carries the cam.
+    roller
+        The centre of the roller, or the point that runs on the cam: a point of another
+        link, or of the ground.
+    direction
+        Direction from which the angle of the lift is counted, in the frame of the cam's
+        link (angle in rad, deg, mrad or rev) Default: 0.0.
+    lift
+        Lift of the roller's centre from its circle, radially, over the angle in the cam: a
+        law that repeats after a turn; default none, a circle.
+    roller_radius
+        Radius of the roller; default 0, a point (length in m, mm, cm or µm) Default: 0.0.
+    sense
+        Sense in which the angle of the lift is counted. A cam that turns counterclockwise
+        brings what lies clockwise of the roller. Default: "counterclockwise".
+    surface
+        Which side of the cam is touched. Default: "disc".
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        base_radius: Quantity,
+        centre: str,
+        roller: str,
+        direction: Quantity | None = None,
+        lift: Lift | Mapping[str, Value] | None = None,
+        roller_radius: Quantity | None = None,
+        sense: Literal['counterclockwise', 'clockwise'] | None = None,
+        surface: Literal['disc', 'hollow', 'groove'] | None = None,
+    ) -> None:
+        super().__init__(
+            ("base_radius", base_radius),
+            ("centre", centre),
+            ("roller", roller),
+            ("direction", direction),
+            ("lift", lift),
+            ("roller_radius", roller_radius),
+            ("sense", sense),
+            ("surface", surface),
         )
 
 

@@ -65,7 +65,7 @@ impl Linkage {
         self.entry("pairs", name, joint)
     }
 
-    /// Adds a coupling of two links: gears, a belt, a rack.
+    /// Adds a coupling of two links: gears, a belt, a rack, a cam.
     pub fn coupling(self, name: &str, coupling: Coupling) -> Self {
         self.entry("couplings", name, coupling)
     }
@@ -209,7 +209,7 @@ impl Joint {
     }
 }
 
-/// A coupling of two links by gears, a belt, or a gear and a rack.
+/// A coupling of two links by gears, a belt, a gear and a rack, or a cam and a roller.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
 pub struct Coupling {
@@ -253,6 +253,39 @@ impl Coupling {
     /// zero, both seen from the carrier.
     pub fn offset(self, offset: impl Into<Node>) -> Self {
         self.with("offset", offset)
+    }
+
+    /// A cam about a point of one link, `crank.C`, and a roller (or a point) of another one, `lever.R`;
+    /// the radius of the cam where the lift is zero (m). Without a lift it is a circle.
+    pub fn cam(centre: &str, roller: &str, base_radius: impl Into<Node>) -> Self {
+        let own = only("centre", centre);
+        let cam = Self { kind: "cam", own }.with("roller", roller);
+        cam.with("base_radius", base_radius)
+    }
+
+    /// Radius of a cam's roller (m); without it a point.
+    pub fn roller_radius(self, radius: impl Into<Node>) -> Self {
+        self.with("roller_radius", radius)
+    }
+
+    /// Lift of a cam: a sine, a table, a cam or a plan that repeats after a turn.
+    pub fn lift(self, lift: impl Into<Node>) -> Self {
+        self.with("lift", lift)
+    }
+
+    /// Direction in the cam's link from which the angle of the lift is counted (rad).
+    pub fn direction(self, direction: impl Into<Node>) -> Self {
+        self.with("direction", direction)
+    }
+
+    /// The sense in which the angle of the lift is counted: `"counterclockwise"` or `"clockwise"`.
+    pub fn sense(self, sense: &str) -> Self {
+        self.with("sense", sense)
+    }
+
+    /// The side of a cam that is touched: `"disc"`, `"hollow"` or `"groove"`.
+    pub fn surface(self, surface: &str) -> Self {
+        self.with("surface", surface)
     }
 
     fn of(kind: &'static str, wheels: [&str; 2], size: &str, value: impl Into<Node>) -> Self {

@@ -184,6 +184,12 @@ fn stations_forces_and_outputs_can_be_built() {
         Coupling::internal_gears(["a", "b"], [20, 40]).carrier("c"),
         Coupling::crossed_belt(["a", "b"], [0.04, 0.08]).offset(0.1),
         Coupling::rack("a", "b", 0.03),
+        Coupling::cam("a.C", "b.R", 0.05)
+            .roller_radius(0.01)
+            .lift(Position::sine(0.002).harmonic(2))
+            .direction("30 deg")
+            .sense("clockwise")
+            .surface("groove"),
     ];
     for coupling in couplings.map(|coupling| json(coupling.into())) {
         for (kind, options) in coupling.as_object().unwrap() {

@@ -11,9 +11,11 @@ use serde_json::json;
 use std::f64::consts::FRAC_PI_2;
 
 const SIGNS: [(&str, f64); 2] = [("outward", 1.0), ("inward", -1.0)];
-const SENSES: [(&str, f64); 2] = [("counterclockwise", 1.0), ("clockwise", -1.0)];
+/// Senses in which a cam turns or an angle in it is counted.
+pub(super) const SENSES: [(&str, f64); 2] = [("counterclockwise", 1.0), ("clockwise", -1.0)];
 const SWINGS: [(&str, f64); 2] = [("against", 1.0), ("with", -1.0)];
-const SURFACES: [(&str, Surface); 3] = [
+/// The sides of a cam that can be touched.
+pub(super) const SURFACES: [(&str, Surface); 3] = [
     ("disc", Surface::Disc),
     ("hollow", Surface::Hollow),
     ("groove", Surface::Groove),

@@ -23,7 +23,7 @@ mod motion;
 pub(crate) mod pressing;
 pub(crate) mod search;
 pub mod sizing;
-mod spec;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 

@@ -124,11 +124,8 @@ impl CamGeometry {
     /// Distance of the roller's centre (of the flat face) from the cam's axis
     /// when the follower is innermost: the prime circle.
     pub fn prime_radius(&self) -> f64 {
-        let roller = self.roller().unwrap_or(0.0);
-        match self.surface {
-            Surface::Hollow => self.base_radius - roller,
-            Surface::Disc | Surface::Groove => self.base_radius + roller,
-        }
+        self.surface
+            .prime_radius(self.base_radius, self.roller().unwrap_or(0.0))
     }
 
     /// The geometry with another prime circle.
@@ -148,11 +145,26 @@ impl CamGeometry {
     /// Offsets of the working profiles from the pitch curve, along the normal
     /// that points away from the axis.
     pub fn flanks(&self) -> Vec<f64> {
-        let roller = self.roller().unwrap_or(0.0);
-        match self.surface {
-            Surface::Disc => vec![-roller],
-            Surface::Hollow => vec![roller],
-            Surface::Groove => vec![-roller, roller],
+        self.surface.flanks(self.roller().unwrap_or(0.0))
+    }
+}
+
+impl Surface {
+    /// Radius of the pitch circle that belongs to a base circle and a roller.
+    pub fn prime_radius(self, base: f64, roller: f64) -> f64 {
+        match self {
+            Self::Hollow => base - roller,
+            Self::Disc | Self::Groove => base + roller,
+        }
+    }
+
+    /// Offsets of the working profiles from the pitch curve of a roller, along the normal that
+    /// points away from the axis.
+    pub fn flanks(self, roller: f64) -> Vec<f64> {
+        match self {
+            Self::Disc => vec![-roller],
+            Self::Hollow => vec![roller],
+            Self::Groove => vec![-roller, roller],
         }
     }
 }

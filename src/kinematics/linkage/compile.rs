@@ -3,13 +3,14 @@
 
 mod misfit;
 
+use super::couplings::PitchCurve;
 use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
-use super::newton::{Geared, Joint, NewtonGroup, Second, Side};
+use super::newton::{Geared, Joint, NewtonGroup, Rolling, Second, Side, Tied};
 use super::plan::{Driver, Plan, Step, size};
 use super::skeleton::Skeleton;
-use super::spec::{CouplingSpec, LinkageSpec};
+use super::spec::{CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec};
 use super::structure::{Group, GroupKind};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
@@ -206,25 +207,58 @@ pub(super) fn larger_group(
         sides: elements(&spec.pairs[pair]).each_ref().map(own),
         slides: slides(&spec.pairs[pair]),
     });
-    let geared = couplings
+    // What does not meet, or has no pitch curve, was refused before.
+    let tied = couplings
         .iter()
-        .filter_map(|&coupling| geared(spec, &spec.couplings[coupling], own));
+        .filter_map(|&coupling| tied(spec, &spec.couplings[coupling], own));
     let newton = NewtonGroup {
         bodies: group.iter().map(|&body| bodies.list[body]).collect(),
         joints: joints.collect(),
-        couplings: geared.collect(),
+        couplings: tied.collect(),
     };
     let links = newton.bodies.iter().flat_map(Body::links).count();
     (Some(Step::Newton(newton)), GroupKind::Newton { links })
 }
 
 /// A coupling made ready, its sides being found by `own`.
+fn tied(
+    spec: &LinkageSpec,
+    coupling: &CouplingSpec,
+    own: impl Fn(&Element) -> Side,
+) -> Option<Tied> {
+    match &coupling.kind {
+        CouplingKind::Cam(cam) => rolling(coupling.wheels, cam, own)
+            .map(Box::new)
+            .map(Tied::Cam),
+        _ => geared(spec, coupling, own).map(Tied::Wheels),
+    }
+}
+
+/// A cam made ready.
+fn rolling(
+    [cam, roller]: [Option<usize>; 2],
+    spec: &CamPairSpec,
+    own: impl Fn(&Element) -> Side,
+) -> Option<Rolling> {
+    let side = |link: Option<usize>, point: [f64; 2]| {
+        own(&Element {
+            point,
+            ..Element::of_link(link)
+        })
+    };
+    Some(Rolling {
+        cam: side(cam, spec.centre),
+        roller: side(roller, spec.roller),
+        curve: PitchCurve::new(spec).ok()?,
+    })
+}
+
+/// Wheels made ready.
 fn geared(
     spec: &LinkageSpec,
     coupling: &CouplingSpec,
     own: impl Fn(&Element) -> Side,
 ) -> Option<Geared> {
-    // What does not meet was refused before.
     let meeting = coupling.meeting(&spec.pairs).ok()?;
     let side = |link: Option<usize>| own(&Element::of_link(link));
     let second = match meeting.guide {

@@ -1,4 +1,4 @@
-//! Couplings of two links: gears, belts, racks.
+//! Couplings of two links: gears, belts, racks, cams.
 //!
 //! Both wheels (or a wheel and a rack) are carried by one link, the carrier. Seen from it the second
 //! wheel turns ρ times as far as the first, or the rack slides by ρ times the wheel's angle:
@@ -6,17 +6,24 @@
 //! carrier, or about one that lies in the same place, over a link between them: sun, carrier and ring
 //! of a planetary gear turn about one axis, and two pins join all three.
 //!
+//! A cam and its roller are coupled without a carrier: in the cam's frame the roller's centre lies on
+//! the pitch curve.
+//!
 //! Source: the rolling of two pitch circles on each other (Willis' equation for a moving carrier).
 
+mod cams;
 mod meeting;
 mod outlines;
+mod pitch;
 
-use super::spec::{CouplingSpec, LinkageSpec, PairSpec};
+use super::spec::{CouplingKind, CouplingSpec, LinkageSpec, PairSpec};
 use crate::fault::Faults;
 use crate::units::shown;
+pub(super) use cams::remarks;
 pub(super) use meeting::Meeting;
 pub(crate) use meeting::carriers;
 pub(crate) use outlines::{Outline, outlines};
+pub(super) use pitch::PitchCurve;
 
 /// Ratios between these are taken, so that squares stay numbers.
 const SMALLEST: f64 = 1e-6;
@@ -44,8 +51,12 @@ pub(super) fn check(spec: &LinkageSpec, found: &mut Faults) {
             found.add(path.as_str(), message, "give it a name of its own");
         }
         found.finite(&format!("{path}.offset"), coupling.offset);
+        if let CouplingKind::Cam(cam) = &coupling.kind {
+            cams::check(cam, &format!("{path}.cam"), found);
+        }
+        let wheels = !matches!(coupling.kind, CouplingKind::Cam(_));
         let ratio = coupling.kind.ratio();
-        if !(SMALLEST < ratio.abs() && ratio.abs() < GREATEST) {
+        if wheels && !(SMALLEST < ratio.abs() && ratio.abs() < GREATEST) {
             let message = format!("its ratio is {}", shown(ratio, 6));
             let hint = format!("give one between {SMALLEST:e} and {GREATEST:e}");
             found.add(path.as_str(), message, &hint);
@@ -53,7 +64,7 @@ pub(super) fn check(spec: &LinkageSpec, found: &mut Faults) {
         let mut links = coupling.links().into_iter().flatten();
         if let Some(link) = links.find(|link| *link >= spec.links.len()) {
             found.add(path, format!("there is no link number {link}"), "");
-        } else if let Err(wrong) = coupling.meeting(&spec.pairs) {
+        } else if let Err(wrong) = coupling.fits(&spec.pairs) {
             let [message, hint] = wrong.in_words(spec, coupling);
             found.add(path, message, &hint);
         }

@@ -3,7 +3,7 @@
 
 use super::choice::{Wrong, asked_branch, mismatch, names, short, start_in_words};
 use super::dyad::Margin;
-use super::newton::NewtonGroup;
+use super::newton::{NewtonGroup, Tied};
 use super::plan::Plan;
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::Scratch;
@@ -196,9 +196,10 @@ fn put(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
         state.put(body, &NewtonGroup::frame::<1>(scratch, index));
         // Where nothing counts the turns it is the angle in (−π, π].
         let angle = scratch.unknowns[3 * index + 2][0];
-        state.near[body.base] = match group.couplings.is_empty() {
-            true => state.links[body.base].angle(),
-            false => angle,
+        let counted = group.couplings.iter().filter_map(Tied::geared).next();
+        state.near[body.base] = match counted {
+            None => state.links[body.base].angle(),
+            Some(_) => angle,
         };
     }
 }

@@ -7,7 +7,9 @@
 //! and the k-th set to zero, the k-th coefficient of the equations is what the
 //! matrix must balance.
 
+mod cam;
 mod geared;
+mod tied;
 
 use super::dyad::Margin;
 use super::elements::{Body, Element, Frame, PairElement};
@@ -16,7 +18,9 @@ use super::state::State;
 use super::vector::Vector;
 use crate::math::linear::dense::{factorise, solve};
 use crate::math::series::Series;
+pub(super) use cam::Rolling;
 pub(super) use geared::{Geared, Second};
+pub(super) use tied::Tied;
 
 /// Most iterations from a guess of the table; two or three are usual.
 const MOST_ITERATIONS: usize = 40;
@@ -51,8 +55,8 @@ pub(super) struct NewtonGroup {
     pub(super) bodies: Vec<Body>,
     /// Pairs of the group; two equations of each and one of each coupling are three a body.
     pub(super) joints: Vec<Joint>,
-    /// Gears, belts and racks.
-    pub(super) couplings: Vec<Geared>,
+    /// Gears, belts, racks and cams.
+    pub(super) couplings: Vec<Tied>,
 }
 
 /// The iteration did not come to an end.

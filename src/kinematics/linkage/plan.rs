@@ -4,7 +4,7 @@
 use super::dyad::Margin;
 use super::elements::{Body, Element, Frame, elements};
 use super::newton::NewtonGroup;
-use super::spec::{LinkageSpec, PairKind, PairSpec};
+use super::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
 use super::state::{Motion, Scratch, State};
 use super::vector::{Local, Vector};
 use super::welds::Attached;
@@ -126,20 +126,14 @@ impl Plan {
 }
 
 /// A length typical of the linkage: the greatest distance between points that
-/// belong together (m).
+/// belong together, or radius of a cam (m).
 pub(super) fn size(spec: &LinkageSpec) -> f64 {
-    let mut points: Vec<(Option<usize>, [f64; 2])> = Vec::new();
-    for pair in &spec.pairs {
-        for element in elements(pair) {
-            points.push((element.link, element.point));
-        }
-    }
-    let mut size = 0.0f64;
-    for (index, (link, at)) in points.iter().enumerate() {
-        for (other, to) in &points[index + 1..] {
-            if link == other {
-                size = size.max((to[0] - at[0]).hypot(to[1] - at[1]));
-            }
+    let points: Vec<PointOf> = spec.joints().collect();
+    let mut size = spec.greatest_cam();
+    for (index, one) in points.iter().enumerate() {
+        for other in points[index + 1..].iter().filter(|o| o.link == one.link) {
+            let [x, y] = [other.at[0] - one.at[0], other.at[1] - one.at[1]];
+            size = size.max(x.hypot(y));
         }
     }
     if size > 0.0 { size } else { 1.0 }

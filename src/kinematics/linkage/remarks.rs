@@ -1,8 +1,9 @@
 //! What a linkage does that hardly anybody means: outputs that never move, links without length,
-//! approximate positions far from the assembly.
+//! approximate positions far from the assembly, cams that are undercut.
 
 use super::Linkage;
 use super::choice::{mismatch, short};
+use super::couplings;
 use super::elements::slides;
 use super::solve::{Guess, solve};
 use super::spec::{AssemblyChoice, OutputKind};
@@ -23,6 +24,7 @@ impl Linkage {
         let mut remarks = self.far_positions();
         remarks.extend(self.links_without_length());
         remarks.extend(self.still_outputs());
+        remarks.extend(couplings::remarks(self.spec()));
         remarks
     }
 

@@ -3,7 +3,11 @@
 //! SI units; x to the right, y up, angles counterclockwise. Lists stand in the
 //! order of their names, so that nothing depends on the order in a file.
 
-/// A planar linkage of rigid links, lower pairs, gears, belts and racks with one degree of freedom.
+mod cam;
+
+pub use cam::CamPairSpec;
+
+/// A planar linkage of rigid links, lower pairs, gears, belts, racks and cams with one degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct LinkageSpec {
     /// The moving links.
@@ -12,7 +16,7 @@ pub struct LinkageSpec {
     pub ground: Vec<NamedPoint>,
     /// The kinematic pairs.
     pub pairs: Vec<PairSpec>,
-    /// Gears, belts and racks between links.
+    /// Gears, belts, racks and cams between links.
     pub couplings: Vec<CouplingSpec>,
     /// Links that are welded together.
     pub welds: Vec<WeldSpec>,
@@ -36,6 +40,35 @@ pub struct LinkageSpec {
     pub forces: Vec<ForceSpec>,
     /// Outputs, which other objects or the user may look at.
     pub outputs: Vec<OutputSpec>,
+}
+
+impl LinkageSpec {
+    /// The points of links at which pairs and cams join them.
+    pub(crate) fn joints(&self) -> impl Iterator<Item = PointOf> {
+        let pairs = self.pairs.iter().flat_map(|pair| [pair.on, pair.link]);
+        let cams = self.cams().flat_map(|(coupling, cam)| {
+            let [own, other] = coupling.wheels;
+            let point = |link, at| PointOf { link, at };
+            [point(own, cam.centre), point(other, cam.roller)]
+        });
+        pairs.chain(cams)
+    }
+
+    /// The cams among the couplings.
+    pub(crate) fn cams(&self) -> impl Iterator<Item = (&CouplingSpec, &CamPairSpec)> {
+        self.couplings.iter().filter_map(|coupling| {
+            let CouplingKind::Cam(cam) = &coupling.kind else {
+                return None;
+            };
+            Some((coupling, &**cam))
+        })
+    }
+
+    /// The greatest prime radius of a cam (m); 0 where there is none.
+    pub(crate) fn greatest_cam(&self) -> f64 {
+        let radii = self.cams().map(|(_, cam)| cam.prime_radius());
+        radii.fold(0.0, f64::max)
+    }
 }
 
 /// A point with a name, in the frame of its link or of the ground.
@@ -307,25 +340,25 @@ pub enum OutputKind {
     },
 }
 
-/// A coupling: the angle of one link follows that of another.
+/// A coupling: one equation between links, such as that the angle of one follows that of another.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CouplingSpec {
     /// Name of the coupling.
     pub name: String,
-    /// The links with the wheels, or with the wheel and the rack: indices into
+    /// The links with the wheels, with the wheel and the rack, or with the cam and the roller: indices into
     /// [`LinkageSpec::links`]; `None`: the ground.
     pub wheels: [Option<usize>; 2],
-    /// The link that carries both; `None`: the ground.
+    /// The link that carries both; `None`: the ground. Of a cam its own link.
     pub carrier: Option<usize>,
-    /// Gears, a belt, or a rack.
+    /// Gears, a belt, a rack, or a cam.
     pub kind: CouplingKind,
     /// Angle of the second wheel, or displacement of the rack, seen from the carrier, where the
-    /// first wheel's angle is zero (rad or m).
+    /// first wheel's angle is zero (rad or m). Of a cam 0.
     pub offset: f64,
 }
 
-/// Kind of a coupling with its ratio ρ, seen from the carrier.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Kind of a coupling; of wheels with its ratio ρ, seen from the carrier.
+#[derive(Clone, Debug, PartialEq)]
 pub enum CouplingKind {
     /// Two gears: angle of the second over that of the first, negative for external teeth.
     Gear {
@@ -344,10 +377,13 @@ pub enum CouplingKind {
         /// guide.
         radius: f64,
     },
+    /// A cam on which a roller or a point of another link runs.
+    Cam(Box<CamPairSpec>),
 }
 
 impl CouplingKind {
-    /// Ratio ρ: of two angles, or of the rack's displacement to the angle (m).
+    /// Ratio ρ: of two angles, or of the rack's displacement to the angle (m); 0 of a cam, which
+    /// has none.
     pub fn ratio(&self) -> f64 {
         match *self {
             Self::Gear { ratio } => ratio,
@@ -355,6 +391,7 @@ impl CouplingKind {
                 radii: [one, other],
             } => one / other,
             Self::Rack { radius } => radius,
+            Self::Cam(_) => 0.0,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The structure of a linkage: mobility and Assur groups in order of solution.
 
-use super::spec::{LinkageSpec, Redundant, WeldSpec};
+use super::spec::{CouplingKind, LinkageSpec, Redundant, WeldSpec};
 use std::fmt;
 
 /// The kind of a group of links.
@@ -89,6 +89,8 @@ pub struct Structure {
     pub redundant: Vec<String>,
     /// Names of links, pairs and couplings, for display.
     names: [Vec<String>; 3],
+    /// Which of the couplings are cams.
+    cams: Vec<bool>,
 }
 
 impl Structure {
@@ -99,6 +101,9 @@ impl Structure {
             groups,
             welded: welded(spec),
             redundant: redundant(spec),
+            cams: (spec.couplings.iter())
+                .map(|coupling| matches!(coupling.kind, CouplingKind::Cam(_)))
+                .collect(),
             names: [
                 spec.links.iter().map(|link| link.name.clone()).collect(),
                 spec.pairs.iter().map(|pair| pair.name.clone()).collect(),
@@ -108,6 +113,11 @@ impl Structure {
                     .collect(),
             ],
         }
+    }
+
+    /// True of a group that a cam belongs to.
+    fn has_cam(&self, group: &Group) -> bool {
+        group.couplings.iter().any(|&coupling| self.cams[coupling])
     }
 
     /// A group in words: `dyad RRR: coupler, rocker (pairs B, C, D), branch +`.
@@ -135,9 +145,12 @@ impl Structure {
             Some(_) => ", branch +",
             None => "",
         };
+        let kind = match group.kind {
+            GroupKind::Newton { links: 1 } if self.has_cam(group) => "link on a cam".to_owned(),
+            kind => kind.to_string(),
+        };
         format!(
-            "{}: {} ({word} {}{coupled}){branch}",
-            group.kind,
+            "{kind}: {} ({word} {}{coupled}){branch}",
             names(0, &group.links),
             names(1, &group.pairs)
         )

@@ -1,6 +1,6 @@
 //! A cam with one rise and one return per turn.
 
-use super::CamSpec;
+use super::spec::CamSpec;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::{Law, LawSpec};

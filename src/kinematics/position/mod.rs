@@ -6,22 +6,25 @@
 //! reaches. The system evaluates [`Position`], a closed set for speed, with one
 //! open variant.
 
-mod cam;
+pub(crate) mod cam;
 mod four_bar;
+mod function;
 mod interpolated;
 mod linkage;
 mod reach;
 mod short_form;
+pub(crate) mod sine;
 mod slider_crank;
 mod slotted_link;
-mod spec;
-mod table;
+pub(crate) mod spec;
+pub(crate) mod table;
 #[cfg(test)]
 mod tests;
 
 pub use crate::kinematics::motion::{Cycle, CycleSpec, LawName, LawSpec};
 pub use cam::Cam;
 pub use four_bar::FourBar;
+pub use function::PositionFunction;
 pub use interpolated::Interpolated;
 pub use linkage::LinkageOutput;
 pub(crate) use linkage::reach as linkage_reach;
@@ -36,25 +39,7 @@ pub use table::Table;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::math::jet::Jet;
-use std::fmt;
 use std::sync::Arc;
-
-/// A position function that this library does not know, supplied by its user.
-pub trait PositionFunction: fmt::Debug + Send + Sync {
-    /// U and its first three derivatives at `phi`, by the formula of `segment`
-    /// (see [`Breaks`]), which may be asked a little beyond the segment's edges.
-    fn jet(&self, segment: i64, phi: f64) -> Jet;
-
-    /// Breaks: where the formula changes.
-    fn breaks(&self) -> Breaks {
-        Breaks::NONE
-    }
-
-    /// The interval of φ in which the function exists; `None`: everywhere.
-    fn reach(&self) -> Option<(f64, f64)> {
-        None
-    }
-}
 
 /// A position function, ready to be evaluated.
 #[derive(Clone, Debug)]
@@ -183,17 +168,7 @@ impl Position {
                 harmonic,
                 phase,
                 offset,
-            } => {
-                let (sin, cos) = (harmonic * phi + phase).sin_cos();
-                let first = amplitude * harmonic;
-                let second = first * harmonic;
-                Jet {
-                    value: amplitude * sin + offset,
-                    first: first * cos,
-                    second: -second * sin,
-                    third: -second * harmonic * cos,
-                }
-            }
+            } => sine::jet([*amplitude, *harmonic, *phase, *offset], phi),
             _ => self.longer_jet(segment, phi),
         }
     }

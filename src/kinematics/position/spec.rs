@@ -1,6 +1,6 @@
 //! Position functions as a scene states them: plain numbers in SI units.
 
-use super::PositionFunction;
+use super::function::PositionFunction;
 use crate::kinematics::motion::{CycleSpec, LawSpec};
 use std::sync::Arc;
 

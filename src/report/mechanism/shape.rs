@@ -118,18 +118,20 @@ pub(super) fn block(pair: &PairSpec, extent: f64) -> Option<Block> {
     })
 }
 
-/// Corners of a square about every pitch circle, and the ends of all lines, at a position (m).
+/// Corners of a square about every pitch circle and roller, the ends of all lines and the points of
+/// all flanks, at a position (m).
 pub(super) fn wheels(spec: &LinkageSpec, frame: &[Placement]) -> Vec<[f64; 2]> {
     let placed = |link: Option<usize>, at: [f64; 2]| match link {
         Some(link) => frame.get(link).map_or(at, |placement| placement.point(at)),
         None => at,
     };
     let taken = |outline: Outline| match outline {
-        Outline::Circle(link, centre, radius) => {
+        Outline::Circle(link, centre, radius) | Outline::Roller(link, centre, radius) => {
             let [x, y] = placed(link, centre);
-            [-radius, radius].map(|reach| [x + reach, y + reach])
+            vec![[x - radius, y - radius], [x + radius, y + radius]]
         }
-        Outline::Line(link, ends) => ends.map(|end| placed(link, end)),
+        Outline::Line(link, ends) => ends.map(|end| placed(link, end)).to_vec(),
+        Outline::Flank(link, points) => points.into_iter().map(|at| placed(link, at)).collect(),
     };
     outlines(spec).into_iter().flat_map(taken).collect()
 }

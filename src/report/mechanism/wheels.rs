@@ -1,9 +1,10 @@
-//! Gears, belts and racks of a linkage: pitch circles and strands.
+//! Gears, belts, racks and cams of a linkage: pitch circles, strands, flanks and rollers.
 
 use super::Drawing;
 use super::view::View;
 use crate::kinematics::linkage::couplings::{Outline, outlines};
 use crate::report::plot::coordinate;
+use std::fmt::Write;
 
 /// The outlines that go with a link (`None`: with the ground), in pixels of its own frame, from
 /// `origin`.
@@ -17,8 +18,8 @@ pub(super) fn of_link(
         let place = [origin[0] + x * view.scale, origin[1] - y * view.scale];
         place.map(coordinate)
     };
-    let drawn = |outline: &Outline| match *outline {
-        Outline::Circle(own, centre, radius) if own == link => {
+    let drawn = |outline: &Outline| match outline {
+        &Outline::Circle(own, centre, radius) if own == link => {
             let [x, y] = pixel(centre);
             let size = coordinate(radius * view.scale);
             let circle = format!("<circle class=\"pitch\" cx=\"{x}\" cy=\"{y}\" r=\"{size}\"/>");
@@ -33,10 +34,25 @@ pub(super) fn of_link(
                 None => circle,
             })
         }
-        Outline::Line(own, ends) if own == link => {
+        &Outline::Line(own, ends) if own == link => {
             let [[x, y], [to_x, to_y]] = ends.map(pixel);
             let line = format!("<path class=\"strand\" d=\"M{x} {y}L{to_x} {to_y}\"/>");
             Some(line)
+        }
+        Outline::Flank(own, points) if *own == link => {
+            let mut path = String::new();
+            for (index, &point) in points.iter().enumerate() {
+                let [x, y] = pixel(point);
+                let _ = write!(path, "{}{x} {y}", if index == 0 { "M" } else { "L" });
+            }
+            Some(format!("<path class=\"strand\" d=\"{path}Z\"/>"))
+        }
+        &Outline::Roller(own, centre, radius) if own == link && radius > 0.0 => {
+            let [x, y] = pixel(centre);
+            let size = coordinate(radius * view.scale);
+            Some(format!(
+                "<circle class=\"roller\" cx=\"{x}\" cy=\"{y}\" r=\"{size}\"/>"
+            ))
         }
         _ => None,
     };

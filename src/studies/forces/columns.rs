@@ -250,7 +250,7 @@ fn of_weld(index: usize, name: &str) -> [Column; 4] {
     .map(|column| column.resting(&[Rests::Weld(index)]))
 }
 
-/// Circumferential forces of gears, belts and racks.
+/// Circumferential forces of gears, belts and racks, forces of cams.
 fn of_couplings(linkage: &LinkageSpec) -> impl Iterator<Item = Column> {
     linkage
         .couplings

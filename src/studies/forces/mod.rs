@@ -2,6 +2,7 @@
 //! transmission ratios, efficiency, self-locking, balance of the frame.
 
 mod asked;
+mod closing;
 mod columns;
 mod counterweight;
 mod course;
@@ -251,6 +252,7 @@ impl ForceStudy {
                 self.rows.len()
             ));
         }
+        warnings.extend(self.lacking_closing_forces());
         warnings
     }
 }

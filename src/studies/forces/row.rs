@@ -55,7 +55,7 @@ pub struct Forces {
     /// The welds, in the linkage's order.
     pub welds: Vec<WeldForce>,
     /// Circumferential forces of the couplings, in the linkage's order, each on its second wheel
-    /// or rack (N).
+    /// or rack (N); of cams those on the roller, positive where both press on each other.
     pub couplings: Vec<f64>,
     /// Which of these rigid links leave open; nothing where only a few figures were asked for.
     pub indeterminate: Indeterminate,

@@ -1,5 +1,6 @@
-//! Gears, belts and racks between the links of a linkage.
+//! Gears, belts, racks and cams between the links of a linkage.
 
+use super::cams;
 use super::names::Names;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::linkage::couplings::carriers;
@@ -14,7 +15,7 @@ const MOST_TEETH: u64 = 10_000;
 /// Two links, `None` being the ground.
 type Wheels = [Option<usize>; 2];
 
-/// What every coupling has.
+/// What every coupling of wheels has.
 struct Coupled {
     wheels: Wheels,
     carrier: Option<usize>,
@@ -35,7 +36,7 @@ pub(super) fn read(
     pairs: Option<&[PairSpec]>,
 ) -> Option<Vec<CouplingSpec>> {
     let known = Known { names, pairs };
-    let doc = "Gears, belts and racks by name, each between two links (or a link and the ground) that a third one carries.";
+    let doc = "Gears, belts and racks by name, each between two links (or a link and the ground) that a third one carries; and cams, each between two links.";
     fields.or("couplings", doc, json!({}), |slot| {
         slot.names(|name, slot| {
             slot.defined("linkage_coupling", |slot| coupling(slot, name, known))
@@ -47,20 +48,30 @@ fn coupling(slot: Slot<'_>, name: &str, known: Known<'_>) -> Option<CouplingSpec
     slot.record(|fields| {
         let mut kind = fields.one_of("what couples the links");
         let doc = "Two gears: seen from their carrier they turn as their numbers of teeth say.";
-        kind.case("gear", doc, |slot| gear(slot, known));
+        kind.case("gear", doc, |slot| gear(slot, known).map(wheels));
         let doc = "A belt or chain over two pulleys.";
-        kind.case("belt", doc, |slot| belt(slot, known));
+        kind.case("belt", doc, |slot| belt(slot, known).map(wheels));
         let doc = "A gear and a rack, which a guide joins to their carrier.";
-        kind.case("rack", doc, |slot| rack(slot, known));
-        let (coupled, kind) = kind.finish()?;
+        kind.case("rack", doc, |slot| rack(slot, known).map(wheels));
+        let doc = "A cam of one link on which a roller or a point of another one runs.";
+        kind.case("cam", doc, |slot| cams::read(slot, known.names));
+        let coupling = kind.finish()?;
         Some(CouplingSpec {
             name: name.to_owned(),
-            wheels: coupled.wheels,
-            carrier: coupled.carrier,
-            kind,
-            offset: coupled.offset,
+            ..coupling
         })
     })
+}
+
+/// A coupling of wheels, its name left open.
+fn wheels((coupled, kind): (Coupled, CouplingKind)) -> CouplingSpec {
+    CouplingSpec {
+        name: String::new(),
+        wheels: coupled.wheels,
+        carrier: coupled.carrier,
+        kind,
+        offset: coupled.offset,
+    }
 }
 
 fn gear(slot: Slot<'_>, known: Known<'_>) -> Option<(Coupled, CouplingKind)> {

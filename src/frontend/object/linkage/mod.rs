@@ -1,5 +1,6 @@
 //! Linkages: any planar mechanism of rigid links, with one degree of freedom or several.
 
+mod cams;
 mod couplings;
 mod forces;
 mod inputs;
@@ -29,8 +30,8 @@ use serde_json::json;
 /// ```
 ///
 /// Parameters: `ground` and `links` with named points (m), masses (kg), centres
-/// of mass and moments of inertia about them (kg·m²); `pairs`; `couplings`, gears, belts and racks
-/// between the links; `driver`, the pair whose coordinate q is the driver's displacement (times `position`);
+/// of mass and moments of inertia about them (kg·m²); `pairs`; `couplings`, gears, belts, racks and
+/// cams between the links; `driver`, the pair whose coordinate q is the driver's displacement (times `position`);
 /// `assembly` and `start`, which way it is put together; `gravity`, `forces`;
 /// `outputs`, on which other objects hang.
 ///
@@ -38,7 +39,7 @@ use serde_json::json;
 /// moment or force, J, V, Q, D the inertia, potential, forces and damping
 /// reduced to q; with `joint_friction` also the friction of the pairs, which
 /// follows from their reactions, these from q, q̇ and q̈. Limits: links do not
-/// bend, pairs have no play; a run ends in dead positions of the driver.
+/// bend, pairs have no play, rollers stay on their cams; a run ends in dead positions of the driver.
 ///
 /// With `inputs` in place of `driver` there are several coordinates q₁, …, qₘ, as many as its
 /// mobility: of pairs, or x, y and angle of a link that floats; each is moved by an object,

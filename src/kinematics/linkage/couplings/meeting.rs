@@ -16,7 +16,7 @@ pub(in crate::kinematics::linkage) struct Meeting {
     pub(in crate::kinematics::linkage) guide: Option<(usize, f64)>,
 }
 
-/// What is wrong with a coupling's links.
+/// What is wrong with the links of wheels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::kinematics::linkage) enum Mismatch {
     /// A link that stands for two of them.
@@ -34,12 +34,25 @@ pub(in crate::kinematics::linkage) enum Mismatch {
 }
 
 impl CouplingSpec {
-    /// Where its axes lie.
+    /// Whether its links are joined as it needs: a cam and its roller need not be.
+    pub(super) fn fits(&self, pairs: &[PairSpec]) -> Result<(), Mismatch> {
+        let [one, other] = self.wheels;
+        match self.kind {
+            CouplingKind::Cam(_) if one == other => Err(Mismatch::Same(one)),
+            CouplingKind::Cam(_) => Ok(()),
+            _ => self.meeting(pairs).map(|_| ()),
+        }
+    }
+
+    /// Where the axes of its wheels lie; a cam has none.
     pub(in crate::kinematics::linkage) fn meeting(
         &self,
         pairs: &[PairSpec],
     ) -> Result<Meeting, Mismatch> {
         let [one, other, carrier] = self.links();
+        if let CouplingKind::Cam(_) = self.kind {
+            return Err(Mismatch::NoAxis(one));
+        }
         if one == other || one == carrier {
             return Err(Mismatch::Same(one));
         }
@@ -151,7 +164,10 @@ impl Mismatch {
         let (message, hint) = match self {
             Self::Same(link) => (
                 format!("{} stands in it twice", named(spec, link)),
-                "name two wheels and the link that carries both".to_owned(),
+                match coupling.kind {
+                    CouplingKind::Cam(_) => "name points of two different links".to_owned(),
+                    _ => "name two wheels and the link that carries both".to_owned(),
+                },
             ),
             Self::NoAxis(wheel) => (
                 format!(

@@ -1,24 +1,38 @@
-//! What couplings look like: pitch circles, strands of belts, pitch lines of racks.
+//! What couplings look like: pitch circles, strands of belts, pitch lines of racks, cams with their
+//! rollers.
 
 use super::Meeting;
 use super::meeting::axis;
-use crate::kinematics::linkage::spec::{CouplingKind, CouplingSpec, LinkageSpec, PairSpec};
+use super::pitch::PitchCurve;
+use crate::kinematics::linkage::spec::{
+    CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec, PairSpec,
+};
+use std::f64::consts::TAU;
 
+/// Points of a cam's flank that are drawn.
+const POINTS: u32 = 180;
 /// Half the length of a rack's pitch line that is shown, in radii of its gear.
 const LINE: f64 = 1.6;
 
 /// A line that goes with a link; `None`: with the ground.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Outline {
     /// The pitch circle of a wheel: its link, its centre in that link's frame and its radius (m).
     Circle(Option<usize>, [f64; 2], f64),
     /// A strand of a belt or the pitch line of a rack: the carrier, both ends in its frame (m).
     Line(Option<usize>, [[f64; 2]; 2]),
+    /// A closed curve: the flank of a cam in its frame (m).
+    Flank(Option<usize>, Vec<[f64; 2]>),
+    /// The roller of a cam: its link, its centre in that link's frame and its radius (m).
+    Roller(Option<usize>, [f64; 2], f64),
 }
 
 /// The outlines of all couplings, these having been checked.
 pub(crate) fn outlines(spec: &LinkageSpec) -> Vec<Outline> {
     let of = |coupling: &CouplingSpec| {
+        if let CouplingKind::Cam(cam) = &coupling.kind {
+            return of_cam(coupling.wheels, cam);
+        }
         let meeting = coupling.meeting(&spec.pairs).ok()?;
         Some(of_one(coupling, &meeting, &spec.pairs))
     };
@@ -33,6 +47,7 @@ fn of_one(coupling: &CouplingSpec, meeting: &Meeting, pairs: &[PairSpec]) -> Vec
     };
     let (u, apart) = direction(meeting.axes);
     let (circles, lines) = match coupling.kind {
+        CouplingKind::Cam(_) => return Vec::new(),
         CouplingKind::Gear { ratio } => {
             let unit = apart / (ratio - 1.0);
             ([circle(one, ratio * unit), circle(other, unit)], Vec::new())
@@ -51,6 +66,24 @@ fn of_one(coupling: &CouplingSpec, meeting: &Meeting, pairs: &[PairSpec]) -> Vec
     };
     let lines = lines.into_iter().map(|ends| Outline::Line(carrier, ends));
     circles.into_iter().flatten().chain(lines).collect()
+}
+
+/// The flanks of a cam, or its pitch curve where a point runs on it, and the roller.
+fn of_cam([own, other]: [Option<usize>; 2], cam: &CamPairSpec) -> Option<Vec<Outline>> {
+    let curve = PitchCurve::new(cam).ok()?;
+    let [x, y] = cam.centre;
+    let flank = |offset: f64| {
+        let angles = (0..POINTS).map(|place| TAU * f64::from(place) / f64::from(POINTS));
+        let points = angles.map(|angle| curve.beside(angle, offset));
+        Outline::Flank(own, points.map(|[u, v]| [x + u, y + v]).collect())
+    };
+    let flanks = match cam.roller_radius > 0.0 {
+        true => cam.surface.flanks(cam.roller_radius),
+        false => vec![0.0],
+    };
+    let mut all: Vec<Outline> = flanks.into_iter().map(flank).collect();
+    all.push(Outline::Roller(other, cam.roller, cam.roller_radius));
+    Some(all)
 }
 
 /// Direction from one axis to the other, and their distance.

@@ -1,17 +1,31 @@
-//! Forces of gears, belts and racks on the links that they couple.
+//! Forces of gears, belts, racks and cams on the links that they couple.
 //!
 //! One unknown a coupling: the circumferential force, which acts on the second wheel (or rack) so
 //! that its coordinate, seen from the carrier, would grow. Teeth press at the pitch point along the
 //! common tangent of the pitch circles; of a belt the difference of both strands acts, each in its
 //! own direction. What presses on both wheels alike is not counted, since the linkage does not tell
 //! it: the separating force of the pressure angle, the pretension of a belt.
+//!
+//! Of a cam it is the force of the flank on the roller, along the common normal, which goes through
+//! the roller's centre: positive where both press on each other, negative where only a closing force
+//! that is not there would hold them together. In a groove the other flank carries it then.
 
 use super::Kinetostatics;
 use super::place::frame;
 use super::positions::{LinkPosition, PointPosition};
 use super::workspace::{ForceWorkspace, PairPlace};
-use crate::kinematics::linkage::couplings::Meeting;
-use crate::kinematics::linkage::spec::{CouplingKind, CouplingSpec, LinkageSpec};
+use crate::kinematics::cam::spec::Surface;
+use crate::kinematics::linkage::couplings::{Meeting, PitchCurve};
+use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec};
+
+/// What a coupling presses by.
+#[derive(Clone, Debug)]
+pub(super) enum Coupled {
+    /// Wheels, whose axes lie so.
+    Wheels(Meeting),
+    /// A cam with its pitch curve.
+    Cam(Box<CamPairSpec>, PitchCurve),
+}
 
 /// What a unit of a coupling's force does to one of the wheels.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +39,8 @@ struct OnWheel {
 
 impl Kinetostatics {
     /// The circumferential force of a coupling at the position solved last, on the second wheel or
-    /// rack (N): positive drives it forwards along its coordinate, as seen from the carrier.
+    /// rack (N): positive drives it forwards along its coordinate, as seen from the carrier. Of a
+    /// cam the force on the roller: positive presses.
     pub fn coupling_force(&self, coupling: usize, w: &ForceWorkspace) -> f64 {
         w.unknowns[2 * self.spec.pairs.len() + coupling]
     }
@@ -69,16 +84,21 @@ impl Kinetostatics {
         links: &[LinkPosition],
         pairs: &[PairPlace],
     ) -> [OnWheel; 2] {
-        let (spec, meeting) = (&self.spec.couplings[coupling], &self.meetings[coupling]);
+        let spec = &self.spec.couplings[coupling];
+        let meeting = match &self.coupled[coupling] {
+            Coupled::Wheels(meeting) => meeting,
+            Coupled::Cam(cam, curve) => return on_cam(spec.wheels, cam, curve, links),
+        };
         let axes = meeting
             .axes
             .map(|at| frame(links, spec.carrier).point(at).place);
-        match (spec.kind, meeting.guide) {
-            (CouplingKind::Gear { ratio }, _) => gears(spec.wheels, ratio, axes),
-            (CouplingKind::Belt { radii }, _) => belt(spec.wheels, radii, axes),
+        match (&spec.kind, meeting.guide) {
+            (CouplingKind::Gear { ratio }, _) => gears(spec.wheels, *ratio, axes),
+            (CouplingKind::Belt { radii }, _) => belt(spec.wheels, *radii, axes),
+            (CouplingKind::Cam(_), _) => opposite(spec.wheels, axes[0], [0.0; 2]),
             (CouplingKind::Rack { radius }, guide) => {
                 let along = guide.map_or([1.0, 0.0], |(pair, _)| pairs[pair].tangent);
-                rack(spec.wheels, radius, axes[0], along)
+                rack(spec.wheels, *radius, axes[0], along)
             }
         }
     }
@@ -139,8 +159,36 @@ fn belt([one, other]: [Option<usize>; 2], [r1, r2]: [f64; 2], axes: [[f64; 2]; 2
     ]
 }
 
-/// How the pairs of every coupling stand to its carrier, the couplings having been checked.
-pub(super) fn meetings(spec: &LinkageSpec) -> Vec<Meeting> {
-    let meeting = |coupling: &CouplingSpec| coupling.meeting(&spec.pairs).ok();
-    spec.couplings.iter().filter_map(meeting).collect()
+/// At the roller's centre along the common normal: away from a disc, into a hollow cam.
+fn on_cam(
+    wheels: [Option<usize>; 2],
+    cam: &CamPairSpec,
+    curve: &PitchCurve,
+    links: &[LinkPosition],
+) -> [OnWheel; 2] {
+    let own = frame(links, wheels[0]);
+    let (centre, roller) = (
+        own.point(cam.centre),
+        frame(links, wheels[1]).point(cam.roller),
+    );
+    let [x, y] = [0, 1].map(|axis| roller.place[axis] - centre.place[axis]);
+    let seen = [own.cos * x + own.sin * y, own.cos * y - own.sin * x];
+    let [x, y] = own.turned(curve.gradient(seen));
+    let size = match cam.surface {
+        Surface::Disc | Surface::Groove => x.hypot(y),
+        Surface::Hollow => -x.hypot(y),
+    };
+    opposite(wheels, roller.place, [x / size, y / size])
+}
+
+/// What every coupling presses by, the couplings having been checked.
+pub(super) fn coupled(spec: &LinkageSpec) -> Vec<Coupled> {
+    let coupled = |coupling: &CouplingSpec| match &coupling.kind {
+        CouplingKind::Cam(cam) => {
+            let curve = PitchCurve::new(cam).ok()?;
+            Some(Coupled::Cam(cam.clone(), curve))
+        }
+        _ => coupling.meeting(&spec.pairs).ok().map(Coupled::Wheels),
+    };
+    spec.couplings.iter().filter_map(coupled).collect()
 }

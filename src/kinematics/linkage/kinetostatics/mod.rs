@@ -2,7 +2,7 @@
 //! motion is given.
 //!
 //! Free-body equations of all links, W·F = B − P − T, with two unknowns a pair, one a
-//! coupling (gears, belt, rack), three a weld and the driver's force; W depends on the position alone and is factorised
+//! coupling (gears, belt, rack, cam), three a weld and the driver's force; W depends on the position alone and is factorised
 //! once. Coulomb's friction in pins and in both corners of blocks; sliding
 //! directions just after the position, in the direction of motion. The same
 //! equations with the driver's force given and the acceleration unknown
@@ -57,7 +57,6 @@ pub use solve::{BAD_CONDITION, ForceFailure, Options, Solved};
 pub use welds::WeldForce;
 pub use workspace::ForceWorkspace;
 
-use super::couplings::Meeting;
 use super::multi::spec::{InputCoordinate, MultiSpec};
 use super::spec::{LinkageSpec, PairKind, PairSpec, Redundant};
 use crate::fault::{Fault, Faults};
@@ -98,8 +97,8 @@ pub struct Kinetostatics {
     corners: Vec<[f64; 2]>,
     /// Number of equations of constraints that are redundant.
     redundant: usize,
-    /// How the pairs of each coupling stand to its carrier.
-    meetings: Vec<Meeting>,
+    /// What each coupling presses by.
+    coupled: Vec<couplings::Coupled>,
     /// Factors of friction of each pair that has any, without sign.
     friction_factors: Vec<Option<Law>>,
     /// Size of the inertia in the column of the acceleration (kg or kg·m).
@@ -152,7 +151,7 @@ impl Kinetostatics {
             corners: pairs.iter().map(|pair| corners(pair, length)).collect(),
             friction_factors: pairs.iter().map(|pair| friction(pair, length)).collect(),
             redundant: spec.redundant.iter().map(Redundant::equations).sum(),
-            meetings: couplings::meetings(spec),
+            coupled: couplings::coupled(spec),
             inertia_scale: if inertia > 0.0 { inertia } else { 1.0 },
             spec: spec.clone(),
         }
@@ -254,11 +253,11 @@ fn friction(pair: &PairSpec, length: f64) -> Option<Law> {
     }
 }
 
-/// The greatest distance of two points of a link that pairs use; 1 if all coincide.
+/// The greatest distance of two points of a link that pairs and cams use, or radius of a cam; 1 if
+/// all coincide.
 fn length_scale(spec: &LinkageSpec) -> f64 {
-    let ends = spec.pairs.iter().flat_map(|pair| [pair.on, pair.link]);
-    let points: Vec<_> = ends.collect();
-    let mut most = 0.0f64;
+    let points: Vec<_> = spec.joints().collect();
+    let mut most = spec.greatest_cam();
     for a in &points {
         for b in points.iter().filter(|b| b.link == a.link) {
             most = most.max((a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]));

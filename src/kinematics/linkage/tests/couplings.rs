@@ -314,7 +314,7 @@ fn refused(change: impl Fn(&mut LinkageSpec)) -> String {
 
 #[test]
 fn couplings_that_cannot_be_are_told() {
-    let of_kind = |kind| refused(|spec| spec.couplings[0].kind = kind);
+    let of_kind = |kind: CouplingKind| refused(|spec| spec.couplings[0].kind = kind.clone());
     let same = of_kind(CouplingKind::Gear { ratio: 1.0 });
     assert!(
         same.contains("couplings.c0: internal gears of the same size"),

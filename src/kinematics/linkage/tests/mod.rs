@@ -1,6 +1,7 @@
 //! Tests of linkages.
 
 mod branches;
+mod cams;
 mod change_points;
 mod couplings;
 mod examples;

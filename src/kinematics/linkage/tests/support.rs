@@ -1,7 +1,9 @@
 //! What the tests of linkages share.
 
-use crate::kinematics::linkage::spec::{CouplingKind, PairKind, PointOf};
+use crate::kinematics::cam::Surface;
+use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, PairKind, PointOf};
 use crate::kinematics::linkage::{Linkage, Reach, Workspace};
+use crate::kinematics::position::Position;
 use proptest::prelude::*;
 
 pub(super) fn close(a: f64, b: f64, relative: f64, absolute: f64) -> bool {
@@ -79,6 +81,15 @@ pub(super) fn closure_error(linkage: &Linkage, workspace: &Workspace) -> f64 {
     for coupling in &linkage.spec().couplings {
         let angle = |link: Option<usize>| link.map_or(0.0, |link| workspace.angle(link));
         let [one, other] = coupling.wheels;
+        if let CouplingKind::Cam(cam) = &coupling.kind {
+            let of = |link, at| place(&PointOf { link, at });
+            most = most.max(off_the_pitch_curve(
+                cam,
+                direction(one),
+                [of(one, cam.centre), of(other, cam.roller)],
+            ));
+            continue;
+        }
         let first = coupling.kind.ratio() * (angle(one) - angle(coupling.carrier));
         if !matches!(coupling.kind, CouplingKind::Rack { .. }) {
             let second = angle(other) - angle(coupling.carrier);
@@ -86,6 +97,21 @@ pub(super) fn closure_error(linkage: &Linkage, workspace: &Workspace) -> f64 {
         }
     }
     most
+}
+
+/// How far a roller is from its pitch curve, radially.
+fn off_the_pitch_curve(cam: &CamPairSpec, turned: f64, [centre, roller]: [[f64; 2]; 2]) -> f64 {
+    let [x, y] = [roller[0] - centre[0], roller[1] - centre[1]];
+    let phi = cam.sense * (y.atan2(x) - turned - cam.direction);
+    let lift = cam.lift.as_ref().map_or(0.0, |lift| {
+        let law = Position::new(lift).unwrap();
+        law.jet(law.breaks().locate(phi, 1.0), phi).value
+    });
+    let prime = match cam.surface {
+        Surface::Hollow => cam.base_radius - cam.roller_radius,
+        _ => cam.base_radius + cam.roller_radius,
+    };
+    (x.hypot(y) - prime - lift).abs()
 }
 
 /// All that has derivatives: poses, angles, pairs, outputs, energies.
