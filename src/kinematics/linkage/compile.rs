@@ -2,20 +2,21 @@
 //! solution, or to what is wrong with its structure.
 
 mod misfit;
+mod tied;
 
-use super::couplings::PitchCurve;
 use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
-use super::newton::{Geared, Joint, NewtonGroup, Rolling, Second, Side, Tied};
+use super::newton::{Joint, NewtonGroup, Side};
 use super::plan::{Driver, Plan, Step, size};
 use super::skeleton::Skeleton;
-use super::spec::{CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec};
+use super::spec::LinkageSpec;
 use super::structure::{Group, GroupKind};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
 use misfit::misfit;
 pub(super) use misfit::{is_or_are, tie_named};
+use tied::tied;
 
 /// The bodies that the driver does not place, and the body of every link.
 pub(super) struct Bodies {
@@ -218,63 +219,6 @@ pub(super) fn larger_group(
     };
     let links = newton.bodies.iter().flat_map(Body::links).count();
     (Some(Step::Newton(newton)), GroupKind::Newton { links })
-}
-
-/// A coupling made ready, its sides being found by `own`.
-fn tied(
-    spec: &LinkageSpec,
-    coupling: &CouplingSpec,
-    own: impl Fn(&Element) -> Side,
-) -> Option<Tied> {
-    match &coupling.kind {
-        CouplingKind::Cam(cam) => rolling(coupling.wheels, cam, own)
-            .map(Box::new)
-            .map(Tied::Cam),
-        _ => geared(spec, coupling, own).map(Tied::Wheels),
-    }
-}
-
-/// A cam made ready.
-fn rolling(
-    [cam, roller]: [Option<usize>; 2],
-    spec: &CamPairSpec,
-    own: impl Fn(&Element) -> Side,
-) -> Option<Rolling> {
-    let side = |link: Option<usize>, point: [f64; 2]| {
-        own(&Element {
-            point,
-            ..Element::of_link(link)
-        })
-    };
-    Some(Rolling {
-        cam: side(cam, spec.centre),
-        roller: side(roller, spec.roller),
-        curve: PitchCurve::new(spec).ok()?,
-    })
-}
-
-/// Wheels made ready.
-fn geared(
-    spec: &LinkageSpec,
-    coupling: &CouplingSpec,
-    own: impl Fn(&Element) -> Side,
-) -> Option<Geared> {
-    let meeting = coupling.meeting(&spec.pairs).ok()?;
-    let side = |link: Option<usize>| own(&Element::of_link(link));
-    let second = match meeting.guide {
-        None => Second::Wheel(side(coupling.wheels[1])),
-        Some((guide, sense)) => {
-            let sides = elements(&spec.pairs[guide]).each_ref().map(&own);
-            Second::Rack(sides, sense)
-        }
-    };
-    Some(Geared {
-        wheel: side(coupling.wheels[0]),
-        second,
-        carrier: side(coupling.carrier),
-        ratio: coupling.kind.ratio(),
-        offset: coupling.offset,
-    })
 }
 
 pub(super) fn dyad(
