@@ -12,7 +12,7 @@
 //! Source: R. Featherstone, Rigid Body Dynamics Algorithms, Springer, 2008, chapters 2 and
 //! 3, in the plane.
 
-use super::plan::{Group, MultiPlan, Screw};
+use super::plan::{Group, InnerJoint, MultiPlan, Screw, Source};
 use super::twist::{Pose, Twist, at, carried, dot, minus, plus, times};
 use crate::kinematics::linkage::state::State;
 use crate::math::number::Number;
@@ -194,15 +194,23 @@ impl<N: Number> Columns<N> {
         let inverse = N::from(1.0) / determinant;
         let rows = [times(bc, inverse), times(ca, inverse), times(ab, -inverse)];
         self.dyads[index] = [[a, b, c], rows];
-        for &input in &group.active {
-            let known = [group.screws[0].sides[0], group.screws[2].sides[0]]
-                .map(|side| self.column(plan, side, input));
+        for (&input, known) in group.active.iter().zip(&group.known) {
+            let known = known.map(|source| self.taken_from(source));
             let inner = group.inner.as_ref().filter(|inner| inner.input == input);
-            let own = inner.map(|_| self.screws[input]);
-            let [first, second] = self.close(index, group, known, own);
-            self.set_columns(plan, group, input, &[first, second], own);
+            let own = inner.map(|inner| (inner, self.screws[input]));
+            let found = self.close(index, group, known, own);
+            self.set_columns(plan, group, input, &found, own.map(|(_, own)| own));
         }
         determinant.value() != 0.0 && determinant.value().is_finite()
+    }
+
+    #[inline(always)]
+    fn taken_from(&self, source: Source) -> Twist<N> {
+        match source {
+            Source::Rest => [N::from(0.0); 3],
+            Source::Screw(input) => self.screws[input],
+            Source::Column(index) => self.columns[index],
+        }
     }
 
     /// Velocities of the two bodies of a dyad: those of what it hangs on known, and that of
@@ -213,12 +221,12 @@ impl<N: Number> Columns<N> {
         index: usize,
         group: &Group,
         [one, other]: [Twist<N>; 2],
-        inner: Option<Twist<N>>,
+        inner: Option<(&InnerJoint, Twist<N>)>,
     ) -> [Twist<N>; 2] {
         let [[a, _, c], rows] = &self.dyads[index];
         let mut right = minus(other, one);
         let (mut first, mut second) = (one, other);
-        if let (Some(own), Some(inner)) = (inner, &group.inner) {
+        if let Some((inner, own)) = inner {
             let is = |screw: usize, side: usize| group.screws[screw].sides[side] == inner.driven;
             // Sides of a, b and c that are on the driven link.
             if is(0, 1) {
@@ -279,15 +287,11 @@ impl<N: Number> Columns<N> {
             self.acceleration[joint.body] = plus(self.acceleration[joint.parent], change);
         }
         for (index, group) in plan.groups.iter().enumerate() {
-            for &body in group
-                .bases
-                .iter()
-                .chain(&group.inner.as_ref().map(|own| own.driven))
-            {
+            for &body in &group.links {
+                let by = &self.columns[body * plan.inputs..][..plan.inputs];
                 let mut sum = [N::from(0.0); 3];
                 for &input in &group.active {
-                    let column = self.columns[body * plan.inputs + input];
-                    sum = plus(sum, times(column, rates[input]));
+                    sum = plus(sum, times(by[input], rates[input]));
                 }
                 self.velocity[body] = sum;
             }
@@ -326,6 +330,7 @@ impl<N: Number> Columns<N> {
         // of the pair between the bodies is left to both sides of the loop.
         let one = plus(plus(known[0], a), b);
         let other = plus(known[1], c);
+        let inner = group.inner.as_ref().zip(inner);
         let [first, second] = self.close(index, group, [one, other], inner);
         self.acceleration[group.bases[0]] = minus(first, b);
         self.acceleration[group.bases[1]] = second;

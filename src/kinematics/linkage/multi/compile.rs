@@ -4,7 +4,7 @@
 use super::geared::Coupled;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
-use super::plan::{Group, InnerJoint, MultiPlan, Screw, driver_of};
+use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
 use super::spec::{InputCoordinate, MultiSpec};
 use super::welded::Welded;
 use crate::fault::{Fault, Faults};
@@ -201,8 +201,11 @@ fn group_of(
                 .collect()
         }
     };
+    let driven = inner.as_ref().map(|inner| inner.driven);
     Group {
         bases: bodies.iter().map(|body| body.base).collect(),
+        links: bodies.iter().map(|body| body.base).chain(driven).collect(),
+        known: Vec::new(),
         inner,
         screws,
         couplings: Vec::new(),
@@ -292,7 +295,7 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
             heavy[joint.parent] = true;
         }
     }
-    MultiPlan {
+    let mut ready = MultiPlan {
         plan,
         inputs,
         bodies,
@@ -300,10 +303,43 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
         groups,
         moves,
         placed,
+        massive: Vec::new(),
         heavy,
         joint_of,
         turning: turning(&spec.linkage) || !spec.linkage.couplings.is_empty(),
         geared: !spec.linkage.couplings.is_empty(),
         matrices,
+    };
+    ready.massive = massive(spec, &ready);
+    for at in 0..ready.groups.len() {
+        ready.groups[at].known = known(&ready, &ready.groups[at]);
     }
+    ready
+}
+
+/// The links that have inertia.
+fn massive(spec: &MultiSpec, plan: &MultiPlan) -> Vec<Massive> {
+    let links = spec.linkage.links.iter().enumerate();
+    let heavy = links.filter(|(_, link)| link.mass != 0.0 || link.moment != 0.0);
+    let ready = heavy.map(|(body, link)| Massive {
+        body,
+        mass: link.mass,
+        centre: link.centre,
+        moment: link.moment,
+        placed: plan.placed[body],
+        moved: (0..plan.inputs)
+            .filter(|&input| plan.is_moved(body, input))
+            .collect(),
+    });
+    ready.collect()
+}
+
+/// Where the velocities of what a dyad hangs on stand.
+fn known(plan: &MultiPlan, group: &Group) -> Vec<[Source; 2]> {
+    if !group.dyad {
+        return Vec::new();
+    }
+    let sides = [0, 2].map(|screw| group.screws[screw].sides[0]);
+    let of = |&input: &usize| sides.map(|side| plan.source(side, input));
+    group.active.iter().map(of).collect()
 }

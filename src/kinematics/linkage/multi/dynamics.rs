@@ -9,9 +9,8 @@
 //! Source: R. Featherstone, Rigid Body Dynamics Algorithms, Springer, 2008, chapters 5 and 6.
 
 use super::columns::Columns;
-use super::plan::MultiPlan;
+use super::plan::{Massive, MultiPlan, TreeJoint};
 use super::twist::{Twist, at, dot};
-use crate::kinematics::linkage::spec::{LinkSpec, LinkageSpec};
 use crate::math::number::Number;
 
 /// The equations of motion of a linkage at a position and rates of its inputs. m inputs.
@@ -50,74 +49,76 @@ impl<N: Number> MultiReduced<N> {
     }
 
     /// Wrenches of weights and inertia forces, and the mass matrix.
-    pub(super) fn inertia(&mut self, plan: &MultiPlan, spec: &LinkageSpec, columns: &Columns<N>) {
+    pub(super) fn inertia(&mut self, plan: &MultiPlan, gravity: [f64; 2], columns: &Columns<N>) {
         let zero = N::from(0.0);
         self.mass.fill(zero);
         self.wrenches.fill([zero; 3]);
         self.carried.fill([zero; 4]);
-        for (body, link) in spec.links.iter().enumerate() {
-            if link.mass == 0.0 && link.moment == 0.0 {
-                continue;
-            }
-            let own = self.weigh(body, link, spec.gravity, columns);
-            match plan.placed[body] {
-                true => self.carried[body] = own,
-                false => self.add_link(plan, body, &own, columns),
+        for link in &plan.massive {
+            let own = self.weigh(link, gravity, columns);
+            match link.placed {
+                true => self.carried[link.body] = own,
+                false => self.add_link(plan, link, &own, columns),
             }
         }
         self.carry_attached(plan);
         for joint in plan.tree.iter().rev() {
-            if !plan.heavy[joint.body] {
-                continue;
+            if plan.heavy[joint.body] {
+                self.add_carried(plan, joint, columns);
             }
-            let carried = self.carried[joint.body];
-            let own = momentum(&carried, &columns.screws[joint.input]);
-            let mut outer = joint;
-            loop {
-                let entry = dot(&columns.screws[outer.input], &own);
-                self.add(plan, joint.input, outer.input, entry);
-                if outer.parent == plan.bodies {
-                    break;
-                }
-                outer = &plan.tree[plan.joint_of[outer.parent]];
+        }
+        let count = plan.inputs;
+        for one in 1..count {
+            let (upper, row) = self.mass.split_at_mut(one * count);
+            for (other, &entry) in row[..one].iter().enumerate() {
+                upper[other * count + one] = entry;
             }
-            if joint.parent < plan.bodies {
-                let sum = &mut self.carried[joint.parent];
-                for (sum, part) in sum.iter_mut().zip(carried) {
-                    *sum += part;
-                }
+        }
+    }
+
+    /// Adds the inertia of a body of the tree with all that hangs on it, and hands it on.
+    #[inline(always)]
+    fn add_carried(&mut self, plan: &MultiPlan, joint: &TreeJoint, columns: &Columns<N>) {
+        let carried = self.carried[joint.body];
+        let own = momentum(&carried, &columns.screws[joint.input]);
+        let mut outer = joint;
+        loop {
+            // The lower triangle.
+            let (row, column) = match outer.input > joint.input {
+                true => (outer.input, joint.input),
+                false => (joint.input, outer.input),
+            };
+            self.mass[row * plan.inputs + column] += dot(&columns.screws[outer.input], &own);
+            if outer.parent == plan.bodies {
+                break;
+            }
+            outer = &plan.tree[plan.joint_of[outer.parent]];
+        }
+        if joint.parent < plan.bodies {
+            let sum = &mut self.carried[joint.parent];
+            for (sum, part) in sum.iter_mut().zip(carried) {
+                *sum += part;
             }
         }
     }
 
     /// Inertia of a link about the reference point; its weight and inertia force are added
     /// to its wrench.
-    #[inline]
-    fn weigh(
-        &mut self,
-        body: usize,
-        link: &LinkSpec,
-        [gx, gy]: [f64; 2],
-        columns: &Columns<N>,
-    ) -> [N; 4] {
-        let [x, y] = columns.poses[body].place(link.centre);
-        let (velocity, acceleration) = (&columns.velocity[body], &columns.acceleration[body]);
+    #[inline(always)]
+    fn weigh(&mut self, link: &Massive, [gx, gy]: [f64; 2], columns: &Columns<N>) -> [N; 4] {
+        let [x, y] = columns.poses[link.body].place(link.centre);
+        let velocity = &columns.velocity[link.body];
+        let acceleration = &columns.acceleration[link.body];
         let [vx, vy] = at(velocity, [x, y]);
         let [ax, ay] = at(acceleration, [x, y]);
         // The acceleration of the point of the body is that of the place, turned on.
-        let force = [
-            (N::from(gx) - ax + velocity[0] * vy).scale(link.mass),
-            (N::from(gy) - ay - velocity[0] * vx).scale(link.mass),
-        ];
-        self.push(body, [x, y], force);
-        self.wrenches[body][0] -= acceleration[0].scale(link.moment);
+        let fx = (N::from(gx) - ax + velocity[0] * vy).scale(link.mass);
+        let fy = (N::from(gy) - ay - velocity[0] * vx).scale(link.mass);
+        let couple = acceleration[0].scale(link.moment);
+        self.wrenches[link.body] = [x * fy - y * fx - couple, fx, fy];
         let square = (x * x + y * y).scale(link.mass) + N::from(link.moment);
-        [
-            N::from(link.mass),
-            x.scale(link.mass),
-            y.scale(link.mass),
-            square,
-        ]
+        let first = [x.scale(link.mass), y.scale(link.mass)];
+        [N::from(link.mass), first[0], first[1], square]
     }
 
     /// Adds a force at a place to the wrench of a body.
@@ -129,29 +130,17 @@ impl<N: Number> MultiReduced<N> {
         wrench[2] += fy;
     }
 
-    /// Adds the inertia of a link that a group places.
-    #[inline]
-    fn add_link(&mut self, plan: &MultiPlan, body: usize, own: &[N; 4], columns: &Columns<N>) {
-        for one in 0..plan.inputs {
-            if !plan.is_moved(body, one) {
-                continue;
-            }
-            let momentum = momentum(own, &columns.moved_column(plan, body, one));
-            for other in 0..=one {
-                if plan.is_moved(body, other) {
-                    let column = columns.moved_column(plan, body, other);
-                    self.add(plan, one, other, dot(&column, &momentum));
-                }
-            }
-        }
-    }
-
-    /// Adds to an entry of the mass matrix, and to its mirror image.
+    /// Adds the inertia of a link that a group places, to the lower triangle.
     #[inline(always)]
-    fn add(&mut self, plan: &MultiPlan, one: usize, other: usize, entry: N) {
-        self.mass[one * plan.inputs + other] += entry;
-        if one != other {
-            self.mass[other * plan.inputs + one] += entry;
+    fn add_link(&mut self, plan: &MultiPlan, link: &Massive, own: &[N; 4], columns: &Columns<N>) {
+        let count = plan.inputs;
+        let by = &columns.columns[link.body * count..][..count];
+        for (at, &one) in link.moved.iter().enumerate() {
+            let momentum = momentum(own, &by[one]);
+            let row = &mut self.mass[one * count..][..count];
+            for &other in &link.moved[..=at] {
+                row[other] += dot(&by[other], &momentum);
+            }
         }
     }
 
@@ -160,12 +149,11 @@ impl<N: Number> MultiReduced<N> {
         self.force.fill(N::from(0.0));
         self.load_attached(plan);
         for group in &plan.groups {
-            let driven = group.inner.as_ref().map(|inner| inner.driven);
-            for &body in group.bases.iter().chain(&driven) {
+            for &body in &group.links {
                 let wrench = self.wrenches[body];
+                let by = &columns.columns[body * plan.inputs..][..plan.inputs];
                 for &input in &group.active {
-                    let column = columns.moved_column(plan, body, input);
-                    self.force[input] += dot(&column, &wrench);
+                    self.force[input] += dot(&by[input], &wrench);
                 }
             }
         }

@@ -266,7 +266,7 @@ impl<N: Quantity> MultiWorkspace<N> {
     pub(crate) fn reduce(&mut self, dampers: bool) {
         let Core { plan, spec, .. } = &*self.core;
         let linkage = &spec.linkage;
-        self.reduced.inertia(plan, linkage, &self.columns);
+        self.reduced.inertia(plan, linkage.gravity, &self.columns);
         if !linkage.forces.is_empty() {
             let around = Surroundings {
                 plan,

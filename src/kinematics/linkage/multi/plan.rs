@@ -72,10 +72,39 @@ pub(super) struct Group {
     pub(super) parallel: bool,
     /// Inputs that move it, ascending.
     pub(super) active: Vec<usize>,
+    /// All its links: those of `bases`, and the one that an input moves inside.
+    pub(super) links: Vec<usize>,
+    /// Of a dyad for each active input the velocities of what it hangs on.
+    pub(super) known: Vec<[Source; 2]>,
     /// Place of its matrix among those of all larger groups.
     pub(super) matrix: usize,
     /// Place of its row exchanges.
     pub(super) exchanged: usize,
+}
+
+/// Where the velocity of a body by an input stands.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Source {
+    /// It does not move the body.
+    Rest,
+    /// Of a body that inputs alone place: the screw of the input's pair.
+    Screw(usize),
+    /// Of a body that a group places: index among the columns.
+    Column(usize),
+}
+
+/// A link with inertia.
+#[derive(Clone, Debug)]
+pub(super) struct Massive {
+    pub(super) body: usize,
+    /// Mass (kg), its centre in the link's frame (m), moment of inertia about it (kg·m²).
+    pub(super) mass: f64,
+    pub(super) centre: [f64; 2],
+    pub(super) moment: f64,
+    /// Whether inputs alone place it.
+    pub(super) placed: bool,
+    /// Inputs that move it, ascending.
+    pub(super) moved: Vec<usize>,
 }
 
 /// Everything that is fixed of a linkage of several inputs.
@@ -95,6 +124,8 @@ pub(super) struct MultiPlan {
     pub(super) moves: Vec<bool>,
     /// Of every body whether inputs alone place it.
     pub(super) placed: Vec<bool>,
+    /// The links that have inertia.
+    pub(super) massive: Vec<Massive>,
     /// Of every body whether it, or what inputs hang on it, has inertia.
     pub(super) heavy: Vec<bool>,
     /// Of every body of the tree its place there.
@@ -112,6 +143,15 @@ impl MultiPlan {
     #[inline(always)]
     pub(super) fn is_moved(&self, body: usize, input: usize) -> bool {
         self.moves[body * self.inputs + input]
+    }
+
+    /// Where the velocity of a body, or of the ground, by an input stands.
+    pub(super) fn source(&self, body: usize, input: usize) -> Source {
+        match self.is_moved(body, input) {
+            false => Source::Rest,
+            true if self.placed[body] => Source::Screw(input),
+            true => Source::Column(body * self.inputs + input),
+        }
     }
 
     /// True of an input that is the coordinate of a guide.
