@@ -1,10 +1,12 @@
 //! The linkage moving, with the forces that its pairs carry.
 
 use super::ForcesReport;
+use crate::kinematics::linkage::spec::CouplingKind;
 use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, MOST_FRAMES, Placement};
 use crate::studies::forces::{Forces, Row};
 
-/// The drawing: reactions on link j from link i, and the shaking force.
+/// The drawing: reactions on link j from link i, those of couplings on their second wheel or
+/// roller, and the shaking force.
 pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
     let study = report.study;
     let solved: Vec<(usize, &Row, &Forces)> = study
@@ -55,6 +57,25 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
             .map(|(_, _, forces)| forces.welds[weld].force)
             .collect(),
     });
+    // (What the strands of a belt do is no single force: a couple on each pulley.)
+    let open = &study.indeterminate.couplings;
+    let couplings = study.linkage.couplings.iter().enumerate();
+    let couplings = couplings
+        .filter(|(index, spec)| {
+            let strands = matches!(spec.kind, CouplingKind::Belt { .. });
+            !strands && open.get(*index) != Some(&true)
+        })
+        .map(|(index, spec)| Arrow {
+            name: format!("force in {}", spec.name),
+            at: kept
+                .iter()
+                .map(|(_, _, forces)| forces.couplings[index].point)
+                .collect(),
+            vector: kept
+                .iter()
+                .map(|(_, _, forces)| forces.couplings[index].force)
+                .collect(),
+        });
     let shaking = Arrow {
         name: "shaking force".to_owned(),
         at: kept.iter().map(|_| [0.0; 2]).collect(),
@@ -92,7 +113,11 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
         },
         paths: Vec::new(),
         arrows: vec![
-            set("reactions", true, reactions.chain(welds).collect()),
+            set(
+                "reactions",
+                true,
+                reactions.chain(welds).chain(couplings).collect(),
+            ),
             set("shaking force at the origin", false, vec![shaking]),
         ],
     }

@@ -3,7 +3,7 @@
 use super::changes::{massless, sensitivities};
 use super::charts::{groups, ratio_chart};
 use super::{ForcesReport, WIDE, drawing, value};
-use crate::kinematics::linkage::spec::PairSpec;
+use crate::kinematics::linkage::spec::{CouplingKind, LinkageSpec, PairSpec};
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Plot, page::hodograph};
@@ -11,6 +11,7 @@ use crate::report::quantity::{DIGITS, significant};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::forces::{Extreme, Extremes, ForceStudy};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Most points of a hodograph.
@@ -41,10 +42,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
         None => Section::default(),
         Some(_) => Section::new("The mechanism with its forces")
             .drawing(move |_| drawing(&drawn).section("mechanism"))
-            .legend(
-                "Forces act on the second link of their pair, friction included; a block's force \
-                 is drawn at its reference point.",
-            ),
+            .legend(drawn_forces(&study.linkage)),
     };
     let ratio = ratio_chart(report).into_iter().collect();
     let mut sections = vec![
@@ -284,4 +282,25 @@ pub fn rows(study: &ForceStudy) -> Rows {
         fields.chain([trouble]).collect::<Vec<Field>>()
     });
     Rows::new(header.chain(["trouble".to_owned()]), rows)
+}
+
+/// Which forces the drawing shows, and where.
+fn drawn_forces(linkage: &LinkageSpec) -> String {
+    let pairs = "Forces act on the second link of their pair, friction included; a block's force is \
+                 drawn at its reference point.";
+    let kinds = linkage.couplings.iter().map(|coupling| &coupling.kind);
+    let told: BTreeSet<&str> = kinds
+        .map(|kind| match kind {
+            CouplingKind::Gear { .. } => "teeth act on the second gear, at the pitch point",
+            CouplingKind::Rack { .. } => "teeth act on the rack, at the pitch point",
+            CouplingKind::Cam(_) => "cams act on the roller, at its centre",
+            // Both strands together are no single force.
+            CouplingKind::Belt { .. } => "belts are left out",
+        })
+        .collect();
+    if told.is_empty() {
+        return pairs.to_owned();
+    }
+    let told: Vec<&str> = told.into_iter().collect();
+    format!("{pairs} Of couplings: {}.", told.join("; "))
 }

@@ -26,7 +26,7 @@ impl ForceStudy {
         }
         let all = self
             .solved()
-            .map(|(row, found)| (row, found.couplings[coupling]));
+            .map(|(row, found)| (row, found.couplings[coupling].size));
         let all: Vec<(&Row, f64)> = all.collect();
         let greatest = all
             .iter()

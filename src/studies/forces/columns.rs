@@ -258,7 +258,7 @@ fn of_couplings(linkage: &LinkageSpec) -> impl Iterator<Item = Column> {
         .enumerate()
         .map(|(index, coupling)| {
             let name = format!("{}.force", coupling.name);
-            let read = move |_: &Row, f: &Forces| Some(f.couplings[index]);
+            let read = move |_: &Row, f: &Forces| Some(f.couplings[index].size);
             Column::new(name, "N", true, read).resting(&[Rests::Coupling(index)])
         })
 }

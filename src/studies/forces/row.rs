@@ -2,8 +2,8 @@
 
 use super::{ForceSettings, Instant, PositionSource};
 use crate::kinematics::linkage::kinetostatics::{
-    Balance, Convention, ForceFailure, ForceWorkspace, Indeterminate, InputMotion, Kinetostatics,
-    Positions, Reaction, Sensitivities, Solved, Transmission, WeldForce,
+    Balance, Convention, CouplingForce, ForceFailure, ForceWorkspace, Indeterminate, InputMotion,
+    Kinetostatics, Positions, Reaction, Sensitivities, Solved, Transmission, WeldForce,
 };
 use std::fmt;
 
@@ -54,9 +54,8 @@ pub struct Forces {
     pub pairs: Vec<PairForces>,
     /// The welds, in the linkage's order.
     pub welds: Vec<WeldForce>,
-    /// Circumferential forces of the couplings, in the linkage's order, each on its second wheel
-    /// or rack (N); of cams those on the roller, positive where both press on each other.
-    pub couplings: Vec<f64>,
+    /// The couplings, in the linkage's order.
+    pub couplings: Vec<CouplingForce>,
     /// Which of these rigid links leave open; nothing where only a few figures were asked for.
     pub indeterminate: Indeterminate,
     /// The power balance.

@@ -18,6 +18,18 @@ use crate::kinematics::cam::spec::Surface;
 use crate::kinematics::linkage::couplings::{Meeting, PitchCurve};
 use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec};
 
+/// Force of a coupling on its second wheel, rack or roller.
+#[derive(Clone, Copy, Debug)]
+pub struct CouplingForce {
+    /// The circumferential force (N): positive drives what it acts on forwards along its coordinate,
+    /// as seen from the carrier. Of a cam the force on the roller: positive presses.
+    pub size: f64,
+    /// The same as a vector (N), without what it does as a couple.
+    pub force: [f64; 2],
+    /// Where it acts (m): the pitch point, the axis of the second pulley, the roller's centre.
+    pub point: [f64; 2],
+}
+
 /// What a coupling presses by.
 #[derive(Clone, Debug)]
 pub(super) enum Coupled {
@@ -38,10 +50,18 @@ struct OnWheel {
 }
 
 impl Kinetostatics {
-    /// The circumferential force of a coupling at the position solved last, on the second wheel or
-    /// rack (N): positive drives it forwards along its coordinate, as seen from the carrier. Of a
-    /// cam the force on the roller: positive presses.
-    pub fn coupling_force(&self, coupling: usize, w: &ForceWorkspace) -> f64 {
+    /// The force of a coupling at the position solved last.
+    pub fn coupling_force(&self, coupling: usize, w: &ForceWorkspace) -> CouplingForce {
+        let size = self.coupling_size(coupling, w);
+        let [_, second] = self.on_wheels(coupling, &w.links, &w.pairs);
+        CouplingForce {
+            size,
+            force: second.force.map(|part| size * part),
+            point: second.at,
+        }
+    }
+
+    fn coupling_size(&self, coupling: usize, w: &ForceWorkspace) -> f64 {
         w.unknowns[2 * self.spec.pairs.len() + coupling]
     }
 
@@ -67,7 +87,7 @@ impl Kinetostatics {
     /// the ground's origin (N·m).
     pub(super) fn add_couplings_on_frame(&self, w: &ForceWorkspace, sum: &mut [f64; 3]) {
         for coupling in 0..self.spec.couplings.len() {
-            let size = self.coupling_force(coupling, w);
+            let size = self.coupling_size(coupling, w);
             let wheels = self.on_wheels(coupling, &w.links, &w.pairs);
             for wheel in wheels.iter().filter(|wheel| wheel.link.is_none()) {
                 let ([x, y], [fx, fy]) = (wheel.at, wheel.force);

@@ -45,6 +45,7 @@ mod welds;
 mod workspace;
 
 pub use accelerate::{Acceleration, Outcome};
+pub use couplings::CouplingForce;
 pub use indeterminate::Indeterminate;
 pub use iteration::{Convergence, Method};
 pub use positions::{InputMotion, LinkPosition, PointPosition, Positions};

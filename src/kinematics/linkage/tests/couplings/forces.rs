@@ -77,7 +77,7 @@ fn the_force_of_teeth_drives_the_second_wheel() {
     solver.solve(&at, motion, &options, &mut w).unwrap();
     // The second wheel accelerates backwards, so the force along its coordinate is negative.
     let wanted = -moment * 9.0 * 0.04 / radius / radius;
-    let found = solver.coupling_force(0, &w);
+    let found = solver.coupling_force(0, &w).size;
     assert!(close(found, wanted, 1e-12, 0.0), "{found} {wanted}");
     // Its bearing carries the force of the teeth.
     let [_, y] = solver.force(1, &w);
