@@ -26,37 +26,33 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
             })
             .collect()
     };
-    let reactions = study
-        .linkage
-        .pairs
-        .iter()
-        .enumerate()
+    let arrow = |name: String, read: &dyn Fn(&Forces) -> [[f64; 2]; 2]| {
+        let (at, vector) = kept
+            .iter()
+            .map(|(_, _, forces)| read(forces).into())
+            .unzip();
+        Arrow { name, at, vector }
+    };
+    let named = |name: &str| format!("force in {name}");
+    let pairs = study.linkage.pairs.iter().enumerate();
+    let reactions = pairs
         .filter(|(pair, _)| !study.is_open(*pair))
-        .map(|(pair, spec)| Arrow {
-            name: format!("force in {}", spec.name),
-            at: kept
-                .iter()
-                .map(|(_, _, forces)| forces.pairs[pair].point)
-                .collect(),
-            vector: kept
-                .iter()
-                .map(|(_, _, forces)| forces.pairs[pair].force)
-                .collect(),
+        .map(|(pair, spec)| {
+            arrow(named(&spec.name), &|forces| {
+                let own = &forces.pairs[pair];
+                [own.point, own.force]
+            })
         });
     let open = &study.indeterminate.welds;
     let welds = study.linkage.welds.iter().enumerate();
-    let told = welds.filter(|(weld, _)| open.get(*weld) != Some(&true));
-    let welds = told.map(|(weld, spec)| Arrow {
-        name: format!("force in {}", spec.name),
-        at: kept
-            .iter()
-            .map(|(_, _, forces)| forces.welds[weld].point)
-            .collect(),
-        vector: kept
-            .iter()
-            .map(|(_, _, forces)| forces.welds[weld].force)
-            .collect(),
-    });
+    let welds = welds
+        .filter(|(weld, _)| open.get(*weld) != Some(&true))
+        .map(|(weld, spec)| {
+            arrow(named(&spec.name), &|forces| {
+                let own = &forces.welds[weld];
+                [own.point, own.force]
+            })
+        });
     // (What the strands of a belt do is no single force: a couple on each pulley.)
     let open = &study.indeterminate.couplings;
     let couplings = study.linkage.couplings.iter().enumerate();
@@ -65,25 +61,16 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
             let strands = matches!(spec.kind, CouplingKind::Belt { .. });
             !strands && open.get(*index) != Some(&true)
         })
-        .map(|(index, spec)| Arrow {
-            name: format!("force in {}", spec.name),
-            at: kept
-                .iter()
-                .map(|(_, _, forces)| forces.couplings[index].point)
-                .collect(),
-            vector: kept
-                .iter()
-                .map(|(_, _, forces)| forces.couplings[index].force)
-                .collect(),
+        .map(|(index, spec)| {
+            arrow(named(&spec.name), &|forces| {
+                let own = &forces.couplings[index];
+                [own.point, own.force]
+            })
         });
-    let shaking = Arrow {
-        name: "shaking force".to_owned(),
-        at: kept.iter().map(|_| [0.0; 2]).collect(),
-        vector: kept
-            .iter()
-            .map(|(_, _, f)| [f.shaking[0], f.shaking[1]])
-            .collect(),
-    };
+    let shaking = arrow("shaking force".to_owned(), &|forces| {
+        let [x, y, _] = forces.shaking;
+        [[0.0; 2], [x, y]]
+    });
     let set = |name: &str, shown: bool, arrows: Vec<Arrow>| ArrowSet {
         name: name.to_owned(),
         unit: "N".to_owned(),

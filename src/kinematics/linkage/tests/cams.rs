@@ -4,38 +4,17 @@ mod forces;
 mod refusals;
 
 use super::examples::{Builder, GROUND, four_bar};
-use super::support::{closure_error, compare_with_differences, interior};
+use super::support::{closure_error, compare_with_differences, interior, linkage, solved, weighed};
 use crate::kinematics::cam::Surface;
 use crate::kinematics::linkage::spec::{
     AssemblyChoice, CamPairSpec, CouplingKind, LinkageSpec, OutputKind,
 };
-use crate::kinematics::linkage::{GroupKind, Linkage, Workspace};
+use crate::kinematics::linkage::{GroupKind, Linkage};
 use crate::kinematics::motion::LawName;
 use crate::kinematics::position::{CamSpec, PositionSpec};
 
 const CAM: Option<usize> = Some(0);
 const LEVER: Option<usize> = Some(1);
-
-fn linkage(builder: Builder) -> Linkage {
-    Linkage::new(weighed(builder).0).unwrap_or_else(|faults| panic!("{faults:?}"))
-}
-
-/// Every link with mass, a centre beside its axis and a moment, so that no zero hides anything.
-fn weighed(mut builder: Builder) -> Builder {
-    for link in 0..builder.0.links.len() {
-        let k = link as f64;
-        builder = builder.mass(link, 1.0 + 0.3 * k, [0.02 * k, 0.03], 0.01 + 0.004 * k);
-    }
-    builder.0.gravity = [0.0, -9.80665];
-    builder
-}
-
-fn solved(linkage: &Linkage, q: f64) -> Workspace {
-    let mut workspace = linkage.workspace();
-    let found = linkage.solve(q, 3, &mut workspace);
-    found.unwrap_or_else(|out| panic!("{q}: {out}"));
-    workspace
-}
 
 /// A circle of 0.05 m with a roller of 0.01 m, its centre where the cam's frame has its own.
 fn circle(roller: [f64; 2]) -> CamPairSpec {

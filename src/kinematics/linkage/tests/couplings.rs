@@ -3,30 +3,9 @@
 mod forces;
 
 use super::examples::{Builder, GROUND};
-use super::support::{closure_error, compare_with_differences, interior};
+use super::support::{closure_error, compare_with_differences, interior, linkage, solved, weighed};
 use crate::kinematics::linkage::spec::{CouplingKind, LinkageSpec};
-use crate::kinematics::linkage::{GroupKind, Linkage, Workspace};
-
-fn linkage(builder: Builder) -> Linkage {
-    Linkage::new(weighed(builder).0).unwrap_or_else(|faults| panic!("{faults:?}"))
-}
-
-/// Every link with mass, a centre beside its axis and a moment, so that no zero hides anything.
-fn weighed(mut builder: Builder) -> Builder {
-    for link in 0..builder.0.links.len() {
-        let k = link as f64;
-        builder = builder.mass(link, 1.0 + 0.3 * k, [0.02 * k, 0.03], 0.01 + 0.004 * k);
-    }
-    builder.0.gravity = [0.0, -9.80665];
-    builder
-}
-
-fn solved(linkage: &Linkage, q: f64) -> Workspace {
-    let mut workspace = linkage.workspace();
-    let found = linkage.solve(q, 3, &mut workspace);
-    found.unwrap_or_else(|out| panic!("{q}: {out}"));
-    workspace
-}
+use crate::kinematics::linkage::{GroupKind, Linkage};
 
 const CRANK: Option<usize> = Some(0);
 

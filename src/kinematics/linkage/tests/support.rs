@@ -1,7 +1,9 @@
 //! What the tests of linkages share.
 
+use super::examples::Builder;
 use crate::kinematics::cam::Surface;
-use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, PairKind, PointOf};
+use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
+use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, LinkageSpec, PairKind, PointOf};
 use crate::kinematics::linkage::{Linkage, Reach, Workspace};
 use crate::kinematics::position::Position;
 use proptest::prelude::*;
@@ -197,4 +199,62 @@ pub(super) fn compare_with_differences(linkage: &Linkage, q: f64) -> Result<(), 
         }
     }
     Ok(())
+}
+
+pub(super) fn linkage(builder: Builder) -> Linkage {
+    Linkage::new(weighed(builder).0).unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+/// Every link with mass, a centre beside its axis and a moment, so that no zero hides anything.
+pub(super) fn weighed(mut builder: Builder) -> Builder {
+    for link in 0..builder.0.links.len() {
+        let k = link as f64;
+        builder = builder.mass(link, 1.0 + 0.3 * k, [0.02 * k, 0.03], 0.01 + 0.004 * k);
+    }
+    builder.0.gravity = [0.0, -9.80665];
+    builder
+}
+
+pub(super) fn solved(linkage: &Linkage, q: f64) -> Workspace {
+    let mut workspace = linkage.workspace();
+    let found = linkage.solve(q, 3, &mut workspace);
+    found.unwrap_or_else(|out| panic!("{q}: {out}"));
+    workspace
+}
+
+/// The driving force is that of virtual power, powers and influence coefficients close, and the
+/// frame is in equilibrium.
+pub(super) fn check_driving_force(name: &str, spec: LinkageSpec) {
+    let linkage = Linkage::new(spec).unwrap();
+    let solver = Kinetostatics::new(linkage.spec()).unwrap();
+    let mut w = solver.workspace();
+    for k in 0..12 {
+        let coordinate = interior(&linkage, 0.03 + f64::from(k) / 13.0);
+        let (speed, acceleration) = (1.7, -2.3);
+        let motion = InputMotion {
+            coordinate,
+            speed,
+            acceleration,
+        };
+        let at = solved(&linkage, coordinate);
+        let options = Options::default();
+        solver.solve(&at, motion, &options, &mut w).unwrap();
+        let reduced = linkage.reduced(&at);
+        let wanted = reduced.inertia[0] * acceleration
+            + 0.5 * reduced.inertia[1] * speed * speed
+            + reduced.potential[1];
+        let drive = w.drive();
+        assert!(
+            close(drive, wanted, 1e-11, 1e-11),
+            "{name}: {drive} {wanted}"
+        );
+        assert!(solver.balance(&w).residual < 1e-11, "{name}");
+        assert!(solver.influence_error(&mut w) < 1e-11, "{name}");
+        let (frame, shaking) = (solver.on_frame(&w), solver.shaking(&w));
+        let applied = solver.applied(&w);
+        for axis in 0..3 {
+            let off = frame[axis] - shaking[axis] - applied[axis];
+            assert!(off.abs() < 1e-9, "{name}: axis {axis} off by {off}");
+        }
+    }
 }

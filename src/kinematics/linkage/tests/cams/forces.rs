@@ -7,44 +7,13 @@ use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Opti
 use crate::kinematics::linkage::spec::{AssemblyChoice, CamPairSpec, ForceLaw, LinkSpec, PointOf};
 use crate::kinematics::linkage::tests::examples::{Builder, GROUND, four_bar};
 use crate::kinematics::linkage::tests::kinetostatics::with_friction;
-use crate::kinematics::linkage::tests::support::{close, interior};
+use crate::kinematics::linkage::tests::support::{check_driving_force, close};
 use crate::kinematics::position::PositionSpec;
 
 #[test]
 fn driving_forces_are_those_of_virtual_power_and_the_frame_is_in_equilibrium() {
     for (name, spec) in all() {
-        let linkage = Linkage::new(spec).unwrap();
-        let solver = Kinetostatics::new(linkage.spec()).unwrap();
-        let mut w = solver.workspace();
-        for k in 0..12 {
-            let coordinate = interior(&linkage, 0.03 + f64::from(k) / 13.0);
-            let (speed, acceleration) = (1.7, -2.3);
-            let motion = InputMotion {
-                coordinate,
-                speed,
-                acceleration,
-            };
-            let at = solved(&linkage, coordinate);
-            let options = Options::default();
-            solver.solve(&at, motion, &options, &mut w).unwrap();
-            let reduced = linkage.reduced(&at);
-            let wanted = reduced.inertia[0] * acceleration
-                + 0.5 * reduced.inertia[1] * speed * speed
-                + reduced.potential[1];
-            let drive = w.drive();
-            assert!(
-                close(drive, wanted, 1e-11, 1e-11),
-                "{name}: {drive} {wanted}"
-            );
-            assert!(solver.balance(&w).residual < 1e-11, "{name}");
-            assert!(solver.influence_error(&mut w) < 1e-11, "{name}");
-            let (frame, shaking) = (solver.on_frame(&w), solver.shaking(&w));
-            let applied = solver.applied(&w);
-            for axis in 0..3 {
-                let off = frame[axis] - shaking[axis] - applied[axis];
-                assert!(off.abs() < 1e-9, "{name}: axis {axis} off by {off}");
-            }
-        }
+        check_driving_force(name, spec);
     }
 }
 
