@@ -16,6 +16,7 @@
 mod columns;
 mod compile;
 mod constraint;
+mod coupled;
 mod dynamics;
 mod forces;
 mod geared;
@@ -28,6 +29,7 @@ mod outputs;
 mod place;
 mod plan;
 mod proposal;
+mod rolling;
 mod rounding;
 mod singular;
 pub mod spec;
