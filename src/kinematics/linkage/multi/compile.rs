@@ -219,9 +219,8 @@ fn group_of(
 
 /// Couplings made ready, these having been checked.
 fn coupled(linkage: &LinkageSpec, couplings: &[usize], ground: usize) -> Vec<Coupled> {
-    let ready = |&coupling: &usize| {
-        Coupled::new(&linkage.couplings[coupling], &linkage.pairs, ground)
-    };
+    let ready =
+        |&coupling: &usize| Coupled::new(&linkage.couplings[coupling], &linkage.pairs, ground);
     couplings.iter().filter_map(ready).collect()
 }
 
@@ -250,7 +249,12 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
     for (group, step) in groups.iter_mut().zip(&plan.steps) {
         let links: Vec<usize> = step.bodies().iter().flat_map(Body::links).collect();
         let sides = group.screws.iter().flat_map(|screw| screw.sides);
-        let sides = sides.chain(group.couplings.iter().flat_map(|coupling| coupling.bodies()));
+        let sides = sides.chain(
+            group
+                .couplings
+                .iter()
+                .flat_map(|coupling| coupling.bodies()),
+        );
         let outside: Vec<usize> = sides.filter(|side| !links.contains(side)).collect();
         let own = group.inner.as_ref().map(|inner| inner.input);
         let active = |&input: &usize| {

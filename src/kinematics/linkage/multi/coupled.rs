@@ -31,9 +31,7 @@ impl Coupled {
                 .map(Self::Cam),
             _ => {
                 let meeting = coupling.meeting(pairs).ok()?;
-                Some(Self::Wheels(Geared::new(
-                    coupling, &meeting, pairs, ground,
-                )))
+                Some(Self::Wheels(Geared::new(coupling, &meeting, pairs, ground)))
             }
         }
     }
@@ -59,7 +57,12 @@ impl Coupled {
 
     /// What the change of its equation makes of the velocities: the accelerations follow the same
     /// equation with that added to it.
-    pub(super) fn drift<N: Number>(&self, poses: &[Pose<N>], velocity: &[Twist<N>], size: f64) -> N {
+    pub(super) fn drift<N: Number>(
+        &self,
+        poses: &[Pose<N>],
+        velocity: &[Twist<N>],
+        size: f64,
+    ) -> N {
         match self {
             // A rack does not turn on its guide.
             Self::Wheels(_) => N::from(0.0),

@@ -75,11 +75,7 @@ fn sum<N: Number, const K: usize>(parts: [(N, [N; 2]); K]) -> [N; 2] {
 
 impl Rolling {
     /// Of a cam that has been checked; `ground`: index of the ground.
-    pub(super) fn new(
-        links: [Option<usize>; 2],
-        cam: &CamPairSpec,
-        ground: usize,
-    ) -> Option<Self> {
+    pub(super) fn new(links: [Option<usize>; 2], cam: &CamPairSpec, ground: usize) -> Option<Self> {
         Some(Self {
             bodies: links.map(|link| link.unwrap_or(ground)),
             points: [cam.centre, cam.roller],
@@ -95,7 +91,12 @@ impl Rolling {
     }
 
     /// ẇ·(t₂ − t₁), the bodies having these velocities; over the size.
-    pub(super) fn drift<N: Number>(&self, poses: &[Pose<N>], velocity: &[Twist<N>], size: f64) -> N {
+    pub(super) fn drift<N: Number>(
+        &self,
+        poses: &[Pose<N>],
+        velocity: &[Twist<N>],
+        size: f64,
+    ) -> N {
         let seen = self.seen(poses);
         let both = self.bodies.map(|body| velocity[body]);
         let turning = self.turning(&seen, both);
