@@ -6,9 +6,12 @@ use super::examples::{self, input, pin};
 use super::motion::at;
 use super::{MultiLinkage, MultiMotion, moved, state};
 use crate::kinematics::linkage::couplings::PitchCurve;
-use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
+use crate::kinematics::linkage::kinetostatics::{ForceWorkspace as Space, Kinetostatics, Options};
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
-use crate::kinematics::linkage::spec::{AssemblyChoice, AssemblySpec, LinkSpec};
+use crate::kinematics::linkage::spec::{
+    AssemblyChoice, AssemblySpec, CamPairSpec, CouplingKind, LinkSpec,
+};
+use crate::math::jet::Jet;
 pub(super) use cases::all;
 use cases::{GAP, eccentric};
 
@@ -68,43 +71,77 @@ fn an_eccentric_circle_is_a_rod_of_constant_length() {
     }
 }
 
+/// The force that presses on the lever and those of the drivers at many positions.
+fn pressed(
+    spec: &MultiSpec,
+    force: &dyn Fn(&Kinetostatics, &MultiMotion, &Space) -> f64,
+) -> Vec<f64> {
+    let linkage = MultiLinkage::new(spec.clone()).unwrap();
+    let mut motion = MultiMotion::new(&linkage);
+    let solver = Kinetostatics::of_inputs(spec).unwrap();
+    let mut w = solver.workspace();
+    let starts: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
+    let mut all = Vec::new();
+    for k in 0..40 {
+        let inputs = at(&starts, 0.1 * f64::from(k));
+        motion.go(&inputs).unwrap();
+        let rates: Vec<f64> = inputs.iter().map(|input| input.first).collect();
+        solver
+            .solve_over_time(&motion, &rates, &Options::default(), &mut w)
+            .unwrap();
+        all.push(force(&solver, &motion, &w));
+        all.extend(w.drives());
+    }
+    all
+}
+
 #[test]
 fn the_force_of_an_eccentric_circle_is_that_in_the_rod() {
-    let found = [eccentric(), with_rod()].map(|spec| {
-        let linkage = MultiLinkage::new(spec.clone()).unwrap();
-        let mut motion = MultiMotion::new(&linkage);
-        let solver = Kinetostatics::of_inputs(&spec).unwrap();
-        let mut w = solver.workspace();
-        let starts: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
-        (0..40)
-            .map(|k| {
-                let inputs = at(&starts, 0.1 * f64::from(k));
-                motion.go(&inputs).unwrap();
-                let rates: Vec<f64> = inputs.iter().map(|input| input.first).collect();
-                solver
-                    .solve_over_time(&motion, &rates, &Options::default(), &mut w)
-                    .unwrap();
-                let force = match spec.linkage.couplings.is_empty() {
-                    false => solver.coupling_force(0, &w),
-                    true => {
-                        // What presses on the lever: away from the cam's centre, along the rod.
-                        let [x, y] = solver.force(4, &w);
-                        let pose = motion.pose(3);
-                        pose.cos * x + pose.sin * y
-                    }
-                };
-                let mut all = vec![force];
-                all.extend(w.drives());
-                all
-            })
-            .collect::<Vec<_>>()
+    let cam = pressed(&eccentric(), &|solver, _, w| solver.coupling_force(0, w));
+    // What presses on the lever: away from the cam's centre, along the rod.
+    let rod = pressed(&with_rod(), &|solver, motion, w| {
+        let ([x, y], pose) = (solver.force(4, w), motion.pose(3));
+        pose.cos * x + pose.sin * y
     });
-    let [cam, rod] = found;
-    for (one, other) in cam.iter().flatten().zip(rod.iter().flatten()) {
+    for (one, other) in cam.iter().zip(&rod) {
         let size = other.abs().max(1.0);
         approx::assert_abs_diff_eq!(one / size, other / size, epsilon = 1e-11);
     }
-    assert!(cam.iter().any(|row| row[0] > 1.0), "{cam:?}");
+    assert!(cam.iter().step_by(3).any(|force| *force > 1.0), "{cam:?}");
+}
+
+/// At the start of scenarios/linkages/cam_with_adjusted_lever: accelerations, force and drives as
+/// tests/reference/several_inputs.py has them, by a parameter of the pitch curve and multipliers.
+#[test]
+fn the_start_of_an_adjusted_lever_is_that_of_multipliers() {
+    let spec = cases::adjusted();
+    let linkage = MultiLinkage::new(spec.clone()).unwrap();
+    let mut motion = MultiMotion::new(&linkage);
+    let jet = |value, first, second| Jet {
+        value,
+        first,
+        second,
+        third: 0.0,
+    };
+    let [of_arm, of_cam] = [407.904_112_440_562_4, 506.898_110_393_548];
+    let inputs = [jet(2.0, 0.0, of_arm), jet(0.5, 20.0, of_cam)];
+    motion.go(&inputs).unwrap();
+    let near = |found: f64, wanted: f64| {
+        approx::assert_relative_eq!(found, wanted, max_relative = 1e-11);
+    };
+    let lever = motion.angle(2);
+    near(lever.value, 2.744_763_569_774_158);
+    near(lever.first, 1.134_008_034_681_137_6);
+    near(lever.second, 32.939_938_710_234_266);
+    let solver = Kinetostatics::of_inputs(&spec).unwrap();
+    let mut w = solver.workspace();
+    solver
+        .solve_over_time(&motion, &[0.0, 20.0], &Options::default(), &mut w)
+        .unwrap();
+    near(solver.coupling_force(0, &w), 19.335_170_370_765_077);
+    // Of the motors' torques what their own inertia leaves.
+    near(w.drives()[0], 2.0 - 0.004 * of_arm);
+    near(w.drives()[1], 4.0 * (1.0 - 20.0 / 30.0) - 0.002 * of_cam);
 }
 
 /// |p| − R(angle of p) of each cam at what was solved last, over its prime radius.
@@ -148,8 +185,7 @@ fn rollers_stay_on_their_pitch_curves() {
 /// A position does not depend on the way to it: from far away as in small steps, and back again.
 #[test]
 fn far_positions_are_those_of_small_steps() {
-    let spec = eccentric();
-    for spec in [spec, cases::with_lift()] {
+    for spec in [eccentric(), cases::with_lift()] {
         let linkage = MultiLinkage::new(spec).unwrap();
         let [mut near, mut far] = [(); 2].map(|()| linkage.workspace::<f64>());
         let (from, to) = ([1.1, 0.6], [28.0, -17.3]);
@@ -181,11 +217,9 @@ fn a_cam_between_links_that_inputs_place_is_told() {
 
 #[test]
 fn profiles_are_refused_as_behind_one_input_and_undercuts_are_told() {
-    let cam = |change: &dyn Fn(&mut crate::kinematics::linkage::spec::CamPairSpec)| {
+    let cam = |change: &dyn Fn(&mut CamPairSpec)| {
         let mut spec = cases::with_lift();
-        if let crate::kinematics::linkage::spec::CouplingKind::Cam(cam) =
-            &mut spec.linkage.couplings[0].kind
-        {
+        if let CouplingKind::Cam(cam) = &mut spec.linkage.couplings[0].kind {
             change(cam);
         }
         MultiLinkage::new(spec)
@@ -194,7 +228,7 @@ fn profiles_are_refused_as_behind_one_input_and_undercuts_are_told() {
     assert_eq!(faults[0].path, "couplings.cam.cam.lift");
     assert!(faults[0].message.contains("does not repeat after a turn"));
     assert!(cam(&|_| ()).unwrap().remarks().is_empty());
-    let sharp = cam(&|cam| cam.lift = Some(cases::sine(0.02, 6.0))).unwrap();
+    let sharp = cam(&|cam| cam.lift = Some(cases::sine(0.006, 30.0))).unwrap();
     let [remark] = <[String; 1]>::try_from(sharp.remarks()).unwrap();
     assert!(remark.contains("`cam` is undercut"), "{remark}");
 }

@@ -6,8 +6,8 @@ use crate::kinematics::linkage::multi::tests::examples::{
     GROUND, at, bar, five_bar, guide, input, odd, output, pin,
 };
 use crate::kinematics::linkage::spec::{
-    AssemblyChoice, AssemblySpec, CamPairSpec, CouplingKind, CouplingSpec, LinkSpec, LinkageSpec,
-    OutputKind, PairSpec,
+    AssemblyChoice, AssemblySpec, CamPairSpec, CouplingKind, CouplingSpec, ForceLaw, ForceSpec,
+    LinkSpec, LinkageSpec, OutputKind, PairSpec,
 };
 use crate::kinematics::motion::LawName;
 use crate::kinematics::position::{CamSpec, PositionSpec};
@@ -276,10 +276,66 @@ fn along_the_ground() -> MultiSpec {
     }
 }
 
+/// The linkage of scenarios/linkages/cam_with_adjusted_lever.
+pub(super) fn adjusted() -> MultiSpec {
+    let link = |name: &str, mass: f64, centre: [f64; 2], moment: f64| LinkSpec {
+        name: name.to_owned(),
+        mass,
+        centre,
+        moment,
+        ..LinkSpec::default()
+    };
+    let profile = CamPairSpec {
+        lift: Some(PositionSpec::Sine {
+            amplitude: 0.005,
+            harmonic: 2.0,
+            phase: 0.0,
+            offset: 0.0,
+        }),
+        roller_radius: 0.012,
+        direction: 0.0,
+        sense: 1.0,
+        ..cam([0.0; 2], [0.08, 0.0], 0.04)
+    };
+    let closing = ForceSpec {
+        name: "closing".to_owned(),
+        law: ForceLaw::Couple {
+            link: 2,
+            couple: 1.5,
+        },
+    };
+    let linkage = linkage(
+        vec![
+            link("cam", 0.5, [0.0; 2], 0.0008),
+            link("arm", 0.2, [0.01, 0.0], 0.00002),
+            link("lever", 0.3, [0.04, 0.002], 0.0003),
+        ],
+        vec![
+            pin("O", (GROUND, [0.0; 2]), (Some(0), [0.0; 2])),
+            pin("P", (GROUND, [0.11, 0.0]), (Some(1), [0.0; 2])),
+            pin("B", (Some(1), [0.02, 0.0]), (Some(2), [0.0; 2])),
+        ],
+        vec![on_cam("K", [Some(0), Some(2)], profile)],
+        vec![angle(2, 2.74)],
+    );
+    MultiSpec {
+        linkage: LinkageSpec {
+            gravity: [0.0, -9.80665],
+            forces: vec![closing],
+            ..linkage
+        },
+        inputs: vec![
+            input("arm", InputCoordinate::Pair(1), 2.0),
+            input("cam", InputCoordinate::Pair(0), 0.5),
+        ],
+    }
+}
+
 pub(in super::super) fn all() -> Vec<MultiSpec> {
     vec![
         eccentric(),
         with_lift(),
+        adjusted(),
         on_a_rod(),
         on_each_other(),
         on_a_cylinder(false),
