@@ -72,7 +72,7 @@ fn cams_keep_the_balance_of_the_energies_whatever_drives_them() {
 fn an_eccentric_circle_runs_as_the_rod_that_it_is() {
     let drives = r#""motor": { "kind": "drive", "motor": { "inertia": 0.05, "angle": 1.1, "speed": 2, "torque": { "constant": 2 } } },"#;
     let links = [r#", "object": "motor""#, r#", "start": 0.6"#];
-    let [cam, rod] = [CIRCLE, ""].map(|cam| result(&two_cranks(cam, drives, links, 0.4), &[]));
+    let [cam, rod] = [CIRCLE, ""].map(|cam| result(&two_cranks(cam, drives, links, 0.14), &[]));
     sound("cam", &cam);
     for address in ["bar.left", "bar.right", "bar.x", "bar.pin"] {
         for kind in ["displacement", "speed"] {
@@ -143,9 +143,11 @@ fn question(from: f64, to: f64) -> Question {
 fn singular_curves_of_a_circle_are_those_of_a_rod() {
     let found = kinematics_of(&free(CIRCLE), &question(0.9, 1.3)).expect("kinematics");
     let told = document("two cranks", "", &found);
-    let curves = told["singular_positions"]["curves"].as_array();
+    let curves = told["singular_positions"]["curves"]
+        .as_array()
+        .expect("curves");
     let mut points = 0;
-    for curve in curves.expect("curves") {
+    for curve in curves {
         for point in curve["points"].as_array().expect("points") {
             let [one, two] = [0, 1].map(|k| point[k].as_f64().expect("a number"));
             approx::assert_abs_diff_eq!(apart(one, two), 1.0, epsilon = 1e-9);
@@ -153,6 +155,9 @@ fn singular_curves_of_a_circle_are_those_of_a_rod() {
         }
     }
     assert!(points > 50, "{points}");
+    // None is missing: one curve about what cannot be assembled, and the same a turn further.
+    let ends = curves.len();
+    assert!(ends <= 4, "{ends}");
 }
 
 #[test]
