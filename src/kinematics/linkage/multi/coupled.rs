@@ -2,7 +2,7 @@
 
 use super::geared::Geared;
 use super::rolling::Rolling;
-use super::twist::{Pose, Twist};
+use super::twist::{Motion, Parts, PartsMoved, Pose, Twist};
 use crate::kinematics::linkage::spec::{CouplingKind, CouplingSpec, PairSpec};
 use crate::math::number::Number;
 
@@ -14,13 +14,6 @@ pub(super) enum Coupled {
     /// A cam.
     Cam(Box<Rolling>),
 }
-
-/// What a velocity (ω, v over the size) of each of the bodies contributes to a coupling's equation.
-pub(super) type Parts<N> = [(usize, Twist<N>); 3];
-/// First and second derivative in time of the same.
-pub(super) type PartsMoved = [(usize, [[f64; 2]; 3]); 3];
-/// Velocity of a body, and its acceleration.
-pub(super) type Motion<'a> = &'a dyn Fn(usize) -> (Twist<f64>, Twist<f64>);
 
 impl Coupled {
     /// Of a coupling that has been checked; `ground`: index of the ground.

@@ -5,8 +5,7 @@
 //! place of the second angular velocity. Accelerations follow the same equation: angles in the plane
 //! add up, and along a guide on which nothing turns the change of its direction makes nothing.
 
-use super::coupled::{Motion, Parts, PartsMoved};
-use super::twist::Pose;
+use super::twist::{Motion, Parts, PartsMoved, Pose};
 use crate::kinematics::linkage::couplings::Meeting;
 use crate::kinematics::linkage::elements::elements;
 use crate::kinematics::linkage::spec::{CouplingSpec, PairSpec};

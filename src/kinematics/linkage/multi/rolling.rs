@@ -8,8 +8,7 @@
 //! the curvature counts: e turns by Ω, the angular velocity of the line of both centres, and the
 //! polar angle in the cam by ψ̇ = Ω − ω₁.
 
-use super::coupled::{Motion, Parts, PartsMoved};
-use super::twist::{Pose, Twist, at, dot, minus};
+use super::twist::{Motion, Parts, PartsMoved, Pose, Twist, at, dot, minus};
 use crate::kinematics::linkage::couplings::PitchCurve;
 use crate::kinematics::linkage::spec::CamPairSpec;
 use crate::math::jet::Jet;
