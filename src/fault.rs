@@ -106,6 +106,7 @@ impl Faults {
         self.0.extend(faults.into_iter().map(|mut fault| {
             fault.path = match fault.path.as_str() {
                 "" => prefix.to_owned(),
+                entry if prefix.is_empty() => entry.to_owned(),
                 entry if entry.starts_with('[') => format!("{prefix}{entry}"),
                 path => format!("{prefix}.{path}"),
             };

@@ -9,6 +9,7 @@ mod joint_friction;
 mod kinematics;
 mod scenes;
 mod several;
+mod several_cams;
 mod several_forces;
 mod several_kinematics;
 mod slide_crank;

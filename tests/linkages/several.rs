@@ -33,7 +33,7 @@ fn five_bar(drives: &str, [left, right]: [&str; 2], duration: f64) -> String {
     )
 }
 
-fn read(text: &str, overrides: &[&str]) -> TypedScene {
+pub(super) fn read(text: &str, overrides: &[&str]) -> TypedScene {
     let document = Document::parse("scene", text.as_bytes()).expect("JSON");
     let overrides = Overrides::new(overrides.iter().copied());
     match document.scene(&BuiltIn, &overrides) {
@@ -42,24 +42,24 @@ fn read(text: &str, overrides: &[&str]) -> TypedScene {
     }
 }
 
-fn result(text: &str, overrides: &[&str]) -> RunResult {
+pub(super) fn result(text: &str, overrides: &[&str]) -> RunResult {
     let scene = read(text, overrides);
     let system = System::new(lower(&scene).expect("a model")).expect("a system");
     let settings = RunSettings::of(&scene).expect("settings");
     run(&system, &settings, &Control::default(), &mut []).expect("a run")
 }
 
-fn figure(result: &RunResult, address: &str) -> f64 {
+pub(super) fn figure(result: &RunResult, address: &str) -> f64 {
     result.figures.value(address).expect("a figure")
 }
 
 /// True when the mechanism itself ended the run, in a singular position.
-fn physical(result: &RunResult) -> bool {
+pub(super) fn physical(result: &RunResult) -> bool {
     matches!(&result.outcome.stop, Stop::Physical(stop) if stop.name == "dead_position")
 }
 
 /// Complete, and its energies balanced.
-fn sound(name: &str, result: &RunResult) {
+pub(super) fn sound(name: &str, result: &RunResult) {
     let run = &result.figures.run;
     assert!(
         run.energy_error < 1e-9,
@@ -70,7 +70,7 @@ fn sound(name: &str, result: &RunResult) {
 }
 
 /// What drives the left and the right input.
-const DRIVES: [(&str, &str); 4] = [
+pub(super) const DRIVES: [(&str, &str); 4] = [
     (
         "prescribed",
         r#"{ "kind": "drive", "motion": { "speed": "1 rev/s" } }"#,
@@ -88,6 +88,13 @@ const DRIVES: [(&str, &str); 4] = [
 
 #[test]
 fn all_mixtures_of_drives_keep_the_balance_of_the_energies() {
+    let addresses = ["bar.left", "bar.right", "bar.x", "bar.pin"];
+    balanced(&five_bar, &addresses);
+}
+
+/// Every mixture of what drives both inputs keeps the balance of the energies, and the figures at
+/// these addresses whatever the method.
+pub(super) fn balanced(scene: &dyn Fn(&str, [&str; 2], f64) -> String, addresses: &[&str]) {
     let common = r#""motor": { "kind": "drive", "motor": { "inertia": 0.05, "angle": 0.4, "torque": { "constant": 2 } } },"#;
     for (one, left) in DRIVES {
         for (other, right) in DRIVES {
@@ -101,7 +108,7 @@ fn all_mixtures_of_drives_keep_the_balance_of_the_energies() {
             };
             let ((first, to_left), (second, to_right)) = (own("left", left), own("right", right));
             let drives = format!("{common}{first}{second}");
-            let text = five_bar(&drives, [&to_left, &to_right], 0.1);
+            let text = scene(&drives, [&to_left, &to_right], 0.1);
             let found = result(&text, &[]);
             sound(&name, &found);
             // The same by a method that takes derivatives and by one that takes none.
@@ -111,7 +118,7 @@ fn all_mixtures_of_drives_keep_the_balance_of_the_energies() {
                     &[&format!("run.method={method}"), "run.tolerance=1e-12"],
                 )
             });
-            for address in ["bar.left", "bar.right", "bar.x", "bar.pin"] {
+            for address in addresses {
                 for kind in ["displacement", "speed"] {
                     let address = format!("{address}.final.{kind}");
                     let [a, b] = [&radau, &dop].map(|one| figure(one, &address));
@@ -202,7 +209,12 @@ fn a_link_that_floats_alone_falls_and_turns() {
 /// The scene of a hybrid machine keeps its figures whatever the method.
 #[test]
 fn the_scenes_agree_between_methods() {
-    for name in ["five_bar", "floating_slider_crank", "triple_pendulum"] {
+    for name in [
+        "five_bar",
+        "floating_slider_crank",
+        "triple_pendulum",
+        "cam_with_adjusted_lever",
+    ] {
         let path = format!("scenarios/linkages/{name}.json");
         let text = read_to_string(path).expect("a scene");
         let of = |method: &str| result(&text, &[&format!("run.method={method}")]);

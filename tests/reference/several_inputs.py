@@ -1,5 +1,6 @@
 """Figures of linkages with several inputs: scenarios/linkages/five_bar,
-scenarios/linkages/floating_slider_crank and scenarios/linkages/triple_pendulum.
+scenarios/linkages/floating_slider_crank, scenarios/linkages/triple_pendulum and
+scenarios/linkages/cam_with_adjusted_lever.
 
 Absolute coordinates of all bodies, Lagrange multipliers for the pairs, the classical
 Runge-Kutta method with two steps and Richardson's extrapolation. Needs nothing but Python.
@@ -32,10 +33,15 @@ def solve(a, b):
 
 
 class Machine:
-    """Bodies (mass, moment, centre in the body's frame); coordinates x, y of the centre, angle."""
+    """Bodies (mass, moment, centre in the body's frame); coordinates x, y of the centre, angle.
 
-    def __init__(self, bodies, pins, guides, forces):
+    A cam is a curve of body i, a function of a parameter with its two derivatives, on which a
+    point of body j lies: two equations, and the parameter as a coordinate without mass.
+    """
+
+    def __init__(self, bodies, pins, guides, forces, cams=()):
         self.bodies, self.pins, self.guides, self.forces = bodies, pins, guides, forces
+        self.cams = cams
 
     def arm(self, q, body, point):
         if body is None:
@@ -46,7 +52,11 @@ class Machine:
         return (k * x - s * y, s * x + k * y)
 
     def acceleration(self, q, v):
-        n = 3 * len(self.bodies)
+        return self.solved(q, v)[: len(q)]
+
+    def solved(self, q, v):
+        """Accelerations, then the multipliers: of pins, guides, cams (a force on body i, x and y)."""
+        n = 3 * len(self.bodies) + len(self.cams)
         rows, right = [], []
         for i, p, j, r in self.pins:
             rx, ry = [0.0] * n, [0.0] * n
@@ -88,6 +98,24 @@ class Machine:
             gamma += 2.0 * w * (tx * ux + ty * uy) + w * w * (nx * dx + ny * dy)
             rows += [turn, across]
             right += [0.0, gamma]
+        for k, (i, j, p, curve) in enumerate(self.cams):
+            place, first, second = curve(q[3 * len(self.bodies) + k])
+            rate = v[3 * len(self.bodies) + k]
+            s, c = math.sin(q[3 * i + 2]), math.cos(q[3 * i + 2])
+            turned = lambda x, y: (c * x - s * y, s * x + c * y)
+            (ax, ay), (tx, ty) = self.arm(q, i, place), turned(*first)
+            (nx, ny), (bx, by) = turned(*second), self.arm(q, j, p)
+            w, wj = v[3 * i + 2], v[3 * j + 2]
+            rx, ry = [0.0] * n, [0.0] * n
+            rx[3 * j], rx[3 * j + 2], rx[3 * i], rx[3 * i + 2] = 1.0, -by, -1.0, ay
+            ry[3 * j + 1], ry[3 * j + 2], ry[3 * i + 1], ry[3 * i + 2] = 1.0, bx, -1.0, -ax
+            rx[3 * len(self.bodies) + k], ry[3 * len(self.bodies) + k] = -tx, -ty
+            # Along the curve: Coriolis' acceleration, and that by its curvature.
+            rows += [rx, ry]
+            right += [
+                wj * wj * bx - w * w * ax - 2 * w * rate * ty + rate * rate * nx,
+                wj * wj * by - w * w * ay + 2 * w * rate * tx + rate * rate * ny,
+            ]
         m = len(rows)
         a = [[0.0] * (n + m) for _ in range(n + m)]
         b = [0.0] * (n + m)
@@ -100,7 +128,7 @@ class Machine:
                 a[c][n + k] = value
             b[n + k] = right[k]
         self.forces(q, v, b)
-        return solve(a, b)[:n]
+        return solve(a, b)
 
     def run(self, q, v, duration, steps):
         h = duration / steps
@@ -239,6 +267,99 @@ def triple_pendulum():
     }
 
 
+def cam_with_adjusted_lever():
+    """A cam of two lobes on one motor, a lever with its roller on an arm that another motor turns."""
+    arm, lever, apart = 0.02, 0.08, 0.11
+    prime, lobe = 0.052, 0.005
+    left, right, speed = 0.5, 2.0, 20.0
+    motors = {0: (0.002, 4.0, 30.0), 1: (0.004, 2.0, 3.0)}
+    bodies = [
+        (0.5, 0.0008 + 0.002, (0.0, 0.0)),
+        (0.2, 0.00002 + 0.004, (arm / 2, 0.0)),
+        (0.3, 0.0003, (lever / 2, 0.002)),
+    ]
+
+    def curve(t):
+        r, r1, r2 = prime + lobe * math.sin(2 * t), 2 * lobe * math.cos(2 * t), -4 * lobe * math.sin(2 * t)
+        s, c = math.sin(t), math.cos(t)
+        return (
+            (r * c, r * s),
+            (r1 * c - r * s, r1 * s + r * c),
+            (r2 * c - 2 * r1 * s - r * c, r2 * s + 2 * r1 * c - r * s),
+        )
+
+    def forces(q, v, b):
+        for k, (mass, _, _) in enumerate(bodies):
+            b[3 * k + 1] -= mass * G
+        for body, (_, stall, idle) in motors.items():
+            b[3 * body + 2] += stall * (1 - v[3 * body + 2] / idle)
+        b[8] += 1.5
+
+    pins = [
+        (None, (0, 0), 0, (0, 0)),
+        (None, (apart, 0), 1, (0, 0)),
+        (1, (arm, 0), 2, (0, 0)),
+    ]
+    cams = [(0, 2, (lever, 0.0), curve)]
+    machine = Machine(bodies, pins, [], forces, cams)
+    # The lever's pin, and where the curve is at the lever's length from it, above: by bisection.
+    bx, by = apart + arm * math.cos(right), arm * math.sin(right)
+
+    def point(t):
+        x, y = curve(t)[0]
+        s, c = math.sin(left), math.cos(left)
+        return c * x - s * y, s * x + c * y
+
+    def beyond(t):
+        x, y = point(t)
+        return math.hypot(x - bx, y - by) - lever
+
+    low, high = 0.2 - left, 2.6 - left
+    assert beyond(low) < 0 < beyond(high)
+    for _ in range(80):
+        middle = (low + high) / 2
+        low, high = (middle, high) if beyond(middle) < 0 else (low, middle)
+    rx, ry = point(low)
+    angle = math.atan2(ry - by, rx - bx)
+    s, c = math.sin(angle), math.cos(angle)
+    q = [0.0, 0.0, left, apart + arm / 2 * math.cos(right), arm / 2 * math.sin(right), right]
+    q += [bx + lever / 2 * c - 0.002 * s, by + lever / 2 * s + 0.002 * c, angle, low]
+    # The cam turns, the arm stands still: the lever by the same equations, without right sides.
+    t = turning(machine, q, speed)
+    v = [0.0, 0.0, speed, 0.0, 0.0, 0.0, -(lever / 2 * s + 0.002 * c) * t[0]]
+    v += [(lever / 2 * c - 0.002 * s) * t[0], t[0], t[1]]
+    start = machine.solved(q, v)
+    pressing = math.hypot(*start[-2:])
+    end, rate, error = machine.extrapolated(q, v, 0.3, 3000)
+    return {
+        "lever_at_start": angle,
+        "lever_speed_at_start": t[0],
+        "cam_acceleration_at_start": start[2],
+        "arm_acceleration_at_start": start[5],
+        "lever_acceleration_at_start": start[8],
+        "force_at_start": pressing,
+        "cam": end[2],
+        "cam_speed": rate[2],
+        "arm": end[5],
+        "arm_speed": rate[5],
+        "lever": end[8],
+        "lever_speed": rate[8],
+        "error": error,
+    }
+
+
+def turning(machine, q, speed):
+    """Angular velocity of the lever and rate of the parameter while the cam turns and the arm rests."""
+    i, j, p, curve = machine.cams[0]
+    place, first, _ = curve(q[-1])
+    s, c = math.sin(q[2]), math.cos(q[2])
+    tx, ty = c * first[0] - s * first[1], s * first[0] + c * first[1]
+    ax, ay = c * place[0] - s * place[1], s * place[0] + c * place[1]
+    s, c = math.sin(q[8]), math.cos(q[8])
+    bx, by = c * p[0] - s * p[1], s * p[0] + c * p[1]
+    return solve([[-by, -tx], [bx, -ty]], [-ay * speed, ax * speed])
+
+
 def main():
     found = {
         "source": "several_inputs.py: absolute coordinates, multipliers, Runge-Kutta",
@@ -246,6 +367,7 @@ def main():
         "five_bar": five_bar(),
         "floating_slider_crank": floating_slider_crank(),
         "triple_pendulum": triple_pendulum(),
+        "cam_with_adjusted_lever": cam_with_adjusted_lever(),
     }
     path = pathlib.Path(__file__).with_suffix(".json")
     path.write_text(json.dumps(found, indent=2) + "\n")

@@ -95,6 +95,9 @@ impl ModelBuilder {
             self.fault(at, "inputs", message, hint);
             return None;
         }
+        for remark in linkage.remarks() {
+            self.warn(format!("`{}`: {remark}", at.id));
+        }
         Some(linkage)
     }
 

@@ -1,7 +1,7 @@
 //! From the plain numbers of a linkage of several inputs to the plan of its solution, or
 //! to what is wrong with its inputs and its structure.
 
-use super::geared::Coupled;
+use super::coupled::Coupled;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
@@ -222,11 +222,8 @@ fn group_of(
 
 /// Couplings made ready, these having been checked.
 fn coupled(linkage: &LinkageSpec, couplings: &[usize], ground: usize) -> Vec<Coupled> {
-    let ready = |&coupling: &usize| {
-        let coupling = &linkage.couplings[coupling];
-        let meeting = coupling.meeting(&linkage.pairs).ok()?;
-        Some(Coupled::new(coupling, &meeting, &linkage.pairs, ground))
-    };
+    let ready =
+        |&coupling: &usize| Coupled::new(&linkage.couplings[coupling], &linkage.pairs, ground);
     couplings.iter().filter_map(ready).collect()
 }
 
@@ -255,7 +252,12 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
     for (group, step) in groups.iter_mut().zip(&plan.steps) {
         let links: Vec<usize> = step.bodies().iter().flat_map(Body::links).collect();
         let sides = group.screws.iter().flat_map(|screw| screw.sides);
-        let sides = sides.chain(group.couplings.iter().flat_map(|coupling| coupling.bodies));
+        let sides = sides.chain(
+            group
+                .couplings
+                .iter()
+                .flat_map(|coupling| coupling.bodies()),
+        );
         let outside: Vec<usize> = sides.filter(|side| !links.contains(side)).collect();
         let own = group.inner.as_ref().map(|inner| inner.input);
         let active = |&input: &usize| {

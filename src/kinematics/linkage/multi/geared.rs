@@ -1,19 +1,19 @@
-//! Velocities of couplings: gears, belts and racks inside larger groups.
+//! Velocities of gears, belts and racks inside larger groups.
 //!
 //! One equation a coupling, linear in the velocities of three bodies: the second wheel less the
 //! carrier, less ρ times the first wheel less the carrier; of a rack its velocity along its guide in
 //! place of the second angular velocity. Accelerations follow the same equation: angles in the plane
 //! add up, and along a guide on which nothing turns the change of its direction makes nothing.
 
-use super::twist::{Pose, Twist};
+use super::twist::{Motion, Parts, PartsMoved, Pose};
 use crate::kinematics::linkage::couplings::Meeting;
 use crate::kinematics::linkage::elements::elements;
 use crate::kinematics::linkage::spec::{CouplingSpec, PairSpec};
 use crate::math::number::Number;
 
-/// A coupling made ready.
+/// A coupling of wheels made ready.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Coupled {
+pub(super) struct Geared {
     /// The bodies of both wheels (or of wheel and rack), and of their carrier.
     pub(super) bodies: [usize; 3],
     /// ρ.
@@ -22,10 +22,7 @@ pub(super) struct Coupled {
     guide: Option<(usize, [f64; 2])>,
 }
 
-/// What a velocity (ω, v over the size) of each of the bodies contributes to a coupling's equation.
-pub(super) type Parts<N> = [(usize, Twist<N>); 3];
-
-impl Coupled {
+impl Geared {
     /// Of a coupling that meets its carrier so; `ground`: index of the ground.
     pub(super) fn new(
         coupling: &CouplingSpec,
@@ -75,11 +72,7 @@ impl Coupled {
     }
 
     /// First and second derivative in time of [`Self::parts`], the carrier moving so.
-    pub(super) fn parts_moved(
-        &self,
-        poses: &[Pose<f64>],
-        motion: &dyn Fn(usize) -> (Twist<f64>, Twist<f64>),
-    ) -> [(usize, [[f64; 2]; 3]); 3] {
+    pub(super) fn parts_moved(&self, poses: &[Pose<f64>], motion: Motion<'_>) -> PartsMoved {
         let [one, other, carrier] = self.bodies;
         let none = [[0.0; 2]; 3];
         let Some((owner, along)) = self.guide else {

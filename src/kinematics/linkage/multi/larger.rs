@@ -1,6 +1,7 @@
 //! Velocities and accelerations of larger groups, by the matrix of their closing equations.
 
 use super::columns::Columns;
+use super::coupled::Coupled;
 use super::plan::{Group, MultiPlan, Screw};
 use super::twist::{Twist, plus};
 use crate::math::linear::dense;
@@ -39,7 +40,7 @@ impl<N: Number> Columns<N> {
                 }
                 self.balance(number, screw, plan.plan.size.recip(), given);
             }
-            self.balance_couplings(plan, group, &known);
+            self.balance_couplings(plan, group, &known, &|_, _| N::from(0.0));
             let found = self.solve_group(group);
             self.spread(plan, group, input, found, own);
         }
@@ -105,17 +106,19 @@ impl<N: Number> Columns<N> {
         }
     }
 
-    /// Sets the right sides of the couplings' equations, some bodies' motion being `known`.
+    /// Sets the right sides of the couplings' equations, some bodies' motion being `known`, and
+    /// what else stands in them (`drift`).
     #[inline]
     fn balance_couplings(
         &mut self,
         plan: &MultiPlan,
         group: &Group,
         known: &dyn Fn(&Self, usize) -> Option<Twist<N>>,
+        drift: &dyn Fn(&Self, &Coupled) -> N,
     ) {
         let scale = plan.plan.size.recip();
         for (number, coupling) in group.couplings.iter().enumerate() {
-            let mut sum = N::from(0.0);
+            let mut sum = drift(self, coupling);
             for (body, [turning, x, y]) in coupling.parts(&self.poses, plan.plan.size) {
                 if let Some(given) = known(self, body) {
                     sum += turning * given[0];
@@ -176,7 +179,10 @@ impl<N: Number> Columns<N> {
             }
             self.balance(number, screw, size.recip(), given);
         }
-        self.balance_couplings(plan, group, &known);
+        let drift = |columns: &Self, coupling: &Coupled| {
+            coupling.drift(&columns.poses, &columns.velocity, size)
+        };
+        self.balance_couplings(plan, group, &known, &drift);
         let n = self.solve_group(group);
         for (number, &body) in group.bases.iter().enumerate() {
             let part = &self.right[..n][3 * number..3 * number + 3];

@@ -145,7 +145,7 @@ impl Columns<f64> {
         }
         for (number, coupling) in group.couplings.iter().enumerate() {
             let top = (2 * group.screws.len() + number) * n;
-            for (body, parts) in coupling.parts_moved(&self.poses, motion) {
+            for (body, parts) in coupling.parts_moved(&self.poses, motion, plan.plan.size) {
                 let Some(body) = group.body_of(body) else {
                     continue;
                 };

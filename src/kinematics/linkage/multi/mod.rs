@@ -16,6 +16,7 @@
 mod columns;
 mod compile;
 mod constraint;
+mod coupled;
 mod dynamics;
 mod forces;
 mod geared;
@@ -28,6 +29,7 @@ mod outputs;
 mod place;
 mod plan;
 mod proposal;
+mod rolling;
 mod rounding;
 mod singular;
 pub mod spec;
@@ -47,6 +49,7 @@ pub use rounding::MultiRounding;
 pub use singular::{SingularCurve, singular_curves};
 
 use super::assemble;
+use super::couplings;
 use super::spec::OutputSpec;
 use super::structure::{GroupKind, Structure};
 use super::workspace::Pose;
@@ -177,6 +180,11 @@ impl MultiLinkage {
     /// Mobility and groups.
     pub fn structure(&self) -> &Structure {
         &self.core.structure
+    }
+
+    /// Sentences about what is allowed and hardly meant: cams that are undercut.
+    pub fn remarks(&self) -> Vec<String> {
+        couplings::remarks(&self.core.spec.linkage)
     }
 
     /// A length typical of it (m).

@@ -170,6 +170,8 @@ pub(super) struct Known {
     /// Memory for the way to another position.
     between: Vec<f64>,
     kept: State,
+    /// Where a way began of which parts are gone.
+    before: State,
 }
 
 impl Known {
@@ -179,6 +181,7 @@ impl Known {
             angles: state.links.iter().map(|motion| motion.angle()).collect(),
             between: inputs.clone(),
             kept: state.clone(),
+            before: state.clone(),
             state,
             inputs,
         }
@@ -212,6 +215,9 @@ impl Known {
             }
             match place(plan, signs, &self.between, &mut self.state) {
                 Ok(()) => {
+                    if done == 0.0 {
+                        std::mem::swap(&mut self.kept, &mut self.before);
+                    }
                     copy(&self.state, &mut self.kept);
                     done = share;
                 }
@@ -221,6 +227,10 @@ impl Known {
                     self.state.margins = margins;
                     part *= 0.25;
                     if part * MOST_PARTS < 1.0 {
+                        // What was reached lies on the brink: nothing else is found from there.
+                        if done > 0.0 {
+                            copy(&self.before, &mut self.state);
+                        }
                         return Err(group);
                     }
                 }

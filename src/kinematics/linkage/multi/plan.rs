@@ -1,6 +1,6 @@
 //! A linkage of several inputs made ready to be solved.
 
-use super::geared::Coupled;
+use super::coupled::Coupled;
 use crate::kinematics::linkage::elements::{Element, elements, slides};
 use crate::kinematics::linkage::plan::{Driver, Plan};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
@@ -64,7 +64,7 @@ pub(super) struct Group {
     /// the second, from what is placed to the second; of a larger group all of them, each
     /// from its first link to its second.
     pub(super) screws: Vec<Screw>,
-    /// Its gears, belts and racks.
+    /// Its gears, belts, racks and cams.
     pub(super) couplings: Vec<Coupled>,
     /// True for a dyad.
     pub(super) dyad: bool,
@@ -132,7 +132,8 @@ pub(super) struct MultiPlan {
     pub(super) joint_of: Vec<usize>,
     /// Whether a force or an output asks for continuous angles.
     pub(super) turning: bool,
-    /// Whether couplings do, and positions are found on the way from one to the next.
+    /// Whether couplings do, or cams tell one assembly from another by what lies between: positions
+    /// are found on the way from one to the next.
     pub(super) geared: bool,
     /// Numbers of all matrices of larger groups, and of their rows.
     pub(super) matrices: [usize; 2],

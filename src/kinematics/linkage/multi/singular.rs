@@ -226,15 +226,28 @@ impl<'a> Reached<'a> {
         found.map_err(|stuck| stuck.group - 1)
     }
 
-    /// 1 where everything can be assembled, −1 where this group cannot; `None` where another
-    /// one cannot, or where nothing is known.
+    /// 1 where everything can be assembled, −1 where this group cannot, or where that was not
+    /// tried since it cannot beside it; `None` where another one cannot, or nothing is known.
     fn value(&self, group: usize, column: usize, row: usize) -> Option<f64> {
         let node = row * self.side + column;
         match (&self.spaces[node], self.stuck[node]) {
             (Some(_), _) => Some(1.0),
             (None, Some(stuck)) if stuck == group => Some(-1.0),
+            (None, None) if self.is_behind(group, column, row) => Some(-1.0),
             _ => None,
         }
+    }
+
+    /// Whether a point has a neighbour at which the group cannot be assembled: from there on
+    /// nothing was tried.
+    fn is_behind(&self, group: usize, column: usize, row: usize) -> bool {
+        let stuck = |column: usize, row: usize| {
+            let inside = column < self.side && row < self.side;
+            inside && self.stuck[row * self.side + column] == Some(group)
+        };
+        let aside = [column.wrapping_sub(1), column + 1].map(|column| stuck(column, row));
+        let across = [row.wrapping_sub(1), row + 1].map(|row| stuck(column, row));
+        aside.into_iter().chain(across).any(|stuck| stuck)
     }
 
     /// Where the group is singular on the way between two points, one of them reached.

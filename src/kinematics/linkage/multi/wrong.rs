@@ -47,14 +47,6 @@ pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
             floating(spec, link, &path, &mut faults);
         }
     }
-    for (coupling, _) in linkage.cams() {
-        faults.add(
-            format!("couplings.{}", coupling.name),
-            "cams move links in a linkage of one input alone",
-            "name one pair as `driver` in place of the `inputs`, or make the follower a linkage or a \
-             `cam_follower` of its own",
-        );
-    }
     forces::refused(linkage, &mut faults);
     faults.check()?;
     floating_as_one(spec)

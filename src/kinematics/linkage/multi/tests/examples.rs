@@ -323,6 +323,7 @@ pub(in super::super) fn all() -> Vec<MultiSpec> {
     let mut all = vec![five_bar(), floating(), excavator(), platform(), pendulum(4)];
     all.extend(dyads());
     all.extend([super::geared::planetary(), super::geared::rack()]);
+    all.extend(super::cams::all());
     all.extend(super::cut::all().into_iter().map(|one| one.cut));
     all
 }

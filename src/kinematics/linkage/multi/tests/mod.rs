@@ -1,5 +1,6 @@
 //! Kinematics and equations of motion against differences of positions alone.
 
+mod cams;
 mod cut;
 pub(super) mod examples;
 mod geared;

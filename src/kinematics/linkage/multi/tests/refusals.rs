@@ -1,12 +1,9 @@
 //! What is refused, with its place.
 
 use super::examples::{GROUND, five_bar, floating, input, pendulum, pin};
-use crate::kinematics::cam::Surface;
 use crate::kinematics::linkage::multi::MultiLinkage;
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
-use crate::kinematics::linkage::spec::{
-    CamPairSpec, CouplingKind, CouplingSpec, ForceLaw, ForceSpec,
-};
+use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec};
 
 fn refused(change: impl Fn(&mut MultiSpec), mut spec: MultiSpec) -> Vec<(String, String)> {
     change(&mut spec);
@@ -41,31 +38,6 @@ fn too_few_inputs_and_too_many_are_told() {
         five_bar(),
     );
     holds(&many, "inputs", "3 inputs");
-}
-
-#[test]
-fn cams_behind_several_inputs_are_refused() {
-    let cam = CamPairSpec {
-        centre: [0.0; 2],
-        roller: [0.1, 0.0],
-        roller_radius: 0.01,
-        base_radius: 0.05,
-        lift: None,
-        direction: 0.0,
-        sense: 1.0,
-        surface: Surface::Disc,
-    };
-    let with_cam = |spec: &mut MultiSpec| {
-        spec.linkage.couplings.push(CouplingSpec {
-            name: "K".to_owned(),
-            wheels: [Some(0), Some(1)],
-            carrier: Some(0),
-            kind: CouplingKind::Cam(Box::new(cam.clone())),
-            offset: 0.0,
-        });
-    };
-    let found = refused(with_cam, five_bar());
-    holds(&found, "couplings.K", "in a linkage of one input alone");
 }
 
 #[test]
