@@ -84,8 +84,8 @@ fn joined(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<Jo
         });
         let whole = fits_a_block(fields, friction.unwrap_or(0.0)) && fits_a_weld(fields);
         if several && friction.is_some_and(|friction| friction > 0.0) {
-            let message = "this friction counts in `dam forces` alone: in a run the pairs of a \
-                           linkage of several inputs move freely";
+            let message = "this friction counts in `dam forces` alone: in a run the pairs move \
+                           freely, unless the linkage has `joint_friction`";
             fields.warn("friction", "no-effect", message);
         }
         let (friction, (on, link, kind), given) = (friction?, kind?, diameter?);
