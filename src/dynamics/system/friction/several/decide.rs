@@ -34,9 +34,10 @@ impl System {
             return Err(self.several_unsolved(several, time, y, modes));
         }
         let pairs = several.pairs.iter();
-        let now = pairs.filter(|pair| pair.component == component);
+        let stops = ProbeAction::of(target) == ProbeAction::Start(StickSlip::Stuck);
+        let now = pairs.filter(|pair| stops && pair.component == component);
         let stopped: Vec<usize> = now.map(|pair| pair.pair).collect();
-        self.decide_pairs(several, (time, y), stopped, modes)
+        self.decide_pairs(several, (time, y), &stopped, modes)
     }
 
     /// Directions of all pairs at t = 0: by their rates, and where they rest by what they do
@@ -67,7 +68,7 @@ impl System {
             }
         }
         // An undetermined start ends the run at once, with its reason.
-        let _ = self.decide_pairs(several, (0.0, y), stopped, modes);
+        let _ = self.decide_pairs(several, (0.0, y), &stopped, modes);
     }
 
     /// Decides what all pairs that stand do next, those that have just `stopped` among them.
@@ -75,7 +76,7 @@ impl System {
         &self,
         several: &Several,
         (time, y): (f64, &mut [f64]),
-        stopped: Vec<usize>,
+        stopped: &[usize],
         modes: &mut [i64],
     ) -> Result<(), PhysicalStop> {
         let frozen = &self.frozen;
@@ -98,9 +99,11 @@ impl System {
         };
         let mut ways = Ways::new(several, own);
         let resting = ways.resting();
+        // (Nothing has stopped where something is about to start.)
+        let start = stopped.is_empty();
         if resting.len() > MOST_AT_REST {
             // Too many ways to look at: what rests stays so, if it can.
-            return match ways.loosens(&resting) {
+            return match ways.loosens(&resting, 0.0) {
                 Some(margin) if margin <= 0.0 => {
                     several.note_whole(modes);
                     Ok(())
@@ -108,11 +111,11 @@ impl System {
                 _ => Err(self.too_many_at_rest(several, time, resting.len())),
             };
         }
-        let found = ways.consistent(&resting);
+        let found = ways.consistent(&resting, start);
         let [way] = &found[..] else {
             return Err(self.not_one_way(several, time, found.len()));
         };
-        for (pair, direction) in resting.iter().zip(way) {
+        for (pair, direction) in resting.iter().zip(&way.directions) {
             let mut pairs = several.pairs.iter();
             if let Some(one) = pairs.find(|one| one.pair == *pair) {
                 modes[one.component] = match direction {

@@ -49,10 +49,11 @@ impl Frozen {
         let Some(several) = &self.several else {
             return;
         };
+        // (The component of the whole is no cause of a switch.)
         let mut probe = |action: ProbeAction, looks: usize| {
             out.push(Probe {
                 index: self.probe_of_several(),
-                component: several.component,
+                component: several.component + 1,
                 target: action.target(),
                 looks,
             });
@@ -125,6 +126,6 @@ impl Several {
             return Probe::FIRES;
         }
         let mut ways = ways;
-        ways.loosens(&resting).unwrap_or(Probe::NO_FORCES)
+        ways.loosens(&resting, 0.0).unwrap_or(Probe::NO_FORCES)
     }
 }

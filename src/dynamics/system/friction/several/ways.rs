@@ -8,6 +8,35 @@ use crate::kinematics::linkage::kinetostatics::Sliding;
 /// An acceleration that motions give to a pair is rounding below this part of what it is the sum
 /// of.
 const STANDS: f64 = 1e-9;
+/// At the limit of what friction holds, whether something starts is a matter of rounding: parts of
+/// forces and accelerations.
+const ROUNDING: f64 = 1e-9;
+
+/// A way in which pairs at rest go on.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Way {
+    /// The direction of each, 0 where it stays at rest.
+    pub(super) directions: Vec<i8>,
+    /// Least acceleration of those that start, in parts of what it is the sum of.
+    quickness: f64,
+}
+
+impl Way {
+    /// True of two ways that are one but for rounding: one pair that is at the limit of what
+    /// friction holds stays at rest, or starts.
+    fn is_next_to(&self, other: &Self) -> bool {
+        let pairs = self.directions.iter().zip(&other.directions);
+        let mut differing = pairs.filter(|(a, b)| a != b);
+        let (one, more) = (differing.next(), differing.next());
+        let at_limit = self.quickness.min(other.quickness) <= ROUNDING;
+        at_limit && more.is_none() && one.is_some_and(|(a, b)| *a == 0 || *b == 0)
+    }
+
+    /// Number of pairs that start.
+    fn starting(&self) -> usize {
+        self.directions.iter().filter(|&&one| one != 0).count()
+    }
+}
 
 /// Pairs whose rates are zero, out of all that have friction, at a state whose accelerations
 /// without friction are in the memory.
@@ -83,7 +112,7 @@ impl<'a> Ways<'a> {
     /// limits, and what all can hold together is told by the motions in which they may start:
     /// those in which as many pairs as possible stay at rest, since the power of the forces less
     /// the friction is linear between these.
-    pub(super) fn loosens(&mut self, resting: &[usize]) -> Option<f64> {
+    pub(super) fn loosens(&mut self, resting: &[usize], slack: f64) -> Option<f64> {
         for &pair in resting {
             self.sliding[pair] = Sliding::Held;
         }
@@ -98,7 +127,7 @@ impl<'a> Ways<'a> {
         let rank = self.several.kinetostatics.held_pairs(&self.own.forces);
         if rank == free.len() {
             let solver = &self.several.kinetostatics;
-            let margins = solver.holding_margins(EXCESS, &self.own.forces);
+            let margins = solver.holding_margins(EXCESS + slack, &self.own.forces);
             let most = margins.map(|(_, margin)| margin);
             return Some(most.fold(-f64::MIN_POSITIVE, f64::max));
         }
@@ -110,7 +139,7 @@ impl<'a> Ways<'a> {
                     false => Sliding::Idle,
                 };
             }
-            most = most.max(self.starts_along(&free, chosen.len()));
+            most = most.max(self.starts_along(&free, chosen.len(), slack));
         });
         for &pair in resting {
             self.sliding[pair] = Sliding::Held;
@@ -120,7 +149,7 @@ impl<'a> Ways<'a> {
 
     /// Acceleration of a start of the only motion that the pairs set as held leave to those of
     /// `free`; not positive where there is none, or more than one.
-    fn starts_along(&mut self, free: &[usize], held: usize) -> f64 {
+    fn starts_along(&mut self, free: &[usize], held: usize, slack: f64) -> f64 {
         if !self.find() || self.several.kinetostatics.held_pairs(&self.own.forces) < held {
             return f64::NEG_INFINITY;
         }
@@ -140,8 +169,8 @@ impl<'a> Ways<'a> {
                 };
             }
             if self.find() {
-                let [found, _] = self.acceleration(pushed);
-                most = most.max(direction * found);
+                let [found, size] = self.acceleration(pushed);
+                most = most.max(direction * found - slack * size);
             }
         }
         self.sliding = before;
@@ -153,18 +182,33 @@ impl<'a> Ways<'a> {
         solver.pair_acceleration(pair, &self.own.forces)
     }
 
-    /// All ways in which pairs at rest go on that agree with Coulomb's law: the direction of
-    /// each, 0 where it stays at rest.
-    pub(super) fn consistent(&mut self, resting: &[usize]) -> Vec<Vec<i8>> {
+    /// All ways in which pairs at rest go on that agree with Coulomb's law; of two that are one
+    /// but for rounding the one in which more pairs start, where some are to, or fewer.
+    pub(super) fn consistent(&mut self, resting: &[usize], start: bool) -> Vec<Way> {
+        let mut found = self.all_ways(resting, 0.0);
+        if found.is_empty() {
+            found = self.all_ways(resting, ROUNDING);
+        }
+        if let [one, other] = &found[..]
+            && one.is_next_to(other)
+        {
+            let first = (one.starting() > other.starting()) == start;
+            found.remove(usize::from(first));
+        }
+        found
+    }
+
+    fn all_ways(&mut self, resting: &[usize], slack: f64) -> Vec<Way> {
         let mut found = Vec::new();
         for number in 0..3usize.pow(resting.len() as u32) {
-            let digit = |place: usize| (number / 3usize.pow(place as u32) % 3) as i8;
-            // (0 comes first: everything stays at rest.)
-            let way: Vec<i8> = (0..resting.len())
-                .map(|place| [0, 1, -1][digit(place) as usize])
-                .collect();
-            if self.agrees(resting, &way) {
-                found.push(way);
+            let digit = |place: usize| number / 3usize.pow(place as u32) % 3;
+            let directions = (0..resting.len()).map(|place| [0, 1, -1][digit(place)]);
+            let directions: Vec<i8> = directions.collect();
+            if let Some(quickness) = self.agrees(resting, &directions, slack) {
+                found.push(Way {
+                    directions,
+                    quickness,
+                });
             }
         }
         found
@@ -180,33 +224,41 @@ impl<'a> Ways<'a> {
         }
     }
 
-    /// True of a way whose accelerations have its directions, and whose held pairs can be held.
-    fn agrees(&mut self, resting: &[usize], way: &[i8]) -> bool {
+    /// Least acceleration of what starts in a way whose accelerations have its directions, and
+    /// whose held pairs can be held; `None` of any other.
+    fn agrees(&mut self, resting: &[usize], way: &[i8], slack: f64) -> Option<f64> {
         self.take(resting, way);
         if !self.find() {
-            return false;
+            return None;
         }
         let mut held = Vec::new();
+        let mut quickness = f64::INFINITY;
         for (&pair, &direction) in resting.iter().zip(way) {
             let [acceleration, size] = self.acceleration(pair);
+            let along = acceleration * f64::from(direction);
             let given = self.is_given(pair);
             let moves = acceleration.abs() > STANDS * size;
             let agrees = match direction {
                 0 if given => !moves,
                 0 => true,
-                _ if given => moves && acceleration * f64::from(direction) > 0.0,
+                _ if given => moves && along > 0.0,
                 // (What others hold has an acceleration of rounding.)
-                _ => acceleration * f64::from(direction) > 0.0 && !self.is_held_by_others(pair),
+                _ => along > -slack * size && !self.is_held_by_others(pair),
             };
             if !agrees {
-                return false;
+                return None;
             }
             if direction == 0 && !given {
                 held.push(pair);
             }
+            if direction != 0 && size > 0.0 {
+                quickness = quickness.min(along / size);
+            }
         }
-        let loosens = self.loosens(&held);
-        loosens.is_some_and(|margin| margin <= 0.0)
+        let loosens = self.loosens(&held, slack);
+        loosens
+            .is_some_and(|margin| margin <= 0.0)
+            .then_some(quickness)
     }
 }
 
