@@ -56,6 +56,11 @@ impl Kinetostatics {
         sum <= GIVEN * size
     }
 
+    /// Length that a unit of a pair's coordinate stands for (m).
+    pub fn pair_unit(&self, pair: usize) -> f64 {
+        self.units[pair]
+    }
+
     /// Size of an input that changes the position as a whole: 1 rad, or the length scale (m).
     pub fn input_scale(&self, input: usize) -> f64 {
         self.length / self.unit_of(self.drivers[input])

@@ -14,9 +14,12 @@ use crate::kinematics::linkage::kinetostatics::Sliding;
 const MOST_AT_REST: usize = 9;
 /// Rounds in which the rates of pairs at rest are taken out of a state.
 const ROUNDS: usize = 2;
-/// Beside pairs at rest one that moves with them alone rests, if its rate has come down to this
-/// part of what it is the sum of.
-const LEFT: f64 = 1e-6;
+/// What moves with a pair that has come to rest, and with nothing else, has come to rest with it
+/// where its rate is so many times what is left of that; more, where a pair merely passes a
+/// position in which it does not move.
+const QUICKER: f64 = 1e3;
+/// Rounding of the time at which a pair comes to rest.
+const CLOCK: f64 = 1e-12;
 
 impl System {
     /// Passes a switch of the linkage of several inputs.
@@ -87,16 +90,10 @@ impl System {
         let Some(own) = frozen.look_at_pairs((time, y, modes), &mut work) else {
             return Ok(());
         };
-        for (place, pair) in several.stopped_along(own) {
+        for (place, pair) in several.stopped_along(time, stopped, own) {
             modes[several.pairs[place].component] = StickSlip::Stuck.mode();
             own.sliding[pair] = Sliding::Held;
         }
-        for _ in 0..ROUNDS {
-            frozen.stop_pairs(several, (time, y, modes), &mut work);
-        }
-        let Some(own) = frozen.look_at_pairs((time, y, modes), &mut work) else {
-            return Ok(());
-        };
         let mut ways = Ways::new(several, own);
         let resting = ways.resting();
         // (Nothing has stopped where something is about to start.)
@@ -127,6 +124,9 @@ impl System {
             }
         }
         several.note_whole(modes);
+        for _ in 0..ROUNDS {
+            frozen.stop_pairs(several, (time, y, modes), &mut work);
+        }
         Ok(())
     }
 }
@@ -139,37 +139,38 @@ impl Several {
         modes[self.component] = state.mode();
     }
 
-    /// Pairs that slide by the modes, but rest where those at rest do: their place among the
-    /// pairs with friction, and their number.
-    fn stopped_along(&self, own: &mut SeveralWork<f64>) -> Vec<(usize, usize)> {
+    /// Pairs that slide by the modes, but have come to rest with those that have `stopped`: their
+    /// place among the pairs with friction, and their number.
+    fn stopped_along(
+        &self,
+        time: f64,
+        stopped: &[usize],
+        own: &mut SeveralWork<f64>,
+    ) -> Vec<(usize, usize)> {
         let mut ways = Ways::new(self, own);
         for pair in &self.pairs {
             if let Sliding::Slides(_) = ways.own.sliding[pair.pair] {
                 ways.set(pair.pair, Sliding::Idle);
             }
         }
-        if ways.resting().is_empty() || !ways.find() {
+        if stopped.is_empty() || !ways.find() {
             return Vec::new();
         }
-        let slides = |pair: usize| matches!(ways.own.sliding[pair], Sliding::Slides(_));
+        // As lengths, so that pins and guides compare.
+        let way = |pair: usize| {
+            let unit = self.kinetostatics.pair_unit(pair);
+            unit * self.rate(pair, ways.own)[0].abs()
+        };
+        let left = stopped.iter().fold(0.0, |most: f64, &pair| most.max(way(pair)));
         let along = self.pairs.iter().enumerate().filter(|(_, pair)| {
             let pair = pair.pair;
-            slides(pair) && ways.is_held_by_others(pair) && {
-                let [rate, size] = self.rate(pair, ways.own);
-                rate.abs() <= LEFT * size || self.is_whole(&ways)
-            }
+            let slides = matches!(ways.own.sliding[pair], Sliding::Slides(_));
+            let quickening = self.kinetostatics.pair_unit(pair) * ways.acceleration(pair)[1];
+            slides
+                && ways.is_held_by_others(pair)
+                && way(pair) <= QUICKER * left + CLOCK * time * quickening
         });
         along.map(|(place, pair)| (place, pair.pair)).collect()
-    }
-
-    /// True where the pairs at rest hold everything that moves freely, and nothing else moves.
-    fn is_whole(&self, ways: &Ways<'_>) -> bool {
-        let given = self.pairs.iter().filter(|pair| ways.is_given(pair.pair));
-        let mut given = given.map(|pair| self.rate(pair.pair, ways.own)[0]);
-        let held = |pair: &super::RubbingPair| {
-            ways.is_given(pair.pair) || ways.is_held_by_others(pair.pair)
-        };
-        given.all(|rate| rate == 0.0) && self.pairs.iter().all(held)
     }
 }
 

@@ -5,8 +5,8 @@ use super::super::standstill::EXCESS;
 use super::{Several, SeveralWork};
 use crate::kinematics::linkage::kinetostatics::Sliding;
 
-/// An acceleration that motions give to a pair is rounding below this part of what it is the sum
-/// of.
+/// An acceleration of a pair that nothing but motions determine is rounding below this part of
+/// what it is the sum of.
 const STANDS: f64 = 1e-9;
 /// At the limit of what friction holds, whether something starts is a matter of rounding: parts of
 /// forces and accelerations.
@@ -236,14 +236,15 @@ impl<'a> Ways<'a> {
         for (&pair, &direction) in resting.iter().zip(way) {
             let [acceleration, size] = self.acceleration(pair);
             let along = acceleration * f64::from(direction);
+            // Neither forces nor friction change how it moves: its rate may pass zero because
+            // of the position alone.
             let given = self.is_given(pair);
+            let led = given || self.is_held_by_others(pair);
             let moves = acceleration.abs() > STANDS * size;
             let agrees = match direction {
-                0 if given => !moves,
-                0 => true,
-                _ if given => moves && along > 0.0,
-                // (What others hold has an acceleration of rounding.)
-                _ => along > -slack * size && !self.is_held_by_others(pair),
+                0 => !moves,
+                _ if led => moves && along > 0.0,
+                _ => along > -slack * size,
             };
             if !agrees {
                 return None;
