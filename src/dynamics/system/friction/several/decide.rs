@@ -161,14 +161,20 @@ impl Several {
             let unit = self.kinetostatics.pair_unit(pair);
             unit * self.rate(pair, ways.own)[0].abs()
         };
+        // (Without friction: with what is held it may be anything.)
+        let quickening = |pair: usize| {
+            let rates = self.kinetostatics.pair_rates(pair, &ways.own.forces);
+            let parts = rates.iter().zip(&ways.own.free);
+            let sum: f64 = parts.map(|(rate, free)| (rate * free).abs()).sum();
+            self.kinetostatics.pair_unit(pair) * sum
+        };
         let left = stopped.iter().fold(0.0, |most: f64, &pair| most.max(way(pair)));
         let along = self.pairs.iter().enumerate().filter(|(_, pair)| {
             let pair = pair.pair;
             let slides = matches!(ways.own.sliding[pair], Sliding::Slides(_));
-            let quickening = self.kinetostatics.pair_unit(pair) * ways.acceleration(pair)[1];
             slides
                 && ways.is_held_by_others(pair)
-                && way(pair) <= QUICKER * left + CLOCK * time * quickening
+                && way(pair) <= QUICKER * left + CLOCK * time * quickening(pair)
         });
         along.map(|(place, pair)| (place, pair.pair)).collect()
     }
