@@ -121,8 +121,10 @@ fn a_hanging_arm_holds_below_the_limit() {
     let load = r#", "loads": { "couple": { "expression": "0.11*sin(5*t)" } }"#;
     let found = run_of(&arm("", load, run), &[]);
     assert_eq!(figure(&found, "arm.time_at_rest"), 3.0);
-    assert_eq!(figure(&found, "arm.elbow.final.displacement"), 0.0);
-    assert_eq!(figure(&found, "arm.friction_loss"), 0.0);
+    // (What holds it is known to rounding.)
+    for address in ["arm.elbow.final.displacement", "arm.friction_loss"] {
+        assert!(figure(&found, address).abs() < 1e-13);
+    }
 }
 
 /// A five-bar of random links, pins and torques.

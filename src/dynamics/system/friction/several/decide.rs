@@ -84,6 +84,10 @@ impl System {
     ) -> Result<(), PhysicalStop> {
         let frozen = &self.frozen;
         let mut work = Work::new(frozen);
+        // What was held starts from rest, not from what rounding has left of its rate.
+        for _ in 0..ROUNDS {
+            frozen.stop_pairs(several, (time, y, modes), &mut work);
+        }
         for pair in several.pairs.iter().filter(|one| stopped.contains(&one.pair)) {
             modes[pair.component] = StickSlip::Stuck.mode();
         }
