@@ -27,6 +27,10 @@ use crate::math::jet::Jet;
 use crate::math::quantity::Quantity;
 use std::sync::Arc;
 
+/// Rate against its direction at which a pair counts as having come to rest (rad/s, or lengths of
+/// the linkage a second): what starts from rest is not to turn back by rounding of its signal.
+const TURNED_BACK: f64 = 1e-11;
+
 /// The linkage of several inputs whose joints have friction.
 #[derive(Clone, Debug)]
 pub(in crate::dynamics::system) struct Several {
@@ -53,6 +57,8 @@ struct RubbingPair {
     signal: usize,
     /// Component of the modes: its direction.
     component: usize,
+    /// Rate that is rounding (rad/s or m/s).
+    rounding: f64,
 }
 
 impl Several {
@@ -147,6 +153,7 @@ impl Frozen {
             pair,
             signal: self.add_signal_of(place(pair)),
             component: usize::MAX,
+            rounding: TURNED_BACK * kinetostatics.length_scale() / kinetostatics.pair_unit(pair),
         });
         let pairs = pairs.collect();
         let before = self.multi[..linkage].iter();
@@ -182,7 +189,7 @@ impl Frozen {
             }
             let guard = Guard {
                 signal: pair.signal,
-                offset: 0.0,
+                offset: pair.rounding,
                 displacement: 0.0,
                 speed: state.sense(),
             };
