@@ -3,7 +3,7 @@
 use super::super::standstill::AT_REST;
 use super::super::stick_slip::{ProbeAction, StickSlip};
 use super::ways::Ways;
-use super::{Several, SeveralWork};
+use super::{JUST_STARTED, Several, SeveralWork};
 use crate::dynamics::integrate::PhysicalStop;
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
@@ -119,12 +119,12 @@ impl System {
         for (pair, direction) in resting.iter().zip(&way.directions) {
             let mut pairs = several.pairs.iter();
             if let Some(one) = pairs.find(|one| one.pair == *pair) {
-                modes[one.component] = match direction {
-                    0 => StickSlip::Stuck,
-                    1 => StickSlip::Forward,
-                    _ => StickSlip::Backward,
-                }
-                .mode();
+                let was_at_rest = time == 0.0 || !stopped.contains(pair);
+                modes[one.component] = match *direction {
+                    0 => StickSlip::Stuck.mode(),
+                    direction if was_at_rest => JUST_STARTED * i64::from(direction),
+                    direction => i64::from(direction),
+                };
             }
         }
         several.note_whole(modes);

@@ -30,6 +30,8 @@ use std::sync::Arc;
 /// Rate against its direction at which a pair counts as having come to rest (rad/s, or lengths of
 /// the linkage a second): what starts from rest is not to turn back by rounding of its signal.
 const TURNED_BACK: f64 = 1e-11;
+/// The mode of a pair that has started from rest, times its direction: it slides as with ±1.
+const JUST_STARTED: i64 = 3;
 
 /// The linkage of several inputs whose joints have friction.
 #[derive(Clone, Debug)]
@@ -189,7 +191,10 @@ impl Frozen {
             }
             let guard = Guard {
                 signal: pair.signal,
-                offset: pair.rounding,
+                offset: match modes[pair.component].abs() {
+                    JUST_STARTED => pair.rounding,
+                    _ => 0.0,
+                },
                 displacement: 0.0,
                 speed: state.sense(),
             };
