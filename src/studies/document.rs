@@ -4,9 +4,7 @@ use super::choice::Choice;
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::dynamics::integrate::{Outcome, Stop};
-use crate::dynamics::model::{
-    Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart,
-};
+use crate::dynamics::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart};
 use crate::dynamics::record::{
     EnergyAudit, Figures, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
     Recorded, RunSummary, StopFigures, Units,

@@ -76,7 +76,8 @@ impl Looks {
         let number = known.unwrap_or_else(|| {
             self.places.push(s);
             let from = self.states.len();
-            self.states.resize_with(from + objects, ObjectState::default);
+            self.states
+                .resize_with(from + objects, ObjectState::default);
             look(&mut self.states[from..]);
             self.places.len() - 1
         });

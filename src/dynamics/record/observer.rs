@@ -1,8 +1,8 @@
 //! A system and the memory to look at it anywhere in a step.
 
+use super::peaks::PLACES;
 use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::system::{Bends, Energy, MassState, ObjectState, Power, Scratch, System};
-use super::peaks::PLACES;
 use crate::math::polynomial::{Coefficients, MAX_DEGREE, Step, weights};
 
 /// Looks at a system between the ends of a step.

@@ -103,9 +103,7 @@ pub(super) fn stop_for(object: String, given: bool, failure: Obstacle) -> Physic
         ),
         _ if given => (
             "self_locking",
-            format!(
-                "{object} locks: no force of its drive overcomes the friction of its joints"
-            ),
+            format!("{object} locks: no force of its drive overcomes the friction of its joints"),
         ),
         _ => (
             "self_locking",

@@ -350,10 +350,12 @@ impl Kinetostatics {
 impl SeveralForces {
     /// A·G·Aᵀ of two pairs.
     pub(super) fn between(&self, one: usize, other: usize, inputs: usize) -> f64 {
-        let [one, other] =
-            [one, other].map(|pair| &self.rates[pair * inputs..(pair + 1) * inputs]);
+        let [one, other] = [one, other].map(|pair| &self.rates[pair * inputs..(pair + 1) * inputs]);
         let rows = self.mobility.chunks_exact(inputs);
-        one.iter().zip(rows).map(|(a, row)| a * dot(row, other)).sum()
+        one.iter()
+            .zip(rows)
+            .map(|(a, row)| a * dot(row, other))
+            .sum()
     }
 
     /// Adds a pair to the held ones; false where it is held by them or its motion is given.
@@ -368,7 +370,9 @@ impl SeveralForces {
             self.factor.push(sum / self.factor[start + index]);
         }
         let whole = self.between(pair, pair, inputs);
-        let rest = self.factor[first..].iter().fold(whole, |sum, x| sum - x * x);
+        let rest = self.factor[first..]
+            .iter()
+            .fold(whole, |sum, x| sum - x * x);
         let rates = &self.rates[pair * inputs..(pair + 1) * inputs];
         let rows = self.mobility.chunks_exact(inputs);
         let parts = rates.iter().zip(rows).map(|(a, row)| {

@@ -91,11 +91,7 @@ impl Kinetostatics {
     }
 
     /// Impulses on the inputs that take the rates of the held pairs away.
-    pub fn stopping_impulses(
-        &self,
-        rate: impl Fn(usize) -> f64,
-        w: &ForceWorkspace,
-    ) -> Vec<f64> {
+    pub fn stopping_impulses(&self, rate: impl Fn(usize) -> f64, w: &ForceWorkspace) -> Vec<f64> {
         let held = w.several.held.iter();
         let mut multipliers: Vec<f64> = held.map(|&pair| rate(pair)).collect();
         self.multipliers(&mut multipliers, w);

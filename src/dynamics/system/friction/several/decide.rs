@@ -84,11 +84,16 @@ impl System {
     ) -> Result<(), PhysicalStop> {
         let frozen = &self.frozen;
         let mut work = Work::new(frozen);
+        let before = modes.to_vec();
         // What was held starts from rest, not from what rounding has left of its rate.
         for _ in 0..ROUNDS {
             frozen.stop_pairs(several, (time, y, modes), &mut work);
         }
-        for pair in several.pairs.iter().filter(|one| stopped.contains(&one.pair)) {
+        for pair in several
+            .pairs
+            .iter()
+            .filter(|one| stopped.contains(&one.pair))
+        {
             modes[pair.component] = StickSlip::Stuck.mode();
         }
         let Some(own) = frozen.look_at_pairs((time, y, modes), &mut work) else {
@@ -116,13 +121,18 @@ impl System {
         let [way] = &found[..] else {
             return Err(self.not_one_way(several, time, found.len()));
         };
+        let own = &*ways.own;
         for (pair, direction) in resting.iter().zip(&way.directions) {
             let mut pairs = several.pairs.iter();
             if let Some(one) = pairs.find(|one| one.pair == *pair) {
                 let was_at_rest = time == 0.0 || !stopped.contains(pair);
+                let apart = was_at_rest || before[one.component].abs() >= JUST_STARTED;
                 modes[one.component] = match *direction {
                     0 => StickSlip::Stuck.mode(),
-                    direction if was_at_rest => JUST_STARTED * i64::from(direction),
+                    direction if apart => {
+                        let [rate, _] = several.rate(*pair, own);
+                        i64::from(direction) * one.started(rate)
+                    }
                     direction => i64::from(direction),
                 };
             }
@@ -139,7 +149,11 @@ impl Several {
     /// Writes down whether friction holds all of it.
     fn note_whole(&self, modes: &mut [i64]) {
         let all = self.states(modes).all(|state| state == StickSlip::Stuck);
-        let state = if all { StickSlip::Stuck } else { StickSlip::Forward };
+        let state = if all {
+            StickSlip::Stuck
+        } else {
+            StickSlip::Forward
+        };
         modes[self.component] = state.mode();
     }
 
@@ -172,7 +186,9 @@ impl Several {
             let sum: f64 = parts.map(|(rate, free)| (rate * free).abs()).sum();
             self.kinetostatics.pair_unit(pair) * sum
         };
-        let left = stopped.iter().fold(0.0, |most: f64, &pair| most.max(way(pair)));
+        let left = stopped
+            .iter()
+            .fold(0.0, |most: f64, &pair| most.max(way(pair)));
         let along = self.pairs.iter().enumerate().filter(|(_, pair)| {
             let pair = pair.pair;
             let slides = matches!(ways.own.sliding[pair], Sliding::Slides(_));
@@ -219,7 +235,9 @@ impl Frozen {
         }
         let roots = self.roots.len();
         let impulses = several.stopping_impulses(ways.own);
-        for (impulse, response) in impulses.iter().zip(ways.own.response.chunks_exact(roots.max(1)))
+        for (impulse, response) in impulses
+            .iter()
+            .zip(ways.own.response.chunks_exact(roots.max(1)))
         {
             for (root, response) in self.roots.iter().zip(response) {
                 state[self.coordinates + root.coordinate] += impulse * response;

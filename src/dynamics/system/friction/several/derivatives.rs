@@ -25,7 +25,9 @@ impl Beside<'_> {
     fn find(&mut self) -> Option<Vec<f64>> {
         self.motion.go(&self.inputs).ok()?;
         let (solver, forces) = (self.solver, &mut *self.forces);
-        solver.place_several(self.motion, self.carried, forces).ok()?;
+        solver
+            .place_several(self.motion, self.carried, forces)
+            .ok()?;
         let options = options(false);
         solver
             .rub_several(self.mobility, self.sliding, &options, forces)
@@ -67,8 +69,7 @@ impl Frozen {
     ) {
         let solver = &several.kinetostatics;
         let (inputs, outputs) = (own.free.len(), several.outputs.len());
-        let (mut by_free, mut by_loads) =
-            (vec![0.0; inputs * inputs], vec![0.0; inputs * outputs]);
+        let (mut by_free, mut by_loads) = (vec![0.0; inputs * inputs], vec![0.0; inputs * outputs]);
         solver.slopes_of_several(&mut own.forces, &mut by_free, &mut by_loads);
         let here = solver.friction_on_inputs(&own.forces).to_vec();
         let pushed = solver.pushed_by_friction(&own.mobility_values, &own.forces);
@@ -84,8 +85,7 @@ impl Frozen {
             }
         }
         for (output, &node) in several.outputs.iter().enumerate() {
-            let acceleration =
-                solver.output_acceleration_of_several(output, &own.motion, &pushed);
+            let acceleration = solver.output_acceleration_of_several(output, &own.motion, &pushed);
             let moved = change(work.force[node]) - change(work.mass[node]).scale(acceleration);
             for k in 0..inputs {
                 own.force[k] += moved.scale(by_loads[k * outputs + output]);

@@ -30,8 +30,11 @@ use std::sync::Arc;
 /// Rate against its direction at which a pair counts as having come to rest (rad/s, or lengths of
 /// the linkage a second): what starts from rest is not to turn back by rounding of its signal.
 const TURNED_BACK: f64 = 1e-11;
-/// The mode of a pair that has started from rest, times its direction: it slides as with ±1.
+/// The mode of a pair that has started from rest, times its direction: it slides as with ±1. Every
+/// one more is ten times the rate against its direction that is passed over.
 const JUST_STARTED: i64 = 3;
+/// How far what rounding leaves of a rate must be from that.
+const CLEAR: f64 = 4.0;
 
 /// The linkage of several inputs whose joints have friction.
 #[derive(Clone, Debug)]
@@ -61,6 +64,23 @@ struct RubbingPair {
     component: usize,
     /// Rate that is rounding (rad/s or m/s).
     rounding: f64,
+}
+
+impl RubbingPair {
+    /// The rate against its direction that is passed over in a mode.
+    fn margin(&self, mode: i64) -> f64 {
+        match mode.abs() - JUST_STARTED {
+            tens @ 0.. => self.rounding * 10f64.powi(tens as i32),
+            _ => 0.0,
+        }
+    }
+
+    /// The mode in which it starts forwards, where rounding has left a rate.
+    fn started(&self, rate: f64) -> i64 {
+        let mut modes = JUST_STARTED..JUST_STARTED + 20;
+        let enough = |mode: &i64| self.margin(*mode) >= CLEAR * rate.abs();
+        modes.find(enough).unwrap_or(JUST_STARTED)
+    }
 }
 
 impl Several {
@@ -191,10 +211,7 @@ impl Frozen {
             }
             let guard = Guard {
                 signal: pair.signal,
-                offset: match modes[pair.component].abs() {
-                    JUST_STARTED => pair.rounding,
-                    _ => 0.0,
-                },
+                offset: pair.margin(modes[pair.component]),
                 displacement: 0.0,
                 speed: state.sense(),
             };

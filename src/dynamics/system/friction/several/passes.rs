@@ -55,7 +55,11 @@ impl Frozen {
             }
         }
         let count = own.force.len();
-        for (k, response) in own.response.chunks_exact(self.roots.len().max(1)).enumerate() {
+        for (k, response) in own
+            .response
+            .chunks_exact(self.roots.len().max(1))
+            .enumerate()
+        {
             if k < count {
                 for (right, part) in dense.right.iter_mut().zip(response) {
                     *right += *part * own.force[k];

@@ -118,10 +118,13 @@ impl Several {
         }
         let ways = Ways::new(self, own);
         let resting = ways.resting();
-        let moves = resting.iter().filter(|&&pair| ways.is_given(pair)).any(|&pair| {
-            let [rate, size] = self.rate(pair, ways.own);
-            rate.abs() > MOVES * size
-        });
+        let moves = resting
+            .iter()
+            .filter(|&&pair| ways.is_given(pair))
+            .any(|&pair| {
+                let [rate, size] = self.rate(pair, ways.own);
+                rate.abs() > MOVES * size
+            });
         if moves {
             return Probe::FIRES;
         }

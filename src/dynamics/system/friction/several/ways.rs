@@ -155,7 +155,10 @@ impl<'a> Ways<'a> {
         }
         let idle = |pair: &&usize| self.sliding[**pair] == Sliding::Idle;
         let pushed = free.iter().filter(idle).copied();
-        let Some(pushed) = pushed.into_iter().find(|&pair| !self.is_held_by_others(pair)) else {
+        let Some(pushed) = pushed
+            .into_iter()
+            .find(|&pair| !self.is_held_by_others(pair))
+        else {
             return f64::NEG_INFINITY;
         };
         let moved = self.moved_with(pushed, free);
@@ -265,11 +268,7 @@ impl<'a> Ways<'a> {
 
 /// Calls back with every choice of `count` numbers below `all`.
 fn each_choice(all: usize, count: usize, visit: &mut impl FnMut(&[usize])) {
-    fn extend(
-        [all, count]: [usize; 2],
-        chosen: &mut Vec<usize>,
-        visit: &mut impl FnMut(&[usize]),
-    ) {
+    fn extend([all, count]: [usize; 2], chosen: &mut Vec<usize>, visit: &mut impl FnMut(&[usize])) {
         if chosen.len() == count {
             return visit(chosen);
         }
