@@ -1607,8 +1607,9 @@ class Linkage(Tree):
         In place of `input`, `driver`, `position`, `start` and `travel`: its independent
         coordinates by name, as many as its mobility. Each is an output too, `press.left`.
     joint_friction
-        True: the friction of the pairs acts on the motion in `dam run`, and the linkage may
-        come to rest by it; false: it counts in `dam forces` only. Default: false.
+        True: the friction of the pairs acts on the motion in `dam run`, and the linkage, or
+        single pairs of one of several inputs, may come to rest by it; false: it counts in
+        `dam forces` only. Default: false.
     links
         The moving links by name.
     outputs

@@ -308,6 +308,8 @@ pub struct MultiLinkageBody {
     pub linkage: Arc<MultiLinkage>,
     /// The nodes of its outputs, in their order.
     pub outputs: Vec<NodeIndex>,
+    /// Friction of the pairs, when it acts on the motion; `None`: it moves freely.
+    pub friction: Option<Arc<Kinetostatics>>,
     /// The object concerned, index into [`Model::objects`].
     pub object: usize,
 }

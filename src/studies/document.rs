@@ -4,9 +4,7 @@ use super::choice::Choice;
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::dynamics::integrate::{Outcome, Stop};
-use crate::dynamics::model::{
-    Closure, Coordinate, DampingLaw, LinkBase, LinkageBody, Model, ObjectPart,
-};
+use crate::dynamics::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart};
 use crate::dynamics::record::{
     EnergyAudit, Figures, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
     Recorded, RunSummary, StopFigures, Units,
@@ -237,9 +235,13 @@ pub(super) fn blank(model: &Model) -> Figures {
 
 /// True when the friction of the object's joints acts on the motion.
 fn rubs(model: &Model, part: &ObjectPart) -> bool {
-    let own = |body: &&LinkageBody| part.nodes.contains(&body.node);
-    let friction = model.linkages.iter().find(own);
-    let friction = friction.and_then(|body| body.friction.as_ref());
+    let of_one = model.linkages.iter();
+    let of_one = of_one.map(|body| (body.node, &body.friction));
+    let of_several = model.multi_linkages.iter();
+    let of_several = of_several.map(|body| (body.node, &body.friction));
+    let mut all = of_one.chain(of_several);
+    let friction = all.find(|(node, _)| part.nodes.contains(node));
+    let friction = friction.and_then(|(_, friction)| friction.as_ref());
     friction.is_some_and(|kinetostatics| kinetostatics.has_friction())
 }
 

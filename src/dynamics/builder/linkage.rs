@@ -73,14 +73,32 @@ impl ModelBuilder {
 
     /// The reactions that friction follows from; `None` where no pair rubs.
     fn joint_friction(&mut self, at: &Place, linkage: &Linkage) -> Option<Arc<Kinetostatics>> {
-        let kinetostatics = match Kinetostatics::new(linkage.spec()) {
+        let made = Kinetostatics::new(linkage.spec());
+        let kinetostatics = self.rubbing(at, linkage.spec(), made)?;
+        match kinetostatics.friction_left_open(linkage) {
+            None => Some(Arc::new(kinetostatics)),
+            Some(fault) => {
+                self.faults(at, "", vec![fault]);
+                None
+            }
+        }
+    }
+
+    /// The kinetostatics of a linkage whose pairs are to have friction; `None` where none has.
+    pub(super) fn rubbing(
+        &mut self,
+        at: &Place,
+        spec: &LinkageSpec,
+        made: Result<Kinetostatics, Vec<Fault>>,
+    ) -> Option<Kinetostatics> {
+        let kinetostatics = match made {
             Ok(kinetostatics) => kinetostatics,
             Err(faults) => {
                 self.faults(at, "", faults);
                 return None;
             }
         };
-        for pair in linkage.spec().pairs.iter().filter(|pair| is_bare(pair)) {
+        for pair in spec.pairs.iter().filter(|pair| is_bare(pair)) {
             self.warn(format!(
                 "pin `{}` of `{}` has a coefficient of friction and no `diameter`: it makes no \
                  moment",
@@ -94,13 +112,7 @@ impl ModelBuilder {
             ));
             return None;
         }
-        match kinetostatics.friction_left_open(linkage) {
-            None => Some(Arc::new(kinetostatics)),
-            Some(fault) => {
-                self.faults(at, "", vec![fault]);
-                None
-            }
-        }
+        Some(kinetostatics)
     }
 
     /// Checks that a linkage can be assembled at the start, and ends the run at

@@ -5,6 +5,7 @@ use super::spec::{DrivenMultiLinkage, InputDrive};
 use super::{ModelBuilder, Place};
 use crate::dynamics::model::{Law, MultiLinkageBody, Node, NodeIndex, NodeMotion};
 use crate::kinematics::constraint::Constraint;
+use crate::kinematics::linkage::kinetostatics::Kinetostatics;
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiOutput};
 use crate::kinematics::position::{Position, PositionSpec};
 use std::sync::Arc;
@@ -56,11 +57,19 @@ impl ModelBuilder {
             }
             outputs.push(carrier);
         }
+        let friction = match spec.joint_friction {
+            true => {
+                let made = Kinetostatics::of_inputs(linkage.spec());
+                self.rubbing(at, &spec.linkage.linkage, made)
+            }
+            false => None,
+        };
         self.model.multi_linkages.push(MultiLinkageBody {
             node,
             inputs,
             linkage: Arc::new(linkage),
             outputs,
+            friction: friction.map(Arc::new),
             object: at.object,
         });
     }

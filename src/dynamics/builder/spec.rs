@@ -89,6 +89,8 @@ pub struct DrivenMultiLinkage {
     /// The linkage itself; the start of an input whose motion another object gives is
     /// where that stands at t = 0, unless [`InputDrive::Object`] says another.
     pub linkage: MultiSpec,
+    /// Whether the friction of the pairs acts on the motion.
+    pub joint_friction: bool,
     /// What moves each input, and the loads on it.
     pub inputs: Vec<(InputDrive, Vec<LoadSpec>)>,
     /// Loads on each of its outputs, along it.

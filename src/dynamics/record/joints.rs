@@ -46,10 +46,12 @@ impl JointTracker {
     pub(super) fn switch(&mut self, event: &SwitchEvent<'_>) {
         let own = event.watch.map(|watch| watch.component) == self.component;
         let before = self.is_held(event.before);
-        if own && self.component.is_some() && !before {
+        let after = self.is_held(event.after);
+        // (Of several inputs single pairs stop, and all of them only where friction holds them.)
+        if self.component.is_some() && !before && (own || after) {
             self.figures.standstills += 1;
         }
-        match (before, self.is_held(event.after)) {
+        match (before, after) {
             (false, true) => self.held = Some(event.time),
             (true, false) => self.release(event.time),
             _ => {}

@@ -35,6 +35,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     builder.frozen.mark_heavy();
     builder.frozen.find_roots();
     builder.refuse_coupled_friction();
+    builder.refuse_passed_on_friction();
     builder.refuse_rigid_contacts();
     builder.frozen.mark_chains();
     builder.frozen.separate();
@@ -267,6 +268,7 @@ impl<'a> Builder<'a> {
                 nodes: inputs.map(|&node| frozen.internal[node]).collect(),
                 linkage: Arc::clone(&body.linkage),
                 object: body.object,
+                turning: body.friction.is_some(),
             });
             let outputs = body.outputs.iter().enumerate();
             let own = outputs.map(|(output, &node)| (node, MultiValue::Output(output)));
@@ -305,6 +307,11 @@ impl<'a> Builder<'a> {
     fn place_friction(&mut self) {
         for (linkage, body) in self.model.linkages.iter().enumerate() {
             self.frozen.place_friction(linkage, body);
+        }
+        for (linkage, body) in self.model.multi_linkages.iter().enumerate() {
+            if !self.frozen.place_several_friction(linkage, body) {
+                self.refuse_second_friction(body.object);
+            }
         }
         self.frozen.number_directions();
     }

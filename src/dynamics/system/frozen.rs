@@ -6,7 +6,7 @@
 //! of links.
 
 use super::constraints::Constrained;
-use super::friction::Group;
+use super::friction::{Group, Several};
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
 use super::multi::{Direct, FrozenMulti, Root};
@@ -75,6 +75,8 @@ pub(super) struct Frozen {
     pub(super) tracks: Vec<FrozenTrack>,
     /// Groups of what moves together where joints have friction.
     pub(super) groups: Vec<Group>,
+    /// A linkage of several inputs whose joints have friction.
+    pub(super) several: Option<Several>,
     /// Number of directions: the components of the modes after the tracks.
     pub(super) directions: usize,
     /// Number of guards of loads by expressions: the components after the directions.

@@ -263,7 +263,7 @@ impl Frozen {
         for component in 0..self.contacts() {
             if self.contact_of(component).holds(modes[component]) {
                 out.push(Probe {
-                    index: self.groups.len() + component,
+                    index: self.rubbing_things() + component,
                     component,
                     target: OPEN,
                     looks: LOOKS,

@@ -19,6 +19,7 @@ use super::passes::Work;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiWorkspace};
+use crate::kinematics::linkage::spec::OutputKind;
 use crate::math::number::Dual;
 use crate::math::quantity::Quantity;
 use std::sync::Arc;
@@ -35,6 +36,18 @@ pub(super) struct FrozenMulti {
     pub(super) linkage: Arc<MultiLinkage>,
     /// Index of the object.
     pub(super) object: usize,
+    /// True where angles of its pairs are asked for, over whole turns.
+    pub(super) turning: bool,
+}
+
+impl FrozenMulti {
+    fn space<N: Quantity>(&self) -> MultiWorkspace<N> {
+        let mut space = self.linkage.workspace();
+        if self.turning {
+            space.follow_angles();
+        }
+        space
+    }
 }
 
 /// What a constrained node is of a linkage of several inputs.
@@ -55,6 +68,8 @@ pub(super) enum MultiValue {
     Output(usize),
     /// How far a group is from a singular position; known only where signals are.
     Distance(usize),
+    /// The coordinate of a pair; known only where signals are.
+    Pair(usize),
 }
 
 /// A free coordinate that inertia forces of linkages of several inputs, or of constrained
@@ -84,7 +99,7 @@ impl<N: Quantity> MultiWork<N> {
     pub(super) fn new(multi: &FrozenMulti) -> Self {
         let zero = vec![N::from(0.0); multi.nodes.len()];
         Self {
-            space: multi.linkage.workspace(),
+            space: multi.space(),
             inputs: zero.clone(),
             rates: zero,
             assembled: false,
@@ -101,6 +116,21 @@ impl<N: Quantity> MultiWork<N> {
         self.assembled = finite && self.space.solve(&self.inputs, &self.rates).is_ok();
     }
 
+    /// Coordinate, rate and bias of a pair; its gradient into `first`.
+    fn pair(&self, pair: usize, first: &mut [N]) -> [N; 3] {
+        let [value, bias] = self.space.output(&OutputKind::Pair { pair }, first);
+        [value, self.rate(first), bias]
+    }
+
+    /// Rate of what has a gradient.
+    fn rate(&self, first: &[N]) -> N {
+        let mut rate = N::from(0.0);
+        for (&first, &own) in first.iter().zip(&self.rates) {
+            rate += first * own;
+        }
+        rate
+    }
+
     /// Value, rate and bias of an output; its gradient into `first`.
     pub(super) fn output(&self, multi: &FrozenMulti, output: usize, first: &mut [N]) -> [N; 3] {
         if !self.assembled {
@@ -109,11 +139,7 @@ impl<N: Quantity> MultiWork<N> {
         }
         let kind = &multi.linkage.outputs()[output].kind;
         let [value, bias] = self.space.output(kind, first);
-        let mut rate = N::from(0.0);
-        for (&first, &own) in first.iter().zip(&self.rates) {
-            rate += first * own;
-        }
-        [value, rate, bias]
+        [value, self.rate(first), bias]
     }
 }
 
@@ -169,7 +195,7 @@ impl Frozen {
         let [value, rate, bent] = match place.value {
             MultiValue::Output(output) => own.output(multi, output, first),
             // (Nothing in the equations looks at it.)
-            MultiValue::Distance(_) => return,
+            MultiValue::Distance(_) | MultiValue::Pair(_) => return,
             MultiValue::Input => {
                 own.solve(multi, &work.displacement, &work.speed);
                 first.fill(N::from(0.0));
@@ -210,7 +236,15 @@ impl Frozen {
         }
     }
 
-    /// Adds a node that is a distance from a singular position.
+    /// Adds a node that nothing in the equations looks at, and the signal that is its
+    /// displacement.
+    pub(super) fn add_signal_of(&mut self, place: MultiPlace) -> usize {
+        self.add_distance(place);
+        self.signal(self.inertia.len() - 1)
+    }
+
+    /// Adds a node that nothing in the equations looks at: a distance from a singular position,
+    /// or the coordinate of a pair.
     pub(super) fn add_distance(&mut self, place: MultiPlace) {
         let node = self.inertia.len();
         self.inertia.push(0.0);
@@ -263,17 +297,16 @@ impl Frozen {
     }
 
     /// Displacement, speed and gradient of the nodes that are distances from singular
-    /// positions, the linkages solved.
+    /// positions or coordinates of pairs, the linkages solved.
     pub(super) fn find_distances(&self, work: &mut Work<f64>) {
         for (one, values) in self.constraints.iter().zip(&mut work.constraints) {
             let Some(place) = one.multi else { continue };
-            let MultiValue::Distance(group) = place.value else {
-                continue;
-            };
             let own = &mut work.multi[place.linkage];
-            let [value, rate, bend] = match own.assembled {
-                true => own.space.distance(group, &mut values.first),
-                false => [f64::NAN; 3],
+            let [value, rate, bend] = match place.value {
+                MultiValue::Distance(_) | MultiValue::Pair(_) if !own.assembled => [f64::NAN; 3],
+                MultiValue::Distance(group) => own.space.distance(group, &mut values.first),
+                MultiValue::Pair(pair) => own.pair(pair, &mut values.first),
+                MultiValue::Input | MultiValue::Output(_) => continue,
             };
             values.bias = bend;
             work.displacement[one.node] = value;
@@ -305,7 +338,7 @@ impl Frozen {
         let (multi, own) = (&self.multi[place.linkage], &mut works[place.linkage]);
         let output = match place.value {
             MultiValue::Output(output) => output,
-            MultiValue::Distance(_) => return [f64::NAN; 3],
+            MultiValue::Distance(_) | MultiValue::Pair(_) => return [f64::NAN; 3],
             MultiValue::Input => usize::MAX,
         };
         if place.value == MultiValue::Input {

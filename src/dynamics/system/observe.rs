@@ -374,9 +374,11 @@ impl System {
     /// says whether friction holds it; without one its motion is given.
     pub fn rubbing_objects(&self) -> impl Iterator<Item = (usize, Option<usize>)> + '_ {
         let groups = self.frozen.groups.iter();
-        groups.flat_map(|group| {
+        let groups = groups.flat_map(|group| {
             let members = group.members.iter();
             members.map(|member| (member.object, group.component))
-        })
+        });
+        let several = self.frozen.several.iter();
+        groups.chain(several.map(|several| (several.object, Some(several.component))))
     }
 }

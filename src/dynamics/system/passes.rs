@@ -9,7 +9,7 @@
 //! Written once for every kind of number.
 
 use super::constraints::{Chains, ConstraintValues, Coupling};
-use super::friction::Rubbing;
+use super::friction::{Rubbing, SeveralWork};
 use super::frozen::{Chain, Frozen, Step, segment};
 use super::linkages::{Cursor, Solved};
 use super::multi::{Dense, MultiWork};
@@ -72,6 +72,8 @@ pub(super) struct Work<N> {
     pub(super) linkages: Vec<RefCell<Solved>>,
     /// The friction of their joints.
     pub(super) rubbing: Vec<Rubbing<N>>,
+    /// The same of a linkage of several inputs.
+    pub(super) several: Option<Box<SeveralWork<N>>>,
     /// Places at which the linkages' tables were last looked up.
     pub(super) cursors: Vec<Cell<Cursor>>,
 }
@@ -116,6 +118,7 @@ impl<N: Quantity> Work<N> {
             reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
             rubbing: frozen.rubbing_memory(),
+            several: frozen.several_memory(),
             cursors: vec![Cell::default(); frozen.linkages.len()],
         }
     }
@@ -166,7 +169,7 @@ impl Frozen {
         if !self.multi.is_empty() {
             self.hold_rotors(work);
             self.accelerate(state, extent, work, out);
-            self.couple_densely(extent, Chains::Free, work);
+            self.couple_densely(extent, Chains::Free, Some(modes), work);
             return self.accelerate(state, extent, work, out);
         }
         self.accelerate(state, extent, work, out);

@@ -186,6 +186,10 @@ fn multi_linkages(model: &Model) -> String {
         if !outputs.is_empty() {
             out.push_str(&format!("  outputs {}\n", outputs.join(", ")));
         }
+        if body.friction.is_some() {
+            let pairs = rubbing(&linkage.spec().linkage);
+            out.push_str(&format!("  joint friction {pairs}\n"));
+        }
     }
     out
 }

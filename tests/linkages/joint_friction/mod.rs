@@ -12,4 +12,5 @@ mod methods;
 mod motions;
 mod reference;
 mod scenes;
+mod several;
 mod stops;

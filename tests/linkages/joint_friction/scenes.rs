@@ -9,7 +9,12 @@ use dam::system::System;
 
 #[test]
 fn they_keep_what_they_expect() {
-    for name in ["press_runs_out", "stick_slip", "jamming_block"] {
+    for name in [
+        "press_runs_out",
+        "stick_slip",
+        "jamming_block",
+        "arm_comes_to_rest",
+    ] {
         let path = format!(
             "{}/scenarios/joint_friction/{name}.json",
             env!("CARGO_MANIFEST_DIR")

@@ -43,7 +43,7 @@ impl Frozen {
         if !self.multi.is_empty() {
             self.hold_rotors(work);
             self.follow_rotors(modes, work);
-            self.couple_densely(Extent::Full, Chains::Rigid, work);
+            self.couple_densely(Extent::Full, Chains::Rigid, None, work);
             return self.follow_rotors(modes, work);
         }
         self.follow_rotors(modes, work);

@@ -28,6 +28,35 @@ impl Builder<'_> {
         }
     }
 
+    /// Friction of joints is found for one linkage of several inputs.
+    pub(super) fn refuse_second_friction(&mut self, object: usize) {
+        let id = &self.model.objects[object].id;
+        self.faults.push(Fault::new(
+            format!("{id}.joint_friction"),
+            "another linkage of several inputs has joint friction too: in a run it is found for \
+             one of them",
+            "leave `joint_friction` out of one of them, or run them in scenes of their own",
+        ));
+    }
+
+    /// Reactions of a linkage of several inputs know the forces on its outputs, but not the
+    /// inertia forces of what is solved together with it.
+    pub(super) fn refuse_passed_on_friction(&mut self) {
+        let Some(several) = self.frozen.several.as_ref() else {
+            return;
+        };
+        if self.frozen.passes_inertia_on() {
+            let id = &self.model.objects[several.object].id;
+            self.faults.push(Fault::new(
+                format!("{id}.joint_friction"),
+                "one of its outputs moves an object of several inputs: the forces of that on the \
+                 joints are not known to their friction",
+                "leave `joint_friction` out, or give the object on its output a mass behind a \
+                 spring",
+            ));
+        }
+    }
+
     /// The mass matrix of linkages of several inputs must be positive at the start.
     pub(super) fn refuse_massless(&mut self) {
         let Some(multi) = self.frozen.multi.first() else {

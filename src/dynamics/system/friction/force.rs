@@ -10,7 +10,7 @@ use crate::math::quantity::Quantity;
 const TOLERANCE: f64 = 1e-14;
 /// Steps of differences: of the position in the linkage's own lengths, and of the
 /// speed, relative.
-const STEP: f64 = 1e-5;
+pub(super) const STEP: f64 = 1e-5;
 
 /// Motion of a linkage in one question.
 #[derive(Clone, Copy, Debug)]
@@ -138,7 +138,7 @@ impl Frozen {
 
 /// Derivative of a function by a central difference, one-sided where it does not
 /// exist on both sides.
-fn slope(x: f64, step: f64, here: f64, f: &mut impl FnMut(f64) -> Option<f64>) -> f64 {
+pub(super) fn slope(x: f64, step: f64, here: f64, f: &mut impl FnMut(f64) -> Option<f64>) -> f64 {
     match (f(x + step), f(x - step)) {
         (Some(above), Some(below)) => (above - below) / (2.0 * step),
         (Some(above), None) => (above - here) / step,

@@ -17,12 +17,14 @@
 mod force;
 mod hold;
 mod passes;
+mod several;
 mod sides;
 mod standstill;
 mod stick_slip;
 mod stops;
 mod unsolved;
 
+pub(super) use several::{Several, SeveralWork};
 pub(crate) use stick_slip::StickSlip;
 
 use super::frozen::{Frozen, FrozenTrack};
@@ -221,7 +223,9 @@ impl Frozen {
                 }
             }
         }
-        self.directions = next - first;
+        self.number_pairs(next);
+        let pairs = self.several.as_ref().map_or(0, Several::components);
+        self.directions = next + pairs - first;
     }
 
     /// Root that a node follows rigidly, and the laws on the way to it.
@@ -283,5 +287,6 @@ impl Frozen {
                 }
             }
         }
+        self.watch_pairs(modes, out);
     }
 }

@@ -43,7 +43,7 @@ impl Frozen {
         modes: &'a [i64],
         work: &'a Work<f64>,
     ) -> impl Iterator<Item = (usize, f64)> + 'a {
-        self.groups.iter().flat_map(move |group| {
+        let groups = self.groups.iter().flat_map(move |group| {
             let held = group
                 .component
                 .is_some_and(|c| StickSlip::of(modes[c]) == StickSlip::Stuck);
@@ -52,7 +52,8 @@ impl Frozen {
                 let loss = 0.0 - force * work.speed[member.node];
                 (member.object, if held { 0.0 } else { loss })
             })
-        })
+        });
+        groups.chain(self.loss_of_several(work))
     }
 
     /// Corners of blocks that press, as found last, of linkages whose motion is given;

@@ -12,12 +12,12 @@ use crate::kinematics::linkage::kinetostatics::ForceFailure;
 
 /// Friction of what is about to start exceeds that of what has just started by this
 /// share, so that nothing stops and starts by rounding.
-const EXCESS: f64 = 1e-10;
+pub(super) const EXCESS: f64 = 1e-10;
 /// Speeds at t = 0 below this share of what they are the difference of are rest.
-const AT_REST: f64 = 1e-13;
+pub(super) const AT_REST: f64 = 1e-13;
 /// Places of a step at which a group at rest is looked at: between them a start is
 /// located by bisection.
-const LOOKS: usize = 8;
+pub(super) const LOOKS: usize = 8;
 /// The same for a group that moves, whose pairs may begin to press on another side.
 const SIDES: usize = 4;
 
@@ -57,6 +57,7 @@ impl Frozen {
                 probe(component, ProbeAction::FlipSide, SIDES);
             }
         }
+        self.probes_of_several(modes, out);
     }
 
     /// A probe at a state: positive where it fires.
@@ -68,7 +69,9 @@ impl Frozen {
         modes: &[i64],
         work: &mut Work<f64>,
     ) -> f64 {
-        let group = &self.groups[probe.index];
+        let Some(group) = self.groups.get(probe.index) else {
+            return self.probe_several(probe, (time, state, modes), work);
+        };
         match ProbeAction::of(probe.target) {
             ProbeAction::Stop => match self.unsolved(group, time, state, modes, work) {
                 Some((_, Obstacle::Failed(ForceFailure::SelfLocking { .. }))) => Probe::NO_FORCES,
@@ -197,6 +200,12 @@ impl System {
         target: i64,
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
+        let several = self.frozen.several.as_ref();
+        if several.is_some_and(|several| several.has(component)) {
+            self.pass_pair(time, y, (component, target), &mut modes.0)?;
+            self.frozen.settle_sides(time, y, &mut modes.0);
+            return Ok(());
+        }
         let own = |member: &Member| {
             let directed =
                 matches!(member.direction, Direction::Own { component: c, .. } if c == component);
@@ -251,6 +260,7 @@ impl System {
                 let _ = self.decide(index, 0.0, y, modes);
             }
         }
+        self.settle_pairs_of_several(y, modes);
     }
 }
 

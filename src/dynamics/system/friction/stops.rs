@@ -10,7 +10,7 @@ use crate::units::shown;
 /// How far beyond a state the reason of a stop is looked for, in parts of the time.
 const AHEAD: [f64; 5] = [0.0, 1e-15, 1e-14, 1e-12, 1e-9];
 /// No acceleration agrees with its friction.
-const LOCKED: Obstacle = Obstacle::Failed(ForceFailure::SelfLocking {
+pub(super) const LOCKED: Obstacle = Obstacle::Failed(ForceFailure::SelfLocking {
     change: f64::NAN,
     iterations: 0,
 });
@@ -66,39 +66,8 @@ impl System {
         member: usize,
         failure: Obstacle,
     ) -> PhysicalStop {
-        let object = self.rubbing_id(index, member);
         let given = self.frozen.groups[index].coordinate.is_none();
-        let (name, message) = match failure {
-            Obstacle::Several => (
-                "several_solutions",
-                format!(
-                    "the motion of {object} is not determined: several accelerations agree with \
-                     the friction that they cause in its joints (Painlevé)"
-                ),
-            ),
-            Obstacle::Failed(ForceFailure::DeadPosition { .. }) => (
-                "self_locking",
-                format!("{object} locks: the equations of its motion are singular here"),
-            ),
-            _ if given => (
-                "self_locking",
-                format!(
-                    "{object} locks: no force of its drive overcomes the friction of its joints"
-                ),
-            ),
-            _ => (
-                "self_locking",
-                format!(
-                    "{object} locks: no acceleration agrees with the friction that it causes in \
-                     its joints"
-                ),
-            ),
-        };
-        PhysicalStop {
-            name,
-            object,
-            message,
-        }
+        stop_for(self.rubbing_id(index, member), given, failure)
     }
 
     /// Why the last evaluation gave no numbers, where friction is the reason.
@@ -108,12 +77,50 @@ impl System {
     ) -> Option<PhysicalStop> {
         for (index, group) in self.frozen.groups.iter().enumerate() {
             for (number, member) in group.members.iter().enumerate() {
-                match work.rubbing[member.linkage].failure {
-                    None | Some(Obstacle::Failed(ForceFailure::NotFinite)) => {}
-                    Some(failure) => return Some(self.friction_stop(index, number, failure)),
+                if let Some(failure) = told(work.rubbing[member.linkage].failure) {
+                    return Some(self.friction_stop(index, number, failure));
                 }
             }
         }
-        None
+        self.obstacle_of_several(work)
     }
+}
+
+/// The end of a run whose motion friction does not allow or does not determine; `given`: the
+/// motion is prescribed.
+pub(super) fn stop_for(object: String, given: bool, failure: Obstacle) -> PhysicalStop {
+    let (name, message) = match failure {
+        Obstacle::Several => (
+            "several_solutions",
+            format!(
+                "the motion of {object} is not determined: several accelerations agree with \
+                 the friction that they cause in its joints (Painlevé)"
+            ),
+        ),
+        Obstacle::Failed(ForceFailure::DeadPosition { .. }) => (
+            "self_locking",
+            format!("{object} locks: the equations of its motion are singular here"),
+        ),
+        _ if given => (
+            "self_locking",
+            format!("{object} locks: no force of its drive overcomes the friction of its joints"),
+        ),
+        _ => (
+            "self_locking",
+            format!(
+                "{object} locks: no acceleration agrees with the friction that it causes in \
+                 its joints"
+            ),
+        ),
+    };
+    PhysicalStop {
+        name,
+        object,
+        message,
+    }
+}
+
+/// An obstacle that ends a run by name: numbers that are not finite have other reasons.
+pub(super) fn told(failure: Option<Obstacle>) -> Option<Obstacle> {
+    failure.filter(|failure| *failure != Obstacle::Failed(ForceFailure::NotFinite))
 }

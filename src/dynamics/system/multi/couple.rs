@@ -11,13 +11,13 @@ use crate::math::quantity::Quantity;
 #[derive(Clone, Debug)]
 pub(in crate::dynamics::system) struct Dense<N> {
     /// Motion of each carrier over that of each node before it (c × k).
-    shares: Vec<N>,
+    pub(in crate::dynamics::system) shares: Vec<N>,
     /// D + TᵀMT (r × r), then its factors.
-    pub(super) matrix: Vec<N>,
+    pub(in crate::dynamics::system) matrix: Vec<N>,
     /// Right side, then the accelerations (r).
-    pub(super) right: Vec<N>,
+    pub(in crate::dynamics::system) right: Vec<N>,
     /// Inertia forces of the carriers (c).
-    forces: Vec<N>,
+    pub(in crate::dynamics::system) forces: Vec<N>,
     /// M·T of a block (c).
     product: Vec<N>,
     /// Least pivot of the matrix over what it began as.
@@ -127,11 +127,12 @@ impl Frozen {
 
     /// Takes the inertia forces of the carriers into the forces, the accelerations without
     /// them known (those of rotors zero), and finds the accelerations of the rotors: all
-    /// others are then to be formed anew.
+    /// others are then to be formed anew. Friction of joints acts in the modes that are given.
     pub(in crate::dynamics::system) fn couple_densely<N: Quantity>(
         &self,
         extent: Extent,
         chains: Chains,
+        modes: Option<&[i64]>,
         work: &mut Work<N>,
     ) {
         let nodes = self.inertia.len();
@@ -219,6 +220,9 @@ impl Frozen {
         let matrix = &mut dense.matrix[..roots * roots];
         dense.positive = dense::factorise_symmetric(matrix, roots);
         dense::solve_symmetric(matrix, &mut dense.right[..roots]);
+        if let Some(modes) = modes {
+            self.rub_several(&mut dense, modes, work);
+        }
         // The accelerations of the carriers, then their inertia forces.
         for (number, force) in dense.forces[..count].iter_mut().enumerate() {
             for (r, root) in self
@@ -241,6 +245,9 @@ impl Frozen {
                 dense.product[first + i] = sum;
             }
             first += size;
+        }
+        if modes.is_some() {
+            self.take_off_friction(&mut dense.product, work);
         }
         for (number, carrier) in self.carriers(chains).enumerate() {
             let row = &dense.shares[number * nodes..(number + 1) * nodes];

@@ -45,7 +45,8 @@ pub(in crate::dynamics::system) fn direct(frozen: &Frozen) -> Option<Direct> {
     let [multi] = &frozen.multi[..] else {
         return None;
     };
-    let apart = frozen.chains.is_empty() && frozen.groups.is_empty() && frozen.heavy.is_empty();
+    let rubs = !frozen.groups.is_empty() || frozen.several.is_some();
+    let apart = frozen.chains.is_empty() && !rubs && frozen.heavy.is_empty();
     if !apart || !frozen.linkages.is_empty() || !frozen.branches.is_empty() {
         return None;
     }

@@ -186,6 +186,7 @@ pub(super) fn driven(
     written: Vec<Written>,
     linkage: LinkageSpec,
     loads: Vec<Vec<LoadSpec>>,
+    joint_friction: bool,
 ) -> Option<DrivenMultiLinkage> {
     let twice = |one: &&Written| linkage.outputs.iter().any(|output| output.name == one.name);
     if let Some(one) = written.iter().find(twice) {
@@ -225,6 +226,7 @@ pub(super) fn driven(
             linkage,
             inputs: specs,
         },
+        joint_friction,
         inputs,
         loads,
     })

@@ -148,7 +148,10 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     fields.dimensions(doc);
     let mut names = Names::new(fields.node());
     let parts = links::read(fields, &mut names);
-    let (pairs, welds) = pairs::read(fields, &names, several).unzip();
+    // Friction that no run knows of is worth a remark.
+    let written = fields.member("joint_friction");
+    let rubs = written.is_some_and(|member| member.value.value == Value::Flag(true));
+    let (pairs, welds) = pairs::read(fields, &names, several && !rubs).unzip();
     let couplings = couplings::read(fields, &names, pairs.as_deref());
     let mut way = fields.one_of("what moves it");
     let doc = "The pair that is driven: its coordinate is the input of the linkage.";
@@ -172,13 +175,15 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
         true => not_of_one(fields).then_some(OneInput::default()),
         false => one_input(fields, input, driver),
     };
+    let doc = "True: the friction of the pairs acts on the motion in `dam run`, and the linkage, or single pairs of one of several inputs, may come to rest by it; false: it counts in `dam forces` only.";
+    let joint_friction = fields.or("joint_friction", doc, json!(false), |slot| slot.flag());
     let assembly = pairs::assembly(fields, &names);
     let gravity = forces::gravity(fields);
     let forces = forces::read(fields, &names, pairs.as_deref(), input);
     let outputs = outputs::read(fields, &names, pairs.as_deref(), input);
     let (ground, links) = parts?;
     let (outputs, loads) = outputs?;
-    let of_one = of_one?;
+    let (of_one, joint_friction) = (of_one?, joint_friction?);
     let linkage = LinkageSpec {
         links,
         ground,
@@ -196,13 +201,13 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     };
     match way? {
         MovedBy::Inputs(written) => {
-            let spec = inputs::driven(fields, written, linkage, loads)?;
+            let spec = inputs::driven(fields, written, linkage, loads, joint_friction)?;
             Some(Driven::Several(spec))
         }
         MovedBy::Driver(_) => Some(Driven::One(DrivenLinkage {
             coordinate: kind?,
             position: of_one.position,
-            joint_friction: of_one.joint_friction,
+            joint_friction,
             linkage,
             loads,
         })),
@@ -214,7 +219,6 @@ struct OneInput {
     position: PositionSpec,
     start: f64,
     travel: Option<[f64; 2]>,
-    joint_friction: bool,
 }
 
 impl Default for OneInput {
@@ -226,7 +230,6 @@ impl Default for OneInput {
             },
             start: 0.0,
             travel: None,
-            joint_friction: false,
         }
     }
 }
@@ -246,13 +249,10 @@ fn one_input(fields: &mut Fields<'_>, input: Measures, driver: Measures) -> Opti
     });
     let doc = "Least and greatest input coordinate: the stroke of a cylinder; default as far as the links allow.";
     let travel = fields.maybe("travel", doc, |slot| travel(slot, input));
-    let doc = "True: the friction of the pairs acts on the motion in `dam run`, and the linkage may come to rest by it; false: it counts in `dam forces` only.";
-    let joint_friction = fields.or("joint_friction", doc, json!(false), |slot| slot.flag());
     Some(OneInput {
         position: position?,
         start: start?,
         travel: travel?,
-        joint_friction: joint_friction?,
     })
 }
 
@@ -264,10 +264,6 @@ fn not_of_one(fields: &mut Fields<'_>) -> bool {
         let hint = "leave it out: each of the `inputs` has its own `ratio`, `offset` and `start`";
         found |= fields.forbid(property, &message, hint);
     }
-    let message = "in a run, friction of the joints is found for one input alone";
-    let hint = "leave it out: in `dam run` the pairs of a linkage of several inputs move freely; \
-                their `friction` counts in `dam forces`";
-    found |= fields.forbid("joint_friction", message, hint);
     !found
 }
 

@@ -26,17 +26,17 @@ enum Joined {
     Weld(WeldSpec),
 }
 
-/// Reads `pairs`, in the order of their names, and the welds among them; `several`: those of a
-/// linkage of several inputs.
+/// Reads `pairs`, in the order of their names, and the welds among them; `free`: in a run they
+/// move freely, as those of a linkage of several inputs without `joint_friction`.
 pub(super) fn read(
     fields: &mut Fields<'_>,
     names: &Names,
-    several: bool,
+    free: bool,
 ) -> Option<(Vec<PairSpec>, Vec<WeldSpec>)> {
     let doc = "The kinematic pairs by name, and the welds.";
     let all = fields.need("pairs", doc, |slot| {
         slot.names(|name, slot| {
-            slot.defined("linkage_pair", |slot| joined(slot, name, names, several))
+            slot.defined("linkage_pair", |slot| joined(slot, name, names, free))
         })
     });
     let (mut pairs, mut welds) = (Vec::new(), Vec::new());
@@ -55,7 +55,7 @@ enum Kind {
     Weld(f64),
 }
 
-fn joined(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<Joined> {
+fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<Joined> {
     slot.record(|fields| {
         let doc = "Coefficient of Coulomb friction μ; it counts in `dam forces`, and with `joint_friction` in the motion.";
         let friction = fields.or("friction", doc, json!(0.0), |slot| {
@@ -83,9 +83,9 @@ fn joined(slot: Slot<'_>, name: &str, names: &Names, several: bool) -> Option<Jo
             slot.quantity(q::LENGTH, Bounds::NOT_NEGATIVE)
         });
         let whole = fits_a_block(fields, friction.unwrap_or(0.0)) && fits_a_weld(fields);
-        if several && friction.is_some_and(|friction| friction > 0.0) {
-            let message = "this friction counts in `dam forces` alone: in a run the pairs of a \
-                           linkage of several inputs move freely";
+        if free && friction.is_some_and(|friction| friction > 0.0) {
+            let message = "this friction counts in `dam forces` alone: in a run the pairs move \
+                           freely, unless the linkage has `joint_friction`";
             fields.warn("friction", "no-effect", message);
         }
         let (friction, (on, link, kind), given) = (friction?, kind?, diameter?);

@@ -7,7 +7,6 @@
 //! unknowns are forces.
 
 use super::external::{Input, Wrench, wrenches};
-use super::friction::{Law, Term};
 use super::positions::{LinkPosition, PointPosition};
 use super::workspace::{ForceWorkspace, PairPlace};
 use super::{Kinetostatics, Unknown};
@@ -16,7 +15,7 @@ use crate::kinematics::linkage::spec::PairKind;
 
 /// A force and a couple on the links joined by a pair: as given on j, opposite on i.
 #[derive(Clone, Copy)]
-struct PairWrench {
+pub(super) struct PairWrench {
     at: [f64; 2],
     force: [f64; 2],
     couple: f64,
@@ -134,7 +133,7 @@ impl Kinetostatics {
     }
 
     /// What a unit of each of the pair's frictions does: see [`mod@super::friction`].
-    fn frictions(&self, index: usize, place: &PairPlace) -> [PairWrench; 2] {
+    pub(super) fn frictions(&self, index: usize, place: &PairPlace) -> [PairWrench; 2] {
         let couple = PairWrench {
             at: place.point,
             force: [0.0; 2],
@@ -155,7 +154,7 @@ impl Kinetostatics {
 
     /// Rows of a wrench between the two links of a pair.
     #[inline]
-    fn each_row(
+    pub(super) fn each_row(
         &self,
         pair: usize,
         wrench: &PairWrench,
@@ -268,20 +267,9 @@ impl Kinetostatics {
         }
         for index in 0..self.spec.pairs.len() {
             let sense = w.pairs[index].sense;
-            let law = match (self.friction_factors[index], sense) {
-                (None, _) => continue,
-                (_, 0.0) => continue,
-                (Some(Law::Pin(factor)), sense) => Law::Pin(sense * factor),
-                (Some(Law::Guide(factors)), sense) => Law::Guide(factors.map(|f| sense * f)),
-            };
-            let term = Term {
-                unknown: 2 * index,
-                column: w.columns,
-                law,
-                pressed: None,
-            };
-            w.columns += term.width();
-            w.terms.push(term);
+            if let Some(law) = self.friction_factors[index].filter(|_| sense != 0.0) {
+                w.add_term(index, law.sliding(sense));
+            }
         }
     }
 

@@ -36,6 +36,35 @@ pub(super) enum Law {
     Pin(f64),
     /// s·μ and s·μ·c/ℓ.
     Guide([f64; 2]),
+    /// The couple on the block of a guide that friction holds with the force T along it, which
+    /// both corners bear in the proportion of their normal forces: c/ℓ·T·(N⁽¹⁾ + N⁽²⁾) over
+    /// |N⁽¹⁾| + |N⁽²⁾|.
+    HeldGuide {
+        /// c/ℓ.
+        couple: f64,
+        /// Place of T among the unknowns.
+        holding: usize,
+    },
+}
+
+impl Law {
+    /// The law with the sign of the sliding.
+    pub(super) fn sliding(self, sense: f64) -> Self {
+        match self {
+            Self::Pin(factor) => Self::Pin(sense * factor),
+            Self::Guide(factors) => Self::Guide(factors.map(|factor| sense * factor)),
+            held => held,
+        }
+    }
+
+    /// The greatest friction along the sliding that two reactions allow.
+    pub(super) fn limit(self, [a, b]: [f64; 2]) -> f64 {
+        match self {
+            Self::Pin(factor) => factor.abs() * (a * a + b * b).sqrt(),
+            Self::Guide([along, _]) => along.abs() * (a.abs() + b.abs()),
+            Self::HeldGuide { .. } => 0.0,
+        }
+    }
 }
 
 impl Term {
@@ -52,6 +81,9 @@ impl Term {
                 };
                 tau[self.column] = -along * pressed;
                 tau[self.column + 1] = -couple * (a + b);
+            }
+            Law::HeldGuide { couple, holding } => {
+                tau[self.column] = couple * f[holding] * ratio([a, b]);
             }
         }
     }
@@ -74,15 +106,44 @@ impl Term {
                 let [p, q] = self.pressed.unwrap_or([sign(a), sign(b)]);
                 [[-along * p, -along * q], [-couple, -couple]]
             }
+            Law::HeldGuide { couple, holding } => {
+                let size = a.abs() + b.abs();
+                if size == 0.0 {
+                    return [[0.0; 2]; 2];
+                }
+                let part = couple * f[holding] / size;
+                let slope = [a, b].map(|n| part * (1.0 - ratio([a, b]) * sign(n)));
+                [slope, [0.0; 2]]
+            }
+        }
+    }
+
+    /// The unknown besides its reactions that its τ follows from, and its derivative by it.
+    #[inline]
+    pub(super) fn by_holding(&self, f: &[f64]) -> Option<(usize, f64)> {
+        match self.law {
+            Law::HeldGuide { couple, holding } => {
+                let normal = [f[self.unknown], f[self.unknown + 1]];
+                Some((holding, couple * ratio(normal)))
+            }
+            _ => None,
         }
     }
 
     /// Number of its τ.
     pub(super) fn width(&self) -> usize {
         match self.law {
-            Law::Pin(_) => 1,
+            Law::Pin(_) | Law::HeldGuide { .. } => 1,
             Law::Guide(_) => 2,
         }
+    }
+}
+
+/// (a + b)/(|a| + |b|); 0 where nothing presses.
+fn ratio([a, b]: [f64; 2]) -> f64 {
+    match a.abs() + b.abs() {
+        0.0 => 0.0,
+        size => (a + b) / size,
     }
 }
 

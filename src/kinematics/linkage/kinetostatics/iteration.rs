@@ -187,7 +187,10 @@ impl ForceWorkspace {
             for which in 0..term.width() {
                 for column in 0..self.columns {
                     let [first, second] = [0, 1].map(|k| self.k(term.unknown + k, column));
-                    let value = slope[which][0] * first + slope[which][1] * second;
+                    let mut value = slope[which][0] * first + slope[which][1] * second;
+                    if let Some((row, slope)) = term.by_holding(&self.unknowns) {
+                        value += slope * self.k(row, column);
+                    }
                     self.small.add(term.column + which, column, value);
                 }
             }

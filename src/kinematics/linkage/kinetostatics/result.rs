@@ -97,7 +97,7 @@ impl Kinetostatics {
         let term = w.terms.iter().find(|term| term.unknown == 2 * pair);
         let size = term.map_or(0.0, |term| {
             let unit = match term.law {
-                Law::Pin(_) => self.length,
+                Law::Pin(_) | Law::HeldGuide { .. } => self.length,
                 Law::Guide(_) => 1.0,
             };
             unit * w.friction[term.column]
@@ -255,7 +255,7 @@ impl Kinetostatics {
     pub fn couple(&self, pair: usize, w: &ForceWorkspace) -> f64 {
         let term = w.terms.iter().find(|term| term.unknown == 2 * pair);
         let rubbing = term.map_or(0.0, |term| match term.law {
-            Law::Pin(_) => self.length * w.friction[term.column],
+            Law::Pin(_) | Law::HeldGuide { .. } => self.length * w.friction[term.column],
             Law::Guide(_) => self.length * w.friction[term.column + 1],
         });
         let pressing = match self.reaction(pair, w) {

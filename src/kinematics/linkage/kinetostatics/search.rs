@@ -43,6 +43,8 @@ impl ForceWorkspace {
                         bounds[term.column * m + b] = along.abs() * (x.abs() + y.abs());
                         bounds[(term.column + 1) * m + b] = couple.abs() * (x + y).abs();
                     }
+                    // Beside it normal forces change their signs by anything.
+                    Law::HeldGuide { .. } => bounds[term.column * m + b] = f64::INFINITY,
                 }
             }
         }

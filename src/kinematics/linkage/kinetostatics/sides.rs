@@ -29,7 +29,7 @@ impl Kinetostatics {
     /// friction.
     pub fn pressing_corners(&self, w: &ForceWorkspace) -> u64 {
         bits(&w.terms, |term| match term.law {
-            Law::Pin(_) => 0,
+            Law::Pin(_) | Law::HeldGuide { .. } => 0,
             Law::Guide(_) => term.side(w),
         })
     }
@@ -45,7 +45,7 @@ impl Kinetostatics {
     /// [`Self::resist`], as bits that are to be changed.
     pub fn lifted_corners(&self, w: &ForceWorkspace) -> u64 {
         bits(&w.terms, |term| match term.law {
-            Law::Pin(_) => 0,
+            Law::Pin(_) | Law::HeldGuide { .. } => 0,
             Law::Guide(_) => {
                 let [first, second] = term.towards(w).map(|force| u64::from(force < 0.0));
                 second << 1 | first
@@ -65,7 +65,7 @@ impl Kinetostatics {
             match term.law {
                 Law::Guide(_) => first.min(second),
                 Law::Pin(_) if second.abs() > SHARP * scale => first.max(0.0),
-                Law::Pin(_) => first,
+                Law::Pin(_) | Law::HeldGuide { .. } => first,
             }
         });
         let least = least.fold(f64::INFINITY, f64::min);
@@ -84,7 +84,7 @@ impl Term {
         match self.law {
             Law::Guide(_) => u64::from(b > 0.0) << 1 | u64::from(a > 0.0),
             Law::Pin(_) if a.abs() >= b.abs() => u64::from(a > 0.0),
-            Law::Pin(_) => 2 | u64::from(b > 0.0),
+            Law::Pin(_) | Law::HeldGuide { .. } => 2 | u64::from(b > 0.0),
         }
     }
 
@@ -95,7 +95,7 @@ impl Term {
         match self.law {
             Law::Guide(_) => [sign(1), sign(2)],
             Law::Pin(_) if bits & 2 == 0 => [sign(1), 0.0],
-            Law::Pin(_) => [0.0, sign(1)],
+            Law::Pin(_) | Law::HeldGuide { .. } => [0.0, sign(1)],
         }
     }
 
@@ -106,8 +106,8 @@ impl Term {
         match (self.law, self.pressed) {
             (Law::Guide(_), Some([p, q])) => [p * a, q * b],
             (Law::Guide(_), None) => [a.abs(), b.abs()],
-            (Law::Pin(_), Some([p, q])) => [p * a + q * b, q * a - p * b],
-            (Law::Pin(_), None) => [(a * a + b * b).sqrt(), 0.0],
+            (_, Some([p, q])) => [p * a + q * b, q * a - p * b],
+            (_, None) => [(a * a + b * b).sqrt(), 0.0],
         }
     }
 }

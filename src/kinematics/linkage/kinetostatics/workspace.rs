@@ -1,7 +1,8 @@
 //! Memory for one position, kept from position to position.
 
-use super::friction::Term;
+use super::friction::{Law, Term};
 use super::positions::{LinkPosition, PointPosition};
+use super::several::SeveralForces;
 use crate::math::linear::Factors;
 
 /// Place of a pair, and how it slides.
@@ -63,6 +64,8 @@ pub struct ForceWorkspace {
     /// Driver's forces of the other solutions found.
     pub(super) others: Vec<f64>,
     pub(super) scratch: [Vec<f64>; 2],
+    /// What belongs to several inputs that move freely.
+    pub(super) several: SeveralForces,
     /// Input at the last position.
     pub(super) speed: f64,
     /// Sign of its motion just after that position, also from rest.
@@ -123,6 +126,18 @@ impl ForceWorkspace {
     #[inline]
     pub(super) fn k(&self, row: usize, column: usize) -> f64 {
         self.right[row * (1 + self.columns) + 1 + column]
+    }
+
+    /// Adds the friction of a pair.
+    pub(super) fn add_term(&mut self, pair: usize, law: Law) {
+        let term = Term {
+            unknown: 2 * pair,
+            column: self.columns,
+            law,
+            pressed: None,
+        };
+        self.columns += term.width();
+        self.terms.push(term);
     }
 
     /// F = F₀ − K·τ with `tau` in place of τ; the greatest change of F.

@@ -235,6 +235,11 @@ impl<N: Quantity> MultiWorkspace<N> {
         }
     }
 
+    /// Lets angles go on over whole turns, also where nothing in the linkage asks for them.
+    pub(crate) fn follow_angles(&mut self) {
+        self.known.turning = true;
+    }
+
     /// Finds positions and velocities at given inputs and rates. Allocates nothing.
     ///
     /// # Errors

@@ -25,7 +25,7 @@ impl MultiMotion {
     /// At rest, where the linkage is put together.
     pub fn new(linkage: &MultiLinkage) -> Self {
         let mut space = linkage.workspace::<f64>();
-        space.known.turning = true;
+        space.follow_angles();
         let plan = &linkage.core.plan;
         let start = |input: &super::InputSpec| Jet {
             value: input.start,
