@@ -337,12 +337,10 @@ fn linkages_allocate_nothing_on_the_way() {
     }
 }
 
-/// Sums of several inputs, with inertia that couples two motors and without.
-#[test]
-fn several_inputs_allocate_nothing_on_the_way() {
-    for (number, masses) in [(0, 0), (1, 2)] {
-        let text = format!(
-            r#"{{ "dam": 1, "name": "sum", "objects": {{
+/// A sum of two inputs, with inertia that couples two motors.
+fn sum_of_two(masses: usize) -> String {
+    format!(
+        r#"{{ "dam": 1, "name": "sum", "objects": {{
                 "a": {{ "kind": "drive", "motor": {{ "inertia": 0.3, "torque": {{ "linear": {{
                     "stall_torque": 5, "no_load_speed": 30 }} }} }} }},
                 "b": {{ "kind": "drive", "motor": {{ "inertia": 0.2, "speed": 4, "torque": {{ "constant": -1 }} }} }},
@@ -352,8 +350,24 @@ fn several_inputs_allocate_nothing_on_the_way() {
                     "inputs": {{ "x": {{ "object": "swing", "ratio": 0.5 }},
                         "y": {{ "object": "b", "ratio": -2 }} }} }} }},
                 "run": {{ "duration": 1, "start": "on_law" }} }}"#
-        );
-        let document = dam::scene::Document::parse("sum.json", text.as_bytes()).unwrap();
+    )
+}
+
+/// Sums of several inputs, and linkages with and without joint friction.
+#[test]
+fn several_inputs_allocate_nothing_on_the_way() {
+    let scenario = |name: &str| {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_to_string(root.join(format!("scenarios/{name}.json"))).unwrap()
+    };
+    let texts = [
+        sum_of_two(0),
+        sum_of_two(2),
+        scenario("linkages/five_bar"),
+        scenario("joint_friction/arm_comes_to_rest"),
+    ];
+    for (case, text) in texts.iter().enumerate() {
+        let document = dam::scene::Document::parse("scene.json", text.as_bytes()).unwrap();
         let reading = document
             .scene(&dam::scene::BuiltIn, &dam::scene::Overrides::none())
             .unwrap_or_else(|e| panic!("{e}"));
@@ -377,7 +391,7 @@ fn several_inputs_allocate_nothing_on_the_way() {
         for index in 0..100 {
             step(1e-3 * f64::from(index));
         }
-        assert_eq!(allocations() - before, 0, "case {number}");
+        assert_eq!(allocations() - before, 0, "case {case}");
         assert!(sum.is_finite() && sum != 0.0);
     }
 }

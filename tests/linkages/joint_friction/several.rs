@@ -3,6 +3,7 @@
 
 use super::support::{figure, ran, read, run_of, scene_of, stopped};
 use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 
 /// A crank press whose guide lies on a table: that of `press_runs_out` with the table on the
 /// ground, or as a second input that is held.
@@ -164,35 +165,71 @@ fn five_bar([m, f, d]: [&[f64]; 3], torques: [f64; 2], speeds: [f64; 2], gravity
     )
 }
 
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 24, failure_persistence: None, ..ProptestConfig::default() })]
+/// How many five-bars are tried; `DAM_FIVE_BARS=1000 cargo test --release --test linkages five_bars` tries more.
+fn tries() -> u32 {
+    let told = std::env::var("DAM_FIVE_BARS").ok();
+    told.and_then(|number| number.parse().ok()).unwrap_or(24)
+}
 
-    #[test]
-    fn friction_of_random_five_bars_takes_energy(
-        masses in proptest::collection::vec(0.2..2.0f64, 4),
-        friction in proptest::collection::vec(0.0..0.4f64, 5),
-        diameters in proptest::collection::vec(0.01..0.08f64, 5),
-        torques in [-4.0..4.0f64, -4.0..4.0f64],
-        speeds in [-2.0..2.0f64, -2.0..2.0f64],
-        gravity in any::<bool>(),
-        still in any::<bool>(),
-    ) {
+#[test]
+fn friction_of_random_five_bars_takes_energy() {
+    let of = |least: f64, most: f64, count: usize| proptest::collection::vec(least..most, count);
+    let strategy = (
+        (of(0.2, 2.0, 4), of(0.0, 0.4, 5), of(0.01, 0.08, 5)),
+        ([-4.0..4.0f64, -4.0..4.0f64], [-2.0..2.0f64, -2.0..2.0f64]),
+        (any::<bool>(), any::<bool>()),
+    );
+    let config = Config {
+        cases: tries(),
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[17; 32]);
+    let check = |((masses, friction, diameters), (torques, speeds), (gravity, still)): Drawn| {
         let speeds = if still { [0.0; 2] } else { speeds };
         let text = five_bar([&masses, &friction, &diameters], torques, speeds, gravity);
-        let [one, other] = ["radau", "dop853"].map(|method| {
-            ran(&read(&text, &[&format!("run.method={method}")]))
-        });
-        for found in [&one, &other] {
-            let stop = stopped(found);
-            prop_assert!(matches!(stop, None | Some("dead_position")), "{stop:?} {text}");
-            prop_assert!(figure(found, "bar.friction_loss") > -1e-15);
-            prop_assert!(found.figures.run.energy_error < 1e-6, "{} {text}", found.figures.run.energy_error);
-        }
-        // Methods that know nothing of each other switch alike.
-        for address in ["bar.friction_loss", "bar.time_at_rest", "bar.left.final.displacement"] {
-            let (a, b) = (figure(&one, address), figure(&other, address));
-            let near = if stopped(&one).is_some() { 1e-3 } else { 1e-5 };
-            prop_assert!((a - b).abs() <= near * (1.0 + a.abs()), "{address}: {a} {b} {text}");
-        }
+        takes_energy(&text)
+    };
+    TestRunner::new_with_rng(config, rng)
+        .run(&strategy, check)
+        .unwrap_or_else(|error| panic!("{error}"));
+}
+
+/// Masses, coefficients and diameters of pins; torques and speeds; gravity, and a start at rest.
+type Drawn = (
+    (Vec<f64>, Vec<f64>, Vec<f64>),
+    ([f64; 2], [f64; 2]),
+    (bool, bool),
+);
+
+/// Friction takes energy, the balance closes, and methods that know nothing of each other switch alike.
+fn takes_energy(text: &str) -> Result<(), TestCaseError> {
+    let [one, other] =
+        ["radau", "dop853"].map(|method| ran(&read(text, &[&format!("run.method={method}")])));
+    for found in [&one, &other] {
+        let stop = stopped(found);
+        prop_assert!(
+            matches!(stop, None | Some("dead_position")),
+            "{stop:?} {text}"
+        );
+        prop_assert!(figure(found, "bar.friction_loss") > -1e-15);
+        prop_assert!(
+            found.figures.run.energy_error < 1e-6,
+            "{} {text}",
+            found.figures.run.energy_error
+        );
     }
+    for address in [
+        "bar.friction_loss",
+        "bar.time_at_rest",
+        "bar.left.final.displacement",
+    ] {
+        let (a, b) = (figure(&one, address), figure(&other, address));
+        let near = if stopped(&one).is_some() { 1e-3 } else { 1e-5 };
+        prop_assert!(
+            (a - b).abs() <= near * (1.0 + a.abs()),
+            "{address}: {a} {b} {text}"
+        );
+    }
+    Ok(())
 }
