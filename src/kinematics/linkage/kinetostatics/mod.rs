@@ -41,6 +41,7 @@ mod search;
 mod sensitivity;
 mod several;
 mod several_found;
+mod several_held;
 mod several_slopes;
 mod sides;
 mod solve;
