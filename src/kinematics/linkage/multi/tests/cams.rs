@@ -97,7 +97,9 @@ fn pressed(
 
 #[test]
 fn the_force_of_an_eccentric_circle_is_that_in_the_rod() {
-    let cam = pressed(&eccentric(), &|solver, _, w| solver.coupling_force(0, w));
+    let cam = pressed(&eccentric(), &|solver, _, w| {
+        solver.coupling_force(0, w).size
+    });
     // What presses on the lever: away from the cam's centre, along the rod.
     let rod = pressed(&with_rod(), &|solver, motion, w| {
         let ([x, y], pose) = (solver.force(4, w), motion.pose(3));
@@ -138,7 +140,7 @@ fn the_start_of_an_adjusted_lever_is_that_of_multipliers() {
     solver
         .solve_over_time(&motion, &[0.0, 20.0], &Options::default(), &mut w)
         .unwrap();
-    near(solver.coupling_force(0, &w), 19.335_170_370_765_077);
+    near(solver.coupling_force(0, &w).size, 19.335_170_370_765_077);
     // Of the motors' torques what their own inertia leaves.
     near(w.drives()[0], 2.0 - 0.004 * of_arm);
     near(w.drives()[1], 4.0 * (1.0 - 20.0 / 30.0) - 0.002 * of_cam);
