@@ -44,31 +44,6 @@ pub struct Carried<'a> {
     pub inertias: &'a [f64],
 }
 
-/// Memory for it. n equations, p pairs, m inputs, h held pairs.
-#[derive(Clone, Debug, Default)]
-pub(super) struct SeveralForces {
-    /// B: rows of the inertia per unit of each input's acceleration (m × n).
-    pub(super) inertia: Vec<f64>,
-    /// A (p × m).
-    pub(super) rates: Vec<f64>,
-    /// G (m × m).
-    pub(super) mobility: Vec<f64>,
-    /// F without friction, at the accelerations a₀ (n).
-    bare: Vec<f64>,
-    /// The pairs that have multipliers.
-    pub(super) held: Vec<usize>,
-    /// Cholesky's factor of A·G·Aᵀ of the held pairs, row after row.
-    pub(super) factor: Vec<f64>,
-    /// −∂F/∂λ (h × n).
-    pub(super) holding: Vec<f64>,
-    /// T (m).
-    pub(super) force: Vec<f64>,
-    /// Room for a row.
-    pub(super) row: Vec<f64>,
-    /// Room for as many numbers as pairs are held.
-    pub(super) small: Vec<f64>,
-}
-
 impl Kinetostatics {
     /// Takes over a motion of the inputs with the accelerations a₀: all that does not depend on
     /// what friction does.

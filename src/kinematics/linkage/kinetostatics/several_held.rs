@@ -1,12 +1,35 @@
 //! Pairs that friction holds: the mobility A·G·Aᵀ of all of them by Cholesky's factor, which
 //! grows pair by pair and leaves out what the others hold already.
 
-use super::several::SeveralForces;
-
 /// A held pair that moves with the mobility of others to so many parts of its own is held by them.
 pub(super) const DEPENDENT: f64 = 1e-10;
 /// Parts of its terms below which a mobility is rounding: the motion of the pair is given.
 pub(super) const GIVEN: f64 = 1e-12;
+
+/// Memory for the joint friction of several inputs. n equations, p pairs, m inputs, h held pairs.
+#[derive(Clone, Debug, Default)]
+pub(super) struct SeveralForces {
+    /// B: rows of the inertia per unit of each input's acceleration (m × n).
+    pub(super) inertia: Vec<f64>,
+    /// A (p × m).
+    pub(super) rates: Vec<f64>,
+    /// G (m × m).
+    pub(super) mobility: Vec<f64>,
+    /// F without friction, at the accelerations a₀ (n).
+    pub(super) bare: Vec<f64>,
+    /// The pairs that have multipliers.
+    pub(super) held: Vec<usize>,
+    /// Cholesky's factor of A·G·Aᵀ of the held pairs, row after row.
+    pub(super) factor: Vec<f64>,
+    /// −∂F/∂λ (h × n).
+    pub(super) holding: Vec<f64>,
+    /// T (m).
+    pub(super) force: Vec<f64>,
+    /// Room for a row.
+    pub(super) row: Vec<f64>,
+    /// Room for as many numbers as pairs are held.
+    pub(super) small: Vec<f64>,
+}
 
 impl SeveralForces {
     /// A·G·Aᵀ of two pairs.

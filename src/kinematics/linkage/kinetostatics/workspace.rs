@@ -2,7 +2,7 @@
 
 use super::friction::{Law, Term};
 use super::positions::{LinkPosition, PointPosition};
-use super::several::SeveralForces;
+use super::several_held::SeveralForces;
 use crate::math::linear::Factors;
 
 /// Place of a pair, and how it slides.
