@@ -374,6 +374,8 @@ fn several_inputs_allocate_nothing_on_the_way() {
         let system = System::new(dam::lower::lower(&reading.scene).unwrap()).unwrap();
         let start = system.initial_state().unwrap();
         let (mut y, modes) = (start.y, start.modes);
+        let rates = y.len() / 2;
+        y[rates..].fill(0.3);
         let mut scratch = system.scratch();
         let mut dy = vec![0.0; y.len()];
         let direction = vec![0.5; y.len()];
