@@ -1,19 +1,17 @@
 //! From the model to the frozen layout, with every check on its numbers.
 
+mod linkages;
 mod refusals;
 
 use super::check::chains_of;
 use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
-use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::{Argument, FrozenLoad};
-use super::multi::{FrozenMulti, MultiPlace, MultiValue};
 use super::pairs::Contact;
 use super::stops::FrozenStop;
 use super::written::Written;
 use crate::dynamics::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, Stop, TrackSource};
 use crate::fault::Fault;
-use std::sync::Arc;
 
 /// Lays a model out; the faults of all its parts together.
 pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
@@ -240,52 +238,6 @@ impl<'a> Builder<'a> {
         track.map(|track| self.frozen.track_component(track))
     }
 
-    /// Linkages, and which laws are outputs of theirs.
-    fn place_linkages(&mut self) {
-        let frozen = &mut self.frozen;
-        for (linkage, body) in self.model.linkages.iter().enumerate() {
-            let node = frozen.internal[body.node];
-            frozen
-                .linkages
-                .push(FrozenLinkage::new(node, &body.linkage));
-            for (output, &node) in body.outputs.iter().enumerate() {
-                let node = frozen.internal[node];
-                let rigid = frozen.rigids.iter().find(|rigid| rigid.node == node);
-                if let Some(rigid) = rigid {
-                    let place = OutputPlace { linkage, output };
-                    frozen.laws[rigid.law].output = Some(place);
-                }
-            }
-        }
-    }
-
-    /// Linkages of several inputs, and which constrained nodes are theirs.
-    fn place_multi(&mut self) {
-        let frozen = &mut self.frozen;
-        for (linkage, body) in self.model.multi_linkages.iter().enumerate() {
-            let inputs = body.inputs.iter();
-            frozen.multi.push(FrozenMulti {
-                nodes: inputs.map(|&node| frozen.internal[node]).collect(),
-                linkage: Arc::clone(&body.linkage),
-                object: body.object,
-                turning: body.friction.is_some(),
-            });
-            let outputs = body.outputs.iter().enumerate();
-            let own = outputs.map(|(output, &node)| (node, MultiValue::Output(output)));
-            for (node, value) in own.chain([(body.node, MultiValue::Input)]) {
-                let node = frozen.internal[node];
-                let mut constraints = frozen.constraints.iter_mut();
-                if let Some(one) = constraints.find(|one| one.node == node) {
-                    one.multi = Some(MultiPlace { linkage, value });
-                }
-            }
-            for group in 1..body.linkage.structure().groups.len() {
-                let value = MultiValue::Distance(group - 1);
-                frozen.add_distance(MultiPlace { linkage, value });
-            }
-        }
-    }
-
     fn place_tracks(&mut self) {
         for track in &self.model.tracks {
             let node = match track.source {
@@ -301,19 +253,6 @@ impl<'a> Builder<'a> {
                 object: track.object,
             });
         }
-    }
-
-    /// Friction in the joints of linkages, with the tracks that it brings along.
-    fn place_friction(&mut self) {
-        for (linkage, body) in self.model.linkages.iter().enumerate() {
-            self.frozen.place_friction(linkage, body);
-        }
-        for (linkage, body) in self.model.multi_linkages.iter().enumerate() {
-            if !self.frozen.place_several_friction(linkage, body) {
-                self.refuse_second_friction(body.object);
-            }
-        }
-        self.frozen.number_directions();
     }
 
     fn place_loads(&mut self) {

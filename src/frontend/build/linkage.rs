@@ -1,6 +1,6 @@
 //! Linkages: links with named points, pairs that say which points coincide.
 
-use super::{Load, builder, only};
+use super::{Coupling, Load, builder, only};
 use crate::frontend::read::Node;
 
 builder! {
@@ -206,102 +206,6 @@ impl Joint {
         weld.put("link", link);
         weld.put("angle", angle);
         Self(only("weld", weld))
-    }
-}
-
-/// A coupling of two links by gears, a belt, a gear and a rack, or a cam and a roller.
-#[derive(Clone, Debug, PartialEq)]
-#[must_use]
-pub struct Coupling {
-    kind: &'static str,
-    own: Node,
-}
-
-impl Coupling {
-    /// Two gears with external teeth, by their numbers of teeth.
-    pub fn gears(wheels: [&str; 2], teeth: [u32; 2]) -> Self {
-        Self::of("gear", wheels, "teeth", teeth)
-    }
-
-    /// Two gears of which one has internal teeth: both turn the same way.
-    pub fn internal_gears(wheels: [&str; 2], teeth: [u32; 2]) -> Self {
-        Self::gears(wheels, teeth).with("internal", true)
-    }
-
-    /// A toothed belt or a chain between two wheels, by their diameters (m).
-    pub fn belt(wheels: [&str; 2], diameters: [f64; 2]) -> Self {
-        Self::of("belt", wheels, "diameters", diameters)
-    }
-
-    /// A crossed belt: the wheels turn against each other.
-    pub fn crossed_belt(wheels: [&str; 2], diameters: [f64; 2]) -> Self {
-        Self::belt(wheels, diameters).with("crossed", true)
-    }
-
-    /// A gear and a rack, by the radius of the gear's pitch circle (m): positive where the rack lies to
-    /// the right of the gear, seen along its guide.
-    pub fn rack(gear: &str, rack: &str, radius: f64) -> Self {
-        Self::of("rack", [gear, rack], "radius", radius)
-    }
-
-    /// The link that carries both, or `ground`; needed where there is more than one that could.
-    pub fn carrier(self, link: &str) -> Self {
-        self.with("carrier", link)
-    }
-
-    /// Angle of the second wheel (rad), or displacement of the rack (m), where that of the first wheel is
-    /// zero, both seen from the carrier.
-    pub fn offset(self, offset: impl Into<Node>) -> Self {
-        self.with("offset", offset)
-    }
-
-    /// A cam about a point of one link, `crank.C`, and a roller (or a point) of another one, `lever.R`;
-    /// the radius of the cam where the lift is zero (m). Without a lift it is a circle.
-    pub fn cam(centre: &str, roller: &str, base_radius: impl Into<Node>) -> Self {
-        let own = only("centre", centre);
-        let cam = Self { kind: "cam", own }.with("roller", roller);
-        cam.with("base_radius", base_radius)
-    }
-
-    /// Radius of a cam's roller (m); without it a point.
-    pub fn roller_radius(self, radius: impl Into<Node>) -> Self {
-        self.with("roller_radius", radius)
-    }
-
-    /// Lift of a cam: a sine, a table, a cam or a plan that repeats after a turn.
-    pub fn lift(self, lift: impl Into<Node>) -> Self {
-        self.with("lift", lift)
-    }
-
-    /// Direction in the cam's link from which the angle of the lift is counted (rad).
-    pub fn direction(self, direction: impl Into<Node>) -> Self {
-        self.with("direction", direction)
-    }
-
-    /// The sense in which the angle of the lift is counted: `"counterclockwise"` or `"clockwise"`.
-    pub fn sense(self, sense: &str) -> Self {
-        self.with("sense", sense)
-    }
-
-    /// The side of a cam that is touched: `"disc"`, `"hollow"` or `"groove"`.
-    pub fn surface(self, surface: &str) -> Self {
-        self.with("surface", surface)
-    }
-
-    fn of(kind: &'static str, wheels: [&str; 2], size: &str, value: impl Into<Node>) -> Self {
-        let own = only("wheels", wheels);
-        Self { kind, own }.with(size, value)
-    }
-
-    fn with(mut self, property: &str, value: impl Into<Node>) -> Self {
-        self.own.put(property, value);
-        self
-    }
-}
-
-impl From<Coupling> for Node {
-    fn from(coupling: Coupling) -> Self {
-        only(coupling.kind, coupling.own)
     }
 }
 

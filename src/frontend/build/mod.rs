@@ -25,6 +25,7 @@
 //! [`Position::own`], [`OwnObject`].
 
 mod chains;
+mod coupling;
 mod differential;
 mod drive;
 mod linkage;
@@ -36,9 +37,10 @@ mod position;
 mod tests;
 
 pub use chains::{CamFollower, Crank, Rocker, Shaft, Slider};
+pub use coupling::Coupling;
 pub use differential::Differential;
 pub use drive::{Drive, Force, Torque};
-pub use linkage::{Assembly, Coupling, Joint, Link, Linkage, LinkageForce, LinkageInput, Output};
+pub use linkage::{Assembly, Joint, Link, Linkage, LinkageForce, LinkageInput, Output};
 pub use load::Load;
 pub use other::{AnyObject, OwnObject};
 pub use pair::{CamContact, Contact, DiscCam, Geometry, LineContact, Pair, PointContact, Stop};

@@ -4,6 +4,7 @@
 mod contact;
 pub mod equations;
 pub mod graph;
+pub mod linkages;
 pub mod masses;
 pub mod motion;
 pub mod position;
