@@ -129,6 +129,22 @@ pub(super) fn balanced(scene: &dyn Fn(&str, [&str; 2], f64) -> String, addresses
     }
 }
 
+/// The first instant at which a function that begins below zero is zero.
+pub(super) fn first_zero(missing: impl Fn(f64) -> f64) -> f64 {
+    let (mut low, mut high) = (0.0, 0.0);
+    while missing(high) < 0.0 {
+        (low, high) = (high, high + 1e-3);
+    }
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        match missing(middle) < 0.0 {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    low
+}
+
 /// Both cranks turn evenly until the rods are in line.
 #[test]
 fn a_run_ends_in_the_singular_position_that_its_inputs_come_to() {
@@ -150,18 +166,8 @@ fn a_run_ends_in_the_singular_position_that_its_inputs_come_to() {
         ];
         x.hypot(y) - 1.3
     };
-    let (mut low, mut high) = (0.0, 0.0);
-    while missing(high) < 0.0 {
-        (low, high) = (high, high + 1e-3);
-    }
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        match missing(middle) < 0.0 {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    approx::assert_abs_diff_eq!(found.outcome.time, low, epsilon = 1e-9);
+    let time = first_zero(missing);
+    approx::assert_abs_diff_eq!(found.outcome.time, time, epsilon = 1e-9);
 }
 
 /// Moved by torques, the rods come into line too: there the run ends and says so.

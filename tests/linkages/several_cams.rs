@@ -1,7 +1,7 @@
 //! Cams behind several inputs in runs and studies: energies, an eccentric circle as a rod, singular
 //! positions in closed form, what is told.
 
-use super::several::{balanced, figure, physical, read, result, sound};
+use super::several::{balanced, figure, first_zero, physical, read, result, sound};
 use dam::linkage::kinetostatics::Options;
 use dam::lower::lower;
 use dam::model::Model;
@@ -102,18 +102,8 @@ fn a_run_ends_where_the_lever_points_along_the_normal() {
     assert!(physical(&found));
     let turn = std::f64::consts::TAU;
     let missing = |t: f64| apart(1.0 + turn * t, 2.1 - 0.4 * turn * t) - 1.0;
-    let (mut low, mut high) = (0.0, 0.0);
-    while missing(high) < 0.0 {
-        (low, high) = (high, high + 1e-3);
-    }
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        match missing(middle) < 0.0 {
-            true => low = middle,
-            false => high = middle,
-        }
-    }
-    approx::assert_abs_diff_eq!(found.outcome.time, low, epsilon = 1e-9);
+    let time = first_zero(missing);
+    approx::assert_abs_diff_eq!(found.outcome.time, time, epsilon = 1e-9);
 }
 
 fn free(cam: &str) -> Model {

@@ -196,6 +196,24 @@ impl ForceWorkspace {
             }
         }
     }
+
+    /// What friction changes by, into `next`, where the unknowns would change by `change` if it
+    /// stayed as it is; the matrix of [`Self::write_slopes`] is factorised.
+    pub(super) fn change_of_friction(&mut self, change: impl Fn(usize) -> f64) {
+        self.next.clear();
+        self.next.resize(self.columns, 0.0);
+        for term in &self.terms {
+            let slope = term.slope(&self.unknowns);
+            let [a, b] = [0, 1].map(|k| change(term.unknown + k));
+            for which in 0..term.width() {
+                self.next[term.column + which] = slope[which][0] * a + slope[which][1] * b;
+            }
+            if let Some((row, slope)) = term.by_holding(&self.unknowns) {
+                self.next[term.column] += slope * change(row);
+            }
+        }
+        self.small.solve(&mut self.next, 1);
+    }
 }
 
 /// Forces from which on their squares would not be numbers (N): an iteration that

@@ -218,16 +218,7 @@ impl Kinetostatics {
     /// as they are.
     fn answer(&self, rows: &mut [f64], w: &mut ForceWorkspace) -> f64 {
         w.factors.solve(rows, 1);
-        w.next.clear();
-        w.next.resize(w.columns, 0.0);
-        for term in &w.terms {
-            let slope = term.slope(&w.unknowns);
-            let [a, b] = [rows[term.unknown], rows[term.unknown + 1]];
-            for which in 0..term.width() {
-                w.next[term.column + which] = slope[which][0] * a + slope[which][1] * b;
-            }
-        }
-        w.small.solve(&mut w.next, 1);
+        w.change_of_friction(|row| rows[row]);
         self.work_of(&w.next, w)
     }
 

@@ -64,19 +64,10 @@ impl Kinetostatics {
                 *value -= holding * share;
             }
         }
-        w.next.clear();
-        w.next.resize(w.columns, 0.0);
-        for term in &w.terms {
-            let slope = term.slope(&w.unknowns);
-            let [a, b] = [rows[term.unknown], rows[term.unknown + 1]];
-            for which in 0..term.width() {
-                w.next[term.column + which] = slope[which][0] * a + slope[which][1] * b;
-            }
-            if let Some((row, slope)) = term.by_holding(&w.unknowns) {
-                w.next[term.column] += slope * multipliers[row - size];
-            }
-        }
-        w.small.solve(&mut w.next, 1);
+        w.change_of_friction(|row| match row < size {
+            true => rows[row],
+            false => multipliers[row - size],
+        });
         for (index, multiplier) in multipliers.iter_mut().enumerate() {
             for column in 0..w.columns {
                 *multiplier -= w.k(size + index, column) * w.next[column];

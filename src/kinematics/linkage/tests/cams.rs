@@ -4,7 +4,9 @@ mod forces;
 mod refusals;
 
 use super::examples::{Builder, GROUND, four_bar};
-use super::support::{closure_error, compare_with_differences, interior, linkage, solved, weighed};
+use super::support::{
+    closure_error, compare_with_differences, interior, lift_table, linkage, solved, weighed,
+};
 use crate::kinematics::cam::Surface;
 use crate::kinematics::linkage::spec::{
     AssemblyChoice, CamPairSpec, CouplingKind, LinkageSpec, OutputKind,
@@ -87,17 +89,6 @@ fn rise_and_return(law: LawName) -> PositionSpec {
     })
 }
 
-fn table() -> PositionSpec {
-    let points = [0.0, 0.002, 0.007, 0.009, 0.006, 0.001, 0.0];
-    let step = std::f64::consts::TAU / 6.0;
-    let points = points.into_iter().enumerate();
-    PositionSpec::Table {
-        points: points.map(|(k, lift)| (step * k as f64, lift)).collect(),
-        periodic: true,
-        end_slopes: (0.0, 0.0),
-    }
-}
-
 /// A cam fixed to the coupler of a four-bar moves a slide on the ground.
 fn on_a_coupler() -> Builder {
     let slide = Some(3);
@@ -160,7 +151,7 @@ fn driven_by_the_roller() -> Builder {
         centre: [0.25, 0.0],
         surface: Surface::Groove,
         base_radius: 0.12,
-        ..with_lift([0.05, 0.0], table())
+        ..with_lift([0.05, 0.0], lift_table())
     };
     Builder::new(&["crank", "lever"])
         .pin((GROUND, [0.0; 2]), (CAM, [0.0; 2]))
@@ -206,7 +197,7 @@ fn all() -> Vec<(&'static str, LinkageSpec)> {
             "rise and return",
             cam_and_lever(with_lift(ROLLER, rise_and_return(LawName::Cycloidal))),
         ),
-        ("table", cam_and_lever(with_lift(ROLLER, table()))),
+        ("table", cam_and_lever(with_lift(ROLLER, lift_table()))),
         ("on a coupler", on_a_coupler()),
         ("on the ground", on_the_ground()),
         ("driven by the roller", driven_by_the_roller()),

@@ -12,5 +12,5 @@ mod random;
 mod redundant;
 mod refusals;
 mod resistance;
-mod support;
+pub(super) mod support;
 mod welds;

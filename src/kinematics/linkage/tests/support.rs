@@ -5,7 +5,7 @@ use crate::kinematics::cam::Surface;
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
 use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, LinkageSpec, PairKind, PointOf};
 use crate::kinematics::linkage::{Linkage, Reach, Workspace};
-use crate::kinematics::position::Position;
+use crate::kinematics::position::{Position, PositionSpec};
 use proptest::prelude::*;
 
 pub(super) fn close(a: f64, b: f64, relative: f64, absolute: f64) -> bool {
@@ -256,5 +256,17 @@ pub(super) fn check_driving_force(name: &str, spec: LinkageSpec) {
             let off = frame[axis] - shaking[axis] - applied[axis];
             assert!(off.abs() < 1e-9, "{name}: axis {axis} off by {off}");
         }
+    }
+}
+
+/// A lift over a turn by a table.
+pub(in crate::kinematics::linkage) fn lift_table() -> PositionSpec {
+    let points = [0.0, 0.002, 0.007, 0.009, 0.006, 0.001, 0.0];
+    let step = std::f64::consts::TAU / 6.0;
+    let points = points.into_iter().enumerate();
+    PositionSpec::Table {
+        points: points.map(|(k, lift)| (step * k as f64, lift)).collect(),
+        periodic: true,
+        end_slopes: (0.0, 0.0),
     }
 }

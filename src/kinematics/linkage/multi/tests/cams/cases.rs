@@ -9,6 +9,7 @@ use crate::kinematics::linkage::spec::{
     AssemblyChoice, AssemblySpec, CamPairSpec, CouplingKind, CouplingSpec, ForceLaw, ForceSpec,
     LinkSpec, LinkageSpec, OutputKind, PairSpec,
 };
+use crate::kinematics::linkage::tests::support::lift_table;
 use crate::kinematics::motion::LawName;
 use crate::kinematics::position::{CamSpec, PositionSpec};
 
@@ -38,17 +39,6 @@ fn rise_and_return() -> PositionSpec {
         return_law: LawName::Polynomial345.into(),
         phase: 0.3,
     })
-}
-
-fn table() -> PositionSpec {
-    let points = [0.0, 0.002, 0.007, 0.009, 0.006, 0.001, 0.0];
-    let step = std::f64::consts::TAU / 6.0;
-    let points = points.into_iter().enumerate();
-    PositionSpec::Table {
-        points: points.map(|(k, lift)| (step * k as f64, lift)).collect(),
-        periodic: true,
-        end_slopes: (0.0, 0.0),
-    }
 }
 
 fn cam(centre: [f64; 2], roller: [f64; 2], base_radius: f64) -> CamPairSpec {
@@ -156,7 +146,7 @@ fn on_a_rod() -> MultiSpec {
         [up, 0.1],
     ));
     let profile = CamPairSpec {
-        lift: Some(table()),
+        lift: Some(lift_table()),
         sense: 1.0,
         ..cam([0.3, 0.05], [0.01, 0.0], 0.08)
     };
@@ -183,7 +173,7 @@ fn on_each_other() -> MultiSpec {
         ..cam([0.3, 0.0], [0.48, -0.034], 0.13)
     };
     let other = CamPairSpec {
-        lift: Some(table()),
+        lift: Some(lift_table()),
         sense: 1.0,
         ..cam([0.3, 0.0], [0.55, -0.096], 0.1)
     };
