@@ -6,7 +6,7 @@ use dam::linkage::kinetostatics::Options;
 use dam::lower::lower;
 use dam::model::Model;
 use dam::report::kinematics::document;
-use dam::studies::forces::several_forces;
+use dam::studies::forces::{ZoneKind, several_forces};
 use dam::studies::kinematics::{
     AskedSeveral, InputCourse, InputOver, Question, kinematics_of, several_of,
 };
@@ -172,6 +172,41 @@ fn a_lacking_closing_force_is_told() {
         "\"surface\": \"groove\", \"roller_radius\"",
     );
     assert!(!warned(&groove));
+}
+
+/// Nearer and nearer to the end the forces are greater and greater: the greatest tells nothing of the
+/// linkage, only how near to the end it was looked.
+#[test]
+fn forces_at_the_ends_of_the_reach_have_no_bounds() {
+    let model = free(CIRCLE);
+    let body = several_of(&model, None).expect("a linkage of several inputs");
+    let mut question = question(0.9, 1.3);
+    question.inputs[0].over = Some(InputOver::Free);
+    let asked = AskedSeveral::new(&model, body, &question).expect("a question");
+    let study = several_forces(&asked, Options::default()).expect("a study");
+    let unbounded: Vec<_> = study.zones.iter().map(|zone| zone.unbounded).collect();
+    assert_eq!(unbounded, [[false, true], [true, false]]);
+    for zone in &study.zones {
+        assert_eq!((zone.kind, zone.from), (ZoneKind::Dead, zone.to));
+        approx::assert_abs_diff_eq!(apart(zone.from, 0.6), 1.0, epsilon = 1e-9);
+    }
+    let solved: Vec<bool> = study.rows.iter().map(|row| row.forces.is_ok()).collect();
+    let last = solved.len() - 1;
+    assert!((0..=last).all(|row| solved[row] == (row > 0 && row < last)));
+    let extremes = |name: &str| {
+        let found = study.extremes.iter().find(|one| one.name == name);
+        found.expect("extremes").clone()
+    };
+    let rod = extremes("K.force");
+    assert!(rod.least.value.is_infinite() || rod.greatest.value.is_infinite());
+    assert_eq!(extremes("B.force").greatest.value, f64::INFINITY);
+    assert!(extremes("B.force").least.value.is_finite());
+    assert!(study.cycle.is_none());
+    // A range within has them all.
+    question.inputs[0].over = Some(InputOver::Range { from: 0.9, to: 1.3 });
+    let asked = AskedSeveral::new(&model, body, &question).expect("a question");
+    let study = several_forces(&asked, Options::default()).expect("a study");
+    assert!(study.zones.is_empty() && study.rows.iter().all(|row| row.forces.is_ok()));
 }
 
 #[test]

@@ -94,7 +94,7 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
         }
         true => Sentence::from("No position has forces."),
     };
-    let missing = study.rows.len().saturating_sub(study.solved().count());
+    let missing = study.missing();
     let balance = study.worst_balance();
     let mut text = format!("The balance of power closes to {}", significant(balance, 2));
     if missing > 0 {

@@ -18,6 +18,11 @@ pub trait PositionSource {
     fn singular(&self) -> (Vec<f64>, Option<f64>) {
         (Vec::new(), None)
     }
+
+    /// Input coordinates of dead positions at which the reach ends, as far as they are known.
+    fn limits(&self) -> Vec<f64> {
+        Vec::new()
+    }
 }
 
 /// Question about one position: motion of the input, loads, direction.

@@ -105,7 +105,7 @@ fn samples<S: PositionSource>(
 /// A position towards which forces grow without bound, with rows ever nearer to it.
 struct Edge {
     at: f64,
-    rows: Vec<Row>,
+    rows: [Row; 4],
 }
 
 fn edges<S: PositionSource>(
@@ -124,10 +124,7 @@ fn edges<S: PositionSource>(
             if zone.unbounded[side] {
                 let places = approach(at, free[side]);
                 let rows = places.map(|place| solver.row(&course.between(place), true));
-                edges.push(Edge {
-                    at,
-                    rows: rows.into(),
-                });
+                edges.push(Edge { at, rows });
             }
         }
     }
@@ -147,9 +144,9 @@ impl<S: PositionSource> Seeker<'_, '_, S> {
     /// The first position towards which `sign` times a quantity grows without bound.
     fn endless(&self, column: &Column, sign: f64) -> Option<f64> {
         let grows = |edge: &&Edge| {
-            let values = edge.rows.iter().map(|row| column.value(row));
-            let values: Option<Vec<f64>> = values.map(|v| Some(sign * v?)).collect();
-            values.is_some_and(|values| unbounded(&values))
+            let values = edge.rows.each_ref().map(|row| column.value(row));
+            let known = values.iter().all(Option::is_some);
+            known && unbounded(&values.map(|value| sign * value.unwrap_or(f64::NAN)))
         };
         self.edges.iter().find(grows).map(|edge| edge.at)
     }

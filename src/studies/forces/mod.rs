@@ -122,16 +122,17 @@ fn solved<S: PositionSource>(
     mut columns: Vec<Column>,
 ) -> ForceStudy {
     let mut solver = Solver::new(kinetostatics, source, &settings);
-    let rows: Vec<Row> = (0..course.rows())
+    let mut rows: Vec<Row> = (0..course.rows())
         .map(|index| {
             let mut row = solver.row(&course.instant(index), true);
             row.time = course.time(index);
             row
         })
         .collect();
+    let zones = zones::find(&mut solver, &course);
+    zones::leave_out(&mut rows, &course, &zones);
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
-    let zones = zones::find(&mut solver, &course);
     let indeterminate = open::joined(&rows);
     open::mark(&mut columns, &indeterminate);
     let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones, &columns);
@@ -204,6 +205,14 @@ impl ForceStudy {
         errors.fold(0.0, f64::max)
     }
 
+    /// Number of positions that have no forces where there should be some: where the reach
+    /// ends there are none.
+    pub fn missing(&self) -> usize {
+        let rows = self.rows.iter();
+        rows.filter(|row| matches!(&row.forces, Err(why) if *why != Trouble::EndOfReach))
+            .count()
+    }
+
     /// Everything that the user should know besides the figures.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
@@ -227,14 +236,21 @@ impl ForceStudy {
                 shown(self.worst_balance(), 2)
             ));
         }
-        let missing = self.rows.len() - self.solved().count();
+        let missing = self.missing();
+        let ends = self.rows.len() - self.solved().count() - missing;
+        if ends > 0 {
+            warnings.push(
+                "the way ends in a dead position, towards which forces grow without bound; a range that ends before it has greatest forces, and work"
+                    .to_owned(),
+            );
+        }
         if self.indeterminate.drive {
             warnings.push(
                 "the friction of statically indeterminate pairs leaves the driving force open: it, its work and its losses are left out"
                     .to_owned(),
             );
         }
-        if missing == 0
+        if missing + ends == 0
             && !self.indeterminate.drive
             && self.cycle.is_none()
             && self.course.panels().is_some()
@@ -245,7 +261,8 @@ impl ForceStudy {
             );
         }
         if missing > 0 {
-            let first = self.rows.iter().find_map(|row| row.forces.as_ref().err());
+            let reasons = self.rows.iter().filter_map(|row| row.forces.as_ref().err());
+            let first = reasons.into_iter().find(|why| **why != Trouble::EndOfReach);
             let reason = first.map(ToString::to_string).unwrap_or_default();
             warnings.push(format!(
                 "{missing} of {} positions have no forces; the first: {reason}",

@@ -25,6 +25,8 @@ pub enum Trouble {
     OutOfReach(String),
     /// Kinetostatics found none.
     Failure(ForceFailure),
+    /// The reach ends there in a dead position towards which forces grow without bound.
+    EndOfReach,
 }
 
 impl fmt::Display for Trouble {
@@ -32,6 +34,10 @@ impl fmt::Display for Trouble {
         match self {
             Self::OutOfReach(reason) => write!(f, "out of reach: {reason}"),
             Self::Failure(failure) => write!(f, "{failure}"),
+            Self::EndOfReach => write!(
+                f,
+                "end of the reach: forces grow without bound towards the dead position"
+            ),
         }
     }
 }
@@ -149,6 +155,11 @@ impl<'a, S: PositionSource> Solver<'a, S> {
     /// Singular positions that the linkage passes, with their period.
     pub(super) fn singular(&self) -> (Vec<f64>, Option<f64>) {
         self.source.singular()
+    }
+
+    /// Dead positions at which the reach ends.
+    pub(super) fn limits(&self) -> Vec<f64> {
+        self.source.limits()
     }
 
     /// Solves a position; sensitivities and checks only in `full`.

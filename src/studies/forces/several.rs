@@ -84,4 +84,8 @@ impl PositionSource for Source<'_, '_> {
         gone.map_err(|why| self.asked.cause(why))?;
         Ok(&self.motion)
     }
+
+    fn limits(&self) -> Vec<f64> {
+        self.asked.limits().collect()
+    }
 }

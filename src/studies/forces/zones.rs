@@ -23,6 +23,8 @@ const ASIDE: f64 = 1e-5;
 const MOST_CHANGES: usize = 16;
 /// Steps of the search for the least distance from a change, each a golden section.
 const SEARCH: u32 = 30;
+/// Part of a course by which it may end before a dead position that ends the reach.
+const ROOM: f64 = 2e-6;
 /// A zone of this part of the course is none.
 const NO_ZONE: f64 = 1e-9;
 /// Growth of a force over a tenth of the distance that has no end: by 10 where it goes with
@@ -91,7 +93,9 @@ fn state(row: &Row) -> Option<ZoneKind> {
     match &row.forces {
         Err(Trouble::OutOfReach(_)) => Some(ZoneKind::OutOfReach),
         Err(Trouble::Failure(ForceFailure::SelfLocking { .. })) => Some(ZoneKind::Locked),
-        Err(Trouble::Failure(ForceFailure::DeadPosition { .. })) => Some(ZoneKind::Dead),
+        Err(Trouble::Failure(ForceFailure::DeadPosition { .. }) | Trouble::EndOfReach) => {
+            Some(ZoneKind::Dead)
+        }
         Err(Trouble::Failure(_)) => Some(ZoneKind::Failed),
         Ok(forces) if forces.solved.condition.is_some_and(|c| c > BAD_CONDITION) => {
             Some(ZoneKind::Dead)
@@ -145,14 +149,34 @@ pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Cours
     close(&mut open, last);
     let narrow = NO_ZONE * (last - first);
     zones.retain(|zone| zone.kind == ZoneKind::Dead || zone.to - zone.from > narrow);
+    let ends = scanner.limits(&mut zones, [first, last]);
     for index in 0..zones.len() {
-        let (free, kind) = (free_sides(&zones, index, [first, last]), zones[index].kind);
+        let (free, kind) = (free_sides(&zones, index, ends), zones[index].kind);
         if kind != ZoneKind::SelfLocking {
             let ends = [zones[index].from, zones[index].to];
             zones[index].unbounded = [0, 1].map(|side| scanner.grows(ends[side], free[side]));
         }
     }
     zones
+}
+
+/// Takes the forces off the positions of a course at a dead position at its end towards which
+/// they grow without bound: how great they are there tells how near to it the course ends.
+pub(super) fn leave_out(rows: &mut [Row], course: &Course, zones: &[Zone]) {
+    let Some([first, last]) = course.ends() else {
+        return;
+    };
+    let near = ROOM * (last - first);
+    let endless = |zone: &&Zone| zone.kind == ZoneKind::Dead && zone.unbounded != [false; 2];
+    let ends = zones.iter().filter(endless).map(|zone| zone.from);
+    let ends = ends.filter(|at| (at - first).abs() <= near || (at - last).abs() <= near);
+    for at in ends {
+        for (index, row) in rows.iter_mut().enumerate() {
+            if (course.parameter(index) - at).abs() <= near {
+                row.forces = Err(Trouble::EndOfReach);
+            }
+        }
+    }
 }
 
 /// How far there are forces below and above a zone: to the next that has none. Where
@@ -192,6 +216,31 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
             ratio: ratio(&row),
             ease: ease(&row),
         }
+    }
+
+    /// Adds the dead positions at which both the reach and the course end, where there is no
+    /// zone yet. How far the zones are looked at.
+    fn limits(&self, zones: &mut Vec<Zone>, [first, last]: [f64; 2]) -> [f64; 2] {
+        let (mut ends, near) = ([first, last], ROOM * (last - first));
+        if !matches!(self.course, Course::Even { closed: false, .. }) {
+            return ends;
+        }
+        for at in self.solver.limits() {
+            let dead = Zone {
+                kind: ZoneKind::Dead,
+                from: at,
+                to: at,
+                unbounded: [false; 2],
+            };
+            if (at - first).abs() <= near && zones.first().is_none_or(|zone| zone.from > first) {
+                zones.insert(0, dead);
+                ends[0] = at;
+            } else if (at - last).abs() <= near && zones.last().is_none_or(|zone| zone.to < last) {
+                zones.push(dead);
+                ends[1] = at;
+            }
+        }
+        ends
     }
 
     /// Places with their states, ascending; `None` for a course without length.
@@ -323,9 +372,11 @@ pub(super) fn approach(end: f64, free: f64) -> [f64; 4] {
     DECADES.map(|decade| end + 10f64.powi(decade) * (free - end))
 }
 
-/// True where values taken at these places grow without bound.
-pub(super) fn unbounded(values: &[f64]) -> bool {
-    values[0] > 0.0 && values.windows(2).all(|pair| pair[1] > GROWTH * pair[0])
+/// True where values taken at these places grow without bound; the farthest may still have the
+/// other sign.
+pub(super) fn unbounded(values: &[f64; 4]) -> bool {
+    let near = &values[1..];
+    near[0] > 0.0 && near.windows(2).all(|pair| pair[1] > GROWTH * pair[0])
 }
 
 /// Greatest force of a pair.

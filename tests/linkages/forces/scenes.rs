@@ -6,7 +6,8 @@ use dam::linkage::kinetostatics::Kinetostatics;
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::studies::forces::{
-    Course, ForceSettings, ForceStudy, LinkagePositions, only_loaded_output, study,
+    Course, Extremes, ForceSettings, ForceStudy, LinkagePositions, ZoneKind, only_loaded_output,
+    study,
 };
 use serde_json::Value;
 use std::f64::consts::TAU;
@@ -69,6 +70,76 @@ fn scenes_are_the_mechanisms_of_the_reference() {
         }
         assert_eq!(found.solved().count(), results.len() + 1);
     }
+}
+
+/// Two rockers between dead positions, the second under a couple or not.
+fn two_rockers(couple: &str) -> ForceStudy {
+    let scene = format!(
+        r#"{{ "dam": 1, "name": "two rockers", "run": {{ "duration": 1 }}, "objects": {{
+            "drive": {{ "kind": "drive", "motion": {{ "speed": "1 rad/s" }} }},
+            "rockers": {{ "kind": "linkage", "input": "drive", "driver": "A",
+                "ground": {{ "A": [0, 0], "D": [0.3, 0] }},
+                "links": {{ "first": {{ "points": {{ "B": [0.2, 0] }} }}, "rod": {{ "points": {{ "C": [0.15, 0] }} }},
+                    "second": {{ "points": {{ "C": [0.17, 0] }} }} }},
+                "pairs": {{ "A": {{ "revolute": ["ground.A", "first.origin"] }}, "B": {{ "revolute": ["first.B", "rod.origin"] }},
+                    "C": {{ "revolute": ["rod.C", "second.C"] }}, "D": {{ "revolute": ["ground.D", "second.origin"] }} }},
+                "assembly": {{ "rod": {{ "angle": "70 deg" }}, "second": {{ "angle": "120 deg" }} }},
+                "forces": {{ "load": {{ "couple": {{ "link": "second", "moment": {couple} }} }} }},
+                "outputs": {{ "second": {{ "angle": "second" }} }} }} }} }}"#
+    );
+    let document = Document::parse("two rockers", scene.as_bytes()).unwrap();
+    let reading = document.scene(&BuiltIn, &Overrides::none());
+    let reading = reading.unwrap_or_else(|faults| panic!("{}", faults.render(false)));
+    let model = lower(&reading.scene).unwrap();
+    let linkage = &model.linkages[0].linkage;
+    let [from, to] = linkage.range().ends();
+    let course = Course::Even {
+        from,
+        to,
+        count: 41,
+        speed: 1.0,
+        acceleration: 0.0,
+        closed: false,
+    };
+    let mut positions = LinkagePositions::new(linkage);
+    study(
+        linkage.spec(),
+        &mut positions,
+        course,
+        ForceSettings::default(),
+    )
+    .unwrap()
+}
+
+/// Where rod and second rocker lie in one line, the first cannot turn what resists.
+#[test]
+fn towards_dead_positions_at_the_ends_forces_grow_without_bound() {
+    let end = ((0.2f64 * 0.2 + 0.3 * 0.3 - 0.32 * 0.32) / (2.0 * 0.2 * 0.3)).acos();
+    let found = two_rockers("-2");
+    let zones: Vec<_> = found
+        .zones
+        .iter()
+        .map(|zone| (zone.kind, zone.unbounded))
+        .collect();
+    let dead = |sides| (ZoneKind::Dead, sides);
+    assert_eq!(zones, [dead([false, true]), dead([true, false])]);
+    for (zone, sign) in found.zones.iter().zip([-1.0, 1.0]) {
+        assert!((zone.from - sign * end).abs() < 1e-9 && zone.from == zone.to);
+    }
+    assert!(found.rows[0].forces.is_err() && found.rows[40].forces.is_err());
+    assert_eq!(found.solved().count(), 39);
+    let drive = found
+        .extremes
+        .iter()
+        .find(|one| one.name == "drive")
+        .unwrap();
+    assert!(drive.least.value.is_infinite() || drive.greatest.value.is_infinite());
+    assert!(found.cycle.is_none());
+    // Without a load there is nothing that grows.
+    let found = two_rockers("0");
+    assert!(found.zones.len() == 2 && found.zones.iter().all(|zone| zone.unbounded == [false; 2]));
+    let ends = |one: &Extremes| one.least.value.is_finite() && one.greatest.value.is_finite();
+    assert!(found.extremes.iter().all(ends));
 }
 
 fn dam(arguments: &[&str], folder: &Path) -> Output {

@@ -73,6 +73,11 @@ impl AskedSeveral<'_> {
         }
     }
 
+    /// Places on the axis of the singular positions between which the input goes.
+    pub(in crate::studies) fn limits(&self) -> impl Iterator<Item = f64> + '_ {
+        self.limits.iter().map(|limit| limit.0)
+    }
+
     /// Rate of the axis.
     pub(in crate::studies) fn rate_of_way(&self) -> f64 {
         match self.way {
