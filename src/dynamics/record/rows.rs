@@ -11,11 +11,28 @@ const OF_A_MASS: usize = Quantity::of_mass(1).len();
 /// Rows for which room is made at once; a longer record grows as it is filled.
 const MOST_ROOM: usize = 1 << 16;
 
-/// Rows on the way, one after the other.
+/// Rows on the way, column by column.
 #[derive(Clone, Debug, Default)]
 struct Table {
     times: Vec<f64>,
-    values: Vec<f64>,
+    columns: Vec<Vec<f64>>,
+}
+
+impl Table {
+    /// So many columns, with room for so many rows.
+    fn new(columns: usize, room: usize) -> Self {
+        Self {
+            times: Vec::with_capacity(room),
+            columns: (0..columns).map(|_| Vec::with_capacity(room)).collect(),
+        }
+    }
+
+    fn push(&mut self, time: f64, row: &[f64]) {
+        self.times.push(time);
+        for (column, value) in self.columns.iter_mut().zip(row) {
+            column.push(*value);
+        }
+    }
 }
 
 /// Rows and what they are rows of.
@@ -58,11 +75,8 @@ impl Rows {
         };
         let width = columns.len();
         Self {
-            rows: Table {
-                times: Vec::with_capacity(room),
-                values: Vec::with_capacity(room * width),
-            },
-            closeups: Table::default(),
+            rows: Table::new(width, room),
+            closeups: Table::new(width, 0),
             greatest: None,
             row: vec![0.0; width],
             columns,
@@ -113,8 +127,7 @@ impl Rows {
     pub(crate) fn push(&mut self, time: f64, seen: Seen<'_>) -> bool {
         let good = self.read(seen);
         if good {
-            self.rows.times.push(time);
-            self.rows.values.extend_from_slice(&self.row);
+            self.rows.push(time, &self.row);
         }
         good
     }
@@ -126,8 +139,7 @@ impl Rows {
 
     /// A row between those that are due, of values that [`Self::values`] gave.
     pub(crate) fn push_closeup(&mut self, time: f64, values: &[f64]) {
-        self.closeups.times.push(time);
-        self.closeups.values.extend_from_slice(values);
+        self.closeups.push(time, values);
     }
 
     /// True when a row in the middle between two others lies on the straight line
@@ -172,20 +184,17 @@ impl Rows {
     }
 
     /// Times and columns, those of an object side by side; and the closeups.
-    pub(crate) fn into_columns(self) -> (Vec<f64>, Vec<Column>, Closeups) {
-        let width = self.columns.len();
-        let column = |table: &Table, index: usize| -> Vec<f64> {
-            let rows = table.values.chunks_exact(width);
-            rows.map(|row| row[index]).collect()
-        };
+    pub(crate) fn into_columns(mut self) -> (Vec<f64>, Vec<Column>, Closeups) {
+        let (rows, closeups) = (&mut self.rows.columns, &mut self.closeups.columns);
         // Where a pressure has no bounds there is no figure of it either.
-        let known = |&index: &usize| {
-            let is_known = |table: &Table| column(table, index).iter().all(|p| p.is_finite());
+        let known = |index: usize| {
+            let mut values = rows[index].iter().chain(&closeups[index]);
             self.columns[index].quantity != Quantity::ContactPressure
-                || [&self.rows, &self.closeups].into_iter().all(is_known)
+                || values.all(|pressure| pressure.is_finite())
         };
-        let reported = |index: &usize| !self.unreported.contains(&self.columns[*index].object);
-        let mut order: Vec<usize> = (0..width).filter(known).filter(reported).collect();
+        let reported = |index: usize| !self.unreported.contains(&self.columns[index].object);
+        let all = 0..self.columns.len();
+        let mut order: Vec<usize> = all.filter(|&k| known(k) && reported(k)).collect();
         // The masses of an object come behind the object.
         let mut ids: Vec<&str> = Vec::new();
         for column in &self.columns {
@@ -194,16 +203,16 @@ impl Rows {
             }
         }
         order.sort_by_key(|&index| ids.iter().position(|id| *id == self.columns[index].object));
-        let closeups = order.iter().map(|&index| column(&self.closeups, index));
-        let closeups = Closeups {
-            columns: closeups.collect(),
-            times: self.closeups.times.clone(),
-        };
-        let columns = order.iter().map(|&index| Column {
-            values: column(&self.rows, index),
+        let column = |&index: &usize| Column {
+            values: std::mem::take(&mut rows[index]),
             ..self.columns[index].clone()
-        });
-        let columns = columns.collect();
+        };
+        let columns = order.iter().map(column).collect();
+        let close = |&index: &usize| std::mem::take(&mut closeups[index]);
+        let closeups = Closeups {
+            columns: order.iter().map(close).collect(),
+            times: self.closeups.times,
+        };
         (self.rows.times, columns, closeups)
     }
 

@@ -61,6 +61,12 @@ impl Rest {
         Modes(modes.map(|&component| whole.0[component]).collect())
     }
 
+    /// True when `own` is the rest's part of the whole system's modes.
+    pub(crate) fn has_modes(&self, whole: &Modes, own: &Modes) -> bool {
+        let mut modes = self.components.iter().zip(&own.0);
+        modes.all(|(&component, own)| whole.0[component] == *own)
+    }
+
     /// The rest's part of a state at t = 0.
     pub(crate) fn initial(&self, whole: &InitialState) -> InitialState {
         let n = whole.y.len() / 2;

@@ -4,6 +4,7 @@ use super::coupled::Coupled;
 use super::forces::Forces;
 use super::lever::Drivetrain;
 use super::smooth::{NODES, node};
+use super::turn::{PARTS, Turn};
 use crate::dynamics::integrate::{Modes, SwitchEvent};
 use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
 use crate::dynamics::record::{Figured, Observer, RecorderSettings};
@@ -12,9 +13,6 @@ use crate::exact::Rest;
 use crate::exact::walk::{Given, Motion, Way};
 use crate::kinematics::motion::DriveMotion;
 use crate::math::polynomial::Step;
-
-/// Stretches in a period in which slopes are looked at beforehand.
-const TURN: u32 = 64;
 
 /// What no tree holds.
 pub(super) struct Beside<'a> {
@@ -86,19 +84,16 @@ impl<'a> Beside<'a> {
         self.take_nodes(None, [0.0, period.unwrap_or(0.0)]);
         self.steady = Some(self.states[0].clone());
         let Some(period) = period else { return };
-        // What |G| comes to in a turn.
-        let mut most = vec![vec![0.0f64; self.ways.len()]; self.coupled.len()];
-        for k in 0..TURN {
-            let [from, to] = [k, k + 1].map(|k| period * f64::from(k) / f64::from(TURN));
-            self.take_nodes(None, [from, to]);
-            for (most, own) in most.iter_mut().zip(&self.coupled) {
-                for (most, lever) in most.iter_mut().zip(own.slopes()) {
-                    *most = most.max(lever);
-                }
+        // What |G| comes to in every part of a turn.
+        let mut turns = vec![Turn::new(period, self.ways.len()); self.coupled.len()];
+        for part in 0..PARTS {
+            for k in 0..turns.len() {
+                self.take_nodes(None, turns[k].span(part));
+                turns[k].set(part, self.coupled[k].slopes());
             }
         }
-        for (most, own) in most.into_iter().zip(&mut self.coupled) {
-            own.cap(most);
+        for (turn, own) in turns.into_iter().zip(&mut self.coupled) {
+            own.cap(turn);
         }
         self.noted = [f64::NAN; 2];
     }
@@ -112,11 +107,11 @@ impl<'a> Beside<'a> {
 
     /// A switch of the whole, which may change a formula of what the drives prescribe.
     pub(super) fn switch(&mut self, event: &SwitchEvent<'_>) {
-        let modes = self.rest.modes(event.after);
-        if modes == self.modes {
+        if self.rest.has_modes(event.after, &self.modes) {
             return;
         }
         self.take_to(event.time);
+        let modes = self.rest.modes(event.after);
         let before = std::mem::replace(&mut self.modes, modes);
         self.figured.switch(&SwitchEvent {
             impact: None,

@@ -11,6 +11,7 @@
 use super::forces::Forces;
 use super::lever::Drivetrain;
 use super::smooth::{NODES, Smooth};
+use super::turn::Turn;
 use crate::dynamics::record::Tally;
 use crate::dynamics::system::{ObjectState, System};
 use crate::exact::walk::Branch;
@@ -35,8 +36,8 @@ pub(super) struct Coupled {
     own: Smooth,
     /// G of each tree.
     levers: Vec<Smooth>,
-    /// Bounds of |G| over the whole run, where they are known.
-    caps: Option<Vec<f64>>,
+    /// Bounds of |G| in every part of a turn, where they are known.
+    caps: Option<Turn>,
 }
 
 /// What a cubic between the ends of a stretch may miss of A + ΣG·F.
@@ -94,8 +95,8 @@ impl Coupled {
         self.levers.iter().map(Smooth::most)
     }
 
-    /// Sets the bounds of |G| of every tree over the whole run.
-    pub(super) fn cap(&mut self, caps: Vec<f64>) {
+    /// Sets the bounds of |G| of every tree in a turn.
+    pub(super) fn cap(&mut self, caps: Turn) {
         self.caps = Some(caps);
     }
 
@@ -105,9 +106,8 @@ impl Coupled {
         let (Some(own), Some(caps)) = (steady, &self.caps) else {
             return true;
         };
-        let coupled = caps.iter().zip(&forces.ahead);
-        let coupled: f64 = coupled.map(|(cap, force)| cap * force.most).sum();
-        self.rises(own.abs() + coupled)
+        let forces_ahead = forces.ahead.iter().map(|force| force.most);
+        self.rises(own.abs() + caps.greatest(forces.span, forces_ahead))
     }
 
     /// Takes what is beside the trees at the nodes of a stretch: the states of all

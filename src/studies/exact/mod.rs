@@ -14,6 +14,7 @@ mod mixed_tests;
 mod smooth;
 #[cfg(test)]
 mod tests;
+mod turn;
 
 use crate::dynamics::integrate::{
     Dynamics, Limits, Modes, Outcome, Sink, Statistics, Stop, SwitchEvent,
