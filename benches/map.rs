@@ -10,6 +10,10 @@ use std::collections::BTreeMap;
 use std::hint::black_box;
 use std::time::Duration;
 
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn question() -> Question {
     let axis = |text: &str| Axis::parse(text).expect("an axis");
     let settings = ["run.duration=1", "run.start=\"on_law\""];

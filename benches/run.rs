@@ -18,6 +18,10 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Duration;
 
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 fn scene(path: &str, overrides: &[&str]) -> (System, RunSettings) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../scenarios")

@@ -27,6 +27,10 @@ use cvode_peer::Cvode;
 use std::path::Path;
 use std::process::ExitCode;
 
+/// The allocator of the program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 const USAGE: &str = "peers cases|map|press [--only ABCDE] [--quick] [--cvode PROGRAM]";
 
 /// What was asked for.

@@ -53,6 +53,8 @@ pub(crate) struct Exponentials {
     pub(crate) im: Vec<V>,
     /// |e^{λs}|.
     pub(crate) size: Vec<V>,
+    /// Real and imaginary part of a phase's amplitudes times e^{λs}, where its state was asked for.
+    turned: Vec<[V; 2]>,
     /// The harmonics, while parts float.
     pub(crate) swings: Vec<Swing>,
 }
@@ -227,20 +229,21 @@ impl Phase {
     pub(crate) fn state<A: Arith>(
         &self,
         basis: &Basis,
-        e: &Exponentials,
+        e: &mut Exponentials,
         q: &mut [f64],
         v: &mut [f64],
     ) {
         let (n, blocks, active) = (basis.masses, basis.blocks, self.active);
         let (ar, ai) = (&self.re[..active], &self.im[..active]);
         let (er, ei) = (&e.re[..active], &e.im[..active]);
+        let turned = &mut e.turned[..active];
+        for b in 0..active {
+            turned[b] = [ar[b] * er[b] - ai[b] * ei[b], ar[b] * ei[b] + ai[b] * er[b]];
+        }
         for i in 0..n {
             let (mut place, mut speed) = (V::ZERO, V::ZERO);
             let shapes = &basis.shape[i * blocks..][..active];
-            for b in 0..active {
-                let shape = &shapes[b];
-                let re = ar[b] * er[b] - ai[b] * ei[b];
-                let im = ar[b] * ei[b] + ai[b] * er[b];
+            for (shape, &[re, im]) in shapes.iter().zip(&*turned) {
                 place = shape[0].fma::<A>(re, place) - shape[1] * im;
                 speed = shape[2].fma::<A>(re, speed) - shape[3] * im;
             }
@@ -382,6 +385,7 @@ impl Exponentials {
             re: vec![V::ZERO; blocks],
             im: vec![V::ZERO; blocks],
             size: vec![V::ZERO; blocks],
+            turned: vec![[V::ZERO; 2]; blocks],
             swings: vec![Swing::default(); harmonics],
         }
     }

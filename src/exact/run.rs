@@ -175,7 +175,7 @@ impl Workspace<'_> {
         self.phase.revive(&entry.basis);
         let s = self.search.e.s;
         self.phase
-            .state::<A>(&entry.basis, &self.search.e, &mut self.q, &mut self.v);
+            .state::<A>(&entry.basis, &mut self.search.e, &mut self.q, &mut self.v);
         if !self.q.iter().chain(&self.v).all(|x| x.is_finite()) {
             return Err(not_finite());
         }

@@ -190,7 +190,7 @@ impl Sampler {
             return;
         }
         loop {
-            phase.state::<A>(basis, &self.e, &mut self.q, &mut self.v);
+            phase.state::<A>(basis, &mut self.e, &mut self.q, &mut self.v);
             out.extend_from_slice(&self.q);
             out.extend_from_slice(&self.v);
             self.go_on(1);

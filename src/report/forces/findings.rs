@@ -79,6 +79,9 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
         };
         let at = drive.name.strip_prefix("drive.");
         let at = at.map_or(String::new(), |input| format!("at {input} "));
+        if [&drive.least, &drive.greatest].map(|end| end.value.is_finite()) == [false; 2] {
+            return Sentence::from(format!("{at}without bounds"));
+        }
         let from = Sentence::from(format!("{at}from ")).sentence(end(&drive.least));
         from.words(" to ").sentence(end(&drive.greatest))
     };

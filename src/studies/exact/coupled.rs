@@ -58,6 +58,14 @@ impl Loss {
         }
     }
 
+    /// That over a part of this share of what it is the loss over.
+    fn within(self, share: f64) -> Self {
+        Self {
+            middle: self.middle * share.powi(4),
+            flat: self.flat,
+        }
+    }
+
     /// Adds G·F over a share of the stretch, of whose force the bounds there are known.
     ///
     /// With |G⁽ᵏ⁾| ≤ rᵏ·|G|, the fourth derivative is at most the sum of F's lanes times
@@ -185,13 +193,16 @@ impl Coupled {
             .map(|time| self.at(branches, forces, time, sign));
         see(&a);
         let mut best_now = see(&b);
-        let mut pieces = vec![Piece { a, b }];
+        let mut pieces = vec![(Piece { a, b }, *whole)];
         let mut cuts = 0;
-        while let Some(piece) = pieces.pop() {
+        while let Some((piece, loss)) = pieces.pop() {
             let goal = best_now + margin;
-            if cuts >= CUTS || !self.may_pass(branches, forces, (&piece, whole), goal) {
-                continue;
+            if cuts >= CUTS {
+                break;
             }
+            let Some(loss) = self.passing(branches, forces, (&piece, &loss), goal) else {
+                continue;
+            };
             cuts += 1;
             let time = piece.a.s + piece.summit() * piece.length();
             if time <= piece.a.s || time >= piece.b.s {
@@ -199,8 +210,10 @@ impl Coupled {
             }
             let cut = self.at(branches, forces, time, sign);
             best_now = see(&cut);
-            pieces.push(Piece { a: cut, b: piece.b });
-            pieces.push(Piece { a: piece.a, b: cut });
+            for part in [Piece { a: cut, b: piece.b }, Piece { a: piece.a, b: cut }] {
+                let loss = loss.within(part.length() / piece.length());
+                pieces.push((part, loss));
+            }
         }
         place
     }
@@ -227,22 +240,23 @@ impl Coupled {
         }
     }
 
-    /// True when a piece may pass a goal, by what is missed in the whole stretch and,
-    /// where that is more than a cubic tells of short pieces, by what is missed in it.
-    fn may_pass(
+    /// The loss over a piece that may pass a goal: what is known to be missed in it and, where
+    /// that does not tell, what is missed in it alone. `None`: it cannot pass.
+    fn passing(
         &self,
         branches: &[Branch<'_>],
         forces: &mut Forces,
-        (piece, whole): (&Piece, &Loss),
+        (piece, known): (&Piece, &Loss),
         goal: f64,
-    ) -> bool {
+    ) -> Option<Loss> {
+        let passes = |loss: &Loss| piece.range(loss.middle, loss.flat).1 > goal;
         let [from, to] = forces.span;
         let share = piece.length() / (to - from);
-        if !(piece.range(whole.middle * share.powi(4), whole.flat).1 > goal) {
-            return false;
+        if !passes(known) {
+            return None;
         }
-        if whole.flat == 0.0 || share == 1.0 {
-            return true;
+        if known.flat == 0.0 || share == 1.0 {
+            return Some(*known);
         }
         let mut own = Loss::own(&self.own, share);
         for (lever, branch) in self.levers.iter().zip(branches) {
@@ -251,7 +265,7 @@ impl Coupled {
                 own.add(lever, &ahead, share);
             }
         }
-        piece.range(own.middle, own.flat).1 > goal
+        passes(&own).then_some(own)
     }
 
     /// The loss over the whole stretch.

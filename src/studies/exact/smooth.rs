@@ -10,6 +10,8 @@ pub(super) struct Smooth {
     differences: [f64; NODES],
     least: f64,
     most: f64,
+    /// Fourth power of a rate r, by the stretch, with |f⁽ᵏ⁾| ≤ rᵏ·[`Self::most`] for all k.
+    rate4: f64,
 }
 
 /// The nodes.
@@ -26,11 +28,14 @@ impl Smooth {
                 differences[k] = (differences[k] - differences[k - 1]) / width;
             }
         }
-        Self {
+        let mut own = Self {
             differences,
             least: values.into_iter().fold(f64::INFINITY, f64::min),
             most: values.into_iter().fold(f64::NEG_INFINITY, f64::max),
-        }
+            rate4: 0.0,
+        };
+        own.rate4 = own.find_rate4();
+        own
     }
 
     /// Value and slope.
@@ -62,6 +67,10 @@ impl Smooth {
 
     /// Fourth power of a rate r, by the stretch, with |f⁽ᵏ⁾| ≤ rᵏ·[`Self::most`] for all k.
     pub(super) fn rate4(&self) -> f64 {
+        self.rate4
+    }
+
+    fn find_rate4(&self) -> f64 {
         let most = self.most();
         if most == 0.0 {
             return 0.0;

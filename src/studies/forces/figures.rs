@@ -60,12 +60,12 @@ impl ForceStudy {
     /// A figure by its name: `drive.greatest`, `R12.force.greatest_at`,
     /// `cycle.efficiency`, `cycle.losses.R12`, `counterweight.angle`,
     /// `zones.0.from`; SI units. `None` where this study has none of that name,
-    /// or any of its positions has no forces.
+    /// or any of its positions before the ends of the reach has no forces.
     pub fn figure(&self, name: &str) -> Option<f64> {
         if let Some(zone) = name.strip_prefix("zones.") {
             return self.of_zone(zone);
         }
-        if self.solved().count() < self.rows.len() {
+        if self.missing() > 0 {
             return None;
         }
         if let Some(name) = name.strip_prefix("cycle.") {
