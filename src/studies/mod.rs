@@ -8,6 +8,7 @@ pub mod compare;
 pub mod cycle;
 mod demand;
 mod document;
+mod endless;
 pub mod exact;
 pub mod expectations;
 pub mod forces;

@@ -233,6 +233,34 @@ fn a_dead_position_ends_the_rows_and_is_named() {
     let out = dam(&["kinematics", &scene, "--turn", set[0], set[1]]);
     assert_eq!(out.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&out.stderr).contains("does not repeat after a turn"));
+    // Over the whole reach speeds have no bounds, and what is finite has its values.
+    let near = end * (1.0 - 1e-7);
+    let range = format!("--range={} rad:{near} rad", -near);
+    let out = dam(&["kinematics", &scene, "--json", &range, set[0], set[1]]);
+    assert_eq!(out.status.code(), Some(0));
+    let document: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
+    let extremes = |name: &str| {
+        let column = &document["columns"][name];
+        [&column["least"], &column["greatest"]].map(Clone::clone)
+    };
+    for one in extremes("links.rocker.angular_speed") {
+        assert!(one["value"].is_null(), "{one}");
+        assert!((one["unbounded_towards"].as_f64().unwrap().abs() - end).abs() < 1e-12);
+    }
+    for name in [
+        "links.rocker.angle",
+        "links.crank.angular_speed",
+        "links.crank.angle",
+    ] {
+        for one in extremes(name) {
+            assert!(
+                one["value"].is_f64() || one["value"].is_i64(),
+                "{name}: {one}"
+            );
+        }
+    }
+    let out = dam(&["kinematics", &scene, &range, set[0], set[1]]);
+    assert!(String::from_utf8_lossy(&out.stdout).contains("unbounded  → "));
 }
 
 #[test]

@@ -202,6 +202,17 @@ fn forces_at_the_ends_of_the_reach_have_no_bounds() {
     assert_eq!(extremes("B.force").greatest.value, f64::INFINITY);
     assert!(extremes("B.force").least.value.is_finite());
     assert!(study.cycle.is_none());
+    // So have speeds, and places do not.
+    let found = kinematics_of(&model, &question).expect("kinematics");
+    let of = |name: &str| {
+        let column = found.columns.iter().position(|one| one.name() == name);
+        found.extremes[column.expect("a column")]
+    };
+    let speed = of("links.lever.angular_speed");
+    assert!(speed.least.1.is_infinite() && speed.greatest.1.is_infinite());
+    approx::assert_abs_diff_eq!(apart(speed.least.0, 0.6), 1.0, epsilon = 1e-9);
+    let angle = of("links.lever.angle");
+    assert!(angle.least.1.is_finite() && angle.greatest.1.is_finite());
     // A range within has them all.
     question.inputs[0].over = Some(InputOver::Range { from: 0.9, to: 1.3 });
     let asked = AskedSeveral::new(&model, body, &question).expect("a question");

@@ -116,6 +116,16 @@ impl Range {
         }
     }
 
+    /// The ends of the reach that are dead positions.
+    pub fn dead_ends(&self) -> Vec<f64> {
+        let Reach::Interval { lower, upper } = self.reach else {
+            return Vec::new();
+        };
+        let dead = |end: &End| matches!(end.cause, Cause::DeadPosition { .. });
+        let ends = [lower, upper].into_iter().filter(dead);
+        ends.map(|end| end.at).collect()
+    }
+
     /// The range in words, `turning` telling degrees from metres.
     pub fn describe(&self, structure: &Structure, turning: bool) -> String {
         let number = |at: f64| match turning {

@@ -13,7 +13,10 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
         .collect();
     let mut columns = Map::new();
     for (column, extremes) in found.columns.iter().zip(&found.extremes) {
-        let end = |(at, value): (f64, f64)| json!({ "at": at, "value": value });
+        let end = |(at, value): (f64, f64)| match value.is_infinite() {
+            true => json!({ "value": null, "unbounded_towards": at }),
+            false => json!({ "at": at, "value": value }),
+        };
         columns.insert(
             column.name(),
             json!({
@@ -97,7 +100,10 @@ fn strokes(found: &Kinematics) -> Vec<Value> {
 
 fn transmission(found: &Kinematics) -> Vec<Value> {
     let angles = found.transmission.iter().map(|angle| {
-        let end = |(at, value): (f64, f64)| json!({ "at": at, "value": value });
+        let end = |(at, value): (f64, f64)| match value.is_infinite() {
+            true => json!({ "value": null, "unbounded_towards": at }),
+            false => json!({ "at": at, "value": value }),
+        };
         json!({
             "of": angle.owner,
             "unit": "rad",

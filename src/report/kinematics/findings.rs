@@ -93,6 +93,9 @@ fn structure<'a>(found: &Kinematics) -> Section<'a> {
 
 /// A value and where it is.
 fn end((at, value): (f64, f64), unit: &str, place: impl Fn(f64) -> String) -> Cell {
+    if value.is_infinite() {
+        return Cell::with("unbounded", format!("→ {}", place(at)));
+    }
     let value = Value::angle_or(value, unit, DIGITS);
     Cell::with(value, format!("at {}", place(at)))
 }

@@ -2,7 +2,7 @@
 
 use super::{Course, Instant, PositionSource, loads};
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics};
-use crate::kinematics::linkage::{Cause, End, Linkage, Reach, Workspace};
+use crate::kinematics::linkage::{Linkage, Workspace};
 use crate::studies::kinematics::{Asked, Over};
 
 /// Positions of a linkage, solved one after another.
@@ -39,14 +39,7 @@ impl PositionSource for LinkagePositions<'_> {
     }
 
     fn limits(&self) -> Vec<f64> {
-        match self.linkage.range().reach {
-            Reach::Everywhere => Vec::new(),
-            Reach::Interval { lower, upper } => {
-                let dead = |end: &End| matches!(end.cause, Cause::DeadPosition { .. });
-                let ends = [lower, upper].into_iter().filter(dead);
-                ends.map(|end| end.at).collect()
-            }
-        }
+        self.linkage.range().dead_ends()
     }
 }
 

@@ -2,9 +2,10 @@
 
 use super::columns::Column;
 use super::row::{Row, Solver};
-use super::zones::{Zone, ZoneKind, approach, free_sides, unbounded};
+use super::zones::{Zone, ZoneKind, free_sides};
 use super::{Course, PositionSource};
 use crate::math::optimise::golden;
+use crate::studies::endless::{approach, unbounded};
 
 /// Steps of golden section: the place to about 10⁻⁸ of a step of the course.
 const STEPS: u32 = 38;

@@ -13,6 +13,7 @@ use crate::kinematics::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
 use crate::math::roots::{BISECTIONS, bisect};
+use crate::studies::endless::{ROOM, approach, grow};
 
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
@@ -23,15 +24,8 @@ const ASIDE: f64 = 1e-5;
 const MOST_CHANGES: usize = 16;
 /// Steps of the search for the least distance from a change, each a golden section.
 const SEARCH: u32 = 30;
-/// Part of a course by which it may end before a dead position that ends the reach.
-const ROOM: f64 = 2e-6;
 /// A zone of this part of the course is none.
 const NO_ZONE: f64 = 1e-9;
-/// Growth of a force over a tenth of the distance that has no end: by 10 where it goes with
-/// the distance, by 3 with its root; by 1 where it ends.
-const GROWTH: f64 = 2.0;
-/// Powers of ten of the distance over which growth is looked at.
-const DECADES: [i32; 4] = [-3, -4, -5, -6];
 
 /// An interval of the course in which something is wrong; a dead position that is
 /// passed at once is an interval of no width.
@@ -363,20 +357,8 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     /// Whether forces grow without bound from a free place towards an end.
     fn grows(&mut self, end: f64, free: f64) -> bool {
         let sizes = approach(end, free).map(|place| size(&self.row(place)).unwrap_or(f64::NAN));
-        free != end && sizes.windows(2).all(|pair| pair[1] > GROWTH * pair[0])
+        free != end && grow(&sizes)
     }
-}
-
-/// Places ever nearer to an end, on the side of a free place.
-pub(super) fn approach(end: f64, free: f64) -> [f64; 4] {
-    DECADES.map(|decade| end + 10f64.powi(decade) * (free - end))
-}
-
-/// True where values taken at these places grow without bound; the farthest may still have the
-/// other sign.
-pub(super) fn unbounded(values: &[f64; 4]) -> bool {
-    let near = &values[1..];
-    near[0] > 0.0 && near.windows(2).all(|pair| pair[1] > GROWTH * pair[0])
 }
 
 /// Greatest force of a pair.

@@ -2,21 +2,41 @@
 
 use super::{Column, Extremes};
 use crate::math::optimise::{Peak, brent};
+use crate::studies::endless::unbounded;
 
 /// Part of the bracket to which an extreme is located: values nearer to it differ by rounding
 /// only.
 const LOCATED: f64 = 1e-9;
+
+/// A dead position at which the rows end, with the values of all columns ever nearer to it; not
+/// a number where they are not determined.
+pub(super) struct Edge {
+    pub(super) at: f64,
+    pub(super) rows: [Vec<f64>; 4],
+}
+
+impl Edge {
+    /// True where sign times a column grows without bound.
+    fn is_endless(&self, column: usize, sign: f64) -> bool {
+        unbounded(&self.rows.each_ref().map(|row| sign * row[column]))
+    }
+}
 
 /// Extremes of every column over the places of its rows; `at`: the value of a column at a
 /// place beside a row.
 pub(super) fn extremes(
     places: &[f64],
     columns: &[Column],
+    edges: &[Edge],
     at: &mut dyn FnMut(f64, usize, usize) -> f64,
 ) -> Vec<Extremes> {
     let mut all = Vec::with_capacity(columns.len());
     for (index, column) in columns.iter().enumerate() {
         let mut find = |sign: f64| {
+            let mut ends = edges.iter();
+            if let Some(edge) = ends.find(|edge| edge.is_endless(index, sign)) {
+                return (edge.at, sign * f64::INFINITY);
+            }
             let best = greatest_row(&column.values, sign);
             best.map_or((f64::NAN, f64::NAN), |row| {
                 // Between rows that are not all determined, nothing is looked for.

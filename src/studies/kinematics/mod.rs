@@ -186,7 +186,8 @@ impl Column {
     }
 }
 
-/// Least and greatest value of a column and where they are on the axis.
+/// Least and greatest value of a column and where they are on the axis; infinite where it grows
+/// without bound towards a dead position at the end of the reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremes {
     /// (place on the axis, value).

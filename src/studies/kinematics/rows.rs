@@ -1,8 +1,9 @@
 //! The rows of a study, one after the other, whatever leads from one to the next.
 
 use super::columns::Heading;
-use super::extremes::extremes;
+use super::extremes::{Edge, extremes};
 use super::{Column, Extremes};
+use crate::studies::endless::{ROOM, approach};
 use crate::units::shown;
 
 /// Share of its own size, or of what is ordinary for it, that the error of a value may have.
@@ -30,6 +31,11 @@ pub(super) trait Course {
 
     /// Goes on from a row noted earlier, where that makes a difference.
     fn resume(&mut self, _row: usize) {}
+
+    /// Places of dead positions at which the reach ends, as far as they are known.
+    fn limits(&self) -> Vec<f64> {
+        Vec::new()
+    }
 }
 
 /// Places at equal distances, and one more where it is asked for.
@@ -114,16 +120,59 @@ impl<C: Course> Rows<C> {
         Ok(())
     }
 
-    /// Least and greatest value of every column, between the rows too.
-    pub(super) fn extremes(&mut self) -> Vec<Extremes> {
-        let (course, mut values) = (&mut self.course, Vec::new());
-        extremes(&self.places, &self.columns, &mut |place, row, column| {
-            course.resume(row);
-            match course.at(place, &mut values) {
-                Ok(()) => values[column],
-                Err(_) => f64::NAN,
+    /// The dead positions at which the rows end.
+    fn edges(&mut self) -> Vec<Edge> {
+        let (Some(&first), Some(&last)) = (self.places.first(), self.places.last()) else {
+            return Vec::new();
+        };
+        let near = ROOM * (last - first).abs();
+        let mut edges = Vec::new();
+        for at in self.course.limits() {
+            let (row, far) = match ((at - first).abs() <= near, (at - last).abs() <= near) {
+                (true, _) => (0, last),
+                (_, true) => (self.places.len() - 1, first),
+                _ => continue,
+            };
+            self.course.resume(row);
+            let rows = approach(at, far).map(|place| self.determined(place));
+            edges.push(Edge { at, rows });
+        }
+        edges
+    }
+
+    /// Values of all columns at a place, as far as they are determined there.
+    fn determined(&mut self, place: f64) -> Vec<f64> {
+        let mut values = Vec::new();
+        if self.course.at(place, &mut values).is_err() {
+            return vec![f64::NAN; self.columns.len()];
+        }
+        self.course.errors(place, &values, &mut self.errors);
+        for ((value, error), column) in values.iter_mut().zip(&self.errors).zip(&self.columns) {
+            // (What passes infinity has no bounds there either way.)
+            if *error > DETERMINED * value.abs() || column.quantity.passes_infinity() {
+                *value = f64::NAN;
             }
-        })
+        }
+        values
+    }
+
+    /// Least and greatest value of every column, between the rows too; infinite where it grows
+    /// without bound towards an end of the rows.
+    pub(super) fn extremes(&mut self) -> Vec<Extremes> {
+        let edges = self.edges();
+        let (course, mut values) = (&mut self.course, Vec::new());
+        extremes(
+            &self.places,
+            &self.columns,
+            &edges,
+            &mut |place, row, column| {
+                course.resume(row);
+                match course.at(place, &mut values) {
+                    Ok(()) => values[column],
+                    Err(_) => f64::NAN,
+                }
+            },
+        )
     }
 }
 

@@ -154,6 +154,13 @@ impl Course for OneInput<'_, '_> {
         columns::headings(self.asked)
     }
 
+    fn limits(&self) -> Vec<f64> {
+        match self.asked.over {
+            Over::Range { .. } => self.asked.linkage.range().dead_ends(),
+            _ => Vec::new(),
+        }
+    }
+
     fn at(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), OutOfReach> {
         let q = self.asked.input_at(place);
         self.asked.linkage.solve(q.value, 3, &mut self.work)?;

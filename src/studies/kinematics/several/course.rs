@@ -40,6 +40,10 @@ impl Course for SeveralInputs<'_, '_> {
         values::headings(self.asked)
     }
 
+    fn limits(&self) -> Vec<f64> {
+        self.asked.limits().collect()
+    }
+
     fn at(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), NotAssembled> {
         self.go(place)?;
         values::values(self.asked, &self.motion, values);
