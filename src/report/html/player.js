@@ -117,6 +117,7 @@ const machine = (() => {
         }
         for (const { node, body, at: [px, py] } of drawing.pins) {
           const pose = poses[body];
+          node.setAttribute("visibility", pose ? "inherit" : "hidden");
           if (pose) node.setAttribute("transform", `translate(${(pose[0] + pose[2] * px + pose[3] * py).toFixed(2)} ${(pose[1] - pose[3] * px + pose[2] * py).toFixed(2)})`);
         }
       }

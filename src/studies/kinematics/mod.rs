@@ -142,7 +142,8 @@ pub struct Grid {
     /// Frames of all links as in [`Kinematics::frames`], the first axis fastest; not numbers
     /// where the linkage cannot be assembled.
     pub frames: Vec<Vec<[f64; 4]>>,
-    /// Index into the frames of the position nearest to that of the study's beginning.
+    /// Index into the frames of the position nearest to that of the study's beginning, of those
+    /// in which the linkage can be assembled.
     pub start: usize,
 }
 

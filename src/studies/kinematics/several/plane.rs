@@ -97,11 +97,27 @@ pub(super) fn grid(asked: &AskedSeveral<'_>) -> Option<Grid> {
         let values = (0..each).map(value).collect();
         axes.push((asked.name(input).to_owned(), asked.inputs[input], values));
     }
+    let frames = positions(asked, &varied, &axes);
     Some(Grid {
-        frames: positions(asked, &varied, &axes),
-        start,
+        start: nearest(&frames, start, each).unwrap_or(start),
+        frames,
         axes,
     })
+}
+
+/// The position nearest to one of a grid, in steps of its `each` lines, in which the linkage can be
+/// assembled.
+fn nearest(frames: &[Vec<[f64; 4]>], to: usize, each: usize) -> Option<usize> {
+    let assembled = |place: &usize| frames[*place].iter().flatten().all(|part| part.is_finite());
+    let distance = |place: &usize| {
+        let (mut one, mut other, mut square) = (*place, to, 0);
+        while one != other {
+            square += (one % each).abs_diff(other % each).pow(2);
+            (one, other) = (one / each, other / each);
+        }
+        square
+    };
+    (0..frames.len()).filter(assembled).min_by_key(distance)
 }
 
 /// Frames on the grid, from one line to the next there and back, so that every position is
@@ -137,4 +153,25 @@ fn positions(
         }
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest;
+
+    #[test]
+    fn a_grid_starts_where_the_linkage_can_be_assembled() {
+        // Of 4 × 4 positions those with the first index 3, and one more.
+        let frames: Vec<Vec<[f64; 4]>> = (0..16)
+            .map(|place| match place % 4 == 3 || place == 8 {
+                true => vec![[0.0, 0.0, 1.0, 0.0]],
+                false => vec![[f64::NAN; 4]],
+            })
+            .collect();
+        assert_eq!(nearest(&frames, 7, 4), Some(7));
+        // One step along either axis.
+        assert_eq!(nearest(&frames, 6, 4), Some(7));
+        assert_eq!(nearest(&frames, 4, 4), Some(8));
+        assert_eq!(nearest(&frames[..3], 1, 4), None);
+    }
 }
