@@ -13,7 +13,6 @@ use super::basis::Basis;
 use super::lanes::{Arith, Task, V, WIDTH, exp, reduced_one, sin_cos, sin_cos_one};
 use super::law::{Forcing, PolynomialSpan};
 use super::pencil::C;
-
 use super::problem::{ForcePiece, TreeProblem};
 
 /// Room for the coefficients of a polynomial part.

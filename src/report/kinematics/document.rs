@@ -100,10 +100,7 @@ fn strokes(found: &Kinematics) -> Vec<Value> {
 
 fn transmission(found: &Kinematics) -> Vec<Value> {
     let angles = found.transmission.iter().map(|angle| {
-        let end = |(at, value): (f64, f64)| match value.is_infinite() {
-            true => json!({ "value": null, "unbounded_towards": at }),
-            false => json!({ "at": at, "value": value }),
-        };
+        let end = |(at, value): (f64, f64)| json!({ "at": at, "value": value });
         json!({
             "of": angle.owner,
             "unit": "rad",

@@ -7,6 +7,7 @@ mod columns;
 mod counterweight;
 mod course;
 mod cycle;
+mod ends;
 mod extremes;
 mod figures;
 mod loads;
@@ -130,7 +131,7 @@ fn solved<S: PositionSource>(
         })
         .collect();
     let zones = zones::find(&mut solver, &course);
-    zones::leave_out(&mut rows, &course, &zones);
+    ends::leave_out(&mut rows, &course, &zones);
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
     let indeterminate = open::joined(&rows);
