@@ -259,8 +259,39 @@ fn a_dead_position_ends_the_rows_and_is_named() {
             );
         }
     }
-    let out = dam(&["kinematics", &scene, &range, set[0], set[1]]);
+    let pages = folder.path().join("pages").display().to_string();
+    let asked = [
+        "kinematics",
+        &scene,
+        &range,
+        set[0],
+        set[1],
+        "--out",
+        &pages,
+    ];
+    let out = dam(&asked);
     assert!(String::from_utf8_lossy(&out.stdout).contains("unbounded  → "));
+    charts_show_what_lies_between_the_ends(&pages);
+}
+
+/// The frames of all charts: at the last positions angular accelerations are beyond 1e12 rad/s²,
+/// in the middle 1 020.
+fn charts_show_what_lies_between_the_ends(pages: &str) {
+    let page = std::fs::read_to_string(format!("{pages}/report.html")).unwrap();
+    let frames: Vec<[f64; 2]> = (page.split("\"y\":{\"ends\":").skip(1))
+        .map(|rest| serde_json::from_str(&rest[..=rest.find(']').unwrap()]).unwrap())
+        .collect();
+    assert!(frames.len() > 10);
+    for [low, high] in &frames {
+        assert!(
+            -2000.0 < *low && low < high && *high < 2000.0,
+            "{low} {high}"
+        );
+    }
+    let reach = |frame: &&[f64; 2]| frame[1] > 1020.0;
+    assert_eq!(frames.iter().filter(reach).count(), 2);
+    assert!(page.contains("grows without bound towards here"));
+    assert!(page.contains("acceleration away from the ends, where it has no bounds, longest 346."));
 }
 
 #[test]

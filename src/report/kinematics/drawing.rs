@@ -1,5 +1,6 @@
 //! The linkage over the rows, as a drawing that moves.
 
+use super::endless::Endless;
 use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, MOST_FRAMES, Path, Placement};
 use crate::studies::kinematics::{Kinematics, Quantity};
 
@@ -36,17 +37,34 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
     let vectors = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
         rows.iter().map(|&row| [x[row], y[row]]).collect()
     };
-    let set = |name: &str, unit: &str, shown: bool, which: usize| ArrowSet {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        shown,
-        arrows: (points.iter())
-            .map(|point| Arrow {
-                name: format!("{name} of {}", point.owner),
-                at: vectors(point.values[0], point.values[1]),
-                vector: vectors(point.values[which], point.values[which + 1]),
-            })
-            .collect(),
+    let set = |(name, unit): (&str, &str), shown: bool, (quantity, which): (Quantity, usize)| {
+        let endless = Endless::of(found, |column| column.quantity == quantity);
+        let vector = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
+            let near = |row: &usize| endless.is_near(found.axis.values[*row]);
+            let value = |row: &usize| {
+                if near(row) {
+                    [f64::NAN; 2]
+                } else {
+                    [x[*row], y[*row]]
+                }
+            };
+            rows.iter().map(value).collect()
+        };
+        ArrowSet {
+            name: match endless.ends.is_empty() {
+                true => name.to_owned(),
+                false => format!("{name} away from the ends, where it has no bounds"),
+            },
+            unit: unit.to_owned(),
+            shown,
+            arrows: (points.iter())
+                .map(|point| Arrow {
+                    name: format!("{name} of {}", point.owner),
+                    at: vectors(point.values[0], point.values[1]),
+                    vector: vector(point.values[which], point.values[which + 1]),
+                })
+                .collect(),
+        }
     };
     let degrees = found.axis.unit == "rad";
     let shown = |value: f64| if degrees { value.to_degrees() } else { value };
@@ -67,8 +85,12 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
             })
             .collect(),
         arrows: vec![
-            set("speed", "m/s", true, 2),
-            set("acceleration", "m/s²", false, 4),
+            set(("speed", "m/s"), true, (Quantity::SpeedSize, 2)),
+            set(
+                ("acceleration", "m/s²"),
+                false,
+                (Quantity::AccelerationSize, 4),
+            ),
         ],
     }
 }

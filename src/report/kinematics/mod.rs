@@ -2,6 +2,7 @@
 
 mod document;
 mod drawing;
+mod endless;
 mod findings;
 mod plots;
 mod several;

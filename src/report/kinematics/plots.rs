@@ -1,7 +1,8 @@
 //! Plots over the axis, one a quantity.
 
+use super::endless::Endless;
 use crate::report::findings::{Layout, Section};
-use crate::report::plot::{Axis, Plot, Series};
+use crate::report::plot::{Axis, Plot, Rule, Series, framed};
 use crate::studies::kinematics::{Column, Kinematics, Quantity};
 
 /// The plots: links, points, sliding pairs, outputs.
@@ -108,7 +109,33 @@ fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity)
             }),
         }
     }
+    let own = |column: &Column| owners.contains(&column.owner) && column.quantity == quantity;
+    let endless = Endless::of(found, own);
+    if !endless.ends.is_empty() {
+        for chart in &mut charts {
+            leave_room(chart, found, &endless);
+        }
+    }
     charts
+}
+
+/// Frames a chart of what grows without bound by what is farther from there, and marks the
+/// places.
+fn leave_room(chart: &mut Plot, found: &Kinematics, endless: &Endless) {
+    let places = &found.axis.values;
+    let shown = chart.series.iter().flat_map(|series| {
+        let points = series.points.iter().zip(places);
+        points.filter(|(_, at)| !endless.is_near(**at))
+    });
+    chart.y.range = framed(shown.map(|(point, _)| point.1));
+    chart.rules.extend(endless.ends.iter().map(|&at| Rule {
+        at: degrees(found, at),
+        label: String::new(),
+        upright: true,
+    }));
+    if let Some(rule) = chart.rules.last_mut() {
+        rule.label = "grows without bound towards here".to_owned();
+    }
 }
 
 fn axis(found: &Kinematics) -> Axis {
@@ -122,16 +149,22 @@ fn axis(found: &Kinematics) -> Axis {
 }
 
 fn curve(found: &Kinematics, column: &Column) -> Series {
-    let degrees = found.axis.unit == "rad";
-    let place = |at: f64| if degrees { at.to_degrees() } else { at };
     let points = found.axis.values.iter().zip(&column.values);
-    let points = points.map(|(&at, &value)| (place(at), value));
+    let points = points.map(|(&at, &value)| (degrees(found, at), value));
     let owner = short(&column.owner);
     let label = match &column.by {
         Some(input) => format!("{owner} by {input}"),
         None => owner.to_owned(),
     };
     Series::line(&label, points.collect())
+}
+
+/// A place on the axis as charts show it.
+fn degrees(found: &Kinematics, at: f64) -> f64 {
+    match found.axis.unit {
+        "rad" => at.to_degrees(),
+        _ => at,
+    }
 }
 
 /// An owner without the word that says what it is: the heading says that.

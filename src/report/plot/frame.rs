@@ -6,6 +6,8 @@ use crate::report::quantity::{escape, shortened};
 
 pub(super) const RIGHT: f64 = 20.0;
 const HEAD: f64 = 28.0;
+/// Share of the range of its values that a chart leaves free above and below.
+const MARGIN: f64 = 0.06;
 const FOOT: f64 = 42.0;
 const ROW: f64 = 18.0;
 pub(super) const LANE: f64 = 26.0;
@@ -238,7 +240,7 @@ impl Plot {
         let values = self.points().map(|point| point.1);
         let values = values.chain(rules.map(|rule| rule.at));
         if !self.y.log {
-            return padded(range(values), 0.06);
+            return padded(range(values), MARGIN);
         }
         let ceiling = self.y.ceiling.unwrap_or(f64::INFINITY);
         let values = values.filter(|y| *y > 0.0);
@@ -310,6 +312,13 @@ pub(super) fn stroke(series: &Series, look: Look, style: usize) -> String {
         }
         _ => format!("class=\"curve s{style}\""),
     }
+}
+
+/// The ends of an axis for some values, with a margin; `None` of nothing.
+pub(in crate::report) fn framed(values: impl Iterator<Item = f64>) -> Option<[f64; 2]> {
+    let mut finite = values.filter(|value| value.is_finite()).peekable();
+    finite.peek()?;
+    Some(padded(range(finite), MARGIN))
 }
 
 /// Least and greatest finite value; 0 … 0 of nothing.

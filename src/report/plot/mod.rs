@@ -21,7 +21,7 @@ mod script_tests;
 mod tests;
 
 pub use field::{Contour, Field, Fill, Kind};
-pub(in crate::report) use frame::{Entry, Frame, STRIP, rows as legend_rows};
+pub(in crate::report) use frame::{Entry, Frame, STRIP, framed, rows as legend_rows};
 pub use page::Plots;
 
 /// A chart as data: quantities over one another.

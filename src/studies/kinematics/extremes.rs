@@ -17,7 +17,7 @@ pub(super) struct Edge {
 
 impl Edge {
     /// True where sign times a column grows without bound.
-    fn is_endless(&self, column: usize, sign: f64) -> bool {
+    pub(super) fn is_endless(&self, column: usize, sign: f64) -> bool {
         unbounded(&self.rows.each_ref().map(|row| sign * row[column]))
     }
 }

@@ -178,6 +178,8 @@ pub struct Column {
     pub error: f64,
     /// Rows at which the error is so great that the value is not determined.
     pub undetermined: usize,
+    /// Dead positions at the ends of the rows towards which it grows without bound.
+    pub unbounded: Vec<f64>,
 }
 
 impl Column {

@@ -75,6 +75,7 @@ impl<C: Course> Rows<C> {
             values: Vec::new(),
             error: 0.0,
             undetermined: 0,
+            unbounded: Vec::new(),
         };
         Self {
             errors: Vec::new(),
@@ -160,6 +161,11 @@ impl<C: Course> Rows<C> {
     /// without bound towards an end of the rows.
     pub(super) fn extremes(&mut self) -> Vec<Extremes> {
         let edges = self.edges();
+        for (index, column) in self.columns.iter_mut().enumerate() {
+            let endless =
+                |edge: &&Edge| [1.0, -1.0].iter().any(|&sign| edge.is_endless(index, sign));
+            column.unbounded = edges.iter().filter(endless).map(|edge| edge.at).collect();
+        }
         let (course, mut values) = (&mut self.course, Vec::new());
         extremes(
             &self.places,
