@@ -40,17 +40,9 @@ const watch = () => {
   new PerformanceObserver((list) => {
     for (const mark of list.getEntriesByName("answer")) seen.answers.push({ version: mark.detail, at: mark.startTime });
   }).observe({ type: "mark" });
-  const listen = Object.getOwnPropertyDescriptor(WebSocket.prototype, "onmessage");
-  Object.defineProperty(WebSocket.prototype, "onmessage", { ...listen, set(act) {
-    listen.set.call(this, (event) => {
-      act(event);
-      // Names stand in order of the alphabet: that of a map is the first of all.
-      if (typeof event.data === "string" && event.data.startsWith('{"cells"')) {
-        const message = JSON.parse(event.data);
-        seen.maps.push({ cells: message.cells, version: message.version, at: performance.now() });
-      }
-    });
-  } });
+  new PerformanceObserver((list) => {
+    for (const mark of list.getEntriesByName("map")) seen.maps.push({ ...mark.detail, at: mark.startTime });
+  }).observe({ type: "mark" });
 };
 
 async function measure(page, client, slider) {
@@ -67,7 +59,9 @@ async function measure(page, client, slider) {
   await page.mouse.down();
   const begun = performance.now();
   for (let k = 0; k < moves; k++) {
-    const wait = begun + (k * 1000) / 60 - performance.now();
+    // Each at another place of its sixtieth: how moves and frames lie to each other would change
+    // the result by half a frame.
+    const wait = begun + ((k + ((k * 0.618034) % 1)) * 1000) / 60 - performance.now();
     if (wait > 0) await new Promise((done) => setTimeout(done, wait));
     // To and fro, never the same place twice in a row.
     void client.send("Input.dispatchMouseEvent", { type: "mouseMoved", x: x(0.3 + 0.2 * Math.sin(k / 15) + 0.1 * Math.sin(k / 3)), y, button: "left", buttons: 1 });
@@ -103,7 +97,7 @@ async function measure(page, client, slider) {
   }
   const maps = (cells) => seen.maps.filter((one) => one.cells === cells).map((one) => {
     const push = (seen.pushes).find((two) => two.version === one.version);
-    return push ? one.at - push.input : NaN;
+    return push ? after(one.at) - push.input : NaN;
   }).filter(Number.isFinite);
   return { times: times.filter(Number.isFinite), rate, answers: seen.answers.length, inputs: seen.inputs.length, coarse: maps(25), fine: maps(400) };
 }

@@ -72,7 +72,9 @@ impl<C: Catalogue + Sync> Task<'_, C> {
             last = study.cells();
             let budget = Budget::interrupted_by(stop).within(RUN);
             let listener = Counted::new(study.cells(), count == CELLS[0], told);
-            let Ok(found) = map(&study, BTreeMap::new(), None, &budget, &listener) else {
+            // The coarse one comes while a number moves, and answers and the browser with it.
+            let threads = (count == CELLS[0]).then(half_of_the_cores);
+            let Ok(found) = map(&study, BTreeMap::new(), threads, &budget, &listener) else {
                 return false;
             };
             if !found.complete {
@@ -113,6 +115,11 @@ impl<C: Catalogue + Sync> Task<'_, C> {
         };
         json!({ "type": "map", "version": self.version, "refused": words }).to_string()
     }
+}
+
+fn half_of_the_cores() -> usize {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    cores.div_ceil(2)
 }
 
 /// Counts cells, and tells of them where there are many.

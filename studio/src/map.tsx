@@ -1,6 +1,6 @@
 // The live map: a figure over two numbers of the scene. A click or a drag in it sets them.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Editor } from "./editor";
 import { offer } from "./export";
 import { Host } from "./host";
@@ -56,7 +56,8 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
     const { x, y } = now.current, [a, b] = [x, y].map((address) => address === undefined ? null : fieldOf(editor.state, address)?.value ?? null);
     made.current.forEach((chart) => chart.mark(a!, b!));
   };
-  useEffect(mark);
+  // In the frame of what it follows, not in one of its own.
+  useLayoutEffect(mark);
 
   useEffect(() => {
     // Told of once a frame at most.
@@ -79,7 +80,7 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
       made.current = live.make(place.current!, source, width);
       offer(made.current);
     };
-    link.on("map", (message: Message) => {
+    const take = (message: Message) => {
       latest = null;
       setProgress(null);
       setTold(message.refused ? `There is no map: ${message.refused}` : `${message.figure}, ${message.cells} points. Click or drag sets both numbers.`);
@@ -89,8 +90,10 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
         show(message.html, source);
         mark();
       }
+      performance.mark("map", { detail: { version: message.version, cells: message.cells } });
       requestAnimationFrame(() => link.send({ type: "map_shown" }));
-    });
+    };
+    link.on("map", take);
     const begin = () => { drag.current = editor.drag(); };
     const steer = (event: Event) => {
       const { x: a, y: b } = (event as CustomEvent).detail, { x, y } = now.current, state = editor.state;

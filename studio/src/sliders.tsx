@@ -46,6 +46,8 @@ export function Sliders({ editor, fields, spans }: Props) {
 function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; text: string; spans: Map<string, Span> }) {
   const drag = useRef(0), last = useRef(0), held = useRef(false), raw = useRef(false);
   const bar = useRef<HTMLInputElement>(null);
+  // Where it is held: asked of the page once, which would be laid out anew at every move.
+  const place = useRef({ left: 0, width: 1 });
   const [wrong, setWrong] = useState(false);
   // What is being typed stays, whatever comes of edits before.
   const [typing, setTyping] = useState<string | null>(null);
@@ -75,7 +77,7 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
   useEffect(() => {
     const own = bar.current!, follow = (event: Event) => {
       if (!held.current || editor.isBusy) return;
-      const { left, width } = own.getBoundingClientRect();
+      const { left, width } = place.current;
       const share = ((event as PointerEvent).clientX - left - KNOB / 2) / (width - KNOB);
       raw.current = true;
       newest.current(Math.round(STEPS * Math.min(1, Math.max(0, share))) / STEPS);
@@ -99,7 +101,7 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
       <label for={`number ${address}`} title={`${address}${field.quantity ? `: ${field.quantity}` : ""}`}>{name}</label>
       <input type="range" ref={bar} min={0} max={STEPS} step={1} value={Math.round(STEPS * shareOf(span, value))} aria-label={`${address}, slider`}
         aria-valuetext={words}
-        onPointerDown={() => { held.current = true; raw.current = false; drag.current = editor.drag(); }}
+        onPointerDown={(event) => { held.current = true; place.current = event.currentTarget.getBoundingClientRect(); raw.current = false; drag.current = editor.drag(); }}
         onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
       <input type="text" id={`number ${address}`} value={typing ?? words} aria-invalid={wrong} spellcheck={false} size={12}
         title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}
