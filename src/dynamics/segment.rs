@@ -28,6 +28,14 @@ pub(crate) enum Signal {
     Clearance,
 }
 
+/// Signals of whose magnitude the greatest is wanted.
+pub(crate) const MAGNITUDES: [Signal; 4] = [
+    Signal::Speed,
+    Signal::Acceleration,
+    Signal::Reaction,
+    Signal::ContactForce,
+];
+
 /// A signal of one of the objects of a segment, turned round for its least values.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Asked {
@@ -99,6 +107,13 @@ pub(crate) trait Segment {
                 sign,
             };
             self.raise(asked, peak);
+        }
+    }
+
+    /// Raises the peaks of all [`MAGNITUDES`] of an object.
+    fn raise_magnitudes(&mut self, object: usize, peaks: &mut [Peak; 4]) {
+        for (peak, signal) in peaks.iter_mut().zip(MAGNITUDES) {
+            self.raise_magnitude(object, signal, peak);
         }
     }
 

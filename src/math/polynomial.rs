@@ -4,9 +4,11 @@
 //! without change proves that there is no root.
 
 mod parts;
+mod places;
 mod roots;
 
 pub use parts::{divide, halve, raise};
+pub(crate) use places::Places;
 pub use roots::{first_both_positive, first_positive};
 
 /// Continuous output over one accepted step: for every signal a polynomial in
@@ -88,14 +90,10 @@ impl<'a> Step<'a> {
             }
             return;
         }
-        self.weighted_state(s, &weights(self.degree - 1, s), y);
-    }
-
-    /// As [`Self::state`], at a place whose weights are known: those of a degree less one.
-    pub(crate) fn weighted_state(&self, s: f64, weights: &Coefficients, y: &mut [f64]) {
         // All signals are weighted sums of their coefficients with the same weights: those
         // of the polynomial between the first and last but one coefficient, and of what the
         // next ones add.
+        let weights = weights(self.degree - 1, s);
         let n = self.coordinates;
         let rate = self.degree as f64 / self.length;
         for index in 0..n {
@@ -129,7 +127,7 @@ fn weighted(weights: &[f64], row: &[f64]) -> (f64, f64) {
 }
 
 /// The Bernstein polynomials of a degree at 0 ≤ s ≤ 1.
-pub(crate) fn weights(degree: usize, s: f64) -> Coefficients {
+fn weights(degree: usize, s: f64) -> Coefficients {
     let mut weights = [0.0; MAX_DEGREE + 1];
     let rest = 1.0 - s;
     let mut power = 1.0;

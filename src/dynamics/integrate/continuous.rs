@@ -9,7 +9,7 @@
 //! points degree 8, whose error is of order h⁸; a second raise makes it h⁹.
 
 use super::{Dynamics, evaluator::Evaluator};
-use crate::math::polynomial::{Step, gain, told_gain};
+use crate::math::polynomial::{MAX_DEGREE, Step, gain, told_gain};
 use nalgebra::DMatrix;
 
 /// Inner point of the first raise.
@@ -149,15 +149,17 @@ impl Output {
         self.begin(from, to, degree);
         self.coefficients.resize(series.len(), 0.0);
         self.coefficients.copy_from_slice(series);
+        // share^k over the binomial (degree over k).
+        let mut factors = [1.0; MAX_DEGREE + 1];
+        for k in 1..=degree {
+            factors[k] = factors[k - 1] * (share * k as f64 / (degree + 1 - k) as f64);
+        }
         let rows = self.coefficients.chunks_exact_mut(degree + 1);
         for (row, (a, b)) in rows.zip(from.signals.iter().zip(&to.signals)) {
-            // c_k·share^k over the binomial (degree over k) …
-            let mut factor = 1.0;
-            for (k, c) in row.iter_mut().enumerate().skip(1) {
-                factor *= share * k as f64 / (degree + 1 - k) as f64;
+            for (c, factor) in row.iter_mut().zip(&factors) {
                 *c *= factor;
             }
-            // … summed up to Bernstein coefficients.
+            // Summed up to Bernstein coefficients.
             row[0] = 0.0;
             for level in 1..=degree {
                 for k in (level..=degree).rev() {

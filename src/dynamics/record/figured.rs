@@ -191,10 +191,11 @@ impl<'s> Figured<'s> {
     /// the energies at the end.
     fn observe_step(&mut self, step: &Step<'_>, modes: &Modes) {
         let count = self.tallies.len();
+        self.observer.go_to(step);
         for index in 0..PLACES.len() {
             if index > 0 || !self.continues {
                 let states = &mut self.states[index * count..(index + 1) * count];
-                self.observer.put_at(step, index, modes, states);
+                self.observer.put_there(step, index, modes, states);
                 if WEIGHTED.contains(&index) {
                     self.powers[index] = self.observer.power_there(modes);
                 }

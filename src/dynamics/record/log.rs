@@ -26,18 +26,47 @@ const DEEPEST: u32 = 8;
 const STRAIGHT: f64 = 1e-3;
 
 /// What the observer has just seen, with the masses if they are recorded.
-fn seen<'o>(
-    observer: &'o mut Observer<'_>,
-    y: &[f64],
-    modes: &Modes,
-    masses: &'o mut [MassState],
-) -> Seen<'o> {
+fn seen<'o>(observer: &'o Observer<'_>, modes: &Modes, masses: &'o mut [MassState]) -> Seen<'o> {
     if !masses.is_empty() {
-        observer.masses(y, modes, masses);
+        observer.masses(modes, masses);
     }
     Seen {
         states: observer.states(),
         masses,
+    }
+}
+
+/// A stretch without switches, of which samples are taken.
+pub(crate) struct Stretch<'a> {
+    /// From when until when (s).
+    pub(crate) span: [f64; 2],
+    pub(crate) modes: &'a Modes,
+    pub(crate) course: Course<'a>,
+}
+
+/// What tells the state of a system over a stretch.
+pub(crate) enum Course<'a> {
+    /// A step of an integration.
+    Step(&'a Step<'a>),
+    /// Puts y at an instant.
+    Known(&'a mut dyn FnMut(f64, &mut [f64])),
+}
+
+impl Stretch<'_> {
+    /// Looks at an instant.
+    fn look<'o>(
+        &mut self,
+        time: f64,
+        observer: &'o mut Observer<'_>,
+        masses: &'o mut [MassState],
+    ) -> Seen<'o> {
+        match &mut self.course {
+            Course::Step(step) => observer.state_in(step, time, self.modes),
+            Course::Known(state) => {
+                observer.state_of(time, self.modes, |y| state(time, y));
+            }
+        }
+        seen(observer, self.modes, masses)
     }
 }
 
@@ -52,7 +81,6 @@ pub(crate) struct Log<'s> {
     separations: Vec<Interval>,
     start: f64,
     time: f64,
-    y: Vec<f64>,
     /// All masses, where they are recorded.
     masses: Vec<MassState>,
     /// Closeups that may still be taken until the next switch.
@@ -87,7 +115,6 @@ impl<'s> Log<'s> {
             separations: Vec::new(),
             start: 0.0,
             time: 0.0,
-            y: vec![0.0; 2 * crate::dynamics::integrate::Dynamics::coordinates(system)],
             masses: match settings.masses && settings.samples > 0 {
                 true => vec![MassState::default(); all_masses],
                 false => Vec::new(),
@@ -108,7 +135,7 @@ impl<'s> Log<'s> {
         let states = self.observer.state(time, y, modes);
         let bad = states.iter().position(|state| !is_finite(state));
         if self.rows.is_wanted() {
-            let seen = seen(&mut self.observer, y, modes, &mut self.masses);
+            let seen = seen(&self.observer, modes, &mut self.masses);
             self.rows.sample_at(time, seen);
         }
         if bad.is_some() {
@@ -118,33 +145,24 @@ impl<'s> Log<'s> {
         self.observer.states()
     }
 
-    /// The samples that fall into a stretch without switches, which may be a step; `state`
-    /// gives y at an instant of it.
-    pub(crate) fn sample(
-        &mut self,
-        ([from, until], step): ([f64; 2], Option<&Step<'_>>),
-        modes: &Modes,
-        state: &mut dyn FnMut(f64, &mut [f64]),
-    ) {
+    /// The samples that fall into a stretch, which may be a step.
+    pub(crate) fn sample(&mut self, mut stretch: Stretch<'_>) {
+        let [from, until] = stretch.span;
         while let Some(time) = self.rows.due(until) {
             if self.failure.is_some() {
                 return;
             }
-            state(time, &mut self.y);
-            self.observer.state_in(step, (time, &self.y), modes);
-            let seen = seen(&mut self.observer, &self.y, modes, &mut self.masses);
+            let seen = stretch.look(time, &mut self.observer, &mut self.masses);
             if !self.rows.sample_at(time, seen) {
                 self.fail(from);
             }
         }
         if !self.masses.is_empty() && self.rows.nearly_due(until) {
             // The last sample is taken from what was seen last.
-            state(until, &mut self.y);
-            self.observer.state_in(step, (until, &self.y), modes);
-            seen(&mut self.observer, &self.y, modes, &mut self.masses);
+            stretch.look(until, &mut self.observer, &mut self.masses);
         }
         if self.budget > 0 && self.failure.is_none() {
-            self.look_closely(([from, until], step), modes, state);
+            self.look_closely(stretch);
         }
         self.time = until;
     }
@@ -215,7 +233,7 @@ impl<'s> Log<'s> {
             let struck = event.impact.map_or(event.y, |(_, before)| before);
             for (y, modes) in [(struck, event.before), (event.y, event.after)] {
                 self.observer.state(event.time, y, modes);
-                let seen = seen(&mut self.observer, y, modes, &mut self.masses);
+                let seen = seen(&self.observer, modes, &mut self.masses);
                 if !self.rows.push(event.time, seen) {
                     return self.fail(event.time);
                 }
@@ -225,23 +243,16 @@ impl<'s> Log<'s> {
 
     /// Keeps rows at the instants, among `times`, of extremes met in a stretch: where they
     /// last, they are closeups.
-    pub(crate) fn keep(
-        &mut self,
-        times: impl Iterator<Item = f64>,
-        ([from, until], step): ([f64; 2], Option<&Step<'_>>),
-        modes: &Modes,
-        state: &mut dyn FnMut(f64, &mut [f64]),
-    ) {
+    pub(crate) fn keep(&mut self, times: impl Iterator<Item = f64>, mut stretch: Stretch<'_>) {
         if !self.settings.closeups || self.failure.is_some() {
             return;
         }
+        let [from, until] = stretch.span;
         for time in times.filter(|time| from <= *time && *time <= until) {
             if self.peaks.iter().any(|kept| kept.0 == time) {
                 continue;
             }
-            state(time, &mut self.y);
-            self.observer.state_in(step, (time, &self.y), modes);
-            let seen = seen(&mut self.observer, &self.y, modes, &mut self.masses);
+            let seen = stretch.look(time, &mut self.observer, &mut self.masses);
             if let Some(values) = self.rows.values(seen) {
                 self.peaks.push((time, values.to_vec()));
             }
@@ -250,16 +261,10 @@ impl<'s> Log<'s> {
 
     /// Takes samples between those that are due, where straight lines between them would
     /// not show the course of every column.
-    fn look_closely(
-        &mut self,
-        ([from, until], step): ([f64; 2], Option<&Step<'_>>),
-        modes: &Modes,
-        state: &mut dyn FnMut(f64, &mut [f64]),
-    ) {
+    fn look_closely(&mut self, mut stretch: Stretch<'_>) {
+        let [from, until] = stretch.span;
         let mut row = |log: &mut Self, time: f64| -> Option<Vec<f64>> {
-            state(time, &mut log.y);
-            log.observer.state_in(step, (time, &log.y), modes);
-            let seen = seen(&mut log.observer, &log.y, modes, &mut log.masses);
+            let seen = stretch.look(time, &mut log.observer, &mut log.masses);
             log.rows.values(seen).map(<[f64]>::to_vec)
         };
         let Some(first) = row(self, from) else {

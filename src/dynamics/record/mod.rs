@@ -30,16 +30,18 @@ pub use crate::dynamics::energy::EnergyAudit;
 pub use addresses::AddressError;
 pub use failure::Failure;
 pub use figure::Figure;
+pub(crate) use figured::Figured;
 pub use figures::{
     Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
     RunSummary, StopFigures, Units, greatest_magnitude,
 };
+pub(crate) use log::{Course, Log, Stretch};
 pub use quantity::Quantity;
 pub use recorder::{Recorded, Recorder};
 pub use settings::RecorderSettings;
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};
-pub(crate) use {figured::Figured, log::Log, observer::Observer, sampled::Sampled, tally::Tally};
+pub(crate) use {observer::Observer, sampled::Sampled, tally::Tally};
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -9,7 +9,7 @@ use super::subdivision::{integral_of_magnitude, maximum, minimum};
 use super::tally::read;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
+use crate::dynamics::segment::{Asked, MAGNITUDES, Peak, Segment, Signal};
 use crate::dynamics::system::{ObjectState, System};
 use crate::math::polynomial::{MAX_DEGREE, Step};
 
@@ -112,6 +112,42 @@ pub(super) fn at_places(
     }
 }
 
+/// Ranges of the [`MAGNITUDES`] at the places of a step.
+struct Ranges {
+    most: [f64; 4],
+    least: [f64; 4],
+}
+
+impl Default for Ranges {
+    fn default() -> Self {
+        Self {
+            most: [f64::MIN; 4],
+            least: [f64::MAX; 4],
+        }
+    }
+}
+
+impl Ranges {
+    #[inline(always)]
+    fn take(&mut self, state: &ObjectState) {
+        // (All are numbers. Four at a time.)
+        let values = MAGNITUDES.map(|signal| read(signal, state));
+        for ((most, least), value) in self.most.iter_mut().zip(&mut self.least).zip(values) {
+            *most = if value > *most { value } else { *most };
+            *least = if value < *least { value } else { *least };
+        }
+    }
+
+    /// What each magnitude may come to between the places: no parabola through three
+    /// neighbours rises by more than their range, and that is doubled.
+    fn magnitudes(&self) -> [f64; 4] {
+        std::array::from_fn(|k| {
+            let (most, least) = (self.most[k], self.least[k]);
+            most.max(-least) + 2.0 * (most - least)
+        })
+    }
+}
+
 /// A step, its observations and the means to look in between.
 pub(super) struct Observed<'a, 's> {
     pub(super) step: &'a Step<'a>,
@@ -169,12 +205,6 @@ impl Segment for Observed<'_, '_> {
 
     fn raise_magnitude(&mut self, object: usize, signal: Signal, peak: &mut Peak) {
         let values = at_places(self.states, self.coordinates.len(), object, signal);
-        let most = values.iter().copied().fold(f64::MIN, f64::max);
-        let least = values.iter().copied().fold(f64::MAX, f64::min);
-        // Most often neither side can pass, and nothing has to be looked at twice.
-        if most.max(-least) + 2.0 * (most - least) <= peak.value {
-            return;
-        }
         for sign in [1.0, -1.0] {
             let asked = Asked {
                 object,
@@ -182,6 +212,21 @@ impl Segment for Observed<'_, '_> {
                 sign,
             };
             self.follow(asked, &values.map(|value| sign * value), peak);
+        }
+    }
+
+    fn raise_magnitudes(&mut self, object: usize, peaks: &mut [Peak; 4]) {
+        let objects = self.coordinates.len();
+        // Most often none can pass, and nothing has to be looked at twice.
+        let mut ranges = Ranges::default();
+        for place in 0..PLACES.len() {
+            ranges.take(&self.states[place * objects + object]);
+        }
+        let passing = ranges.magnitudes();
+        for (k, peak) in peaks.iter_mut().enumerate() {
+            if passing[k] > peak.value {
+                self.raise_magnitude(object, MAGNITUDES[k], peak);
+            }
         }
     }
 

@@ -3,7 +3,7 @@
 use super::peaks::PLACES;
 use crate::dynamics::integrate::{Dynamics, Modes};
 use crate::dynamics::system::{Bends, Energy, MassState, ObjectState, Power, Scratch, System};
-use crate::math::polynomial::{Coefficients, MAX_DEGREE, Step, weights};
+use crate::math::polynomial::{Places, Step};
 
 /// Looks at a system between the ends of a step.
 pub(crate) struct Observer<'s> {
@@ -13,20 +13,26 @@ pub(crate) struct Observer<'s> {
     states: Vec<ObjectState>,
     /// Where accelerations are read off long steps.
     bends: Option<Bends>,
-    /// What the coefficients of a step of this degree count at [`PLACES`].
-    weights: (usize, [Coefficients; 7]),
+    places: Places,
+    /// States of the system at the places of the step at hand, place after place.
+    states_there: Vec<f64>,
+    /// Second derivatives there, where accelerations are read off it.
+    bends_there: Vec<f64>,
 }
 
 impl<'s> Observer<'s> {
     /// An observer with memory of its own.
     pub(crate) fn new(system: &'s System) -> Self {
+        let coordinates = system.coordinates();
         Self {
             system,
             scratch: system.scratch(),
-            y: vec![0.0; 2 * system.coordinates()],
+            y: vec![0.0; 2 * coordinates],
             states: vec![ObjectState::default(); system.model().objects.len()],
             bends: None,
-            weights: (0, [[0.0; MAX_DEGREE + 1]; 7]),
+            places: Places::new(&PLACES),
+            states_there: vec![0.0; 2 * coordinates * PLACES.len()],
+            bends_there: vec![0.0; coordinates * PLACES.len()],
         }
     }
 
@@ -64,37 +70,57 @@ impl<'s> Observer<'s> {
         modes: &Modes,
         states: &mut [ObjectState],
     ) {
-        step.state(s, &mut self.y);
-        self.look(step, s, modes, states);
+        self.put_at(step, (s, step.time(s)), modes, states);
     }
 
-    /// States of all objects at one of the [`PLACES`] of a step, into `states`.
-    pub(crate) fn put_at(
+    /// States of all objects at s, which is told to be at an instant, into `states`.
+    fn put_at(
+        &mut self,
+        step: &Step<'_>,
+        (s, time): (f64, f64),
+        modes: &Modes,
+        states: &mut [ObjectState],
+    ) {
+        step.state(s, &mut self.y);
+        if let Some(bends) = self.bends.as_mut().filter(|bends| bends.is_wanted()) {
+            bends.read(step, s);
+        }
+        self.look(time, modes, states);
+    }
+
+    /// Looks at a step at all its [`PLACES`], for [`Self::put_there`].
+    pub(crate) fn go_to(&mut self, step: &Step<'_>) {
+        if step.coordinates == 0 {
+            return;
+        }
+        self.places.states(step, &mut self.states_there);
+        if self.bends.as_ref().is_some_and(Bends::is_wanted) {
+            self.places.accelerations(step, &mut self.bends_there);
+        }
+    }
+
+    /// States of all objects at one of the [`PLACES`] of the step gone to, into `states`.
+    pub(crate) fn put_there(
         &mut self,
         step: &Step<'_>,
         place: usize,
         modes: &Modes,
         states: &mut [ObjectState],
     ) {
-        let s = PLACES[place] * step.end;
-        if step.end == 1.0 && step.degree > 0 {
-            let (degree, of_places) = &mut self.weights;
-            if *degree != step.degree {
-                *degree = step.degree;
-                *of_places = PLACES.map(|s| weights(step.degree - 1, s));
-            }
-            step.weighted_state(s, &of_places[place], &mut self.y);
-        } else {
-            step.state(s, &mut self.y);
+        let n = step.coordinates;
+        self.y
+            .copy_from_slice(&self.states_there[2 * n * place..][..2 * n]);
+        if let Some(bends) = self.bends.as_mut().filter(|bends| bends.is_wanted()) {
+            bends.set(&self.bends_there[n * place..][..n]);
         }
-        self.look(step, s, modes, states);
+        self.look(step.time(PLACES[place] * step.end), modes, states);
     }
 
-    /// States of all objects at s of a step, of which the state is there.
-    fn look(&mut self, step: &Step<'_>, s: f64, modes: &Modes, states: &mut [ObjectState]) {
-        let (time, system, scratch) = (step.time(s), self.system, &mut self.scratch);
-        let bends = self.bends.as_mut();
-        match bends.and_then(|bends| bends.read(step, s).then_some(bends)) {
+    /// States of all objects at an instant at which the state is there, and what bends the
+    /// step.
+    fn look(&mut self, time: f64, modes: &Modes, states: &mut [ObjectState]) {
+        let (system, scratch) = (self.system, &mut self.scratch);
+        match self.bends.as_ref().filter(|bends| bends.is_wanted()) {
             Some(bends) => system.observe_bent(time, &self.y, modes, bends, scratch, states),
             None => system.observe(time, &self.y, modes, scratch, states),
         }
@@ -110,33 +136,35 @@ impl<'s> Observer<'s> {
 
     /// States of all objects at a state of the system.
     pub(crate) fn state(&mut self, time: f64, y: &[f64], modes: &Modes) -> &[ObjectState] {
+        self.state_of(time, modes, |own| own.copy_from_slice(y))
+    }
+
+    /// States of all objects at the state of the system that `fill` gives.
+    pub(crate) fn state_of(
+        &mut self,
+        time: f64,
+        modes: &Modes,
+        fill: impl FnOnce(&mut [f64]),
+    ) -> &[ObjectState] {
+        fill(&mut self.y);
         self.system
-            .observe(time, y, modes, &mut self.scratch, &mut self.states);
+            .observe(time, &self.y, modes, &mut self.scratch, &mut self.states);
         &self.states
     }
 
-    /// States of all objects at an instant and a state, of a step where there is one.
-    pub(crate) fn state_in(
-        &mut self,
-        step: Option<&Step<'_>>,
-        (time, y): (f64, &[f64]),
-        modes: &Modes,
-    ) {
-        match step.filter(|_| self.bends.is_some()) {
-            Some(step) => {
-                let s = (time - step.start) / step.length;
-                self.begin(step.length);
-                self.at(step, s.clamp(0.0, step.end), modes);
-            }
-            None => {
-                self.state(time, y, modes);
-            }
-        }
+    /// States of all objects at an instant of a step.
+    pub(crate) fn state_in(&mut self, step: &Step<'_>, time: f64, modes: &Modes) {
+        let s = ((time - step.start) / step.length).clamp(0.0, step.end);
+        self.begin(step.length);
+        let mut states = std::mem::take(&mut self.states);
+        self.put_at(step, (s, time), modes, &mut states);
+        self.states = states;
     }
 
     /// States of all masses where it was looked last.
-    pub(crate) fn masses(&self, y: &[f64], modes: &Modes, masses: &mut [MassState]) {
-        self.system.observe_masses(y, modes, &self.scratch, masses);
+    pub(crate) fn masses(&self, modes: &Modes, masses: &mut [MassState]) {
+        self.system
+            .observe_masses(&self.y, modes, &self.scratch, masses);
     }
 
     /// States of all objects where it was looked last.

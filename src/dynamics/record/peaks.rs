@@ -6,7 +6,7 @@
 //! where that could beat the greatest value so far is it looked for closely.
 
 use crate::dynamics::segment::Peak;
-use crate::math::optimise::{climb, vertex};
+use crate::math::optimise::{climb_among, vertex};
 use crate::math::quadrature::FIVE;
 
 /// Places within a step, as fractions of it: its ends and the five
@@ -51,13 +51,14 @@ impl Peak {
             }
             let first = top.clamp(1, 5) - 1;
             let three = std::array::from_fn(|i| (places[first + i], values[first + i]));
-            let Some((_, hoped)) = vertex(&three) else {
+            let Some((near, hoped)) = vertex(&three) else {
                 continue;
             };
             // The parabola's gain is doubled: it is only an estimate.
             let gain = hoped - values[top];
             if gain > 1e-15 * hoped.abs() && values[top] + 2.0 * gain > self.value {
-                let (place, value) = climb(three, &mut look);
+                let points = std::array::from_fn(|i| (places[i], values[i]));
+                let (place, value) = climb_among(&points, top, near, &mut look);
                 self.see(time(place), value);
             }
         }

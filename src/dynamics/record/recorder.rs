@@ -3,7 +3,7 @@
 use super::failure::Failure;
 
 use super::figured::Figured;
-use super::log::Log;
+use super::log::{Course, Log, Stretch};
 use super::settings::RecorderSettings;
 use super::tally::Tally;
 use super::{ObjectFigures, Record};
@@ -75,15 +75,14 @@ impl Sink for Recorder<'_> {
             Some(failure) => failure.time,
             None => step.end_time(),
         };
-        let mut state = |time: f64, y: &mut [f64]| {
-            let s = (time - step.start) / step.length;
-            step.state(s.clamp(0.0, step.end), y);
+        let stretch = || Stretch {
+            span: [step.start, until],
+            modes,
+            course: Course::Step(step),
         };
-        let span = [step.start, until];
-        self.log.sample((span, Some(step)), modes, &mut state);
+        self.log.sample(stretch());
         let tallies = self.figured.tallies().iter();
-        let times = tallies.flat_map(Tally::times);
-        self.log.keep(times, (span, Some(step)), modes, &mut state);
+        self.log.keep(tallies.flat_map(Tally::times), stretch());
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {

@@ -6,11 +6,16 @@
 //! dozen halvings around the place in question give the result to rounding,
 //! and nothing is overlooked on the way.
 
-use crate::math::polynomial::{MAX_DEGREE, divide};
+use crate::math::polynomial::{MAX_DEGREE, divide, evaluate};
+use crate::math::roots::bracketed;
 
 /// Halvings after which a piece is taken as it is: the enclosure is then as
 /// tight as the square of 2⁻²⁷, below rounding.
 const DEEPEST: u32 = 27;
+
+/// Share of its greatest coefficient to which a polynomial is taken to be zero where it
+/// changes its sign: the area that is lost is less than rounding.
+const ZERO: f64 = 1e-12;
 
 /// A polynomial on a piece of its interval.
 #[derive(Clone, Copy)]
@@ -54,6 +59,22 @@ impl Piece {
 
     fn has_one_sign(&self) -> bool {
         of_one_sign(self.values())
+    }
+
+    /// The only zero over [0, 1] of a piece whose coefficients change their sign once.
+    fn only_zero(&self) -> Option<f64> {
+        let all = self.values();
+        let (first, last) = (all[0], all[self.degree]);
+        let changes = all
+            .windows(2)
+            .filter(|two| (two[0] < 0.0) != (two[1] < 0.0));
+        let tolerance = ZERO * self.magnitude();
+        // (An end that is nearly zero may be one itself, beside another within.)
+        if first.abs().min(last.abs()) <= tolerance || changes.count() != 1 {
+            return None;
+        }
+        let found = bracketed(&mut |s| evaluate(all, s).0, [0.0, 1.0], tolerance);
+        Some(found.at)
     }
 
     /// Length of a piece halved so often from the whole interval.
@@ -154,6 +175,10 @@ pub(crate) fn integral_of_magnitude(coefficients: &[f64], end: f64) -> f64 {
     while let Some(piece) = pieces.pop() {
         if piece.has_one_sign() || piece.depth >= DEEPEST {
             sum += piece.mean().abs() * piece.width();
+        } else if let Some(zero) = piece.only_zero() {
+            let (left, right) = piece.split(zero);
+            let area = zero * left.mean().abs() + (1.0 - zero) * right.mean().abs();
+            sum += area * piece.width();
         } else {
             let (left, right) = piece.split(0.5);
             pieces.extend([right, left]);

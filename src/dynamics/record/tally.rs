@@ -3,17 +3,8 @@
 
 use super::{FinalState, ObjectFigures, PressingFigures, greatest_magnitude};
 use crate::dynamics::model::{Closure, ContactLaw, Pair};
-use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
+use crate::dynamics::segment::{Asked, MAGNITUDES, Peak, Segment, Signal};
 use crate::dynamics::system::{ObjectState, System};
-
-/// Signals of whose magnitude the greatest is wanted: speed, acceleration, reaction,
-/// contact force.
-const MAGNITUDES: [Signal; 4] = [
-    Signal::Speed,
-    Signal::Acceleration,
-    Signal::Reaction,
-    Signal::ContactForce,
-];
 
 /// Reads a signal off a state.
 pub(super) fn read(signal: Signal, state: &ObjectState) -> f64 {
@@ -162,9 +153,7 @@ impl Tally {
             segment.raise(asked(Signal::Deviation, -1.0), &mut deviation.least);
             deviation.area += segment.area(number);
         }
-        for (peak, signal) in self.peaks.iter_mut().zip(MAGNITUDES) {
-            segment.raise_magnitude(number, signal, peak);
-        }
+        segment.raise_magnitudes(number, &mut self.peaks);
         if let Some(peak) = &mut self.pressure {
             segment.raise(asked(Signal::Pressure, 1.0), peak);
         }

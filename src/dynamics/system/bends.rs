@@ -49,13 +49,19 @@ impl Bends {
         }
     }
 
-    /// Reads a step at s; false where it is long for no chain.
-    pub(crate) fn read(&mut self, step: &polynomial::Step<'_>, s: f64) -> bool {
-        let any = self.long.contains(&true);
-        if any {
-            step.accelerations(s, &mut self.second);
-        }
-        any
+    /// True where the present step is long for some chain.
+    pub(crate) fn is_wanted(&self) -> bool {
+        self.long.contains(&true)
+    }
+
+    /// Reads a step at s.
+    pub(crate) fn read(&mut self, step: &polynomial::Step<'_>, s: f64) {
+        step.accelerations(s, &mut self.second);
+    }
+
+    /// Takes what was read of a step.
+    pub(crate) fn set(&mut self, second: &[f64]) {
+        self.second.copy_from_slice(second);
     }
 }
 

@@ -2,12 +2,14 @@
 //! parabolas for what is smooth, and the search over the pieces of a function. The least
 //! value of f is the greatest of −f.
 
+mod among;
 mod brent;
 mod parabola;
 mod pieces;
 
+pub(crate) use among::climb_among;
 pub(crate) use brent::brent;
-pub(crate) use parabola::{climb, vertex};
+pub(crate) use parabola::vertex;
 pub(crate) use pieces::greatest;
 
 use serde::Serialize;

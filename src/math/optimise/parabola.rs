@@ -5,7 +5,7 @@
 const MOST_LOOKS: usize = 24;
 
 /// A place and the value there.
-type Sight = (f64, f64);
+pub(super) type Sight = (f64, f64);
 
 /// Top of the parabola through three points, when it lies between the outer ones.
 #[inline]
@@ -47,16 +47,17 @@ pub(crate) fn climb(mut three: [Sight; 3], look: &mut impl FnMut(f64) -> f64) ->
         }
         three = bracket(three, (place, look(place)));
     }
-    three.into_iter().fold(
-        three[1],
-        |best, point| {
-            if point.1 > best.1 { point } else { best }
-        },
-    )
+    highest(&three)
+}
+
+/// The highest of three points; of equals the one in the middle.
+pub(super) fn highest(three: &[Sight; 3]) -> Sight {
+    let higher = |best: Sight, point: &Sight| if point.1 > best.1 { *point } else { best };
+    three.iter().fold(three[1], higher)
 }
 
 /// The three neighbours around the higher of the old middle and the new point.
-fn bracket(three: [Sight; 3], new: Sight) -> [Sight; 3] {
+pub(super) fn bracket(three: [Sight; 3], new: Sight) -> [Sight; 3] {
     let [left, middle, right] = three;
     match (new.0 < middle.0, new.1 > middle.1) {
         (true, true) => [left, new, middle],

@@ -12,7 +12,9 @@ use super::beside::Beside;
 use super::carried::{Looked, carried};
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
-use crate::dynamics::record::{Failure, Log, Recorded, RecorderSettings, Tally, drive_cycle};
+use crate::dynamics::record::{
+    Course, Failure, Log, Recorded, RecorderSettings, Stretch, Tally, drive_cycle,
+};
 use crate::dynamics::segment::Segment;
 use crate::dynamics::system::ObjectState;
 use crate::exact::Rest;
@@ -304,17 +306,23 @@ impl Listener for Joint<'_> {
     }
 
     fn stretch(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
-        self.log
-            .sample((span, None), modes, &mut |time, y| motion.state(time, y));
+        self.log.sample(Stretch {
+            span,
+            modes,
+            course: Course::Known(&mut |time, y| motion.state(time, y)),
+        });
         self.look(motion, span, modes);
         let trees = self.trees.iter().flatten();
         let carried = self.carried.iter().map(|carried| &carried.2);
         let coupled = self.beside.iter().flat_map(|beside| &beside.coupled);
         let coupled = coupled.map(|own| &own.tally);
         let times = trees.chain(carried).chain(coupled).flat_map(Tally::times);
-        self.log.keep(times, (span, None), modes, &mut |time, y| {
-            motion.state(time, y);
-        });
+        let stretch = Stretch {
+            span,
+            modes,
+            course: Course::Known(&mut |time, y| motion.state(time, y)),
+        };
+        self.log.keep(times, stretch);
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {
