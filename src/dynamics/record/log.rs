@@ -1,16 +1,19 @@
 //! Samples and switches of a run.
 
 mod finish;
+mod stretch;
 
 use super::failure::Failure;
 use super::observer::Observer;
 use super::pairs::PairTracker;
-use super::rows::{Rows, Seen, is_finite};
+use super::rows::{Rows, is_finite};
 use super::settings::RecorderSettings;
 use super::{Interval, SwitchRow};
 use crate::dynamics::integrate::{Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
-use crate::math::polynomial::Step;
+use stretch::seen;
+
+pub(crate) use stretch::{Course, Stretch};
 
 /// Closeups behind a switch at most.
 const CLOSEUPS: usize = 96;
@@ -24,51 +27,6 @@ const DEEPEST: u32 = 8;
 /// Share of a column's greatest value by which a straight line between two closeups may
 /// miss what lies between them.
 const STRAIGHT: f64 = 1e-3;
-
-/// What the observer has just seen, with the masses if they are recorded.
-fn seen<'o>(observer: &'o Observer<'_>, modes: &Modes, masses: &'o mut [MassState]) -> Seen<'o> {
-    if !masses.is_empty() {
-        observer.masses(modes, masses);
-    }
-    Seen {
-        states: observer.states(),
-        masses,
-    }
-}
-
-/// A stretch without switches, of which samples are taken.
-pub(crate) struct Stretch<'a> {
-    /// From when until when (s).
-    pub(crate) span: [f64; 2],
-    pub(crate) modes: &'a Modes,
-    pub(crate) course: Course<'a>,
-}
-
-/// What tells the state of a system over a stretch.
-pub(crate) enum Course<'a> {
-    /// A step of an integration.
-    Step(&'a Step<'a>),
-    /// Puts y at an instant.
-    Known(&'a mut dyn FnMut(f64, &mut [f64])),
-}
-
-impl Stretch<'_> {
-    /// Looks at an instant.
-    fn look<'o>(
-        &mut self,
-        time: f64,
-        observer: &'o mut Observer<'_>,
-        masses: &'o mut [MassState],
-    ) -> Seen<'o> {
-        match &mut self.course {
-            Course::Step(step) => observer.state_in(step, time, self.modes),
-            Course::Known(state) => {
-                observer.state_of(time, self.modes, |y| state(time, y));
-            }
-        }
-        seen(observer, self.modes, masses)
-    }
-}
 
 /// Takes the samples of a run and the switches of its pairs; makes the record and the
 /// figures of all that was gathered.
