@@ -2,8 +2,12 @@
 // from the time stamp of the input event to the presentation of the first frame behind the
 // answer (the browser's trace), 1000 moves at 60 a second; then the same while the map follows.
 //
-//     DAM=target/release/dam npm --prefix studio run latency [-- scenario.json] [--moves 1000] [--press]
+//     DAM=target/release/dam npm --prefix studio run latency [-- scenario.json] [--moves 1000] [--press] [--even]
+//     npm --prefix studio run latency -- --empty 4
 //
+// Each move comes at another place of its sixtieth, as how moves and frames lie to each other changes
+// the result by half a frame; `--even`: at even distances. `--empty`: no studio, but a page with a
+// slider and a number, which is another so many milliseconds after a move: what the browser takes.
 // `--press`: the press with its ejector, whose run takes longer, without a map; 95 % of its moves are
 // to be shown within 100 ms, of others within 33 ms. Writes latency/latency.json, latency/latency.md
 // and latency/latency.svg, of the press latency/press.json and so on.
@@ -16,7 +20,7 @@ import { fileURLToPath } from "node:url";
 import { parseArgs } from "node:util";
 import { browser as options, Server } from "./tests/server.mjs";
 
-const { values: { press, moves: count }, positionals: [given] } = parseArgs({ allowPositionals: true, options: { press: { type: "boolean", default: false }, moves: { type: "string", default: "1000" } } });
+const { values: { press, moves: count, even, empty }, positionals: [given] } = parseArgs({ allowPositionals: true, options: { press: { type: "boolean", default: false }, moves: { type: "string", default: "1000" }, even: { type: "boolean", default: false }, empty: { type: "string" } } });
 const scenario = given ?? (press ? "scenarios/press/ejector.json" : "scenarios/rocker/two_masses.json"), moves = Number(count);
 if (!Number.isInteger(moves) || moves < 1) throw new Error(`--moves ${count} is no number of moves`);
 // What a move may take (ms), and what the files are called.
@@ -59,9 +63,8 @@ async function measure(page, client, slider) {
   await page.mouse.down();
   const begun = performance.now();
   for (let k = 0; k < moves; k++) {
-    // Each at another place of its sixtieth: how moves and frames lie to each other would change
-    // the result by half a frame.
-    const wait = begun + ((k + ((k * 0.618034) % 1)) * 1000) / 60 - performance.now();
+    const place = even ? 0 : (k * 0.618034) % 1;
+    const wait = begun + ((k + place) * 1000) / 60 - performance.now();
     if (wait > 0) await new Promise((done) => setTimeout(done, wait));
     // To and fro, never the same place twice in a row.
     void client.send("Input.dispatchMouseEvent", { type: "mouseMoved", x: x(0.3 + 0.2 * Math.sin(k / 15) + 0.1 * Math.sin(k / 3)), y, button: "left", buttons: 1 });
@@ -100,6 +103,11 @@ async function measure(page, client, slider) {
     return push ? after(one.at) - push.input : NaN;
   }).filter(Number.isFinite);
   return { times: times.filter(Number.isFinite), rate, answers: seen.answers.length, inputs: seen.inputs.length, coarse: maps(25), fine: maps(400) };
+}
+
+if (empty !== undefined) {
+  await bare(Number(empty));
+  process.exit();
 }
 
 const server = new Server({ [basename(scenario)]: scenario });
@@ -144,6 +152,27 @@ try {
   if (!agree) process.exitCode = 1;
 } finally {
   await server.end();
+}
+
+// The slider and the number, and nothing else.
+async function bare(delay) {
+  const browser = await chromium.launch(options), page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
+  await page.addInitScript(watch);
+  // (Of this machine: moves come at once to pages that are trusted alone.)
+  await page.route("http://127.0.0.1/", (route) => route.fulfill({ contentType: "text/html", body: '<!doctype html><input type="range" aria-label="slider" max="1000" style="width: 300px"><p>0</p>' }));
+  await page.goto("http://127.0.0.1/");
+  await page.evaluate((delay) => {
+    const number = document.querySelector("p");
+    let version = 0;
+    document.querySelector("input").addEventListener("pointerrawupdate", (event) => {
+      const own = ++version;
+      window.seen.pushes.push({ version: own, input: event.timeStamp });
+      setTimeout(() => { number.textContent = String(own); performance.mark("answer", { detail: own }); }, delay);
+    });
+  }, delay);
+  const { times } = await measure(page, await page.context().newCDPSession(page), "slider");
+  console.log(`empty page, ${delay} ms: half ${quantile(times, 0.5).toFixed(1)} ms, 95 % ${quantile(times, 0.95).toFixed(1)} ms, ${(100 * times.filter((time) => time <= target).length / times.length).toFixed(1)} % within ${target} ms`);
+  await browser.close();
 }
 
 // How many of the moves are shown within a time: one curve a measurement.
