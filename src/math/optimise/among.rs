@@ -108,7 +108,7 @@ pub(crate) fn climb_among(
         let told = course.at(near)[0];
         let new = (near, look(near));
         three = bracket(three, new);
-        if (new.1 - told).abs() <= TOLD * (points[top].1 - new.1).abs() {
+        if (new.1 - told).abs() <= TOLD * (points[top].1 - new.1) {
             return points[top];
         }
         return climb(three, look);
