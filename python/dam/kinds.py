@@ -156,16 +156,17 @@ class Cam(Tree):
     Parameters
     ----------
     load
-        Contact force along the normal at which k is the secant N/p (force in N, kN or MN)
+        Contact force along the normal at which k is the secant N/p (force in N, kN, MN, lbf
+        or kgf)
     at
         Angle of the cam at which they touch; absent: where its profile is most sharply
         convex (angle in rad, deg, mrad or rev)
     cam_depth
         Depth below the cam's surface from which its approach is counted, where that is flat
-        or hollow (length in m, mm, cm or µm)
+        or hollow (length in m, mm, cm, µm, in or ft)
     depth
-        Depth below a flat face from which its approach is counted (length in m, mm, cm or
-        µm)
+        Depth below a flat face from which its approach is counted (length in m, mm, cm, µm,
+        in or ft)
     """
 
     __slots__ = ()
@@ -198,7 +199,7 @@ class CamFollower(Tree):
         with a `material` for the pressure of a run; not for the dynamics.
     damping
         Damping b seen at the last mass (rotational damping in N m s/rad or N m s; or
-        damping in N s/m or kN s/m)
+        damping in N s/m, kN s/m or lbf s/in)
     damping_capacity
         Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
         0. (a pure number)
@@ -217,13 +218,13 @@ class CamFollower(Tree):
     geometry
         Dimensions and material, in place of inertia and stiffness
     inertia
-        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2; or mass in kg, g or
-        t)
+        Total inertia J (moment of inertia in kg m^2, kg cm^2, g mm^2, lb ft^2 or lb in^2;
+        or mass in kg, g, t or lb)
     inertias
         Inertia of each mass
     lever_arm
         Arm on which an angle given by the position function becomes a length (length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     lever_ratio
         Factor on the position function. (a pure number)
     loads
@@ -251,8 +252,8 @@ class CamFollower(Tree):
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
-        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
-        N m/deg; or stiffness in N/m, N/mm or kN/mm)
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad, N
+        m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm or lbf/in)
     stiffnesses
         Stiffness of each link
     stops
@@ -325,14 +326,14 @@ class CamOf(Tree):
     ----------
     base_radius
         Radius of the base circle: the smallest circle about the axis that the profile
-        touches (length in m, mm, cm or µm)
+        touches (length in m, mm, cm, µm, in or ft)
     contact
         What of the follower touches the cam.
     arm
         From the follower's axis to the centre of the roller, or to the edge (length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     centre_distance
-        Distance between the axes of cam and follower (length in m, mm, cm or µm)
+        Distance between the axes of cam and follower (length in m, mm, cm, µm, in or ft)
     direction
         For drawings: direction of outward motion (default 90 deg), or from the cam's axis
         to that of a turning follower (default 0) (angle in rad, deg, mrad or rev)
@@ -393,7 +394,7 @@ class Contact(Tree):
     flat
         A flat face.
     roller
-        Radius of the roller, or of a round face (length in m, mm, cm or µm)
+        Radius of the roller, or of a round face (length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -418,7 +419,7 @@ class Couple(Tree):
     link
         The link.
     moment
-        The couple (moment in N m, kN m or N mm)
+        The couple (moment in N m, kN m, N mm, lbf ft or lbf in)
     """
 
     __slots__ = ()
@@ -446,7 +447,7 @@ class CoupleTable(Tree):
         List of [input coordinate, couple]: linear between the points, constant outside.
     period
         Repeats after this much of the input coordinate (angle in rad, deg, mrad or rev; or
-        length in m, mm, cm or µm)
+        length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -492,7 +493,7 @@ class Crank(Tree):
     geometry
         Dimensions and material, in place of inertia and stiffness
     inertia
-        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2)
+        Total inertia J (moment of inertia in kg m^2, kg cm^2, g mm^2, lb ft^2 or lb in^2)
     inertias
         Inertia of each mass
     lever_ratio
@@ -520,8 +521,8 @@ class Crank(Tree):
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
-        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
-        N m/deg)
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad, N
+        m/deg or lbf ft/rad)
     stiffnesses
         Stiffness of each link
     stops
@@ -587,15 +588,15 @@ class CrankGeometry(Tree):
     Parameters
     ----------
     density
-        Density of the material (density in kg/m^3 or g/cm^3)
+        Density of the material (density in kg/m^3, g/cm^3 or lb/in^3)
     height
-        Height of the section, in the plane of motion (length in m, mm, cm or µm)
+        Height of the section, in the plane of motion (length in m, mm, cm, µm, in or ft)
     length
-        Length from the axis to the tip (length in m, mm, cm or µm)
+        Length from the axis to the tip (length in m, mm, cm, µm, in or ft)
     modulus
-        Young's modulus of the material (modulus in Pa, MPa, GPa or N/mm^2)
+        Young's modulus of the material (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     width
-        Width of the section, along the axis (length in m, mm, cm or µm)
+        Width of the section, along the axis (length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -625,12 +626,12 @@ class Differential(Tree):
     ----------
     backlash
         Backlash: gap of a form-closed pair (angle in rad, deg, mrad or rev; or length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     coordinate
         Whether it turns or slides. Default: "turning".
     damping
         Damping b seen at the last mass (rotational damping in N m s/rad or N m s; or
-        damping in N s/m or kN s/m)
+        damping in N s/m, kN s/m or lbf s/in)
     damping_capacity
         Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
         0. (a pure number)
@@ -649,8 +650,8 @@ class Differential(Tree):
     geometry
         Dimensions and material, in place of inertia and stiffness
     inertia
-        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2; or mass in kg, g or
-        t)
+        Total inertia J (moment of inertia in kg m^2, kg cm^2, g mm^2, lb ft^2 or lb in^2;
+        or mass in kg, g, t or lb)
     inertias
         Inertia of each mass
     inputs
@@ -675,7 +676,7 @@ class Differential(Tree):
         behind which they are the modes of the free object.
     offset
         Output where every input is at zero; default 0 (angle in rad, deg, mrad or rev; or
-        length in m, mm, cm or µm)
+        length in m, mm, cm, µm, in or ft)
     pair
         The driving pair. Default: {}.
     planetary
@@ -683,8 +684,8 @@ class Differential(Tree):
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
-        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
-        N m/deg; or stiffness in N/m, N/mm or kN/mm)
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad, N
+        m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm or lbf/in)
     stiffnesses
         Stiffness of each link
     stops
@@ -758,7 +759,7 @@ class DifferentialInput(Tree):
     object
         Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
     at
-        Place of the input along the lever, with `lever` (length in m, mm, cm or µm)
+        Place of the input along the lever, with `lever` (length in m, mm, cm, µm, in or ft)
     ratio
         Factor with which the input enters the sum. (a pure number; or length per angle in
         m/rad, mm/rad, mm/rev or mm)
@@ -787,14 +788,14 @@ class DiscCam(Tree):
     ----------
     base_radius
         Radius of the base circle: the smallest circle about the axis that the profile
-        touches (length in m, mm, cm or µm)
+        touches (length in m, mm, cm, µm, in or ft)
     contact
         What of the follower touches the cam.
     arm
         From the follower's axis to the centre of the roller, or to the edge (length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     centre_distance
-        Distance between the axes of cam and follower (length in m, mm, cm or µm)
+        Distance between the axes of cam and follower (length in m, mm, cm, µm, in or ft)
     direction
         For drawings: direction of outward motion (default 90 deg), or from the cam's axis
         to that of a turning follower (default 0) (angle in rad, deg, mrad or rev)
@@ -803,7 +804,7 @@ class DiscCam(Tree):
         them.
     offset
         Distance of the follower's line from the cam's axis, positive to the side on which
-        the cam's surface moves outwards (length in m, mm, cm or µm) Default: 0.0.
+        the cam's surface moves outwards (length in m, mm, cm, µm, in or ft) Default: 0.0.
     positive
         Where positive displacement takes the follower, seen from the cam's axis. Default:
         "outward".
@@ -903,12 +904,12 @@ class Flat(Tree):
     ----------
     face_offset
         Distance of the face from the follower's axis, positive when the face lies between
-        that axis and the cam (length in m, mm, cm or µm) Default: 0.0.
+        that axis and the cam (length in m, mm, cm, µm, in or ft) Default: 0.0.
     inclination
         Angle between the face's normal and the direction of motion, positive against the
         sense in which the cam turns (angle in rad, deg, mrad or rev) Default: 0.0.
     width
-        Width of the face (length in m, mm, cm or µm)
+        Width of the face (length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -933,7 +934,7 @@ class Force(Tree):
     Parameters
     ----------
     constant
-        Constant force (force in N, kN or MN)
+        Constant force (force in N, kN, MN, lbf or kgf)
     expression
         Expression over t, phi and phi_dot of the drive, in s, rad or m: "30*(1 -
         phi_dot/150)".
@@ -945,7 +946,7 @@ class Force(Tree):
     table
         List of [speed, force]: linear between the points, constant outside.
     unit
-        Unit of the value of `expression`; default SI (force in N, kN or MN)
+        Unit of the value of `expression`; default SI (force in N, kN, MN, lbf or kgf)
     """
 
     __slots__ = ()
@@ -976,13 +977,13 @@ class FourBar(Tree):
     Parameters
     ----------
     coupler
-        Length of the coupler (length in m, mm, cm or µm)
+        Length of the coupler (length in m, mm, cm, µm, in or ft)
     crank
-        Length of the driving crank (length in m, mm, cm or µm)
+        Length of the driving crank (length in m, mm, cm, µm, in or ft)
     frame
-        Distance of the fixed pivots (length in m, mm, cm or µm)
+        Distance of the fixed pivots (length in m, mm, cm, µm, in or ft)
     rocker
-        Length of the driven lever (length in m, mm, cm or µm)
+        Length of the driven lever (length in m, mm, cm, µm, in or ft)
     branch
         `+`: open, `-`: crossed. Default: "+".
     phase
@@ -1017,10 +1018,11 @@ class Friction(Tree):
     Parameters
     ----------
     force
-        Force of sliding friction (moment in N m, kN m or N mm; or force in N, kN or MN)
+        Force of sliding friction (moment in N m, kN m, N mm, lbf ft or lbf in; or force in
+        N, kN, MN, lbf or kgf)
     width
         Regularisation width: speed at which 76 % of the force is reached (angular speed in
-        rad/s, rev/s, rpm or deg/s; or speed in m/s, mm/s or m/min)
+        rad/s, rev/s, rpm, 1/min or deg/s; or speed in m/s, mm/s, m/min, in/s or ft/s)
     """
 
     __slots__ = ()
@@ -1117,15 +1119,15 @@ class Geometry(Tree):
     Parameters
     ----------
     density
-        Density of the material (density in kg/m^3 or g/cm^3)
+        Density of the material (density in kg/m^3, g/cm^3 or lb/in^3)
     length
-        Length (length in m, mm, cm or µm)
+        Length (length in m, mm, cm, µm, in or ft)
     modulus
-        Young's modulus of the material (modulus in Pa, MPa, GPa or N/mm^2)
+        Young's modulus of the material (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     area
-        Area of the section (area in m^2, mm^2 or cm^2)
+        Area of the section (area in m^2, mm^2, cm^2 or in^2)
     diameter
-        Diameter of a round section (length in m, mm, cm or µm)
+        Diameter of a round section (length in m, mm, cm, µm, in or ft)
     section
         Width and height of a rectangular section
     """
@@ -1158,7 +1160,8 @@ class Gravity(Tree):
     Parameters
     ----------
     acceleration
-        Acceleration of free fall (acceleration in m/s^2 or mm/s^2) Default: 9.80665.
+        Acceleration of free fall (acceleration in m/s^2, mm/s^2, in/s^2 or ft/s^2) Default:
+        9.80665.
     direction
         Its direction; default downwards, −90 deg (angle in rad, deg, mrad or rev) Default:
         -1.5707963267948966.
@@ -1184,11 +1187,13 @@ class Harmonic(Tree):
     Parameters
     ----------
     amplitude
-        Amplitude (moment in N m, kN m or N mm; or force in N, kN or MN)
+        Amplitude (moment in N m, kN m, N mm, lbf ft or lbf in; or force in N, kN, MN, lbf
+        or kgf)
     frequency
         Periods per second (frequency in Hz or kHz)
     mean
-        Constant part (moment in N m, kN m or N mm; or force in N, kN or MN) Default: 0.0.
+        Constant part (moment in N m, kN m, N mm, lbf ft or lbf in; or force in N, kN, MN,
+        lbf or kgf) Default: 0.0.
     order
         Periods per turn of the driver (a pure number)
     phase
@@ -1244,16 +1249,16 @@ class Indicator(Tree):
     ----------
     area
         Area of the piston; positive: the pressure pushes towards positive displacement
-        (area in m^2, mm^2 or cm^2)
+        (area in m^2, mm^2, cm^2 or in^2)
     points
         List of [driver's displacement, pressure]: linear between the points.
     ambient
-        Pressure on the other side of the piston (pressure in Pa, kPa, bar or MPa) Default:
-        101325.0.
+        Pressure on the other side of the piston (pressure in Pa, kPa, bar, MPa or psi)
+        Default: 101325.0.
     period
         Repeats after this much of the driver's displacement: 360 deg of a two-stroke, 720
         deg of a four-stroke engine; default one turn of a turning driver (angle in rad,
-        deg, mrad or rev; or length in m, mm, cm or µm)
+        deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -1282,9 +1287,9 @@ class Kloss(Tree):
     breakdown_slip
         Slip s_b of the greatest torque (a pure number)
     breakdown_torque
-        Greatest torque T_b (moment in N m, kN m or N mm)
+        Greatest torque T_b (moment in N m, kN m, N mm, lbf ft or lbf in)
     synchronous_speed
-        Synchronous speed ω_s (angular speed in rad/s, rev/s, rpm or deg/s)
+        Synchronous speed ω_s (angular speed in rad/s, rev/s, rpm, 1/min or deg/s)
     """
 
     __slots__ = ()
@@ -1363,7 +1368,7 @@ class Lever(Tree):
     Parameters
     ----------
     output
-        Place of the output along the lever (length in m, mm, cm or µm)
+        Place of the output along the lever (length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -1419,7 +1424,7 @@ class LiftCam(Tree):
     law
         Law of motion of both, or an object with one for the rise and one for the return.
     lift
-        Full stroke (length in m, mm, cm or µm)
+        Full stroke (length in m, mm, cm, µm, in or ft)
     return_
         Angle of the return (angle in rad, deg, mrad or rev)
     rise
@@ -1488,32 +1493,33 @@ class Line(Tree):
     Parameters
     ----------
     load
-        Contact force at which k is the secant N/p (force in N, kN or MN)
+        Contact force at which k is the secant N/p (force in N, kN, MN, lbf or kgf)
     modulus
-        Young's modulus of the object (modulus in Pa, MPa, GPa or N/mm^2)
+        Young's modulus of the object (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     width
-        Length of the line of contact (length in m, mm, cm or µm)
+        Length of the line of contact (length in m, mm, cm, µm, in or ft)
     arm
-        Arm on which the contact acts, of an object that turns (length in m, mm, cm or µm)
+        Arm on which the contact acts, of an object that turns (length in m, mm, cm, µm, in
+        or ft)
     counter_depth
         Depth below the counter-body's surface from which its approach is counted, where
-        that is flat or hollow (length in m, mm, cm or µm)
+        that is flat or hollow (length in m, mm, cm, µm, in or ft)
     counter_modulus
         Young's modulus of the counter-body; absent: that of the object (modulus in Pa, MPa,
-        GPa or N/mm^2)
+        GPa, N/mm^2 or ksi)
     counter_poisson_ratio
         Poisson's ratio of the counter-body; absent: that of the object (a pure number)
     counter_radius
         Radius of the counter-body: positive convex, negative hollow; absent: flat (length
-        in m, mm, cm or µm)
+        in m, mm, cm, µm, in or ft)
     depth
         Depth below the object's surface from which its approach is counted, where that is
-        flat or hollow (length in m, mm, cm or µm)
+        flat or hollow (length in m, mm, cm, µm, in or ft)
     poisson_ratio
         Poisson's ratio of the object. (a pure number) Default: 0.3.
     radius
         Radius of the object: positive convex, negative hollow; absent: flat (length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -1554,9 +1560,9 @@ class Linear(Tree):
     Parameters
     ----------
     no_load_speed
-        Speed without load, ω₀ (speed in m/s, mm/s or m/min)
+        Speed without load, ω₀ (speed in m/s, mm/s, m/min, in/s or ft/s)
     stall_force
-        Force at rest, F₀ (force in N, kN or MN)
+        Force at rest, F₀ (force in N, kN, MN, lbf or kgf)
     """
 
     __slots__ = ()
@@ -1622,7 +1628,7 @@ class Linkage(Tree):
         {"ratio": 1.0}.
     start
         Input coordinate at which `assembly` holds: the linkage is put together there (angle
-        in rad, deg, mrad or rev; or length in m, mm, cm or µm) Default: 0.0.
+        in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft) Default: 0.0.
     travel
         Least and greatest input coordinate: the stroke of a cylinder; default as far as the
         links allow.
@@ -1748,7 +1754,7 @@ class LinkageCouplingCam(Tree):
     ----------
     base_radius
         Radius of the profile about the centre where the lift is zero; without a `lift` that
-        of the whole circle (length in m, mm, cm or µm)
+        of the whole circle (length in m, mm, cm, µm, in or ft)
     centre
         The cam's centre, about which its profile is given: a point of the link (or the
         ground) that carries the cam.
@@ -1762,7 +1768,8 @@ class LinkageCouplingCam(Tree):
         Lift of the roller's centre from its circle, radially, over the angle in the cam: a
         law that repeats after a turn; default none, a circle.
     roller_radius
-        Radius of the roller; default 0, a point (length in m, mm, cm or µm) Default: 0.0.
+        Radius of the roller; default 0, a point (length in m, mm, cm, µm, in or ft)
+        Default: 0.0.
     sense
         Sense in which the angle of the lift is counted. A cam that turns counterclockwise
         brings what lies clockwise of the roller. Default: "counterclockwise".
@@ -1881,7 +1888,7 @@ class LinkageForceTable(Tree):
         0.0.
     period
         Repeats after this much of the input coordinate (angle in rad, deg, mrad or rev; or
-        length in m, mm, cm or µm)
+        length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -1916,18 +1923,19 @@ class LinkageInput(Tree):
         Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
     offset
         With `object`: input coordinate where that is at zero; default 0 (angle in rad, deg,
-        mrad or rev; or length in m, mm, cm or µm)
+        mrad or rev; or length in m, mm, cm, µm, in or ft)
     pair
         The coordinate of a pair.
     ratio
         With `object`: input coordinate over the displacement of that; default 1 (a pure
         number; or length per angle in m/rad, mm/rad, mm/rev or mm)
     speed
-        Speed at the start of a free input; default 0 (angular speed in rad/s, rev/s, rpm or
-        deg/s; or speed in m/s, mm/s or m/min)
+        Speed at the start of a free input; default 0 (angular speed in rad/s, rev/s, rpm,
+        1/min or deg/s; or speed in m/s, mm/s, m/min, in/s or ft/s)
     start
         Value at which `assembly` holds; a free input starts there. Default 0, with `object`
-        where that starts (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+        where that starts (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or
+        ft)
     x
         x of the origin of a link that floats: no pair joins it to the ground, and its `y`
         and `angle` are inputs too.
@@ -1976,10 +1984,10 @@ class LinkageLink(Tree):
     geometry
         A uniform bar between two points, in place of `mass`, `centre` and `moment`.
     mass
-        Mass; default 0 (mass in kg, g or t)
+        Mass; default 0 (mass in kg, g, t or lb)
     moment
         Moment of inertia about the centre of mass; default 0 (moment of inertia in kg m^2,
-        kg cm^2 or g mm^2)
+        kg cm^2, g mm^2, lb ft^2 or lb in^2)
     points
         Points by name, each [x, y] in the frame of the link; `origin` is always there.
         Default: {}.
@@ -2011,19 +2019,20 @@ class LinkageLinkGeometry(Tree):
     Parameters
     ----------
     density
-        Density of the material, with `width` and `height` (density in kg/m^3 or g/cm^3)
+        Density of the material, with `width` and `height` (density in kg/m^3, g/cm^3 or
+        lb/in^3)
     from_
         Point at which the bar begins; both ends may be left out when the link has two
         points, or one besides its origin.
     height
         Height of the section, in the plane of motion; default 0: a slender bar (length in
-        m, mm, cm or µm)
+        m, mm, cm, µm, in or ft)
     mass
-        Mass of the whole bar (mass in kg, g or t)
+        Mass of the whole bar (mass in kg, g, t or lb)
     to
         Point at which it ends.
     width
-        Width of the section, with `density` (length in m, mm, cm or µm)
+        Width of the section, with `density` (length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -2093,7 +2102,7 @@ class LinkagePair(Tree):
     Parameters
     ----------
     diameter
-        Diameter of the pin, for friction; default 0 (length in m, mm, cm or µm)
+        Diameter of the pin, for friction; default 0 (length in m, mm, cm, µm, in or ft)
     friction
         Coefficient of Coulomb friction μ; it counts in `dam forces`, and with
         `joint_friction` in the motion. (a pure number) Default: 0.0.
@@ -2133,7 +2142,8 @@ class Load(Tree):
     Parameters
     ----------
     constant
-        Constant force W (moment in N m, kN m or N mm; or force in N, kN or MN)
+        Constant force W (moment in N m, kN m, N mm, lbf ft or lbf in; or force in N, kN,
+        MN, lbf or kgf)
     expression
         Expression over t, phi and phi_dot of the mass, driver_phi and driver_phi_dot, in s,
         rad or m: "120*sin(2*pi*5*t)".
@@ -2157,11 +2167,11 @@ class Load(Tree):
     time_table
         List of [time, force]: linear between the points, constant outside.
     unit
-        Unit of the value of `expression`; default SI (moment in N m, kN m or N mm; or force
-        in N, kN or MN)
+        Unit of the value of `expression`; default SI (moment in N m, kN m, N mm, lbf ft or
+        lbf in; or force in N, kN, MN, lbf or kgf)
     viscous
-        Viscous: W = −b·φ̇, b (rotational damping in N m s/rad or N m s; or damping in N s/m
-        or kN s/m)
+        Viscous: W = −b·φ̇, b (rotational damping in N m s/rad or N m s; or damping in N
+        s/m, kN s/m or lbf s/in)
     weight
         Weight: W = −m·g·sin(inclination).
     window
@@ -2212,13 +2222,13 @@ class Material(Tree):
     Parameters
     ----------
     modulus
-        Young's modulus of the object (modulus in Pa, MPa, GPa or N/mm^2)
+        Young's modulus of the object (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     thickness
-        Length of the line of contact: the lesser of the thicknesses (length in m, mm, cm or
-        µm)
+        Length of the line of contact: the lesser of the thicknesses (length in m, mm, cm,
+        µm, in or ft)
     counter_modulus
         Young's modulus of the counter-body; absent: that of the object (modulus in Pa, MPa,
-        GPa or N/mm^2)
+        GPa, N/mm^2 or ksi)
     counter_poisson_ratio
         Poisson's ratio of the counter-body; absent: that of the object (a pure number)
     poisson_ratio
@@ -2252,34 +2262,34 @@ class Motion(Tree):
     ----------
     acceleration
         Constant acceleration (angular acceleration in rad/s^2 or deg/s^2; or acceleration
-        in m/s^2 or mm/s^2)
+        in m/s^2, mm/s^2, in/s^2 or ft/s^2)
     angle
         Angle at t = 0, with `speed` or `acceleration`; default 0 (angle in rad, deg, mrad
-        or rev; or length in m, mm, cm or µm)
+        or rev; or length in m, mm, cm, µm, in or ft)
     displacement
         Displacement at t = 0 of a drive that slides, with `speed` or `acceleration`;
-        default 0 (length in m, mm, cm or µm)
+        default 0 (length in m, mm, cm, µm, in or ft)
     expression
         Displacement as an expression of t in s: "0.1*sin(2*pi*t)"; speed, acceleration and
         jerk follow from it.
     fixed
-        Held at this displacement. (angle in rad, deg, mrad or rev; or length in m, mm, cm
-        or µm)
+        Held at this displacement. (angle in rad, deg, mrad or rev; or length in m, mm, cm,
+        µm, in or ft)
     plan
         Plan of motion over time: moves by laws of motion and dwells.
     run_up
         Smooth run-up from rest to a speed.
     speed
-        Constant speed (angular speed in rad/s, rev/s, rpm or deg/s; or speed in m/s, mm/s
-        or m/min)
+        Constant speed (angular speed in rad/s, rev/s, rpm, 1/min or deg/s; or speed in m/s,
+        mm/s, m/min, in/s or ft/s)
     start_speed
-        Speed at t = 0, with `acceleration`; default 0 (angular speed in rad/s, rev/s, rpm
-        or deg/s; or speed in m/s, mm/s or m/min)
+        Speed at t = 0, with `acceleration`; default 0 (angular speed in rad/s, rev/s, rpm,
+        1/min or deg/s; or speed in m/s, mm/s, m/min, in/s or ft/s)
     table
         List of [time, displacement], at least three: a smooth spline through the points.
     unit
         Unit of the value of `expression`; default SI (angle in rad, deg, mrad or rev; or
-        length in m, mm, cm or µm)
+        length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -2321,19 +2331,19 @@ class Motor(Tree):
     ----------
     inertia
         Inertia of the rotor, or mass of a linear motor; 0 when what follows it rigidly has
-        inertia enough (moment of inertia in kg m^2, kg cm^2 or g mm^2; or mass in kg, g or
-        t)
+        inertia enough (moment of inertia in kg m^2, kg cm^2, g mm^2, lb ft^2 or lb in^2; or
+        mass in kg, g, t or lb)
     angle
         Angle at t = 0 of a drive that turns (angle in rad, deg, mrad or rev; or length in
-        m, mm, cm or µm) Default: 0.0.
+        m, mm, cm, µm, in or ft) Default: 0.0.
     displacement
         Displacement at t = 0 of a drive that slides (angle in rad, deg, mrad or rev; or
-        length in m, mm, cm or µm) Default: 0.0.
+        length in m, mm, cm, µm, in or ft) Default: 0.0.
     force
         Driving force over speed.
     speed
-        Speed at t = 0 (angular speed in rad/s, rev/s, rpm or deg/s; or speed in m/s, mm/s
-        or m/min) Default: 0.0.
+        Speed at t = 0 (angular speed in rad/s, rev/s, rpm, 1/min or deg/s; or speed in m/s,
+        mm/s, m/min, in/s or ft/s) Default: 0.0.
     torque
         Driving torque over speed.
     """
@@ -2371,8 +2381,8 @@ class Pair(Tree):
     contact
         Contact between driver and object: an element of its own, in front of link 1.
     gap
-        Gap η of a form-closed pair (angle in rad, deg, mrad or rev; or length in m, mm, cm
-        or µm) Default: 0.0.
+        Gap η of a form-closed pair (angle in rad, deg, mrad or rev; or length in m, mm, cm,
+        µm, in or ft) Default: 0.0.
     law
         Law of the contact force. Default: "kelvin_voigt".
     opens
@@ -2406,7 +2416,7 @@ class PairContact(Tree):
     ----------
     damping
         Damping of `kelvin_voigt` (rotational damping in N m s/rad or N m s; or damping in N
-        s/m or kN s/m)
+        s/m, kN s/m or lbf s/in)
     dissipation
         χ of `hunt_crossley` and `hertz`, seconds per unit of indentation (time per angle in
         s/rad or s; or time per length in s/m or s/mm)
@@ -2422,8 +2432,8 @@ class PairContact(Tree):
         before it (a pure number)
     stiffness
         Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N
-        m/rad^(3/2); none of `restitution` (rotational stiffness in N m/rad, N m, kN m/rad
-        or N m/deg; or stiffness in N/m, N/mm or kN/mm)
+        m/rad^(3/2); none of `restitution` (rotational stiffness in N m/rad, N m, kN m/rad,
+        N m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm or lbf/in)
     """
 
     __slots__ = ()
@@ -2457,14 +2467,14 @@ class Plan(Tree):
         Stations of the plan, ascending. The last one may close the period.
     advance
         Displacement gained in every cycle: the pitch of an indexing motion (angle in rad,
-        deg, mrad or rev; or length in m, mm, cm or µm) Default: 0.0.
+        deg, mrad or rev; or length in m, mm, cm, µm, in or ft) Default: 0.0.
     period
         Length of the cycle; default one turn of a driver that turns, else once through
-        (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm) Or: Duration of the
-        cycle; default: once through (time in s, ms, µs, min or h)
+        (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft) Or: Duration
+        of the cycle; default: once through (time in s, ms, µs, min or h)
     phase
         Added to the driver's displacement (or to the time) (angle in rad, deg, mrad or rev;
-        or length in m, mm, cm or µm; or time in s, ms, µs, min or h) Default: 0.0.
+        or length in m, mm, cm, µm, in or ft; or time in s, ms, µs, min or h) Default: 0.0.
     """
 
     __slots__ = ()
@@ -2550,28 +2560,29 @@ class Point(Tree):
     Parameters
     ----------
     modulus
-        Young's modulus of the object (modulus in Pa, MPa, GPa or N/mm^2)
+        Young's modulus of the object (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     arm
-        Arm on which the contact acts, of an object that turns (length in m, mm, cm or µm)
+        Arm on which the contact acts, of an object that turns (length in m, mm, cm, µm, in
+        or ft)
     counter_crown_radius
-        Radius of the counter-body across the motion; absent: flat (length in m, mm, cm or
-        µm)
+        Radius of the counter-body across the motion; absent: flat (length in m, mm, cm, µm,
+        in or ft)
     counter_modulus
         Young's modulus of the counter-body; absent: that of the object (modulus in Pa, MPa,
-        GPa or N/mm^2)
+        GPa, N/mm^2 or ksi)
     counter_poisson_ratio
         Poisson's ratio of the counter-body; absent: that of the object (a pure number)
     counter_radius
         Radius of the counter-body: positive convex, negative hollow; absent: flat (length
-        in m, mm, cm or µm)
+        in m, mm, cm, µm, in or ft)
     crown_radius
         Radius of the object across its motion; absent: `radius`, a ball (length in m, mm,
-        cm or µm)
+        cm, µm, in or ft)
     poisson_ratio
         Poisson's ratio of the object. (a pure number) Default: 0.3.
     radius
         Radius of the object: positive convex, negative hollow; absent: flat (length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -2694,7 +2705,7 @@ class PositionCam(Tree):
     law
         Law of motion of both, or an object with one for the rise and one for the return.
     lift
-        Full stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+        Full stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
     return_
         Angle of the return (angle in rad, deg, mrad or rev)
     rise
@@ -2787,8 +2798,8 @@ class PositionTable(Tree):
         List of [driver's displacement, force]: linear between the points.
     period
         Repeats after this much of the driver's displacement; without it the force is
-        constant outside the points (angle in rad, deg, mrad or rev; or length in m, mm, cm
-        or µm)
+        constant outside the points (angle in rad, deg, mrad or rev; or length in m, mm, cm,
+        µm, in or ft)
     """
 
     __slots__ = ()
@@ -2813,7 +2824,7 @@ class Rack(Tree):
     radius
         Radius of the gear's pitch circle; positive: the rack lies to the right of the gear,
         seen along its guide, and slides forwards as the gear turns counterclockwise.
-        (length in m, mm, cm or µm)
+        (length in m, mm, cm, µm, in or ft)
     wheels
         The two links, with the wheels or the gear and its rack; `ground` for what stands
         still.
@@ -2821,8 +2832,8 @@ class Rack(Tree):
         The link that carries both, or `ground`; default the only one that does.
     offset
         Angle of the second wheel (or displacement of the rack) seen from the carrier where
-        that of the first is zero: how they were put together (length in m, mm, cm or µm)
-        Default: 0.0.
+        that of the first is zero: how they were put together (length in m, mm, cm, µm, in
+        or ft) Default: 0.0.
     """
 
     __slots__ = ()
@@ -2852,8 +2863,8 @@ class Ratio(Tree):
         U′ (a pure number; or length per angle in m/rad, mm/rad, mm/rev or mm; or angle per
         length in rad/m, rad/mm or deg/mm)
     offset
-        U at φ = 0 (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm) Default:
-        0.0.
+        U at φ = 0 (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
+        Default: 0.0.
     """
 
     __slots__ = ()
@@ -2900,7 +2911,7 @@ class Rocker(Tree):
     geometry
         Dimensions and material, in place of inertia and stiffness
     inertia
-        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2)
+        Total inertia J (moment of inertia in kg m^2, kg cm^2, g mm^2, lb ft^2 or lb in^2)
     inertias
         Inertia of each mass
     lever_ratio
@@ -2928,8 +2939,8 @@ class Rocker(Tree):
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
-        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
-        N m/deg)
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad, N
+        m/deg or lbf ft/rad)
     stiffnesses
         Stiffness of each link
     stops
@@ -2997,15 +3008,15 @@ class RockerGeometry(Tree):
     Parameters
     ----------
     density
-        Density of the material (density in kg/m^3 or g/cm^3)
+        Density of the material (density in kg/m^3, g/cm^3 or lb/in^3)
     height
-        Height of the section, in the plane of motion (length in m, mm, cm or µm)
+        Height of the section, in the plane of motion (length in m, mm, cm, µm, in or ft)
     length
-        Length from the axis to the tip (length in m, mm, cm or µm)
+        Length from the axis to the tip (length in m, mm, cm, µm, in or ft)
     modulus
-        Young's modulus of the material (modulus in Pa, MPa, GPa or N/mm^2)
+        Young's modulus of the material (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     width
-        Width of the section, along the axis (length in m, mm, cm or µm)
+        Width of the section, along the axis (length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -3134,16 +3145,16 @@ class RunUp(Tree):
     Parameters
     ----------
     speed
-        Final speed (angular speed in rad/s, rev/s, rpm or deg/s; or speed in m/s, mm/s or
-        m/min)
+        Final speed (angular speed in rad/s, rev/s, rpm, 1/min or deg/s; or speed in m/s,
+        mm/s, m/min, in/s or ft/s)
     time
         Duration of the run-up (time in s, ms, µs, min or h)
     angle
         Angle at t = 0 of a drive that turns (angle in rad, deg, mrad or rev; or length in
-        m, mm, cm or µm) Default: 0.0.
+        m, mm, cm, µm, in or ft) Default: 0.0.
     displacement
         Displacement at t = 0 of a drive that slides (angle in rad, deg, mrad or rev; or
-        length in m, mm, cm or µm) Default: 0.0.
+        length in m, mm, cm, µm, in or ft) Default: 0.0.
     law
         Law of the run-up; default: speed 3τ² − 2τ³ of the final one.
     """
@@ -3256,7 +3267,7 @@ class Shaft(Tree):
     geometry
         Dimensions and material, in place of inertia and stiffness
     inertia
-        Total inertia J (moment of inertia in kg m^2, kg cm^2 or g mm^2)
+        Total inertia J (moment of inertia in kg m^2, kg cm^2, g mm^2, lb ft^2 or lb in^2)
     inertias
         Inertia of each mass
     lever_ratio
@@ -3285,8 +3296,8 @@ class Shaft(Tree):
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
-        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad or
-        N m/deg)
+        Stiffness c seen at the last mass (rotational stiffness in N m/rad, N m, kN m/rad, N
+        m/deg or lbf ft/rad)
     stiffnesses
         Stiffness of each link
     stops
@@ -3354,15 +3365,16 @@ class ShaftGeometry(Tree):
     Parameters
     ----------
     density
-        Density of the material (density in kg/m^3 or g/cm^3)
+        Density of the material (density in kg/m^3, g/cm^3 or lb/in^3)
     diameter
-        Outer diameter (length in m, mm, cm or µm)
+        Outer diameter (length in m, mm, cm, µm, in or ft)
     length
-        Length between driver and follower (length in m, mm, cm or µm)
+        Length between driver and follower (length in m, mm, cm, µm, in or ft)
     shear_modulus
-        Shear modulus of the material (modulus in Pa, MPa, GPa or N/mm^2)
+        Shear modulus of the material (modulus in Pa, MPa, GPa, N/mm^2 or ksi)
     bore
-        Diameter of the bore, less than `diameter` (length in m, mm, cm or µm) Default: 0.0.
+        Diameter of the bore, less than `diameter` (length in m, mm, cm, µm, in or ft)
+        Default: 0.0.
     """
 
     __slots__ = ()
@@ -3391,13 +3403,14 @@ class Sine(Tree):
     Parameters
     ----------
     amplitude
-        Half the stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+        Half the stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or
+        ft)
     harmonic
         Oscillations per turn of the driver (a pure number; or angle per length in rad/m,
         rad/mm or deg/mm) Default: 1.0.
     offset
-        Middle of the stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
-        Default: 0.0.
+        Middle of the stroke (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in
+        or ft) Default: 0.0.
     phase
         Phase at φ = 0 (angle in rad, deg, mrad or rev) Default: 0.0.
     """
@@ -3428,7 +3441,7 @@ class Slider(Tree):
     input
         Id of the object that drives this one, or one of its outputs: `press`, `press.ram`.
     damping
-        Damping b seen at the last mass (damping in N s/m or kN s/m)
+        Damping b seen at the last mass (damping in N s/m, kN s/m or lbf s/in)
     damping_capacity
         Specific damping capacity ψ: share of the elastic energy lost in one cycle. Default
         0. (a pure number)
@@ -3447,12 +3460,12 @@ class Slider(Tree):
     geometry
         Dimensions and material, in place of inertia and stiffness
     inertia
-        Total inertia J (mass in kg, g or t)
+        Total inertia J (mass in kg, g, t or lb)
     inertias
         Inertia of each mass
     lever_arm
         Arm on which an angle given by the position function becomes a length (length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     lever_ratio
         Factor on the position function. (a pure number)
     loads
@@ -3478,7 +3491,7 @@ class Slider(Tree):
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
-        Stiffness c seen at the last mass (stiffness in N/m, N/mm or kN/mm)
+        Stiffness c seen at the last mass (stiffness in N/m, N/mm, kN/mm or lbf/in)
     stiffnesses
         Stiffness of each link
     stops
@@ -3546,14 +3559,14 @@ class SliderCrank(Tree):
     Parameters
     ----------
     crank
-        Crank radius r (length in m, mm, cm or µm)
+        Crank radius r (length in m, mm, cm, µm, in or ft)
     rod
-        Connecting rod length l (length in m, mm, cm or µm)
+        Connecting rod length l (length in m, mm, cm, µm, in or ft)
     branch
         Side of the crank's axis on which the slide runs. Default: "+".
     offset
-        Offset e of the guide from the crank's axis (length in m, mm, cm or µm) Default:
-        0.0.
+        Offset e of the guide from the crank's axis (length in m, mm, cm, µm, in or ft)
+        Default: 0.0.
     phase
         Added to the driver's angle (angle in rad, deg, mrad or rev) Default: 0.0.
     """
@@ -3597,7 +3610,7 @@ class Sliding(Tree):
         Direction of the guide in the frame of its link; default 0 (angle in rad, deg, mrad
         or rev)
     half_height
-        Half the height of the block (length in m, mm, cm or µm) Default: 0.0.
+        Half the height of the block (length in m, mm, cm, µm, in or ft) Default: 0.0.
     through
         In place of `direction`: another point of the guide's axis, towards which it is
         directed.
@@ -3633,9 +3646,9 @@ class SlottedLink(Tree):
     Parameters
     ----------
     crank
-        Length of the crank (length in m, mm, cm or µm)
+        Length of the crank (length in m, mm, cm, µm, in or ft)
     frame
-        Distance of the fixed pivots (length in m, mm, cm or µm)
+        Distance of the fixed pivots (length in m, mm, cm, µm, in or ft)
     branch
         When the block drives: the crank turns counterclockwise (`+`) or clockwise (`-`) as
         the block moves away from the pivot of the slotted link. Default: "+".
@@ -3647,7 +3660,7 @@ class SlottedLink(Tree):
         default by the object: what turns follows the link, what slides the block.
     phase
         Added to the driver's displacement (angle in rad, deg, mrad or rev; or length in m,
-        mm, cm or µm) Default: 0.0.
+        mm, cm, µm, in or ft) Default: 0.0.
     """
 
     __slots__ = ()
@@ -3678,11 +3691,11 @@ class Spring(Tree):
     Parameters
     ----------
     rate
-        Rate of the spring (rotational stiffness in N m/rad, N m, kN m/rad or N m/deg; or
-        stiffness in N/m, N/mm or kN/mm)
+        Rate of the spring (rotational stiffness in N m/rad, N m, kN m/rad, N m/deg or lbf
+        ft/rad; or stiffness in N/m, N/mm, kN/mm or lbf/in)
     preload
-        Force at φ = 0, positive towards negative displacement (moment in N m, kN m or N mm;
-        or force in N, kN or MN) Default: 0.0.
+        Force at φ = 0, positive towards negative displacement (moment in N m, kN m, N mm,
+        lbf ft or lbf in; or force in N, kN, MN, lbf or kgf) Default: 0.0.
     """
 
     __slots__ = ()
@@ -3731,13 +3744,14 @@ class Stations(Tree):
     ----------
     at
         Displacement of the driver, or time (angle in rad, deg, mrad or rev; or length in m,
-        mm, cm or µm; or time in s, ms, µs, min or h)
+        mm, cm, µm, in or ft; or time in s, ms, µs, min or h)
     displacement
-        Displacement there (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+        Displacement there (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in
+        or ft)
     acceleration
         Second derivative there, taken by smooth motions that meet here (coefficient in SI
-        units; or angular acceleration in rad/s^2 or deg/s^2; or acceleration in m/s^2 or
-        mm/s^2)
+        units; or angular acceleration in rad/s^2 or deg/s^2; or acceleration in m/s^2,
+        mm/s^2, in/s^2 or ft/s^2)
     match
         Order of derivatives up to which smooth motions match their neighbour here. Default:
         2.
@@ -3747,8 +3761,8 @@ class Stations(Tree):
     speed
         First derivative there, taken by smooth motions that meet here (a pure number; or
         length per angle in m/rad, mm/rad, mm/rev or mm; or angle per length in rad/m,
-        rad/mm or deg/mm; or angular speed in rad/s, rev/s, rpm or deg/s; or speed in m/s,
-        mm/s or m/min)
+        rad/mm or deg/mm; or angular speed in rad/s, rev/s, rpm, 1/min or deg/s; or speed in
+        m/s, mm/s, m/min, in/s or ft/s)
     """
 
     __slots__ = ()
@@ -3794,7 +3808,7 @@ class Steady(Tree):
     mean_speed
         Required mean speed of the drive. Default: the speed of a prescribed drive; with
         moments that depend on speed only of elastic objects, with `balance` (angular speed
-        in rad/s, rev/s, rpm or deg/s)
+        in rad/s, rev/s, rpm, 1/min or deg/s)
     periods
         Elastic scenes: turns of the drive after which the motion may repeat, at most.
         Default: 1.
@@ -3835,7 +3849,7 @@ class Stop(Tree):
     ----------
     at
         Displacement at which it is touched (angle in rad, deg, mrad or rev; or length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     contact
         Its contact.
     side
@@ -3865,7 +3879,7 @@ class StopContact(Tree):
     ----------
     damping
         Damping of `kelvin_voigt` (rotational damping in N m s/rad or N m s; or damping in N
-        s/m or kN s/m)
+        s/m, kN s/m or lbf s/in)
     dissipation
         χ of `hunt_crossley` and `hertz`, seconds per unit of indentation (time per angle in
         s/rad or s; or time per length in s/m or s/mm)
@@ -3881,8 +3895,8 @@ class StopContact(Tree):
         before it (a pure number)
     stiffness
         Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N
-        m/rad^(3/2); none of `restitution` (rotational stiffness in N m/rad, N m, kN m/rad
-        or N m/deg; or stiffness in N/m, N/mm or kN/mm)
+        m/rad^(3/2); none of `restitution` (rotational stiffness in N m/rad, N m, kN m/rad,
+        N m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm or lbf/in)
     """
 
     __slots__ = ()
@@ -3917,14 +3931,15 @@ class Strut(Tree):
     to
         The other end.
     damping
-        Damping (damping in N s/m or kN s/m) Default: 0.0.
+        Damping (damping in N s/m, kN s/m or lbf s/in) Default: 0.0.
     force
         Constant force besides, as of a gas spring or a cylinder: positive pulls the ends
-        together, negative presses them apart (force in N, kN or MN) Default: 0.0.
+        together, negative presses them apart (force in N, kN, MN, lbf or kgf) Default: 0.0.
     free_length
-        Length at which the spring has no force (length in m, mm, cm or µm) Default: 0.0.
+        Length at which the spring has no force (length in m, mm, cm, µm, in or ft) Default:
+        0.0.
     rate
-        Rate of the spring (stiffness in N/m, N/mm or kN/mm) Default: 0.0.
+        Rate of the spring (stiffness in N/m, N/mm, kN/mm or lbf/in) Default: 0.0.
     """
 
     __slots__ = ()
@@ -4011,7 +4026,7 @@ class Torque(Tree):
     Parameters
     ----------
     constant
-        Constant torque (moment in N m, kN m or N mm)
+        Constant torque (moment in N m, kN m, N mm, lbf ft or lbf in)
     expression
         Expression over t, phi and phi_dot of the drive, in s, rad or m: "30*(1 -
         phi_dot/150)".
@@ -4025,7 +4040,8 @@ class Torque(Tree):
     table
         List of [speed, torque]: linear between the points, constant outside.
     unit
-        Unit of the value of `expression`; default SI (moment in N m, kN m or N mm)
+        Unit of the value of `expression`; default SI (moment in N m, kN m, N mm, lbf ft or
+        lbf in)
     """
 
     __slots__ = ()
@@ -4058,9 +4074,9 @@ class TorqueLinear(Tree):
     Parameters
     ----------
     no_load_speed
-        Speed without load, ω₀ (angular speed in rad/s, rev/s, rpm or deg/s)
+        Speed without load, ω₀ (angular speed in rad/s, rev/s, rpm, 1/min or deg/s)
     stall_torque
-        Torque at rest, T₀ (moment in N m, kN m or N mm)
+        Torque at rest, T₀ (moment in N m, kN m, N mm, lbf ft or lbf in)
     """
 
     __slots__ = ()
@@ -4090,8 +4106,8 @@ class Torsion(Tree):
         The pair's angle at which the spring has no moment (angle in rad, deg, mrad or rev)
         Default: 0.0.
     rate
-        Rate of the spring (rotational stiffness in N m/rad, N m, kN m/rad or N m/deg)
-        Default: 0.0.
+        Rate of the spring (rotational stiffness in N m/rad, N m, kN m/rad, N m/deg or lbf
+        ft/rad) Default: 0.0.
     """
 
     __slots__ = ()
@@ -4195,17 +4211,19 @@ class Window(Tree):
     Parameters
     ----------
     force
-        Force inside the window (moment in N m, kN m or N mm; or force in N, kN or MN)
+        Force inside the window (moment in N m, kN m, N mm, lbf ft or lbf in; or force in N,
+        kN, MN, lbf or kgf)
     from_
-        Start of the window (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+        Start of the window (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in
+        or ft)
     to
         End of the window, beyond its start (angle in rad, deg, mrad or rev; or length in m,
-        mm, cm or µm)
+        mm, cm, µm, in or ft)
     once
         True: the window comes once and does not repeat. Default: false.
     period
         Repeats after this much of the driver's displacement; default one turn of a turning
-        driver (angle in rad, deg, mrad or rev; or length in m, mm, cm or µm)
+        driver (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()

@@ -12,6 +12,9 @@ pub struct Measure {
     pub dimension: Dimension,
     /// True when no unit was written at all.
     pub bare: bool,
+    /// True when the whole unit is `1/min` (or `min^-1`): a frequency, or by custom
+    /// revolutions per minute.
+    pub per_minute: bool,
 }
 
 /// Why a text is no number with a unit.
@@ -54,7 +57,8 @@ pub enum UnitError {
 
 /// Reads `number [unit]`: a decimal number, then a product or quotient of
 /// units: `mm`, `N m/rad`, `kg·m²`, `m/s^2`, `N*s/m`. A product binds by
-/// space, `*` or `·`; after a quotient only further quotients may follow.
+/// space, `*` or `·`; after a quotient only further quotients may follow. A
+/// quotient may begin with 1: `1/min`.
 ///
 /// # Errors
 /// What is wrong, with its place in the text.
@@ -75,7 +79,8 @@ pub fn parse(text: &str) -> Result<Measure, UnitError> {
         scale: Scale::ONE,
         divided: false,
     };
-    let bare = rest.trim().is_empty();
+    let unit = rest.trim();
+    let bare = unit.is_empty();
     if !bare {
         units.product()?;
     }
@@ -87,7 +92,19 @@ pub fn parse(text: &str) -> Result<Measure, UnitError> {
         value,
         dimension: units.dimension,
         bare,
+        per_minute: is_per_minute(unit),
     })
+}
+
+/// `1/min`, with or without space, or a power −1 of the minute.
+fn is_per_minute(unit: &str) -> bool {
+    match unit.strip_prefix('1') {
+        Some(rest) => {
+            let divisor = rest.trim_start().strip_prefix('/');
+            divisor.is_some_and(|divisor| divisor.trim_start() == "min")
+        }
+        None => ["min^-1", "min-1", "min⁻¹", "min^⁻¹"].contains(&unit),
+    }
 }
 
 /// Length of the decimal number at the start of a text; 0 when there is none.
@@ -138,7 +155,10 @@ struct Units<'a> {
 impl Units<'_> {
     fn product(&mut self) -> Result<(), UnitError> {
         self.skip_space();
-        self.factor(1)?;
+        match self.begins_with_one() {
+            true => self.at += 1,
+            false => self.factor(1)?,
+        }
         loop {
             let spaced = self.skip_space();
             let Some(next) = self.peek() else {
@@ -160,6 +180,12 @@ impl Units<'_> {
                 self.factor(1)?;
             }
         }
+    }
+
+    /// True for the 1 of `1/min`: a 1 with a quotient after it.
+    fn begins_with_one(&self) -> bool {
+        let rest = self.text[self.at..].strip_prefix('1');
+        rest.is_some_and(|rest| rest.trim_start().starts_with('/'))
     }
 
     /// One unit with its exponent.
@@ -276,10 +302,59 @@ mod tests {
             ("5. m", 5.0),
             ("1 h", 3600.0),
             ("2 N/m/s", 2.0),
+            ("300 1/min", 5.0),
+            ("300 1 / min", 5.0),
+            ("3 1/m/s", 3.0),
+            ("60 r/min", 2.0 * PI),
+            ("60 U/min", 2.0 * PI),
         ] {
             approx::assert_relative_eq!(value(text), expected, max_relative = 4e-16);
         }
         assert!(parse("5").unwrap().bare);
+    }
+
+    /// Each against its definition, worked out in other steps than the table's.
+    #[test]
+    fn inch_and_pound_units_are_exact() {
+        let (pound, foot, gravity) = (0.453_592_37, 0.3048, 9.806_65);
+        for (text, expected) in [
+            ("1 in", 0.0254),
+            ("12 in", foot),
+            ("1 ft", foot),
+            ("1 lb", pound),
+            ("1 lbm", pound),
+            ("1 lbf", pound * gravity),
+            ("1 kgf", gravity),
+            ("1 slug", pound * gravity / foot),
+            ("32 slug ft/s^2", 32.0 * pound * gravity),
+            ("1 psi", pound * gravity / (0.0254 * 0.0254)),
+            ("1 ksi", 1000.0 * pound * gravity / (0.0254 * 0.0254)),
+            ("1 lbf/in^2", pound * gravity / (0.0254 * 0.0254)),
+            ("1 hp", 550.0 * foot * pound * gravity),
+            ("550 ft lbf/s", 745.699_871_582_270_2),
+            ("123 lb ft^2", 123.0 * pound * foot * foot),
+            ("15 lbf ft", 15.0 * pound * gravity * foot),
+            ("15 lbf·in", 15.0 * pound * gravity * 0.0254),
+            ("0.3 lb/in3", 0.3 * pound / (0.0254 * 0.0254 * 0.0254)),
+        ] {
+            approx::assert_relative_eq!(value(text), expected, max_relative = 6e-16);
+        }
+        assert_eq!(value("0.1 in"), 0.002_54);
+        assert_eq!(value("100 lb"), 45.359_237);
+        assert_eq!(value("1 lbf"), 4.448_221_615_260_5);
+    }
+
+    #[test]
+    fn only_the_whole_unit_is_per_minute() {
+        for text in ["5 1/min", "5 1 / min", "5 min^-1", "5 min⁻¹", "5min-1"] {
+            assert!(parse(text).unwrap().per_minute, "{text}");
+        }
+        for text in ["5 1/s", "5 r/min", "5 1/min/s", "5 m/min", "5 min", "5"] {
+            assert!(!parse(text).unwrap().per_minute, "{text}");
+        }
+        for text in ["5 1", "5 1 min", "5 11/min", "5 1/", "5 m 1/s"] {
+            assert!(parse(text).is_err(), "{text}");
+        }
     }
 
     #[test]

@@ -58,6 +58,10 @@ impl Quantity {
         }
         let per_second = Dimension::new(0, 0, -1, 0);
         let angular = Dimension::new(0, 0, -1, 1);
+        if measure.per_minute && self.dimension == angular {
+            // Revolutions per minute by custom (DIN 1301); as a frequency it is plain.
+            return Ok(measure.value * std::f64::consts::TAU);
+        }
         Err(match (self.dimension, measure.dimension) {
             (wanted, found) if wanted == angular && found == per_second => {
                 Mismatch::FrequencyForSpeed
@@ -111,31 +115,31 @@ pub mod quantities {
     /// Angle.
     pub const ANGLE: Quantity = quantity("angle", (0, 0, 0, 1), &["rad", "deg", "mrad", "rev"]);
     /// Length.
-    pub const LENGTH: Quantity = quantity("length", (0, 1, 0, 0), &["m", "mm", "cm", "µm"]);
+    pub const LENGTH: Quantity = quantity("length", (0, 1, 0, 0), &["m", "mm", "cm", "µm", "in", "ft"]);
     /// Area.
-    pub const AREA: Quantity = quantity("area", (0, 2, 0, 0), &["m^2", "mm^2", "cm^2"]);
+    pub const AREA: Quantity = quantity("area", (0, 2, 0, 0), &["m^2", "mm^2", "cm^2", "in^2"]);
     /// Time.
     pub const TIME: Quantity = quantity("time", (0, 0, 1, 0), &["s", "ms", "µs", "min", "h"]);
     /// Mass.
-    pub const MASS: Quantity = quantity("mass", (1, 0, 0, 0), &["kg", "g", "t"]);
+    pub const MASS: Quantity = quantity("mass", (1, 0, 0, 0), &["kg", "g", "t", "lb"]);
     /// Moment of inertia.
     pub const INERTIA: Quantity = quantity(
         "moment of inertia",
         (1, 2, 0, 0),
-        &["kg m^2", "kg cm^2", "g mm^2"],
+        &["kg m^2", "kg cm^2", "g mm^2", "lb ft^2", "lb in^2"],
     );
     /// Density.
-    pub const DENSITY: Quantity = quantity("density", (1, -3, 0, 0), &["kg/m^3", "g/cm^3"]);
+    pub const DENSITY: Quantity = quantity("density", (1, -3, 0, 0), &["kg/m^3", "g/cm^3", "lb/in^3"]);
     /// Pressure.
     pub const PRESSURE: Quantity =
-        quantity("pressure", (1, -1, -2, 0), &["Pa", "kPa", "bar", "MPa"]);
+        quantity("pressure", (1, -1, -2, 0), &["Pa", "kPa", "bar", "MPa", "psi"]);
     /// Elastic modulus.
     pub const MODULUS: Quantity =
-        quantity("modulus", (1, -1, -2, 0), &["Pa", "MPa", "GPa", "N/mm^2"]);
+        quantity("modulus", (1, -1, -2, 0), &["Pa", "MPa", "GPa", "N/mm^2", "ksi"]);
     /// Force.
-    pub const FORCE: Quantity = quantity("force", (1, 1, -2, 0), &["N", "kN", "MN"]);
+    pub const FORCE: Quantity = quantity("force", (1, 1, -2, 0), &["N", "kN", "MN", "lbf", "kgf"]);
     /// Moment.
-    pub const MOMENT: Quantity = quantity("moment", (1, 2, -2, 0), &["N m", "kN m", "N mm"]);
+    pub const MOMENT: Quantity = quantity("moment", (1, 2, -2, 0), &["N m", "kN m", "N mm", "lbf ft", "lbf in"]);
     /// Stiffness of a sliding object.
     pub const IMPULSE: Quantity = quantity("impulse", (1, 1, -1, 0), &["N s", "kN s"]);
     /// Moment times time.
@@ -143,15 +147,15 @@ pub mod quantities {
         quantity("angular impulse", (1, 2, -1, 0), &["N m s", "kN m s"]);
     /// Force per length.
     pub const LINEAR_STIFFNESS: Quantity =
-        quantity("stiffness", (1, 0, -2, 0), &["N/m", "N/mm", "kN/mm"]);
+        quantity("stiffness", (1, 0, -2, 0), &["N/m", "N/mm", "kN/mm", "lbf/in"]);
     /// Stiffness of a turning object.
     pub const ROTATIONAL_STIFFNESS: Quantity = loose(
         "rotational stiffness",
         (1, 2, -2, -1),
-        &["N m/rad", "N m", "kN m/rad", "N m/deg"],
+        &["N m/rad", "N m", "kN m/rad", "N m/deg", "lbf ft/rad"],
     );
     /// Damping of a sliding object.
-    pub const LINEAR_DAMPING: Quantity = quantity("damping", (1, 0, -1, 0), &["N s/m", "kN s/m"]);
+    pub const LINEAR_DAMPING: Quantity = quantity("damping", (1, 0, -1, 0), &["N s/m", "kN s/m", "lbf s/in"]);
     /// Damping of a turning object.
     pub const ROTATIONAL_DAMPING: Quantity = loose(
         "rotational damping",
@@ -162,10 +166,10 @@ pub mod quantities {
     pub const ANGULAR_SPEED: Quantity = quantity(
         "angular speed",
         (0, 0, -1, 1),
-        &["rad/s", "rev/s", "rpm", "deg/s"],
+        &["rad/s", "rev/s", "rpm", "1/min", "deg/s"],
     );
     /// Speed of a sliding object.
-    pub const LINEAR_SPEED: Quantity = quantity("speed", (0, 1, -1, 0), &["m/s", "mm/s", "m/min"]);
+    pub const LINEAR_SPEED: Quantity = quantity("speed", (0, 1, -1, 0), &["m/s", "mm/s", "m/min", "in/s", "ft/s"]);
     /// Acceleration of a turning object.
     pub const ANGULAR_ACCELERATION: Quantity = quantity(
         "angular acceleration",
@@ -174,11 +178,11 @@ pub mod quantities {
     );
     /// Acceleration of a sliding object.
     pub const LINEAR_ACCELERATION: Quantity =
-        quantity("acceleration", (0, 1, -2, 0), &["m/s^2", "mm/s^2"]);
+        quantity("acceleration", (0, 1, -2, 0), &["m/s^2", "mm/s^2", "in/s^2", "ft/s^2"]);
     /// Frequency.
     pub const FREQUENCY: Quantity = quantity("frequency", (0, 0, -1, 0), &["Hz", "kHz"]);
     /// Power.
-    pub const POWER: Quantity = quantity("power", (1, 2, -3, 0), &["W", "kW"]);
+    pub const POWER: Quantity = quantity("power", (1, 2, -3, 0), &["W", "kW", "hp"]);
     /// Inverse speed of an angle.
     pub const SECONDS_PER_ANGLE: Quantity = loose("time per angle", (0, 0, 1, -1), &["s/rad", "s"]);
     /// Inverse speed of a length.
@@ -258,10 +262,20 @@ mod tests {
         let refuse = |quantity: Quantity, text| quantity.accept(parse(text).unwrap()).unwrap_err();
         assert_eq!(refuse(ANGULAR_SPEED, "10 Hz"), Mismatch::FrequencyForSpeed);
         assert_eq!(refuse(FREQUENCY, "10 rev/s"), Mismatch::SpeedForFrequency);
+        assert_eq!(refuse(ANGULAR_SPEED, "10 1/s"), Mismatch::FrequencyForSpeed);
         assert_eq!(refuse(LENGTH, "10"), Mismatch::Bare);
         assert_eq!(refuse(LENGTH, "10 kg"), Mismatch::Dimension);
         assert_eq!(refuse(MOMENT, "10 N m/rad/rad"), Mismatch::Dimension);
         assert_eq!(refuse(ANGLE, "10 %"), Mismatch::Dimension);
         assert_eq!(NUMBER.accept(parse("10").unwrap()), Ok(10.0));
+    }
+
+    #[test]
+    fn per_minute_is_a_speed_of_turning_or_a_frequency_as_is_wanted() {
+        let of = |quantity: Quantity, text| quantity.accept(parse(text).unwrap());
+        let turning = of(ANGULAR_SPEED, "300 1/min").unwrap();
+        assert!((turning - of(ANGULAR_SPEED, "300 rpm").unwrap()).abs() < 1e-14);
+        assert_eq!(of(FREQUENCY, "300 1/min"), Ok(5.0));
+        assert!(of(LINEAR_SPEED, "300 1/min").is_err());
     }
 }

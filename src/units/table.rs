@@ -48,18 +48,44 @@ impl Scale {
             None => (number, Ok(0)),
         };
         // An exponent too long for an i32 is 0 or infinity anyway.
-        let shifted = match exponent {
-            Ok(exponent) => format!("{mantissa}e{}", exponent.saturating_add(self.ten)),
-            Err(_) => number.to_owned(),
+        let value = match exponent {
+            Ok(exponent) => {
+                let ten = exponent.saturating_add(self.ten);
+                product(mantissa, self.numerator, ten).unwrap_or_else(|| {
+                    parsed(&format!("{mantissa}e{ten}")) * self.numerator
+                })
+            }
+            Err(_) => parsed(number) * self.numerator,
         };
-        let value: f64 = shifted.parse().unwrap_or(f64::NAN);
-        let value = value * self.numerator / self.denominator;
+        let value = value / self.denominator;
         if self.pi == 0 {
             value
         } else {
             value * std::f64::consts::PI.powi(self.pi)
         }
     }
+}
+
+fn parsed(number: &str) -> f64 {
+    number.parse().unwrap_or(f64::NAN)
+}
+
+/// mantissa·numerator·10^ten, rounded once; `None` where digits or numerator are too long.
+fn product(mantissa: &str, numerator: f64, ten: i32) -> Option<f64> {
+    /// All whole numbers up to here are numbers of their own.
+    const LARGEST: f64 = 9_007_199_254_740_992.0;
+    if numerator.fract() != 0.0 || numerator > LARGEST {
+        return None;
+    }
+    let (sign, digits) = match mantissa.strip_prefix('-') {
+        Some(digits) => ("-", digits),
+        None => ("", mantissa),
+    };
+    let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+    let digits: u128 = format!("{whole}{decimals}").parse().ok()?;
+    let product = digits.checked_mul(numerator as u128)?;
+    let ten = ten.checked_sub(i32::try_from(decimals.len()).ok()?)?;
+    Some(parsed(&format!("{sign}{product}e{ten}")))
 }
 
 /// A unit: symbol, dimension, factor to SI, prefixes it takes.
@@ -88,6 +114,7 @@ const ONE: Scale = Scale::ONE;
 const SPEED_OF_TURNING: Dimension = Dimension::new(0, 0, -1, 1);
 const MOMENT: Dimension = Dimension::new(1, 2, -2, 0);
 const PRESSURE: Dimension = Dimension::new(1, -1, -2, 0);
+const POWER: Dimension = Dimension::new(1, 2, -3, 0);
 const GRAM: Scale = Scale {
     ten: -3,
     ..Scale::ONE
@@ -100,6 +127,31 @@ const PERCENT: Scale = Scale {
     ten: -2,
     ..Scale::ONE
 };
+/// 0.0254 m.
+const INCH: Scale = decimal(254.0, -4);
+/// 0.45359237 kg.
+const POUND: Scale = decimal(45_359_237.0, -8);
+/// 0.45359237 kg at 9.80665 m/s².
+const POUND_FORCE: Scale = decimal(44_482_216_152_605.0, -13);
+/// A pound-force on a square inch.
+const PSI: Scale = Scale {
+    denominator: 64_516.0,
+    ..decimal(44_482_216_152_605.0, -5)
+};
+/// The mass that a pound-force accelerates by a foot per second squared.
+const SLUG: Scale = Scale {
+    denominator: 3048.0,
+    ..decimal(44_482_216_152_605.0, -9)
+};
+/// 550 foot pounds-force per second; the exact decimal number has 17 digits.
+const HORSEPOWER: Scale = Scale::ratio(745.699_871_582_270_2, 1.0, 0);
+
+const fn decimal(numerator: f64, ten: i32) -> Scale {
+    Scale {
+        ten,
+        ..Scale::ratio(numerator, 1.0, 0)
+    }
+}
 
 /// All units without their prefixed forms. Where a prefixed form of one unit
 /// reads like another unit (`min`), the table's own symbol wins.
@@ -140,10 +192,30 @@ pub(crate) const UNITS: &[Unit] = &[
     unit("N", Dimension::FORCE, ONE, "mkMG"),
     unit("Nm", MOMENT, ONE, "mkMG"),
     unit("J", MOMENT, ONE, "mkM"),
-    unit("W", Dimension::new(1, 2, -3, 0), ONE, "mkM"),
+    unit("W", POWER, ONE, "mkM"),
     unit("Pa", PRESSURE, ONE, "kMG"),
     unit("bar", PRESSURE, HUNDRED_THOUSAND, "m"),
     unit("%", Dimension::NONE, PERCENT, ""),
+    unit("in", Dimension::LENGTH, INCH, ""),
+    unit("ft", Dimension::LENGTH, decimal(3048.0, -4), ""),
+    unit("lb", Dimension::MASS, POUND, ""),
+    unit("lbm", Dimension::MASS, POUND, ""),
+    unit("slug", Dimension::MASS, SLUG, ""),
+    unit("lbf", Dimension::FORCE, POUND_FORCE, ""),
+    unit("kgf", Dimension::FORCE, decimal(980_665.0, -5), ""),
+    unit("hp", POWER, HORSEPOWER, ""),
+    unit("psi", PRESSURE, PSI, ""),
+    unit(
+        "ksi",
+        PRESSURE,
+        Scale {
+            ten: PSI.ten + 3,
+            ..PSI
+        },
+        "",
+    ),
+    unit("r", Dimension::ANGLE, Scale::ratio(2.0, 1.0, 1), ""),
+    unit("U", Dimension::ANGLE, Scale::ratio(2.0, 1.0, 1), ""),
 ];
 
 /// Finds a unit, with its prefix if it has one.
@@ -218,5 +290,11 @@ mod tests {
         assert_eq!(degree.apply("90"), std::f64::consts::FRAC_PI_2);
         assert_eq!(degree.apply("360"), std::f64::consts::TAU);
         assert_eq!(millimetre.apply("1e99999999999"), f64::INFINITY);
+        let (_, inch) = find("in").unwrap();
+        assert_eq!(inch.apply("-0.3"), -0.007_62);
+        assert_eq!(inch.apply("1.e3"), 25.4);
+        assert_eq!(inch.apply("1e400"), f64::INFINITY);
+        let long = format!("0.{}", "3".repeat(60));
+        assert!((inch.apply(&long) / (0.0254 / 3.0) - 1.0).abs() < 1e-15);
     }
 }

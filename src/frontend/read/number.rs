@@ -107,7 +107,8 @@ impl Slot<'_> {
             return None;
         }
         let text = self.look(|slot| slot.text())?;
-        let begins = text.starts_with(|c: char| c.is_alphabetic() || c == '%' || c == '°');
+        let named = |c: char| c.is_alphabetic() || c == '%' || c == '°';
+        let begins = text.starts_with(named) || text.starts_with("1/");
         let measure = parse(&format!("1 {text}")).ok().filter(|_| begins);
         let value = measure.and_then(|measure| wanted.accept(measure).ok());
         if value.is_none() {
@@ -187,8 +188,7 @@ impl Slot<'_> {
                 None,
             ),
             UnitError::UnknownUnit { symbol, offset } => {
-                let units = known_units();
-                let hint = near_unit(&symbol, &units);
+                let hint = near_unit(text, offset, &symbol, wanted);
                 let message = format!("unknown unit `{}`", shorten(&symbol));
                 ("unknown-unit", message, hint, Some(offset))
             }
@@ -214,10 +214,12 @@ impl Slot<'_> {
                 Some(offset),
             ),
         };
-        // The text's own bytes follow its opening quote.
+        // The text's own bytes follow its opening quote; on the command line it has none.
+        let whole = self.place();
+        let quote = usize::from(whole.range.len() > text.len());
         let place = match offset {
-            Some(offset) => self.place().within(offset + 1..text.len() + 1),
-            None => self.place(),
+            Some(offset) => whole.within(offset + quote..text.len() + quote),
+            None => whole,
         };
         let fault = self.refuse(code, message);
         fault.place = Some(place);
@@ -273,28 +275,47 @@ impl Slot<'_> {
     }
 }
 
-/// A unit that `symbol` may be a slip of: the same in other case first.
-fn near_unit(symbol: &str, units: &[String]) -> Option<String> {
-    let same = units
-        .iter()
-        .find(|unit| unit.to_lowercase() == symbol.to_lowercase());
-    let spelled = match symbol.to_lowercase().as_str() {
-        "degree" | "degrees" => Some("deg"),
-        "radian" | "radians" => Some("rad"),
-        "sec" | "second" | "seconds" => Some("s"),
-        "meter" | "metre" | "meters" | "metres" => Some("m"),
-        "newton" | "newtons" => Some("N"),
-        "kilogram" | "kilograms" => Some("kg"),
-        "micron" | "microns" => Some("µm"),
-        "hour" | "hours" | "hr" => Some("h"),
-        "minute" | "minutes" => Some("min"),
-        "revolution" | "revolutions" | "revs" | "turns" => Some("rev"),
-        _ => None,
+/// A unit of what is wanted that `symbol` at `offset` of `text` may be a slip of: the same in
+/// other case first.
+fn near_unit(text: &str, offset: usize, symbol: &str, wanted: &Wanted) -> Option<String> {
+    let (before, after) = (&text[..offset], &text[offset + symbol.len()..]);
+    // A text with two slips tells of neither what it measures: then any unit may be meant.
+    let fits = |unit: &str| match parse(&format!("{before}{unit}{after}")) {
+        Ok(measure) => wanted.accept(measure).is_ok(),
+        Err(_) => true,
     };
-    match same.map(String::as_str).or(spelled) {
+    let units: Vec<String> = known_units();
+    let mut units: Vec<&str> = units.iter().map(String::as_str).collect();
+    units.retain(|unit| fits(unit));
+    let lower = symbol.to_lowercase();
+    let same = units.iter().find(|unit| unit.to_lowercase() == lower);
+    let spelled = || spelled_out(&lower).filter(|unit| fits(unit));
+    match same.copied().or_else(spelled) {
         Some(unit) => Some(format!("did you mean `{unit}`?")),
-        None => did_you_mean(symbol, units.iter().map(String::as_str)),
+        None => did_you_mean(symbol, units.iter().copied()),
     }
+}
+
+/// The unit that a word means.
+fn spelled_out(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "degree" | "degrees" => "deg",
+        "radian" | "radians" => "rad",
+        "sec" | "second" | "seconds" => "s",
+        "meter" | "metre" | "meters" | "metres" => "m",
+        "inch" | "inches" => "in",
+        "foot" | "feet" => "ft",
+        "pound" | "pounds" | "lbs" => "lb",
+        "newton" | "newtons" => "N",
+        "kilogram" | "kilograms" => "kg",
+        "kilopond" | "kp" => "kgf",
+        "horsepower" => "hp",
+        "micron" | "microns" => "µm",
+        "hour" | "hours" | "hr" => "h",
+        "minute" | "minutes" => "min",
+        "revolution" | "revolutions" | "revs" | "turns" => "rev",
+        _ => return None,
+    })
 }
 
 pub(super) fn shorten(text: &str) -> String {

@@ -42,7 +42,11 @@ impl Wanted {
         [Some(self.first), self.second].into_iter().flatten()
     }
 
-    pub(super) fn accept(&self, measure: Measure) -> Result<f64, Mismatch> {
+    /// The value in SI units.
+    ///
+    /// # Errors
+    /// How it does not fit.
+    pub(crate) fn accept(&self, measure: Measure) -> Result<f64, Mismatch> {
         let first = self.first.accept(measure);
         match (first, self.second) {
             (Err(_), Some(second)) => second.accept(measure).or(first),

@@ -1,7 +1,7 @@
 //! The numbers of a scene's text: where each stands, what it measures, how far it may go.
 
 use super::{Catalogue, Document};
-use crate::frontend::read::{Bounds, Declared};
+use crate::frontend::read::{Bounds, Declared, Wanted};
 use crate::units::{number_and_unit, parse};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -74,7 +74,7 @@ fn number(declared: &Declared, text: &str) -> Option<Number> {
         .filter(|value: &f64| value.is_finite())?;
     let factor = match unit {
         "" => Some(1.0),
-        unit => parse(&format!("1 {unit}")).ok().map(|one| one.value),
+        unit => factor(unit, declared.wanted),
     };
     let start = whole.start + offset;
     let quantities = declared
@@ -100,6 +100,13 @@ fn number(declared: &Declared, text: &str) -> Option<Number> {
         factor,
         whole: declared.wanted.is_none(),
     })
+}
+
+/// SI units in one of `unit`, in the sense in which a quantity that is wanted takes it.
+fn factor(unit: &str, wanted: Option<Wanted>) -> Option<f64> {
+    let one = parse(&format!("1 {unit}")).ok()?;
+    let meant = wanted.and_then(|wanted| wanted.accept(one).ok());
+    Some(meant.unwrap_or(one.value))
 }
 
 fn ends(bounds: &Bounds) -> ([Option<f64>; 2], [bool; 2]) {
