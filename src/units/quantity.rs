@@ -115,7 +115,8 @@ pub mod quantities {
     /// Angle.
     pub const ANGLE: Quantity = quantity("angle", (0, 0, 0, 1), &["rad", "deg", "mrad", "rev"]);
     /// Length.
-    pub const LENGTH: Quantity = quantity("length", (0, 1, 0, 0), &["m", "mm", "cm", "µm", "in", "ft"]);
+    pub const LENGTH: Quantity =
+        quantity("length", (0, 1, 0, 0), &["m", "mm", "cm", "µm", "in", "ft"]);
     /// Area.
     pub const AREA: Quantity = quantity("area", (0, 2, 0, 0), &["m^2", "mm^2", "cm^2", "in^2"]);
     /// Time.
@@ -129,25 +130,39 @@ pub mod quantities {
         &["kg m^2", "kg cm^2", "g mm^2", "lb ft^2", "lb in^2"],
     );
     /// Density.
-    pub const DENSITY: Quantity = quantity("density", (1, -3, 0, 0), &["kg/m^3", "g/cm^3", "lb/in^3"]);
+    pub const DENSITY: Quantity =
+        quantity("density", (1, -3, 0, 0), &["kg/m^3", "g/cm^3", "lb/in^3"]);
     /// Pressure.
-    pub const PRESSURE: Quantity =
-        quantity("pressure", (1, -1, -2, 0), &["Pa", "kPa", "bar", "MPa", "psi"]);
+    pub const PRESSURE: Quantity = quantity(
+        "pressure",
+        (1, -1, -2, 0),
+        &["Pa", "kPa", "bar", "MPa", "psi"],
+    );
     /// Elastic modulus.
-    pub const MODULUS: Quantity =
-        quantity("modulus", (1, -1, -2, 0), &["Pa", "MPa", "GPa", "N/mm^2", "ksi"]);
+    pub const MODULUS: Quantity = quantity(
+        "modulus",
+        (1, -1, -2, 0),
+        &["Pa", "MPa", "GPa", "N/mm^2", "ksi"],
+    );
     /// Force.
     pub const FORCE: Quantity = quantity("force", (1, 1, -2, 0), &["N", "kN", "MN", "lbf", "kgf"]);
     /// Moment.
-    pub const MOMENT: Quantity = quantity("moment", (1, 2, -2, 0), &["N m", "kN m", "N mm", "lbf ft", "lbf in"]);
+    pub const MOMENT: Quantity = quantity(
+        "moment",
+        (1, 2, -2, 0),
+        &["N m", "kN m", "N mm", "lbf ft", "lbf in"],
+    );
     /// Stiffness of a sliding object.
     pub const IMPULSE: Quantity = quantity("impulse", (1, 1, -1, 0), &["N s", "kN s"]);
     /// Moment times time.
     pub const ANGULAR_IMPULSE: Quantity =
         quantity("angular impulse", (1, 2, -1, 0), &["N m s", "kN m s"]);
     /// Force per length.
-    pub const LINEAR_STIFFNESS: Quantity =
-        quantity("stiffness", (1, 0, -2, 0), &["N/m", "N/mm", "kN/mm", "lbf/in"]);
+    pub const LINEAR_STIFFNESS: Quantity = quantity(
+        "stiffness",
+        (1, 0, -2, 0),
+        &["N/m", "N/mm", "kN/mm", "lbf/in"],
+    );
     /// Stiffness of a turning object.
     pub const ROTATIONAL_STIFFNESS: Quantity = loose(
         "rotational stiffness",
@@ -155,7 +170,8 @@ pub mod quantities {
         &["N m/rad", "N m", "kN m/rad", "N m/deg", "lbf ft/rad"],
     );
     /// Damping of a sliding object.
-    pub const LINEAR_DAMPING: Quantity = quantity("damping", (1, 0, -1, 0), &["N s/m", "kN s/m", "lbf s/in"]);
+    pub const LINEAR_DAMPING: Quantity =
+        quantity("damping", (1, 0, -1, 0), &["N s/m", "kN s/m", "lbf s/in"]);
     /// Damping of a turning object.
     pub const ROTATIONAL_DAMPING: Quantity = loose(
         "rotational damping",
@@ -169,7 +185,11 @@ pub mod quantities {
         &["rad/s", "rev/s", "rpm", "1/min", "deg/s"],
     );
     /// Speed of a sliding object.
-    pub const LINEAR_SPEED: Quantity = quantity("speed", (0, 1, -1, 0), &["m/s", "mm/s", "m/min", "in/s", "ft/s"]);
+    pub const LINEAR_SPEED: Quantity = quantity(
+        "speed",
+        (0, 1, -1, 0),
+        &["m/s", "mm/s", "m/min", "in/s", "ft/s"],
+    );
     /// Acceleration of a turning object.
     pub const ANGULAR_ACCELERATION: Quantity = quantity(
         "angular acceleration",
@@ -177,8 +197,11 @@ pub mod quantities {
         &["rad/s^2", "deg/s^2"],
     );
     /// Acceleration of a sliding object.
-    pub const LINEAR_ACCELERATION: Quantity =
-        quantity("acceleration", (0, 1, -2, 0), &["m/s^2", "mm/s^2", "in/s^2", "ft/s^2"]);
+    pub const LINEAR_ACCELERATION: Quantity = quantity(
+        "acceleration",
+        (0, 1, -2, 0),
+        &["m/s^2", "mm/s^2", "in/s^2", "ft/s^2"],
+    );
     /// Frequency.
     pub const FREQUENCY: Quantity = quantity("frequency", (0, 0, -1, 0), &["Hz", "kHz"]);
     /// Power.

@@ -51,9 +51,8 @@ impl Scale {
         let value = match exponent {
             Ok(exponent) => {
                 let ten = exponent.saturating_add(self.ten);
-                product(mantissa, self.numerator, ten).unwrap_or_else(|| {
-                    parsed(&format!("{mantissa}e{ten}")) * self.numerator
-                })
+                product(mantissa, self.numerator, ten)
+                    .unwrap_or_else(|| parsed(&format!("{mantissa}e{ten}")) * self.numerator)
             }
             Err(_) => parsed(number) * self.numerator,
         };
