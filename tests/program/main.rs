@@ -9,6 +9,7 @@ mod map;
 mod meaning;
 mod outside;
 mod page;
+mod public;
 mod reduce;
 mod scenarios;
 mod schema;
