@@ -6,7 +6,7 @@ use super::warning::Warning;
 use crate::dynamics::integrate::{Outcome, Stop};
 use crate::dynamics::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart};
 use crate::dynamics::record::{
-    EnergyAudit, Figures, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
+    EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
     Recorded, RunSummary, StopFigures, Units,
 };
 use crate::units::shown;
@@ -49,6 +49,7 @@ pub(super) fn summary(
         evaluations: outcome.statistics.evaluations,
         switches: outcome.statistics.switches,
         energy_error: recorded.audit.error(),
+        equations: EquationFigures::default(),
         window: window.as_ref().ok().copied(),
         window_missing: window.err(),
     }

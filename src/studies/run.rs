@@ -8,11 +8,12 @@ use super::method::{choose_general, choose_method, fixed_step};
 use super::plausible;
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
+use crate::dynamics::audit::{self, EquationCheck};
 use crate::dynamics::integrate::{
     Dynamics, Limits, Method, Outcome, Settings, Sink, Stop, integrate,
 };
 use crate::dynamics::record::{
-    EnergyAudit, Figures, Record, Recorded, Recorder, RecorderSettings, Tee, choose_window,
+    EnergyAudit, EquationFigures, Figures, Record, Recorded, Recorder, RecorderSettings, RunSummary, Tee, choose_window,
     drive_cycle,
 };
 use crate::dynamics::system::{InitialState, System};
@@ -34,6 +35,8 @@ pub struct RunResult {
     pub tolerance: f64,
     /// The energy balance.
     pub audit: EnergyAudit,
+    /// The check of its equations of motion, by another way than the one it was computed by.
+    pub equations: EquationCheck,
     /// Warnings to the user; also, as text, in the figures.
     pub warnings: Vec<Warning>,
 }
@@ -85,12 +88,16 @@ pub fn run(
         window,
         ..
     } = motion;
-    let run = summary(settings, &outcome, &choice, &recorded, window);
+    let run = RunSummary {
+        equations: EquationFigures::from(&motion.equations),
+        ..summary(settings, &outcome, &choice, &recorded, window)
+    };
     let known_before = system.model().warnings.iter().cloned();
     let mut warnings: Vec<Warning> = known_before
         .chain(motion.warnings)
         .map(Warning::Start)
         .collect();
+    warnings.extend(Warning::of_equations(&motion.equations));
     if outcome.stop == Stop::Complete {
         let unused = plausible::warnings_after(system.model(), &recorded.record);
         warnings.extend(unused.into_iter().map(Warning::Meaning));
@@ -109,6 +116,7 @@ pub fn run(
         method: choice.method,
         tolerance: choice.tolerance,
         audit: recorded.audit,
+        equations: motion.equations,
         warnings,
     })
 }
@@ -125,6 +133,8 @@ pub(super) struct Motion {
     pub(super) window: Result<[f64; 2], String>,
     /// Warnings about its start.
     pub(super) warnings: Vec<String>,
+    /// The check of its equations of motion.
+    pub(super) equations: EquationCheck,
     /// Steps of the search for switches over which a pair could not be told from its
     /// flank.
     pub(super) grazing: u64,
@@ -147,6 +157,10 @@ impl Motion {
             Stop::NotFinite { what } => Some(format!(
                 "exact propagation met what is no finite number at t = {} s ({what})",
                 self.outcome.time
+            )),
+            Stop::Complete if !self.equations.is_kept() => Some(format!(
+                "the equations of motion are not kept by exact propagation: {}",
+                self.equations
             )),
             Stop::Complete if !(audit.error() <= EnergyAudit::bound(settings.tolerance)) => {
                 Some("the energies of exact propagation do not balance".to_owned())
@@ -206,6 +220,7 @@ fn attempt(
         long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
         implicit: matches!(choice.method, Method::Radau | Method::Rodas5p),
         tolerance: settings.tolerance,
+        checked: !light,
     };
     let plan = Settings {
         method: choice.method,
@@ -242,7 +257,9 @@ fn attempt(
         }
     };
     let mut recorded = found.recorded;
+    let equations = audit::check(system, &recorded.looks, settings.tolerance);
     Ok(Motion {
+        equations,
         outcome: stopped_at_failure(found.outcome, &mut recorded),
         recorded,
         choice,

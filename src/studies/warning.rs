@@ -1,5 +1,6 @@
 //! What the user of a run should know beside its figures.
 
+use crate::dynamics::audit::EquationCheck;
 use crate::units::shown;
 use std::fmt;
 
@@ -17,6 +18,8 @@ pub enum Warning {
         /// What it may be at this tolerance.
         bound: f64,
     },
+    /// The motion does not keep its equations: the figures are not to be trusted.
+    Equations(EquationCheck),
     /// A force or an acceleration was not a finite number.
     NotFinite,
     /// A fixed step keeps no tolerance.
@@ -77,7 +80,22 @@ pub enum Warning {
 impl Warning {
     /// True when the figures are not to be trusted because of it.
     pub fn spoils_figures(&self) -> bool {
-        matches!(self, Self::EnergyAudit { .. } | Self::NotFinite)
+        match self {
+            Self::EnergyAudit { .. } | Self::Equations(_) | Self::NotFinite => true,
+            Self::Start(_)
+            | Self::Meaning(_)
+            | Self::FixedStep { .. }
+            | Self::WindowMissing { .. }
+            | Self::WouldLiftOff { .. }
+            | Self::Opens { .. }
+            | Self::SwitchesUndetermined { .. }
+            | Self::Undetermined { .. } => false,
+        }
+    }
+
+    /// The warning that a check of the equations of motion gives, if they are not kept.
+    pub(super) fn of_equations(check: &EquationCheck) -> Option<Self> {
+        (!check.is_kept()).then(|| Self::Equations(check.clone()))
     }
 }
 
@@ -91,6 +109,10 @@ impl fmt::Display for Warning {
                  where {bound} is allowed; ask for a smaller tolerance, a smaller step or another method",
                 error = shown(*error, 2),
                 bound = shown(*bound, 2)
+            ),
+            Self::Equations(check) => write!(
+                f,
+                "not to be trusted: {check}; ask for a smaller tolerance or another method"
             ),
             Self::NotFinite => f.write_str(
                 "not to be trusted: a force or an acceleration was not a finite number; \

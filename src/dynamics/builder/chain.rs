@@ -4,10 +4,12 @@ use super::driven_end::{balanced_shares, loaded};
 use super::modes::Modal;
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, Level, Lumping, PairSpec};
 use super::{Connected, ModelBuilder, Place};
-use crate::dynamics::model::{Closure, Coordinate, DampingLaw, Law, Pair};
+use crate::dynamics::model::{Closure, Coordinate, DampingLaw, Law, NodeIndex, Pair};
+use crate::dynamics::stated::StatedPosition;
 use crate::fault::{Fault, Faults};
-use crate::kinematics::position::Position;
+use crate::kinematics::position::{Position, PositionSpec};
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 /// Inertia, stiffness and damping of every mass and link of a chain, link m
 /// before mass m; lists of length n, empty for a rigid object.
@@ -181,6 +183,29 @@ impl ModelBuilder {
             None => parameters,
         };
         let driver = law.driver;
+        let before = self.model.nodes.len();
+        self.lower_chain(at, (&law, pair), spec, &parameters);
+        self.state_positions(before, driver, &spec.position);
+    }
+
+    /// Notes what the scene states of the law of the nodes added since there were so many.
+    fn state_positions(&mut self, before: usize, driver: NodeIndex, position: &PositionSpec) {
+        let stated = Arc::new(StatedPosition::new(position));
+        for (node, added) in self.model.nodes.iter().enumerate().skip(before) {
+            if added.motion.law().is_some_and(|law| law.driver == driver) {
+                self.model.stated.positions.insert(node, stated.clone());
+            }
+        }
+    }
+
+    fn lower_chain(
+        &mut self,
+        at: &Place,
+        (law, pair): (&Law, Pair),
+        spec: &ChainSpec,
+        parameters: &ChainParameters,
+    ) {
+        let driver = law.driver;
         if let BodySpec::Modes {
             inertia,
             stiffness,
@@ -197,20 +222,20 @@ impl ModelBuilder {
                 split,
             };
             self.check_stops(at, spec);
-            return self.modal(at, &law, (spec, pair), body);
+            return self.modal(at, law, (spec, pair), body);
         }
         let nodes = match (&spec.body, &spec.pair.contact) {
             (_, Some(contact)) => {
-                self.touching(at, &law, &spec.body, &parameters, (pair, *contact))
+                self.touching(at, law, &spec.body, parameters, (pair, *contact))
             }
             (BodySpec::Rigid { inertia }, None) => {
                 vec![self.rigid(at, law.clone(), *inertia, pair)]
             }
-            _ => self.masses(at, &law, &parameters, pair),
+            _ => self.masses(at, law, parameters, pair),
         };
         self.check_driven_end(at, spec);
         let end = match spec.has_driven_end() {
-            true => Some(self.driven_end(at, &law, parameters.driven_end).1),
+            true => Some(self.driven_end(at, law, parameters.driven_end).1),
             false => None,
         };
         for load in &spec.loads {

@@ -3,6 +3,7 @@
 use super::spec::{DriveMotionSpec, DriveSpec, MotorSpec, TorqueSpec};
 use super::{ModelBuilder, Place};
 use crate::dynamics::model::{Coordinate, Load, LoadLaw, NodeIndex};
+use crate::dynamics::stated::{StatedDrive, StatedLoad};
 use crate::kinematics::motion::DriveMotion;
 
 impl ModelBuilder {
@@ -17,7 +18,8 @@ impl ModelBuilder {
     fn prescribe(&mut self, at: &Place, spec: &DriveMotionSpec) {
         match DriveMotion::new(spec) {
             Ok(motion) => {
-                self.prescribed(at, motion);
+                let node = self.prescribed(at, motion);
+                self.model.stated.drives.insert(node, StatedDrive::new(spec));
             }
             Err(faults) => self.faults(at, "motion", faults),
         }
@@ -38,6 +40,7 @@ impl ModelBuilder {
         let name = at.path(&format!("motor.{word}"));
         if let Some(law) = self.torque(&name, word, &spec.torque, node) {
             self.model.loads.push(Load { node, name, law });
+            self.state_load(StatedLoad::from(&spec.torque), node);
             if let TorqueSpec::Written(written) = &spec.torque {
                 let name = at.path(&format!("motor.{word}"));
                 self.wait_for(&name, written.over.as_ref());
@@ -94,6 +97,35 @@ impl ModelBuilder {
                 faults.points(&format!("{path}.table"), points, 1);
                 Some(LoadLaw::SpeedTable(points.clone()))
             }
+        }
+    }
+}
+
+impl From<&TorqueSpec> for StatedLoad {
+    fn from(spec: &TorqueSpec) -> Self {
+        match spec {
+            TorqueSpec::Constant(torque) => Self::Constant(*torque),
+            TorqueSpec::Linear {
+                stall_torque,
+                no_load_speed,
+            } => Self::Motor {
+                stall: *stall_torque,
+                no_load: *no_load_speed,
+            },
+            TorqueSpec::Kloss {
+                breakdown_torque,
+                breakdown_slip,
+                synchronous_speed,
+            } => Self::Kloss {
+                breakdown: *breakdown_torque,
+                slip: *breakdown_slip,
+                synchronous: *synchronous_speed,
+            },
+            TorqueSpec::Table(points) => Self::OverSpeed(points.clone()),
+            TorqueSpec::Written(written) => Self::Written {
+                expression: written.expression.clone(),
+                factor: written.factor,
+            },
         }
     }
 }

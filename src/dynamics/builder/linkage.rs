@@ -4,6 +4,7 @@ use super::reach::{DEAD, place, range};
 use super::spec::DrivenLinkage;
 use super::{Connected, ModelBuilder, Place};
 use crate::dynamics::model::{Law, LinkageBody, NodeIndex, Pair};
+use crate::dynamics::stated::StatedPosition;
 use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::Kinetostatics;
 use crate::kinematics::linkage::multi::proposal;
@@ -42,6 +43,8 @@ impl ModelBuilder {
             track: None,
         };
         let node = self.rigid(at, law(input.node, position.clone()), 0.0, Pair::default());
+        let stated = Arc::new(StatedPosition::new(&spec.position));
+        self.model.stated.positions.insert(node, stated);
         self.within_reach(at, node, input, &position, &linkage);
         for remark in linkage.remarks() {
             self.warn(format!("`{}`: {remark}", at.id));

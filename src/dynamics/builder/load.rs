@@ -4,6 +4,7 @@ use super::pieces::{self, Pieces};
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::{FREE_FALL, ModelBuilder, Place};
 use crate::dynamics::model::{Coordinate, Load, LoadLaw, NodeIndex, TrackSource};
+use crate::dynamics::stated::{LoadStatement, StatedLoad};
 use crate::fault::Faults;
 
 impl ModelBuilder {
@@ -44,10 +45,24 @@ impl ModelBuilder {
                 name: path.clone(),
                 law,
             });
+            if let Some(stated) = stated(&spec.law) {
+                self.state_load(stated, driver);
+            }
             if let LoadLawSpec::Written(written) = &spec.law {
                 self.wait_for(&path, written.over.as_ref());
             }
         }
+    }
+
+    /// Notes what the scene states of the load added last.
+    pub(super) fn state_load(&mut self, stated: StatedLoad, driver: NodeIndex) {
+        let last = self.model.loads.len() - 1;
+        let statement = LoadStatement {
+            law: stated,
+            driver,
+            share: 1.0,
+        };
+        self.model.stated.loads.insert(last, statement);
     }
 
     fn load_law(
@@ -172,4 +187,40 @@ fn chosen(mass: MassChoice, nodes: &[NodeIndex]) -> Option<&[NodeIndex]> {
             .and_then(|index| nodes.get(index))
             .map(std::slice::from_ref),
     }
+}
+
+/// A load in the terms of the scene; `None`: it is supplied in code.
+fn stated(law: &LoadLawSpec) -> Option<StatedLoad> {
+    Some(match law {
+        LoadLawSpec::Constant(force) => StatedLoad::Constant(*force),
+        LoadLawSpec::TimeTable(points) => StatedLoad::OverTime(points.clone()),
+        LoadLawSpec::PositionTable { points, period } => {
+            StatedLoad::OverDriver(points.clone(), *period)
+        }
+        LoadLawSpec::Window {
+            from,
+            to,
+            force,
+            period,
+        } => StatedLoad::Window {
+            between: [*from, *to],
+            force: *force,
+            period: *period,
+        },
+        LoadLawSpec::Spring { rate, preload } => StatedLoad::Spring {
+            rate: *rate,
+            preload: *preload,
+        },
+        LoadLawSpec::Viscous(damping) => StatedLoad::Viscous(*damping),
+        LoadLawSpec::Weight { inclination } => StatedLoad::Weight(*inclination),
+        LoadLawSpec::Friction { force, width } => StatedLoad::Friction {
+            force: *force,
+            width: *width,
+        },
+        LoadLawSpec::Written(written) => StatedLoad::Written {
+            expression: written.expression.clone(),
+            factor: written.factor,
+        },
+        LoadLawSpec::Custom(_) => return None,
+    })
 }

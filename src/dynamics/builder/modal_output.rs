@@ -60,7 +60,13 @@ impl ModelBuilder {
         let Some(load) = self.model.loads.pop_if(|load| known(load)) else {
             return 0.0;
         };
+        let stated = self.model.stated.loads.remove(&self.model.loads.len());
         for &(node, share) in shares {
+            if let Some(stated) = &stated {
+                let mut own = stated.clone();
+                own.share *= share;
+                self.model.stated.loads.insert(self.model.loads.len(), own);
+            }
             let law = match &load.law {
                 LoadLaw::Pieces { track, pieces } => {
                     let mut pieces = pieces.clone();

@@ -9,7 +9,8 @@ use super::pairs::PairTracker;
 use super::rows::{Rows, is_finite};
 use super::settings::RecorderSettings;
 use super::{Interval, SwitchRow};
-use crate::dynamics::integrate::{Modes, SwitchEvent};
+use crate::dynamics::audit::{Looker, fastest_rate};
+use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
 use stretch::seen;
 
@@ -46,6 +47,8 @@ pub(crate) struct Log<'s> {
     /// Times and rows of what were the extremes of figures.
     peaks: Vec<(f64, Vec<f64>)>,
     failure: Option<Failure>,
+    /// Draws what the check of the run looks at.
+    looker: Looker,
 }
 
 impl<'s> Log<'s> {
@@ -80,6 +83,13 @@ impl<'s> Log<'s> {
             budget: 0,
             peaks: Vec::new(),
             failure: None,
+            looker: match settings.checked {
+                true => {
+                    let entries = 2 * system.coordinates();
+                    Looker::new(settings.duration, entries, fastest_rate(model))
+                }
+                false => Looker::idle(),
+            },
             settings,
         }
     }
@@ -106,6 +116,7 @@ impl<'s> Log<'s> {
     /// The samples that fall into a stretch, which may be a step.
     pub(crate) fn sample(&mut self, mut stretch: Stretch<'_>) {
         let [from, until] = stretch.span;
+        self.draw(&mut stretch);
         while let Some(time) = self.rows.due(until) {
             if self.failure.is_some() {
                 return;
@@ -125,11 +136,29 @@ impl<'s> Log<'s> {
         self.time = until;
     }
 
+    /// The instants that are drawn from a stretch.
+    fn draw(&mut self, stretch: &mut Stretch<'_>) {
+        let (span, modes) = (stretch.span, stretch.modes);
+        match &mut stretch.course {
+            Course::Step(step) => {
+                let state = &mut |time: f64, y: &mut [f64]| {
+                    let s = ((time - step.start) / step.length).clamp(0.0, step.end);
+                    step.state(s, y);
+                };
+                self.looker.stretch(span, modes, false, state);
+            }
+            Course::Known(state) => {
+                self.looker.stretch(span, modes, true, *state);
+            }
+        }
+    }
+
     /// A switch.
     pub(crate) fn switch(&mut self, event: &SwitchEvent<'_>) {
         if self.failure.is_some() {
             return;
         }
+        self.looker.switch(event);
         let changed = |pair: &&mut PairTracker| {
             event.before.0[pair.component] != event.after.0[pair.component]
         };

@@ -26,6 +26,7 @@ mod tally;
 mod tee;
 mod window;
 
+pub use crate::dynamics::audit::EquationCheck;
 pub use crate::dynamics::energy::EnergyAudit;
 pub use addresses::AddressError;
 pub use failure::Failure;
@@ -33,7 +34,7 @@ pub use figure::Figure;
 pub(crate) use figured::Figured;
 pub use figures::{
     Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
-    RunSummary, StopFigures, Units, greatest_magnitude,
+    EquationFigures, RunSummary, StopFigures, Units, greatest_magnitude,
 };
 pub(crate) use log::{Course, Log, Stretch};
 pub use quantity::Quantity;

@@ -7,6 +7,7 @@ use super::log::{Course, Log, Stretch};
 use super::settings::RecorderSettings;
 use super::tally::Tally;
 use super::{ObjectFigures, Record};
+use crate::dynamics::audit::Looks;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Modes, Sink, SwitchEvent};
 use crate::dynamics::system::System;
@@ -27,6 +28,8 @@ pub struct Recorded {
     /// a state that was. Nothing from that step on is in the figures, the audit
     /// and the record.
     pub failure: Option<Failure>,
+    /// States at instants drawn at random, for the check of the run.
+    pub(crate) looks: Looks,
 }
 
 /// Records a run of a system. Its memory is bounded by samples and switches.

@@ -27,4 +27,6 @@ pub struct RecorderSettings {
     pub implicit: bool,
     /// Tolerance of the run: the finer, the smaller the pieces.
     pub tolerance: f64,
+    /// True: states are kept at instants drawn at random, for the check of the run.
+    pub checked: bool,
 }

@@ -276,6 +276,16 @@ impl System {
         }
     }
 
+    /// Coordinate (in y) of a node of the model that moves freely.
+    pub(crate) fn coordinate_of(&self, node: usize) -> Option<usize> {
+        self.frozen.coordinate[self.frozen.internal[node]]
+    }
+
+    /// κ in force in the pair of an object.
+    pub(crate) fn dissipation(&self, object: usize) -> Option<f64> {
+        self.chain(object).and_then(|chain| chain.contact.kappa)
+    }
+
     /// The stop that an object part is, index into [`Frozen::stops`].
     fn stop_of(&self, part: usize) -> Option<usize> {
         match self.places[part].body {

@@ -94,6 +94,7 @@ impl Log<'_> {
             audit,
             margins,
             failure: self.failure,
+            looks: self.looker.finish(),
         }
     }
 

@@ -1,0 +1,361 @@
+//! The equations of motion put to the test.
+
+use super::check::EquationCheck;
+use super::look::{Look, Looks, PLACES, SEED, WEIGHTS, Window};
+use super::mechanics::{At, Mechanics};
+use super::turns;
+use crate::dynamics::integrate::Dynamics;
+use crate::dynamics::model::{LinkBase, Model, NodeMotion};
+use crate::dynamics::system::{ObjectState, Scratch, System};
+
+/// Defect that is allowed in tolerances, as a share of the terms.
+const TOLERANCES: f64 = 100.0;
+
+/// … and where none is given, by the rounding of laws and of their tables.
+const LEAST: f64 = 1e-8;
+
+/// Errors of a state over a step, in tolerances of its size.
+const OF_STATE: f64 = 10.0;
+
+/// Roundings of a term.
+const ROUNDINGS: f64 = 256.0 * f64::EPSILON;
+
+/// The fastest rate of what is elastic (1/s).
+pub(crate) fn fastest_rate(model: &Model) -> f64 {
+    let mut stiff = vec![[0.0; 2]; model.nodes.len()];
+    for link in &model.links {
+        let base = match link.base {
+            LinkBase::Mass(base) => Some(base),
+            LinkBase::Law { .. } => None,
+        };
+        for node in std::iter::once(link.mass).chain(base) {
+            stiff[node][0] += link.stiffness;
+            stiff[node][1] += link.damping;
+        }
+    }
+    let rate = |(node, own): (&crate::dynamics::model::Node, &[f64; 2])| match node.inertia > 0.0 {
+        true => (2.0 * own[0] / node.inertia).sqrt() + own[1] / node.inertia,
+        false => 0.0,
+    };
+    model.nodes.iter().zip(&stiff).map(rate).fold(0.0, f64::max)
+}
+
+/// What a node does over a window.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Balance {
+    /// Gain of momentum, and the momentum itself.
+    gain: f64,
+    momentum: f64,
+    /// Means of forces, with and without those of links, and of their magnitudes.
+    force: f64,
+    outer: f64,
+    size: f64,
+    stiff: f64,
+    /// Gain of speed.
+    speeds: [f64; 2],
+}
+
+/// Greatest magnitudes over the looks of a run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Scales {
+    /// Of every node: terms of its equation, momentum, links before they cancel.
+    size: Vec<f64>,
+    momentum: Vec<f64>,
+    stiff: Vec<f64>,
+    /// Displacement, speed and acceleration.
+    pub(super) motion: Vec<[f64; 3]>,
+    /// Of every object part: depth and force of its contact.
+    pub(super) contact: Vec<[f64; 2]>,
+    /// Of every state entry.
+    pub(super) entries: Vec<f64>,
+}
+
+/// A check in the making.
+pub(super) struct Judge<'s> {
+    pub(super) system: &'s System,
+    pub(super) mechanics: Mechanics<'s>,
+    scratch: Scratch,
+    pub(super) tolerance: f64,
+    pub(super) scales: Scales,
+    pub(super) found: EquationCheck,
+    /// Names of nodes.
+    pub(super) names: Vec<String>,
+}
+
+/// Checks what was drawn in a run at a tolerance.
+pub(crate) fn check(system: &System, looks: &Looks, tolerance: f64) -> EquationCheck {
+    let mut judge = Judge::new(system, tolerance);
+    let longest: Vec<Vec<Balance>> = (looks.looks.iter())
+        .map(|look| judge.balance(look, &look.windows[0]))
+        .collect();
+    judge.see_turns(looks);
+    for (look, balance) in looks.looks.iter().zip(&longest) {
+        judge.judge(look, balance);
+    }
+    for turn in &looks.turns {
+        turns::judge(&mut judge, turn);
+    }
+    judge.finish(looks)
+}
+
+impl<'s> Judge<'s> {
+    fn new(system: &'s System, tolerance: f64) -> Self {
+        let model = system.model();
+        let count = model.nodes.len();
+        let mut names = vec![String::new(); count];
+        for part in model.objects.iter().rev() {
+            for &node in part.nodes.iter().chain(&part.combination) {
+                names[node].clone_from(&part.id);
+            }
+            if let Some(point) = part.contact.and_then(|contact| contact.point) {
+                names[point].clone_from(&part.id);
+            }
+        }
+        Self {
+            system,
+            mechanics: Mechanics::new(system),
+            scratch: system.scratch(),
+            tolerance,
+            scales: Scales {
+                size: vec![0.0; count],
+                momentum: vec![0.0; count],
+                stiff: vec![0.0; count],
+                motion: vec![[0.0; 3]; count],
+                contact: vec![[0.0; 2]; model.objects.len()],
+                entries: vec![0.0; 2 * system.coordinates()],
+            },
+            found: EquationCheck {
+                seed: SEED,
+                ..EquationCheck::default()
+            },
+            names,
+        }
+    }
+
+    /// A bound on a share of terms.
+    pub(super) fn bound(&self) -> f64 {
+        TOLERANCES * self.tolerance + LEAST
+    }
+
+    /// Looks at a state, and takes it into the scales.
+    pub(super) fn look(&mut self, time: f64, y: &[f64], modes: &[i64]) {
+        self.mechanics.look(time, y, modes);
+        for (greatest, at) in self.scales.motion.iter_mut().zip(&self.mechanics.nodes) {
+            for (greatest, value) in greatest.iter_mut().zip(at.motion) {
+                *greatest = greatest.max(value.abs());
+            }
+        }
+        for pressed in &self.mechanics.pressed {
+            let [depth, force] = &mut self.scales.contact[pressed.object];
+            *depth = depth.max(pressed.size);
+            *force = force.max(pressed.normal.abs());
+        }
+        for (greatest, value) in self.scales.entries.iter_mut().zip(y) {
+            *greatest = greatest.max(value.abs());
+        }
+    }
+
+    fn see_turns(&mut self, looks: &Looks) {
+        for turn in &looks.turns {
+            for (y, modes) in [(&turn.before, &turn.modes[0]), (&turn.after, &turn.modes[1])] {
+                self.look(turn.time, y, &modes.0);
+            }
+        }
+    }
+
+    /// Gains of momenta and integrals of forces over a window.
+    fn balance(&mut self, look: &Look, window: &Window) -> Vec<Balance> {
+        let mut found = vec![Balance::default(); self.mechanics.nodes.len()];
+        let last = window.times.len() - 1;
+        for (k, (&time, y)) in window.times.iter().zip(&window.states).enumerate() {
+            self.look(time, y, &look.modes.0);
+            for (balance, at) in found.iter_mut().zip(&self.mechanics.nodes) {
+                match k {
+                    0 => balance.begin(at),
+                    k if k == last => balance.end(at),
+                    k => balance.add(at, WEIGHTS[k - 1]),
+                }
+            }
+        }
+        let length = window.length();
+        for (node, balance) in found.iter().enumerate() {
+            let size = balance.size + (balance.gain / length).abs();
+            let scales = &mut self.scales;
+            scales.size[node] = scales.size[node].max(size);
+            scales.momentum[node] = scales.momentum[node].max(balance.momentum);
+            scales.stiff[node] = scales.stiff[node].max(balance.stiff);
+            if let Some(coordinate) = self.mechanics.coordinate[node] {
+                let speed = self.scales.entries[self.system.coordinates() + coordinate];
+                let own = self.system.model().nodes[node].inertia * speed;
+                self.scales.momentum[node] = self.scales.momentum[node].max(own);
+            }
+        }
+        found
+    }
+
+    /// What may be left open of a balance over a length, as a share of its terms.
+    fn allowed(&self, node: usize, length: f64) -> f64 {
+        let scales = &self.scales;
+        let of_state = OF_STATE * self.tolerance * (scales.momentum[node] / length + scales.stiff[node]);
+        let rounding = ROUNDINGS * (scales.momentum[node] / length + scales.stiff[node]);
+        self.bound() + (of_state + rounding) / scales.size[node]
+    }
+
+    fn judge(&mut self, look: &Look, longest: &[Balance]) {
+        self.judge_motions(look);
+        let count = longest.len();
+        let mut best: Vec<Option<(f64, f64)>> = vec![None; count];
+        for (k, window) in look.windows.iter().enumerate() {
+            let own;
+            let balances = match k {
+                0 => longest,
+                _ => {
+                    own = self.balance(look, window);
+                    &own
+                }
+            };
+            let length = window.length();
+            let mut open = false;
+            for node in 0..count {
+                let Some(defect) = self.defect(node, &balances[node], length, look) else {
+                    continue;
+                };
+                let bound = self.allowed(node, length);
+                let better = best[node].is_none_or(|(d, b)| !(d * bound <= defect * b));
+                if better {
+                    best[node] = Some((defect, bound));
+                }
+                open |= best[node].is_some_and(|(d, b)| !(d <= b));
+            }
+            if !open {
+                break;
+            }
+        }
+        let time = look.windows[0].middle();
+        for (node, best) in best.iter().enumerate() {
+            if let Some((defect, bound)) = *best {
+                self.found.see(defect, bound, (time, &self.names[node]), "equation of motion");
+            }
+        }
+    }
+
+    /// Defect of the equation of a coordinate, as a share of its terms; `None` where there
+    /// is none, or nothing acts.
+    fn defect(&self, node: usize, balance: &Balance, length: f64, look: &Look) -> Option<f64> {
+        self.mechanics.coordinate[node]?;
+        if self.mechanics.no_force[node].is_some() || self.is_held(node, look) {
+            return None;
+        }
+        let size = self.scales.size[node];
+        let open = balance.gain / length - balance.force;
+        (size > 0.0).then(|| open.abs() / size)
+    }
+
+    /// True of a mass whose rigid contact holds, of its pair or of one of its stops.
+    fn is_held(&self, node: usize, look: &Look) -> bool {
+        let model = self.system.model();
+        let holds = |part: usize| {
+            let rigid = self.system.is_rigid_contact(part);
+            let component = self.system.pair_component(part);
+            rigid && component.is_some_and(|component| look.modes.0[component] != 0)
+        };
+        let parts = 0..model.objects.len();
+        let mut own = parts.filter(|&part| model.objects[part].nodes.contains(&node));
+        own.any(holds)
+    }
+
+    /// Motions and forces as the records have them, against those of the scene.
+    fn judge_motions(&mut self, look: &Look) {
+        let model = self.system.model();
+        let window = &look.windows[0];
+        let middle = PLACES.len() / 2;
+        let (time, y) = (window.times[middle], &window.states[middle]);
+        let mut states = vec![ObjectState::default(); model.objects.len()];
+        (self.system).observe(time, y, &look.modes, &mut self.scratch, &mut states);
+        self.look(time, y, &look.modes.0);
+        for (part, state) in model.objects.iter().zip(&states) {
+            let Some(&node) = part.nodes.last() else {
+                continue;
+            };
+            let shown = model.multi_linkages.iter().any(|multi| multi.node == node);
+            if shown || self.mechanics.no_motion[node].is_some() {
+                continue;
+            }
+            let (own, greatest) = (self.mechanics.nodes[node].motion, self.scales.motion[node]);
+            let given = self.is_given(node);
+            let pairs = [
+                (state.displacement, "displacement"),
+                (state.speed, "speed"),
+                (state.acceleration, "acceleration"),
+            ];
+            for (k, (shown, what)) in pairs.into_iter().enumerate() {
+                if (k == 2 && !given) || greatest[k] == 0.0 {
+                    continue;
+                }
+                let unsure = k.checked_sub(1).map_or(0.0, |k| self.mechanics.nodes[node].unsure[k]);
+                let bound = LEAST + unsure / greatest[k];
+                let defect = (shown - own[k]).abs() / greatest[k];
+                self.found.see(defect, bound, (time, &part.id), what);
+            }
+        }
+    }
+
+    /// True where the motion of a node is prescribed.
+    fn is_given(&self, node: usize) -> bool {
+        match &self.system.model().nodes[node].motion {
+            NodeMotion::Prescribed { .. } => true,
+            NodeMotion::Rotor { .. } | NodeMotion::Mass { .. } => false,
+            NodeMotion::Rigid { law } => self.is_given(law.driver),
+            NodeMotion::Constrained { drivers, .. } => {
+                drivers.iter().all(|&driver| self.is_given(driver))
+            }
+        }
+    }
+
+    fn finish(self, looks: &Looks) -> EquationCheck {
+        let mut found = self.found;
+        found.instants = looks.looks.len();
+        found.switches = looks.turns.len();
+        let unknown = |node: usize| {
+            let own = &self.mechanics;
+            own.no_force[node].or(own.no_motion[node])
+        };
+        for (node, name) in self.names.iter().enumerate() {
+            if let Some(why) = unknown(node) {
+                found.unchecked.push(format!("{name}: {why}"));
+            }
+        }
+        found.unchecked.dedup();
+        found
+    }
+}
+
+impl Window {
+    pub(super) fn length(&self) -> f64 {
+        self.times[self.times.len() - 1] - self.times[0]
+    }
+
+    fn middle(&self) -> f64 {
+        0.5 * (self.times[self.times.len() - 1] + self.times[0])
+    }
+}
+
+impl Balance {
+    fn begin(&mut self, at: &At) {
+        (self.gain, self.momentum) = (-at.momentum, at.momentum.abs());
+        self.speeds[0] = at.motion[1];
+    }
+
+    fn add(&mut self, at: &At, weight: f64) {
+        self.force += weight * (at.force + at.link);
+        self.outer += weight * at.force;
+        self.size += weight * at.size;
+        self.stiff += weight * at.stiff;
+    }
+
+    fn end(&mut self, at: &At) {
+        self.gain += at.momentum;
+        self.momentum = self.momentum.max(at.momentum.abs());
+        self.speeds[1] = at.motion[1];
+    }
+}

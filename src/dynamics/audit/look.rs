@@ -1,0 +1,246 @@
+//! Instants and switches of a run that are drawn at random for its check.
+
+use crate::dynamics::integrate::{Impact, Modes, SwitchEvent};
+
+/// The seed of all draws.
+pub(crate) const SEED: u64 = 0x00da_5eed;
+
+/// Instants that are drawn in a run.
+const INSTANTS: usize = 16;
+
+/// Switches that are kept.
+const SWITCHES: usize = 16;
+
+/// Most numbers of states that are kept.
+const ROOM: usize = 1 << 20;
+
+/// Places between the ends of a window: Gauss's, for an integral over it.
+pub(super) const PLACES: [f64; 6] = [
+    0.033_765_242_898_423_99,
+    0.169_395_306_766_867_74,
+    0.380_690_406_958_401_56,
+    0.619_309_593_041_598_5,
+    0.830_604_693_233_132_2,
+    0.966_234_757_101_576,
+];
+
+/// Their weights.
+pub(super) const WEIGHTS: [f64; 6] = [
+    0.085_662_246_189_585_18,
+    0.180_380_786_524_069_3,
+    0.233_956_967_286_345_52,
+    0.233_956_967_286_345_52,
+    0.180_380_786_524_069_3,
+    0.085_662_246_189_585_18,
+];
+
+/// Lengths of the windows about an instant, in that of the first: where forces change too
+/// fast for a long one, a shorter one resolves them.
+const LENGTHS: [f64; 3] = [1.0, 0.125, 0.015_625];
+
+/// States over a short time without switches: at its ends, and at [`PLACES`] between them.
+#[derive(Clone, Debug)]
+pub(crate) struct Window {
+    pub(super) times: Vec<f64>,
+    /// y at each of the times.
+    pub(super) states: Vec<Vec<f64>>,
+}
+
+/// An instant that was drawn, with windows about it, the longest first.
+#[derive(Clone, Debug)]
+pub(crate) struct Look {
+    pub(super) modes: Modes,
+    pub(super) windows: Vec<Window>,
+}
+
+/// A switch that was drawn.
+#[derive(Clone, Debug)]
+pub(crate) struct Turn {
+    pub(super) time: f64,
+    /// State before and after it, where the stretch before it ended and where the next one
+    /// begins.
+    pub(super) before: Vec<f64>,
+    pub(super) after: Vec<f64>,
+    pub(super) last: Option<Vec<f64>>,
+    pub(super) next: Option<Vec<f64>>,
+    pub(super) modes: [Modes; 2],
+    pub(super) impact: Option<Impact>,
+    pub(super) component: Option<usize>,
+}
+
+/// Looks at a run that were drawn.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Looks {
+    pub(super) looks: Vec<Look>,
+    pub(super) turns: Vec<Turn>,
+    /// Switches met.
+    pub(super) switches: usize,
+}
+
+/// Draws instants and switches of a run, and keeps the states there.
+#[derive(Debug)]
+pub(crate) struct Looker {
+    random: u64,
+    duration: f64,
+    instants: usize,
+    /// Number of the next instant, and when it is.
+    number: usize,
+    due: f64,
+    /// Longest window where the motion is known in closed form (s).
+    longest: f64,
+    entries: usize,
+    found: Looks,
+    /// The switch whose next stretch is to come.
+    awaits: Option<usize>,
+    /// The place that the next switch is kept at, and the end of the stretch before it.
+    place: usize,
+    last: Option<(f64, Vec<f64>)>,
+}
+
+impl Looker {
+    /// For a run of `duration` (s) whose states have so many entries and whose fastest rate
+    /// is given (1/s); `None`: nothing is drawn.
+    pub(crate) fn new(duration: f64, entries: usize, rate: f64) -> Self {
+        let each = entries.max(1) * LENGTHS.len() * (PLACES.len() + 2);
+        let mut looker = Self {
+            random: SEED,
+            duration,
+            instants: INSTANTS.min(ROOM / each).max(1),
+            number: 0,
+            due: 0.0,
+            longest: if rate > 0.0 { 1.0 / rate } else { f64::INFINITY },
+            entries,
+            found: Looks::default(),
+            awaits: None,
+            place: 0,
+            last: None,
+        };
+        looker.draw();
+        looker
+    }
+
+    /// One that draws nothing.
+    pub(crate) fn idle() -> Self {
+        Self {
+            instants: 0,
+            due: f64::INFINITY,
+            ..Self::new(0.0, 0, 0.0)
+        }
+    }
+
+    /// A number in [0, 1) (SplitMix64).
+    fn next(&mut self) -> f64 {
+        self.random = self.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut x = self.random;
+        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((x ^ (x >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    /// The next instant, one in each of equal parts of the run.
+    fn draw(&mut self) {
+        if self.number >= self.instants {
+            self.due = f64::INFINITY;
+            return;
+        }
+        let place = (self.number as f64 + self.next()) / self.instants as f64;
+        self.number += 1;
+        self.due = place * self.duration;
+    }
+
+    /// A stretch without switches, whose states `state` puts; `closed`: in closed form, to be
+    /// looked at in short pieces.
+    pub(crate) fn stretch(
+        &mut self,
+        [from, until]: [f64; 2],
+        modes: &Modes,
+        closed: bool,
+        state: &mut dyn FnMut(f64, &mut [f64]),
+    ) {
+        let keeps_end = self.place < SWITCHES && self.instants > 0;
+        if until < self.due && self.awaits.is_none() && !keeps_end {
+            return;
+        }
+        if keeps_end {
+            let (_, y) = self.last.get_or_insert_with(|| (until, vec![0.0; self.entries]));
+            state(until, y);
+            if let Some(last) = &mut self.last {
+                last.0 = until;
+            }
+        }
+        if let Some(turn) = self.awaits.take() {
+            let mut y = vec![0.0; self.entries];
+            state(from, &mut y);
+            self.found.turns[turn].next = Some(y);
+        }
+        let mut taken = false;
+        while self.due <= until {
+            if !taken && until > from {
+                taken = true;
+                let longest = if closed { self.longest } else { f64::INFINITY };
+                let longest = longest.min(until - from);
+                let due = self.due.max(from);
+                let window = |share: &f64| {
+                    let length = longest * share;
+                    let begin = (due - 0.5 * length).clamp(from, until - length);
+                    self.window([begin, length], state)
+                };
+                let windows = LENGTHS.iter().map(window).collect();
+                self.found.looks.push(Look {
+                    modes: modes.clone(),
+                    windows,
+                });
+            }
+            self.draw();
+        }
+    }
+
+    fn window(&self, [begin, length]: [f64; 2], state: &mut dyn FnMut(f64, &mut [f64])) -> Window {
+        let shares = std::iter::once(0.0).chain(PLACES).chain([1.0]);
+        let times: Vec<f64> = shares.map(|share| begin + share * length).collect();
+        let states = times.iter().map(|&time| {
+            let mut y = vec![0.0; self.entries];
+            state(time, &mut y);
+            y
+        });
+        let states = states.collect();
+        Window { times, states }
+    }
+
+    /// A switch: each is kept with the same chance.
+    pub(crate) fn switch(&mut self, event: &SwitchEvent<'_>) {
+        if self.instants == 0 {
+            return;
+        }
+        self.found.switches += 1;
+        let (place, kept) = (self.place, self.found.turns.len());
+        self.place = match kept + 1 < SWITCHES {
+            true => kept + 1,
+            false => (self.next() * (self.found.switches + 1) as f64) as usize,
+        };
+        if place >= SWITCHES {
+            return;
+        }
+        let last = self.last.as_ref().filter(|last| last.0 == event.time);
+        let turn = Turn {
+            time: event.time,
+            before: event.impact.map_or(event.y, |(_, before)| before).to_vec(),
+            after: event.y.to_vec(),
+            last: last.map(|last| last.1.clone()),
+            next: None,
+            modes: [event.before.clone(), event.after.clone()],
+            impact: event.impact.map(|(impact, _)| *impact),
+            component: event.watch.map(|watch| watch.component),
+        };
+        match place == kept {
+            true => self.found.turns.push(turn),
+            false => self.found.turns[place] = turn,
+        }
+        self.awaits = Some(place);
+    }
+
+    /// What was drawn.
+    pub(crate) fn finish(self) -> Looks {
+        self.found
+    }
+}

@@ -1,0 +1,22 @@
+//! The check of a run that shares nothing with what it was computed by.
+//!
+//! In every run instants and switches are drawn at random ([`look`]) and states are kept
+//! there. Afterwards the motions and forces of the scene are evaluated at these states by
+//! laws that are written a second time ([`crate::dynamics::stated`], [`mechanics`],
+//! [`contact`]), and the equations of motion are put to the test ([`judge`]): over a short
+//! time a momentum changes by the integral of the forces; contacts press and do not pull;
+//! at a switch ([`turns`]) nothing jumps but what an impact lets jump.
+//!
+//! A defect is measured by the terms of its own equation that are there, and bounded by the
+//! tolerance and the rounding of these terms.
+
+mod check;
+mod contact;
+mod judge;
+mod look;
+mod mechanics;
+mod turns;
+
+pub use check::EquationCheck;
+pub(crate) use judge::{check, fastest_rate};
+pub(crate) use look::{Looker, Looks};
