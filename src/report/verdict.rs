@@ -55,8 +55,18 @@ pub fn verdict(figures: &Figures) -> Verdict {
     let finite = figures.objects.values().all(is_finite);
     // Written so that an energy error that is not a number counts as too large.
     let audited = run.energy_error <= EnergyAudit::bound(run.tolerance);
-    if !finite || !audited {
-        let reason = if finite {
+    let kept = run.equations.is_kept();
+    if !finite || !audited || !kept {
+        let reason = if finite && audited {
+            format!(
+                "{} of {} at {} s leaves {} of its terms open, more than {}",
+                run.equations.what,
+                run.equations.object,
+                significant(run.equations.time, 7),
+                significant(run.equations.defect, 2),
+                significant(run.equations.bound, 2)
+            )
+        } else if finite {
             format!(
                 "the energy audit is out by {} of the energy turned over",
                 significant(run.energy_error, 2)

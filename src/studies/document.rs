@@ -6,8 +6,8 @@ use super::warning::Warning;
 use crate::dynamics::integrate::{Outcome, Stop};
 use crate::dynamics::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart};
 use crate::dynamics::record::{
-    EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
-    Recorded, RunSummary, StopFigures, Units,
+    EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
+    PressingFigures, Recorded, RunSummary, StopFigures, Units,
 };
 use crate::units::shown;
 

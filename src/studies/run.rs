@@ -13,8 +13,8 @@ use crate::dynamics::integrate::{
     Dynamics, Limits, Method, Outcome, Settings, Sink, Stop, integrate,
 };
 use crate::dynamics::record::{
-    EnergyAudit, EquationFigures, Figures, Record, Recorded, Recorder, RecorderSettings, RunSummary, Tee, choose_window,
-    drive_cycle,
+    EnergyAudit, EquationFigures, Figures, Record, Recorded, Recorder, RecorderSettings,
+    RunSummary, Tee, choose_window, drive_cycle,
 };
 use crate::dynamics::system::{InitialState, System};
 use crate::exact::Asked;

@@ -33,6 +33,7 @@ pub(crate) fn result_with(set: impl FnOnce(&mut ObjectFigures)) -> RunResult {
         },
         method: Method::Dop853,
         tolerance: 1e-8,
+        equations: crate::dynamics::audit::EquationCheck::default(),
         audit: EnergyAudit::default(),
         warnings: Vec::new(),
     }

@@ -106,7 +106,9 @@ impl Contact {
         let mode = self.component.map_or(1, |component| modes[component]);
         let restitution = match self.pair.law {
             DampingLaw::Restitution { coefficient } => Some(coefficient),
-            DampingLaw::KelvinVoigt | DampingLaw::HuntCrossley { .. } | DampingLaw::Hertz { .. } => None,
+            DampingLaw::KelvinVoigt
+            | DampingLaw::HuntCrossley { .. }
+            | DampingLaw::Hertz { .. } => None,
         };
         let mut pressed = Pressed {
             object: self.object,

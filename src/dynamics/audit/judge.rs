@@ -9,10 +9,10 @@ use crate::dynamics::model::{LinkBase, Model, NodeMotion};
 use crate::dynamics::system::{ObjectState, Scratch, System};
 
 /// Defect that is allowed in tolerances, as a share of the terms.
-const TOLERANCES: f64 = 100.0;
+const TOLERANCES: f64 = 500.0;
 
 /// … and where none is given, by the rounding of laws and of their tables.
-const LEAST: f64 = 1e-8;
+const LEAST: f64 = 1e-7;
 
 /// Errors of a state over a step, in tolerances of its size.
 const OF_STATE: f64 = 10.0;
@@ -157,7 +157,10 @@ impl<'s> Judge<'s> {
 
     fn see_turns(&mut self, looks: &Looks) {
         for turn in &looks.turns {
-            for (y, modes) in [(&turn.before, &turn.modes[0]), (&turn.after, &turn.modes[1])] {
+            for (y, modes) in [
+                (&turn.before, &turn.modes[0]),
+                (&turn.after, &turn.modes[1]),
+            ] {
                 self.look(turn.time, y, &modes.0);
             }
         }
@@ -196,7 +199,8 @@ impl<'s> Judge<'s> {
     /// What may be left open of a balance over a length, as a share of its terms.
     fn allowed(&self, node: usize, length: f64) -> f64 {
         let scales = &self.scales;
-        let of_state = OF_STATE * self.tolerance * (scales.momentum[node] / length + scales.stiff[node]);
+        let of_state =
+            OF_STATE * self.tolerance * (scales.momentum[node] / length + scales.stiff[node]);
         let rounding = ROUNDINGS * (scales.momentum[node] / length + scales.stiff[node]);
         self.bound() + (of_state + rounding) / scales.size[node]
     }
@@ -231,10 +235,16 @@ impl<'s> Judge<'s> {
                 break;
             }
         }
+        self.judge_contacts(look);
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {
             if let Some((defect, bound)) = *best {
-                self.found.see(defect, bound, (time, &self.names[node]), "equation of motion");
+                self.found.see(
+                    defect,
+                    bound,
+                    (time, &self.names[node]),
+                    "equation of motion",
+                );
             }
         }
     }
@@ -262,6 +272,41 @@ impl<'s> Judge<'s> {
         let parts = 0..model.objects.len();
         let mut own = parts.filter(|&part| model.objects[part].nodes.contains(&node));
         own.any(holds)
+    }
+
+    /// Contacts press where they are engaged, and are clear of their flanks where they are
+    /// open.
+    fn judge_contacts(&mut self, look: &Look) {
+        let window = &look.windows[0];
+        for (&time, y) in window.times.iter().zip(&window.states).skip(1).step_by(3) {
+            self.look(time, y, &look.modes.0);
+            for k in 0..self.mechanics.pressed.len() {
+                let pressed = self.mechanics.pressed[k];
+                if pressed.component.is_none() {
+                    continue;
+                }
+                let [depth, force] = self.scales.contact[pressed.object];
+                let share = |value: f64, of: f64| if of > 0.0 { value / of } else { 0.0 };
+                let held_off = share(pressed.held_off[0], depth).min(match pressed.restitution {
+                    Some(_) => f64::INFINITY,
+                    None => share(pressed.held_off[1], force),
+                });
+                let place = (time, &*self.system.model().objects[pressed.object].id);
+                let bound = self.bound();
+                let found = &mut self.found;
+                found.see(held_off, bound, place, "clearance of the open contact");
+                if !pressed.holds && pressed.mode != 0 {
+                    let pulled = share(-pressed.normal, force).max(0.0);
+                    found.see(pulled, bound, place, "pressure of the closed contact");
+                    let hollow = share(-pressed.depth, depth).max(0.0);
+                    found.see(hollow, bound, place, "depth of the closed contact");
+                }
+                if pressed.holds {
+                    let apart = share(pressed.depth.abs(), depth);
+                    found.see(apart, bound, place, "depth of the contact that is held");
+                }
+            }
+        }
     }
 
     /// Motions and forces as the records have them, against those of the scene.
@@ -292,7 +337,9 @@ impl<'s> Judge<'s> {
                 if (k == 2 && !given) || greatest[k] == 0.0 {
                     continue;
                 }
-                let unsure = k.checked_sub(1).map_or(0.0, |k| self.mechanics.nodes[node].unsure[k]);
+                let unsure = k
+                    .checked_sub(1)
+                    .map_or(0.0, |k| self.mechanics.nodes[node].unsure[k]);
                 let bound = LEAST + unsure / greatest[k];
                 let defect = (shown - own[k]).abs() / greatest[k];
                 self.found.see(defect, bound, (time, &part.id), what);

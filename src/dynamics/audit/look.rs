@@ -38,6 +38,9 @@ pub(super) const WEIGHTS: [f64; 6] = [
 /// fast for a long one, a shorter one resolves them.
 const LENGTHS: [f64; 3] = [1.0, 0.125, 0.015_625];
 
+/// Share of a step that is looked at.
+const PART: f64 = 0.45;
+
 /// States over a short time without switches: at its ends, and at [`PLACES`] between them.
 #[derive(Clone, Debug)]
 pub(crate) struct Window {
@@ -65,7 +68,6 @@ pub(crate) struct Turn {
     pub(super) next: Option<Vec<f64>>,
     pub(super) modes: [Modes; 2],
     pub(super) impact: Option<Impact>,
-    pub(super) component: Option<usize>,
 }
 
 /// Looks at a run that were drawn.
@@ -108,7 +110,11 @@ impl Looker {
             instants: INSTANTS.min(ROOM / each).max(1),
             number: 0,
             due: 0.0,
-            longest: if rate > 0.0 { 1.0 / rate } else { f64::INFINITY },
+            longest: if rate > 0.0 {
+                1.0 / rate
+            } else {
+                f64::INFINITY
+            },
             entries,
             found: Looks::default(),
             awaits: None,
@@ -162,7 +168,9 @@ impl Looker {
             return;
         }
         if keeps_end {
-            let (_, y) = self.last.get_or_insert_with(|| (until, vec![0.0; self.entries]));
+            let (_, y) = self
+                .last
+                .get_or_insert_with(|| (until, vec![0.0; self.entries]));
             state(until, y);
             if let Some(last) = &mut self.last {
                 last.0 = until;
@@ -173,12 +181,13 @@ impl Looker {
             state(from, &mut y);
             self.found.turns[turn].next = Some(y);
         }
-        let mut taken = false;
         while self.due <= until {
-            if !taken && until > from {
-                taken = true;
-                let longest = if closed { self.longest } else { f64::INFINITY };
-                let longest = longest.min(until - from);
+            if until > from {
+                // (A step is balanced at its ends by whatever was integrated: part of it.)
+                let longest = match closed {
+                    true => self.longest.min(until - from),
+                    false => PART * (until - from),
+                };
                 let due = self.due.max(from);
                 let window = |share: &f64| {
                     let length = longest * share;
@@ -230,7 +239,6 @@ impl Looker {
             next: None,
             modes: [event.before.clone(), event.after.clone()],
             impact: event.impact.map(|(impact, _)| *impact),
-            component: event.watch.map(|watch| watch.component),
         };
         match place == kept {
             true => self.found.turns.push(turn),

@@ -73,6 +73,8 @@ pub(super) struct Mechanics<'s> {
     pub(super) nodes: Vec<At>,
     /// Forces and depths of all contacts at the state looked at last.
     pub(super) pressed: Vec<Pressed>,
+    /// Kinetic energy at the state looked at last.
+    pub(super) kinetic: f64,
 }
 
 impl<'s> Mechanics<'s> {
@@ -91,6 +93,7 @@ impl<'s> Mechanics<'s> {
             no_force: vec![None; count],
             nodes: vec![At::default(); count],
             pressed: Vec::new(),
+            kinetic: 0.0,
         };
         mechanics.state_motions();
         mechanics.find_unknown();
@@ -166,6 +169,8 @@ impl<'s> Mechanics<'s> {
         self.load_nodes(time, modes);
         self.pull_links(y, modes);
         self.add_linkages();
+        let momenta = self.nodes.iter().map(|at| 0.5 * at.momentum * at.motion[1]);
+        self.kinetic = momenta.sum();
         self.hand_back();
     }
 
@@ -196,7 +201,9 @@ impl<'s> Mechanics<'s> {
                         }
                         (at.slope, at.bend) = (law.lever * found.first, law.lever * found.second);
                         let unsure = match **stated {
-                            StatedPosition::Values(_) => [UNSURE[0] + unsure[0], UNSURE[1] + unsure[1]],
+                            StatedPosition::Values(_) => {
+                                [UNSURE[0] + unsure[0], UNSURE[1] + unsure[1]]
+                            }
                             StatedPosition::Formula(_) | StatedPosition::Unknown(_) => [0.0; 2],
                         };
                         at.unsure = self.handed_on(law, at.slope, unsure);
@@ -256,12 +263,16 @@ impl<'s> Mechanics<'s> {
             let force = match (&self.loads[index], &load.law) {
                 (Some(statement), law) => {
                     let over = match law {
-                        LoadLaw::Written(written) => written.variables.iter().skip(5).find_map(
-                            |variable| match variable {
-                                LoadVariable::Displacement(node) => Some(motion(*node)),
-                                LoadVariable::Time | LoadVariable::Speed(_) => None,
-                            },
-                        ),
+                        LoadLaw::Written(written) => {
+                            written
+                                .variables
+                                .iter()
+                                .skip(5)
+                                .find_map(|variable| match variable {
+                                    LoadVariable::Displacement(node) => Some(motion(*node)),
+                                    LoadVariable::Time | LoadVariable::Speed(_) => None,
+                                })
+                        }
                         _ => None,
                     };
                     let motions = [own, motion(statement.driver), over.unwrap_or(own)];
@@ -271,9 +282,8 @@ impl<'s> Mechanics<'s> {
                 }
                 (None, LoadLaw::Stop(stop)) => {
                     let contact = self.stops[index].as_ref();
-                    let pressed = contact.map(|contact| {
-                        contact.press(own.0 - stop.at, own.1, modes)
-                    });
+                    let pressed =
+                        contact.map(|contact| contact.press(own.0 - stop.at, own.1, modes));
                     let force = pressed.map_or(0.0, |pressed| -pressed.force);
                     self.pressed.extend(pressed);
                     force
@@ -292,9 +302,8 @@ impl<'s> Mechanics<'s> {
     fn pull_links(&mut self, y: &[f64], modes: &[i64]) {
         let half = y.len() / 2;
         for link in &self.links {
-            let at = |node: usize| {
-                self.coordinate[node].map_or([0.0; 2], |own| [y[own], y[half + own]])
-            };
+            let at =
+                |node: usize| self.coordinate[node].map_or([0.0; 2], |own| [y[own], y[half + own]]);
             let ([u, v], base) = (at(link.mass), link.base.map_or([0.0; 2], at));
             let (x, rate) = (u - base[0], v - base[1]);
             let force = match &link.contact {

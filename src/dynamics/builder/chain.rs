@@ -225,9 +225,7 @@ impl ModelBuilder {
             return self.modal(at, law, (spec, pair), body);
         }
         let nodes = match (&spec.body, &spec.pair.contact) {
-            (_, Some(contact)) => {
-                self.touching(at, law, &spec.body, parameters, (pair, *contact))
-            }
+            (_, Some(contact)) => self.touching(at, law, &spec.body, parameters, (pair, *contact)),
             (BodySpec::Rigid { inertia }, None) => {
                 vec![self.rigid(at, law.clone(), *inertia, pair)]
             }

@@ -19,7 +19,10 @@ impl ModelBuilder {
         match DriveMotion::new(spec) {
             Ok(motion) => {
                 let node = self.prescribed(at, motion);
-                self.model.stated.drives.insert(node, StatedDrive::new(spec));
+                self.model
+                    .stated
+                    .drives
+                    .insert(node, StatedDrive::new(spec));
             }
             Err(faults) => self.faults(at, "motion", faults),
         }

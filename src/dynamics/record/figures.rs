@@ -255,6 +255,13 @@ pub struct EquationFigures {
     pub unchecked: Vec<String>,
 }
 
+impl EquationFigures {
+    /// True when every defect is within its bound; a defect that is not a number is not.
+    pub fn is_kept(&self) -> bool {
+        self.defect <= self.bound
+    }
+}
+
 impl From<&EquationCheck> for EquationFigures {
     fn from(check: &EquationCheck) -> Self {
         Self {

@@ -33,8 +33,8 @@ pub use failure::Failure;
 pub use figure::Figure;
 pub(crate) use figured::Figured;
 pub use figures::{
-    Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures, PressingFigures,
-    EquationFigures, RunSummary, StopFigures, Units, greatest_magnitude,
+    EquationFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
+    PressingFigures, RunSummary, StopFigures, Units, greatest_magnitude,
 };
 pub(crate) use log::{Course, Log, Stretch};
 pub use quantity::Quantity;

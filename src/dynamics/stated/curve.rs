@@ -78,7 +78,10 @@ impl Curve {
             return Local::new(end.1 + end.2 * (x - end.0), end.2, 0.0);
         }
         let count = self.points.len();
-        let k = (1..count - 1).find(|&k| x < self.points[k].0).unwrap_or(count - 1) - 1;
+        let k = (1..count - 1)
+            .find(|&k| x < self.points[k].0)
+            .unwrap_or(count - 1)
+            - 1;
         let ((x0, y0), (x1, y1)) = (self.points[k], self.points[k + 1]);
         let span = x1 - x0;
         let t = Local::variable((x - x0) / span);
@@ -170,7 +173,9 @@ pub(crate) fn derivative(n: usize, order: usize, at_end: bool) -> f64 {
 pub(crate) fn solve(mut rows: Vec<Vec<f64>>) -> Option<Vec<f64>> {
     let count = rows.len();
     for row in &mut rows {
-        let greatest = row[..count].iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let greatest = row[..count]
+            .iter()
+            .fold(0.0, |most: f64, x| most.max(x.abs()));
         row.iter_mut().for_each(|x| *x /= greatest);
     }
     for column in 0..count {
@@ -206,7 +211,10 @@ mod tests {
     fn splines_are_those_that_runs_are_computed_with() {
         let points = [(0.0, 0.3), (0.4, 1.0), (1.0, -0.2), (1.7, 0.1), (2.0, 0.3)];
         for (own, other) in [
-            (Curve::clamped(&points, (0.5, -1.0)), Spline::clamped(&points, (0.5, -1.0))),
+            (
+                Curve::clamped(&points, (0.5, -1.0)),
+                Spline::clamped(&points, (0.5, -1.0)),
+            ),
             (Curve::through(&points), Spline::through(&points)),
             (Curve::periodic(&points), Spline::periodic(&points)),
         ] {

@@ -175,14 +175,25 @@ mod tests {
             skewness: 1.7,
             uniform: 0.2,
         }));
-        strokes.push(LawSpec::Table(vec![(0.0, 0.0), (0.3, 0.2), (0.6, 0.7), (1.0, 1.0)]));
+        strokes.push(LawSpec::Table(vec![
+            (0.0, 0.0),
+            (0.3, 0.2),
+            (0.6, 0.7),
+            (1.0, 1.0),
+        ]));
         for spec in strokes {
-            agree(&StatedLaw::stroke(&spec).unwrap(), &Law::of_stroke(&spec).unwrap());
+            agree(
+                &StatedLaw::stroke(&spec).unwrap(),
+                &Law::of_stroke(&spec).unwrap(),
+            );
         }
         let mut runs: Vec<RunLawSpec> = RunLawName::ALL.into_iter().map(RunLawSpec::from).collect();
         runs.push(RunLawSpec::Table(vec![(0.0, 0.0), (0.5, 0.2), (1.0, 1.0)]));
         for spec in runs {
-            agree(&StatedLaw::run_up(&spec).unwrap(), &Law::of_run_up(&spec).unwrap());
+            agree(
+                &StatedLaw::run_up(&spec).unwrap(),
+                &Law::of_run_up(&spec).unwrap(),
+            );
         }
     }
 }

@@ -127,9 +127,7 @@ impl Mul for Local {
         Self::new(
             self.value * other.value,
             self.first * other.value + self.value * other.first,
-            self.second * other.value
-                + 2.0 * self.first * other.first
-                + self.value * other.second,
+            self.second * other.value + 2.0 * self.first * other.first + self.value * other.second,
         )
     }
 }

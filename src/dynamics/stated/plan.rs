@@ -97,18 +97,27 @@ impl StatedPlan {
                 0 => self.period.map(|_| count - 1),
                 other => Some(other - 1),
             };
-            let at = if station == count && self.period.is_some() { 0 } else { station };
+            let at = if station == count && self.period.is_some() {
+                0
+            } else {
+                station
+            };
             [before, (at < count).then_some(at)]
         };
         let station_of = |k: usize| if self.period.is_some() { k % count } else { k };
         let orders = |station: usize| {
             let own = &stations[station_of(station)];
-            own.order.max(if own.acceleration.is_some() { 2 } else { 1 })
+            own.order
+                .max(if own.acceleration.is_some() { 2 } else { 1 })
         };
         // Where the coefficients of each smooth motion begin.
         let mut begin = vec![0; count + 1];
         for k in 0..count {
-            let own = if is_smooth(k) { 2 + orders(k) + orders(k + 1) } else { 0 };
+            let own = if is_smooth(k) {
+                2 + orders(k) + orders(k + 1)
+            } else {
+                0
+            };
             begin[k + 1] = begin[k] + own;
         }
         let all = begin[count];
@@ -139,7 +148,11 @@ impl StatedPlan {
             add(&[(k, 0, false, 1.0)], self.motions[k].from.1);
             add(&[(k, 0, true, 1.0)], self.motions[k].to.1);
         }
-        let last = if self.period.is_some() { count } else { count + 1 };
+        let last = if self.period.is_some() {
+            count
+        } else {
+            count + 1
+        };
         for station in 0..last {
             let [before, after] = sides(station);
             let smooth = |side: Option<usize>| side.filter(|&k| is_smooth(k));
@@ -151,7 +164,10 @@ impl StatedPlan {
                 let known = match (prescribed[order - 1], left, right) {
                     (Some(value), _, _) => value,
                     (None, Some(left), Some(right)) => {
-                        add(&[(left, order, true, 1.0), (right, order, false, -1.0)], 0.0);
+                        add(
+                            &[(left, order, true, 1.0), (right, order, false, -1.0)],
+                            0.0,
+                        );
                         open += 1;
                         continue;
                     }
@@ -167,7 +183,10 @@ impl StatedPlan {
             }
             if let (Some(left), Some(right)) = (smooth(before), smooth(after)) {
                 for order in orders(station) + 1..=orders(station) + open {
-                    add(&[(left, order, true, 1.0), (right, order, false, -1.0)], 0.0);
+                    add(
+                        &[(left, order, true, 1.0), (right, order, false, -1.0)],
+                        0.0,
+                    );
                 }
             }
         }

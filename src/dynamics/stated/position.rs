@@ -156,8 +156,7 @@ impl StatedPosition {
         match self {
             Self::Formula(formula) => Some((formula.0.at(phi), [0.0; 2])),
             Self::Values(position) => {
-                let value =
-                    |phi| position.jet(position.breaks().locate(phi, 1.0), phi).value;
+                let value = |phi| position.jet(position.breaks().locate(phi, 1.0), phi).value;
                 Some(differentiate(value, phi, REACH))
             }
             Self::Unknown(_) => None,

@@ -1,7 +1,7 @@
 //! Tables of a run: figures, pairs, stops, joints, switches, statistics.
 
 use crate::dynamics::record::{
-    EnergyAudit, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
+    EnergyAudit, EquationFigures, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
 };
 use crate::report::findings::{Cell, Figure, Table, Value};
 use crate::report::quantity::{DIGITS, significant, units, with_unit};
@@ -230,6 +230,7 @@ pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
                 significant(bound, 2)
             ),
         ),
+        words("equations of motion", equations(&run.equations)),
         words(
             "steps",
             format!("{} accepted, {} rejected", run.steps, run.rejected),
@@ -247,4 +248,24 @@ fn tolerance(run: &RunSummary) -> String {
         Some(why) => format!("{number}: {why}"),
         None => number,
     }
+}
+
+/// The check of the equations of motion.
+fn equations(check: &EquationFigures) -> String {
+    let judged = match check.is_kept() {
+        true => "within",
+        false => "BEYOND",
+    };
+    let unchecked = match check.unchecked.len() {
+        0 => String::new(),
+        _ => format!("; not checked: {}", check.unchecked.join(", ")),
+    };
+    format!(
+        "defect {}, {judged} its bound of {}, at {} instants and {} events (seed {}){unchecked}",
+        significant(check.defect, 2),
+        significant(check.bound, 2),
+        check.instants,
+        check.switches,
+        check.seed
+    )
 }
