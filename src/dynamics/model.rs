@@ -17,7 +17,7 @@ mod part;
 mod pressing;
 mod stop;
 
-use crate::dynamics::stated::Stated;
+pub use crate::dynamics::stated::Stated;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::linkage::Linkage;
@@ -65,7 +65,7 @@ pub struct Model {
     /// Warnings to the user before the run.
     pub warnings: Vec<String>,
     /// Motions and loads as the scene states them, for the check of a run.
-    pub(crate) stated: Stated,
+    pub stated: Stated,
 }
 
 impl Model {
