@@ -126,7 +126,8 @@ pub(super) fn angles_of(step: &Step, state: &mut State) {
     }
 }
 
-/// Refuses approximate places that no assembly comes near.
+/// Refuses approximate places that no assembly comes near. Of a linkage with redundant
+/// constraints they are remarks, since only its nearest assembly may move at all.
 fn far_places(
     spec: &LinkageSpec,
     plan: &Plan,
@@ -134,6 +135,9 @@ fn far_places(
     in_other: &[f64],
 ) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
+    if !spec.redundant.is_empty() {
+        return Ok(());
+    }
     for (choice, other) in spec.assembly.iter().zip(in_other) {
         let AssemblyChoice::Near { .. } = choice.choice else {
             continue;
@@ -163,7 +167,9 @@ fn placed_by_the_driver(spec: &LinkageSpec, plan: &Plan, state: &State) -> Resul
     let mut faults = Faults::default();
     for choice in &spec.assembly {
         let branch = matches!(choice.choice, AssemblyChoice::Branch(_));
-        let far = mismatch(choice, state, plan.size) > FAR;
+        let remark = !spec.redundant.is_empty()
+            && matches!(choice.choice, AssemblyChoice::Near { .. });
+        let far = !remark && mismatch(choice, state, plan.size) > FAR;
         if (branch || far) && !bodies.clone().any(|body| body.has(choice.link)) {
             let name = &spec.links[choice.link].name;
             faults.add(
@@ -220,7 +226,8 @@ fn dyad_at_start(
                 format!("{names} have one assembly only"),
                 "leave out the branch".to_owned(),
             )),
-            None => Ok((side, Vec::new())),
+            // What has one assembly is put together so wherever it was said to be about.
+            None => Ok((side, vec![f64::INFINITY; choices.len()])),
         };
     }
     let (plus, minus) = (place(1.0), place(-1.0));

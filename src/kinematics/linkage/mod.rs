@@ -105,7 +105,7 @@ impl Linkage {
     fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         check::check(&spec)?;
         Self::built(spec.clone(), closed_forms)
-            .or_else(|faults| redundant::found(&spec, closed_forms).ok_or(faults))
+            .or_else(|faults| redundant::found(&spec, closed_forms).unwrap_or(Err(faults)))
     }
 
     /// Of a linkage whose numbers are right and whose redundant constraints are known.

@@ -4,13 +4,15 @@
 //! put together and followed over its reach; what was left out must hold there.
 
 use super::{other_pair, pairs_of};
+use crate::fault::Fault;
 use crate::kinematics::linkage::Linkage;
 use crate::kinematics::linkage::elements::slides;
 use crate::kinematics::linkage::skeleton::Skeleton;
 use crate::kinematics::linkage::spec::{
-    CouplingSpec, LinkageSpec, PairSpec, Redundant, RedundantPart,
+    AssemblySpec, CouplingSpec, LinkageSpec, PairSpec, Redundant, RedundantPart,
 };
 use crate::kinematics::linkage::structure::mobility;
+use std::ops::Range;
 
 /// Most equations that are left out together.
 const MOST_EQUATIONS: usize = 4;
@@ -18,11 +20,53 @@ const MOST_EQUATIONS: usize = 4;
 const MOST_TRIED: usize = 1000;
 
 /// The linkage that moves although the count of its degrees of freedom says no; `None` where it
-/// does not move, or the search finds no reason.
+/// does not move, or the search finds no reason. Where a single entry of `assembly` is why it does
+/// not move, that entry is what is wrong.
 pub(in crate::kinematics::linkage) fn found(
     spec: &LinkageSpec,
     closed_forms: bool,
-) -> Option<Linkage> {
+) -> Option<Result<Linkage, Vec<Fault>>> {
+    if let Some(linkage) = search(spec, closed_forms) {
+        return Some(Ok(linkage));
+    }
+    if spec.assembly.is_empty() {
+        return None;
+    }
+    let all = 0..spec.assembly.len();
+    let each = all.clone().map(|index| index..index + 1);
+    let (left_out, linkage) = each.chain([all]).find_map(|left_out| {
+        let mut bare = spec.clone();
+        bare.assembly.drain(left_out.clone());
+        Some((left_out, search(&bare, closed_forms)?))
+    })?;
+    let mut redundant = spec.clone();
+    redundant.redundant.clone_from(&linkage.spec().redundant);
+    // What choices contradict each other, or are as near to both assemblies, says the assembly itself.
+    match Linkage::built(redundant, closed_forms) {
+        Err(faults) if !faults.iter().any(|fault| fault.path.starts_with("pairs")) => {
+            Some(Err(faults))
+        }
+        _ => Some(Err(misleading(spec, left_out))),
+    }
+}
+
+/// Entries of `assembly` without which the linkage moves.
+fn misleading(spec: &LinkageSpec, entries: Range<usize>) -> Vec<Fault> {
+    let fault = |choice: &AssemblySpec| {
+        let name = &spec.links[choice.link].name;
+        Fault::new(
+            format!("assembly.{name}"),
+            format!(
+                "this puts the linkage together in a way in which it cannot move; without what is \
+                 said of `{name}` it has one degree of freedom"
+            ),
+            "leave it out, or give another position",
+        )
+    };
+    spec.assembly[entries].iter().map(fault).collect()
+}
+
+fn search(spec: &LinkageSpec, closed_forms: bool) -> Option<Linkage> {
     let missing = usize::try_from(1 - mobility(spec)).ok()?;
     if !spec.redundant.is_empty() || missing == 0 || missing > MOST_EQUATIONS {
         return None;

@@ -163,6 +163,86 @@ fn hidden_links_are_not_seen() {
     assert_eq!(last.map(|group| group.branch), Some(None));
 }
 
+/// Hints for each link in turn and for all of them together, each off by a part of the size.
+#[test]
+fn hints_that_are_off_are_never_faults_of_structure() {
+    for (name, builder) in all() {
+        let bare = Linkage::new(builder.0.clone()).unwrap();
+        let mut workspace = bare.workspace();
+        bare.solve(bare.spec().start, 0, &mut workspace).unwrap();
+        let links = bare.spec().links.len();
+        for (off, around) in [(0.02, 0.4), (0.3, 4.0)] {
+            let hint = |link: usize| {
+                // A point that no pin holds, so that it tells both assemblies apart.
+                let at = [0.37 * bare.size(), 0.21 * bare.size()];
+                let own = PointOf {
+                    link: Some(link),
+                    at,
+                };
+                let [x, y] = workspace.point(own).map(|jet| jet.value);
+                let far = off * bare.size();
+                let (sin, cos) = f64::sin_cos(around + link as f64);
+                AssemblyChoice::Near {
+                    point: at,
+                    place: [x + far * cos, y + far * sin],
+                }
+            };
+            let hinted = |hints: &[usize]| {
+                let mut spec = builder.0.clone();
+                spec.assembly.retain(|choice| !hints.contains(&choice.link));
+                let builder = hints.iter().fold(Builder(spec), |builder, &link| {
+                    builder.choose(link, hint(link))
+                });
+                Linkage::new(builder.0)
+            };
+            let mut choices: Vec<Vec<usize>> = (0..links).map(|link| vec![link]).collect();
+            choices.push((0..links).collect());
+            for hints in choices {
+                match hinted(&hints) {
+                    Ok(linkage) => {
+                        assert_eq!(linkage.spec().redundant.len(), 1, "{name} {hints:?}");
+                        let far = linkage.remarks().join("\n");
+                        let warned = hints.iter().all(|&link| {
+                            let own = &linkage.spec().links[link].name;
+                            far.contains(&format!("position of `{own}`"))
+                        });
+                        assert!(warned || off < 0.1, "{name} {hints:?} {off}: {far}");
+                    }
+                    Err(faults) => {
+                        let structural = faults.iter().any(|fault| {
+                            fault.message.contains("degree of freedom")
+                                || fault.message.contains("indeterminate")
+                                || fault.message.contains("twice")
+                        });
+                        assert!(!structural, "{name} {hints:?} {off}: {faults:?}");
+                        assert!(off > 0.1, "{name} {hints:?} {off}: {faults:?}");
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The place of the ram follows from its guides alone: a hint chooses nothing.
+#[test]
+fn a_hint_for_the_only_assembly_is_a_warning_with_its_distance() {
+    let linkage = |y: f64| {
+        let near = AssemblyChoice::Near {
+            point: [0.0; 2],
+            place: [0.0, y],
+        };
+        Linkage::new(wedges().choose(1, near).0).unwrap()
+    };
+    for y in [0.2, 0.5, -20.0] {
+        let warning = linkage(y).remarks().join("\n");
+        let wanted = format!("position of `ram` is {} m away", y.abs());
+        assert!(warning.contains(&wanted), "{warning}");
+    }
+    let (plain, hinted) = (Linkage::new(wedges().0).unwrap(), linkage(0.5));
+    assert_eq!(plain.spec().redundant, hinted.spec().redundant);
+    assert_eq!(plain.structure().to_string(), hinted.structure().to_string());
+}
+
 #[test]
 fn a_rod_of_another_length_is_refused_as_before() {
     let mut spec = locomotive().0;
