@@ -222,6 +222,14 @@ pub fn shortened(text: &str, length: usize) -> String {
     start.iter().chain(['…'].iter()).chain(end).collect()
 }
 
+/// `1 position`, `3 positions`.
+pub(super) fn counted(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{escape, raised, scale, shortened, significant, subscript, with_unit};

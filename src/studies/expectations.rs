@@ -5,7 +5,7 @@ use super::run::RunResult;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::AddressError;
 use crate::fault::Fault;
-use crate::frontend::scene::{Expectation, Expected};
+use crate::frontend::scene::{Allowed, Expectation, Expected};
 use crate::units::shown;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -15,10 +15,16 @@ use std::collections::BTreeMap;
 pub struct Verdict {
     /// Subject: the address of a figure, or `stops: dead_position`.
     pub what: String,
-    /// The value expected (a time for a stop).
+    /// The value expected (a time for a stop); of a range its middle, of one limit the limit.
     pub expected: f64,
-    /// How far the value found may be off.
+    /// How far the value found may be off; 0 of one limit, on one side of which all is right.
     pub within: f64,
+    /// The least value that is right, where a limit or a range is expected.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at_least: Option<f64>,
+    /// The greatest one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub at_most: Option<f64>,
     /// The value found; null when there is none.
     pub found: Option<f64>,
     /// True when it holds.
@@ -33,11 +39,22 @@ pub struct Verdict {
 
 impl Verdict {
     /// Not judged yet.
-    fn open(what: String, expected: f64, within: f64) -> Self {
+    fn open(what: String, allowed: &Allowed) -> Self {
+        let (at_least, at_most) = match *allowed {
+            Allowed::Near { .. } => (None, None),
+            Allowed::Between { least, most } => (least, most),
+        };
+        let (expected, within) = match (*allowed, at_least, at_most) {
+            (Allowed::Near { value, within }, ..) => (value, within),
+            (_, Some(least), Some(most)) => (0.5 * (least + most), 0.5 * (most - least)),
+            (_, least, most) => (least.or(most).unwrap_or(f64::NAN), 0.0),
+        };
         Self {
             what,
             expected,
             within,
+            at_least,
+            at_most,
             found: None,
             holds: false,
             unknown: false,
@@ -74,11 +91,9 @@ pub fn check(expectations: &[Expectation], result: &RunResult) -> Vec<Verdict> {
         .map(|expectation| Verdict {
             source: expectation.source.clone(),
             ..match &expectation.what {
-                Expected::Figure {
-                    figure,
-                    value,
-                    within,
-                } => check_figure(figure, *value, *within, result, &known),
+                Expected::Figure { figure, allowed } => {
+                    check_figure(figure, allowed, result, &known)
+                }
                 Expected::Stops {
                     reason,
                     time,
@@ -127,19 +142,18 @@ pub(super) fn did_you_mean(close: &[String]) -> String {
 
 fn check_figure(
     figure: &str,
-    expected: f64,
-    within: f64,
+    allowed: &Allowed,
     result: &RunResult,
     known: &BTreeMap<String, Option<f64>>,
 ) -> Verdict {
-    let mut verdict = Verdict::open(figure.to_owned(), expected, within);
+    let mut verdict = Verdict::open(figure.to_owned(), allowed);
     let value = match known.get(figure) {
         Some(Some(found)) => Ok(*found),
         // It says why there is none.
         _ => result.figures.value(figure),
     };
     match value {
-        Ok(found) => judge(&mut verdict, found),
+        Ok(found) => judge(&mut verdict, allowed, found),
         Err(AddressError::NoValue) => {
             verdict.message = format!("{figure} has no value in this run");
         }
@@ -155,20 +169,24 @@ fn check_figure(
 }
 
 /// The verdict on a figure that was found, or has no value.
-pub(super) fn judged(figure: &str, expected: f64, within: f64, found: Option<f64>) -> Verdict {
-    let mut verdict = Verdict::open(figure.to_owned(), expected, within);
+pub(super) fn judged(figure: &str, allowed: &Allowed, found: Option<f64>) -> Verdict {
+    let mut verdict = Verdict::open(figure.to_owned(), allowed);
     match found {
-        Some(found) => judge(&mut verdict, found),
+        Some(found) => judge(&mut verdict, allowed, found),
         None => verdict.message = format!("{figure} has no value in this motion"),
     }
     verdict
 }
 
 fn check_stop(reason: &str, time: f64, within: f64, result: &RunResult) -> Verdict {
-    let mut verdict = Verdict::open(format!("stops: {reason}"), time, within);
+    let allowed = Allowed::Near {
+        value: time,
+        within,
+    };
+    let mut verdict = Verdict::open(format!("stops: {reason}"), &allowed);
     verdict.found = Some(result.outcome.time);
     match &result.figures.run.stopped {
-        Some(stopped) if stopped == reason => judge(&mut verdict, result.outcome.time),
+        Some(stopped) if stopped == reason => judge(&mut verdict, &allowed, result.outcome.time),
         Some(stopped) => {
             verdict.message = format!("the run stopped because of `{stopped}`, not `{reason}`");
         }
@@ -177,31 +195,45 @@ fn check_stop(reason: &str, time: f64, within: f64, result: &RunResult) -> Verdi
     verdict
 }
 
-fn judge(verdict: &mut Verdict, found: f64) {
+fn judge(verdict: &mut Verdict, allowed: &Allowed, found: f64) {
     verdict.found = Some(found);
-    let off = (found - verdict.expected).abs();
-    // Written so that a number that is none fails.
-    verdict.holds = off <= verdict.within;
-    let Verdict {
-        what,
-        expected,
-        within,
-        holds,
-        ..
-    } = &*verdict;
-    verdict.message = if *holds {
+    // A number that is none fails.
+    verdict.holds = allowed.holds(found);
+    verdict.message = match *allowed {
+        Allowed::Near { value, within } => near(verdict, found, value, within),
+        Allowed::Between { least, most } => between(verdict, found, [least, most]),
+    };
+}
+
+fn near(verdict: &Verdict, found: f64, expected: f64, within: f64) -> String {
+    let what = &verdict.what;
+    let off = (found - expected).abs();
+    if verdict.holds {
         format!(
             "{what} = {found}: {off} off, within {within}",
             off = shown(off, 2),
-            within = shown(*within, 2)
+            within = shown(within, 2)
         )
     } else {
         format!(
             "{what} = {found}, expected {expected}: {off} off, only {within} allowed",
             off = shown(off, 4),
-            within = shown(*within, 2)
+            within = shown(within, 2)
         )
-    };
+    }
+}
+
+fn between(verdict: &Verdict, found: f64, [least, most]: [Option<f64>; 2]) -> String {
+    let what = &verdict.what;
+    let limits: Vec<String> = [("at least", least), ("at most", most)]
+        .into_iter()
+        .filter_map(|(words, limit)| Some(format!("{words} {}", limit?)))
+        .collect();
+    let limits = limits.join(" and ");
+    match verdict.holds {
+        true => format!("{what} = {found}: {limits}"),
+        false => format!("{what} = {found}, expected {limits}"),
+    }
 }
 
 #[cfg(test)]
@@ -209,7 +241,7 @@ mod tests {
     use super::{Verdict, check, unknown_figures};
     use crate::dynamics::integrate::{PhysicalStop, Stop};
     use crate::dynamics::model::{Coordinate, Model, ObjectPart, PartInput};
-    use crate::frontend::scene::{Expectation, Expected};
+    use crate::frontend::scene::{Allowed, Expectation, Expected};
     use crate::studies::run::RunResult;
     use crate::studies::testing::result_with;
 
@@ -224,9 +256,49 @@ mod tests {
     fn figure(figure: &str, value: f64, within: f64) -> Expected {
         Expected::Figure {
             figure: figure.to_owned(),
-            value,
-            within,
+            allowed: Allowed::Near { value, within },
         }
+    }
+
+    #[test]
+    fn limits_hold_on_their_side_and_at_themselves() {
+        let result = result_with(|rocker| rocker.delta_max = 0.5);
+        let between = |least: Option<f64>, most: Option<f64>| {
+            let what = Expected::Figure {
+                figure: "rocker.delta_max".to_owned(),
+                allowed: Allowed::Between { least, most },
+            };
+            judge(what, &result)
+        };
+        for (least, most, holds) in [
+            (None, Some(0.5), true),
+            (None, Some(0.499), false),
+            (Some(0.5), None, true),
+            (Some(0.501), None, false),
+            (Some(0.4), Some(0.6), true),
+            (Some(0.4), Some(0.45), false),
+            (Some(0.55), Some(0.6), false),
+        ] {
+            let verdict = between(least, most);
+            assert_eq!(verdict.holds, holds, "{}", verdict.message);
+            assert_eq!((verdict.at_least, verdict.at_most), (least, most));
+        }
+        let verdict = between(Some(0.55), Some(0.75));
+        assert!(
+            verdict
+                .message
+                .ends_with("= 0.5, expected at least 0.55 and at most 0.75")
+        );
+        assert_eq!((verdict.expected, verdict.found), (0.65, Some(0.5)));
+        let nothing = result_with(|rocker| rocker.delta_max = f64::NAN);
+        let what = Expected::Figure {
+            figure: "rocker.delta_max".to_owned(),
+            allowed: Allowed::Between {
+                least: Some(0.0),
+                most: None,
+            },
+        };
+        assert!(!judge(what, &nothing).holds);
     }
 
     #[test]

@@ -109,8 +109,7 @@ fn check(
     let judge = |expectation: &Expectation| {
         let Expected::Figure {
             figure: address,
-            value,
-            within,
+            allowed,
         } = &expectation.what
         else {
             return None;
@@ -118,7 +117,7 @@ fn check(
         let at = Address::of(address)?;
         (at.study == study && at.object == object).then(|| Verdict {
             source: expectation.source.clone(),
-            ..judged(address, *value, *within, figure(at.figure))
+            ..judged(address, allowed, figure(at.figure))
         })
     };
     expectations.iter().filter_map(judge).collect()

@@ -91,6 +91,63 @@ fn a_slider_crank_moves_as_its_formula_says() {
     }
 }
 
+/// A range from a position to itself is that position alone.
+#[test]
+fn one_position_is_a_range() {
+    let model = slider_crank();
+    for (q, positions) in [(0.7, 1), (0.7, 360), (0.0, 1)] {
+        let over = Over::Range { from: q, to: q };
+        let found = kinematics(&Asked::new(&model, &question(Some(over), positions)).unwrap());
+        assert_eq!(found.axis.values, [q]);
+        assert!(found.stopped.is_none() && !found.closed && found.warnings.is_empty());
+        let [x, x1, ..] = slide(q);
+        assert!((column(&found, "slide.displacement")[0] - x).abs() < 1e-12);
+        assert!((column(&found, "slide.first_transfer")[0] - x1).abs() < 1e-12);
+        for (extremes, column) in found.extremes.iter().zip(&found.columns) {
+            let ends = [extremes.least, extremes.greatest];
+            let value = column.values[0];
+            let same = |end: &(f64, f64)| end.0 == q && end.1 == value;
+            assert!(!value.is_finite() || ends.iter().all(same));
+        }
+    }
+}
+
+/// So it is with several inputs, whether their values are held or are such ranges.
+#[test]
+fn one_position_of_several_inputs_is_a_range() {
+    let scene = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/scenarios/linkages/five_bar.json"
+    );
+    let table = |command: &str, inputs: [&str; 2]| {
+        let (code, table, error) = ran(&[
+            command,
+            scene,
+            "--csv",
+            "--input",
+            inputs[0],
+            "--input",
+            inputs[1],
+            "--speed",
+            "left=2 rad/s",
+            "--speed",
+            "right=-1 rad/s",
+        ]);
+        assert_eq!(code, Some(0), "{error}");
+        assert!(!table.contains("NaN") && !table.contains("inf"), "{table}");
+        table
+    };
+    for command in ["kinematics", "forces"] {
+        let held = table(command, ["left=10 deg", "right=40 deg"]);
+        assert_eq!(held.lines().count(), 2);
+        assert_eq!(table(command, ["left=10:10 deg", "right=40 deg"]), held);
+        assert_eq!(table(command, ["left=10:10 deg", "right=40:40 deg"]), held);
+        let way = table(command, ["left=10:20 deg", "right=40:40 deg"]);
+        let first = |table: &str| table.lines().nth(1).map(str::to_owned);
+        assert_eq!(first(&way), first(&held));
+    }
+}
+
 #[test]
 fn strokes_extremes_and_transmission_angles_are_those_of_the_triangle() {
     let model = slider_crank();
@@ -335,7 +392,7 @@ fn the_program_prints_tables_documents_and_pictures_and_says_what_is_wrong() {
     for (arguments, message) in [
         (vec!["--object", "pres"], "no linkage"),
         (vec!["--range", "0 deg"], "FROM:TO"),
-        (vec!["--range", "0:0 deg"], "two different"),
+        (vec!["--range", "0:1e999 deg"], "too large"),
         (vec!["--speed", "3 kg"], "3 kg"),
         (
             vec!["--time", "1", "--speed", "60 rpm"],

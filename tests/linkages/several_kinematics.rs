@@ -249,13 +249,6 @@ fn what_cannot_be_answered_is_said() {
             "each needs a range",
         ),
         (
-            question(vec![
-                course("left", Some(InputOver::At(0.0)), None),
-                course("right", Some(InputOver::At(0.0)), None),
-            ]),
-            "let one move",
-        ),
-        (
             question(vec![course("left", Some(InputOver::At(PI)), None)]),
             "cannot be assembled",
         ),

@@ -11,7 +11,7 @@ pub(crate) struct CourseArgs {
     /// Over one turn of the input, after which everything repeats
     #[arg(long, group = "over")]
     pub(crate) turn: bool,
-    /// Over a range of the input coordinate: 0:180 deg
+    /// Over a range of the input coordinate: 0:180 deg; at one position: 30:30 deg
     #[arg(
         long,
         value_name = "FROM:TO",

@@ -215,7 +215,9 @@ fn place(
 /// `FROM:TO`, each with its unit or the last unit for both.
 pub(super) fn range_of(text: &str, own: Measures) -> Result<Over, Failure> {
     let wrong = |what: &str| {
-        let message = format!("--range {text}: {what}; give FROM:TO, as 0:180 deg");
+        let message = format!(
+            "--range {text}: {what}; give FROM:TO, as 0:180 deg; 30:30 deg is one position"
+        );
         Failure::Other(message)
     };
     let ends = text.split_once(':').ok_or_else(|| wrong("no `:`"))?;

@@ -1,7 +1,7 @@
 //! The `expect` block.
 
 use super::objects::Known;
-use super::{Expectation, Expected};
+use super::{Allowed, Expectation, Expected};
 use crate::dynamics::model::owner_of;
 use crate::frontend::object::Measures;
 use crate::frontend::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean, quoted_list};
@@ -162,25 +162,65 @@ fn expectation(fields: &mut Fields<'_>, known: &Known) -> Option<Expectation> {
     let time = fields.maybe("time", "Expected time of the stop", |slot| {
         slot.quantity(q::TIME, Bounds::ANY)
     });
-    let within = fields.need(
+    let doc = "Greatest value that the figure may have, in place of `value`; with `at_least` both ends of a range";
+    let most = fields.maybe("at_most", doc, number);
+    let doc = "Least value that the figure may have, in place of `value`";
+    let least = fields.maybe("at_least", doc, number);
+    let within = fields.maybe(
         "within",
-        "Greatest difference: a number, or a text such as \"0.1 %\" of the value",
+        "Greatest difference to `value` or `time`, which need it: a number, or a text such as \"0.1 %\" of the value",
         |slot| within(slot, wanted),
     );
     let source = fields.maybe("source", "Where the figure comes from.", |slot| slot.text());
     let (about, value, time, within) = (about?, value?, time?, within?);
+    let (least, most) = (least?, most?);
+    let bounded = [("at_least", least), ("at_most", most)];
+    let bounded = bounded
+        .into_iter()
+        .find_map(|(name, end)| end.map(|_| name));
     let what = match about {
+        About::Figure(figure, _) if bounded.is_some() => {
+            let stray = [
+                ("value", value.is_some()),
+                ("within", within.is_some()),
+                ("time", time.is_some()),
+            ];
+            for (name, _) in stray.into_iter().filter(|(_, given)| *given) {
+                let message = format!("`{name}` does not go with `at_most` and `at_least`");
+                fields.refuse(name, "contradiction", message).hints.push(
+                    "write `value` and `within`, or `at_least`, `at_most` or both".to_owned(),
+                );
+            }
+            if stray.iter().any(|(_, given)| *given) {
+                return None;
+            }
+            if let (Some(least), Some(most)) = (least, most)
+                && least > most
+            {
+                let message = "`at_least` is greater than `at_most`: no value is both";
+                fields.refuse("at_least", "contradiction", message);
+                return None;
+            }
+            Expected::Figure {
+                figure,
+                allowed: Allowed::Between { least, most },
+            }
+        }
         About::Figure(figure, _) => {
-            let value = given(fields, value, "value", time.is_some().then_some("time"))?;
+            let value = given(fields, value, "value", time.is_some().then_some("time"));
+            let within = needed(fields, within);
+            let (value, within) = (value?, within?);
             let within = absolute(fields, within, value)?;
             Expected::Figure {
                 figure,
-                value,
-                within,
+                allowed: Allowed::Near { value, within },
             }
         }
         About::Stop(reason) => {
-            let time = given(fields, time, "time", value.is_some().then_some("value"))?;
+            let stray = bounded.or(value.is_some().then_some("value"));
+            let time = given(fields, time, "time", stray);
+            let within = needed(fields, within);
+            let (time, within) = (time?, within?);
             let within = absolute(fields, within, time)?;
             Expected::Stops {
                 reason: reason.to_owned(),
@@ -204,10 +244,9 @@ fn given(
 ) -> Option<f64> {
     if let Some(stray) = stray {
         let message = format!("`{stray}` does not belong here");
-        fields
-            .refuse(stray, "contradiction", message)
-            .hints
-            .push("`value` goes with `figure`, `time` with `stops`".to_owned());
+        fields.refuse(stray, "contradiction", message).hints.push(
+            "`value`, `at_most` and `at_least` go with `figure`, `time` with `stops`".to_owned(),
+        );
         return None;
     }
     if value.is_none() {
@@ -220,6 +259,20 @@ fn given(
             .label = format!("`{name}` is missing");
     }
     value
+}
+
+/// The bound that a value needs.
+fn needed(fields: &mut Fields<'_>, within: Option<Within>) -> Option<Within> {
+    if within.is_none() {
+        let message = "this expectation has no `within`";
+        let fault = fields.refuse("within", "missing-property", message);
+        fault.label = "`within` is missing".to_owned();
+        fault.hints.push(
+            "say by how much it may differ; or write `at_most` or `at_least` in place of `value`"
+                .to_owned(),
+        );
+    }
+    within
 }
 
 /// True for a text such as "0.1 %".

@@ -196,19 +196,61 @@ pub struct Expectation {
     pub source: Option<String>,
 }
 
+/// Values that a figure may have (booleans as 0 and 1).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Allowed {
+    /// A value and what differs from it by no more than an absolute bound.
+    Near {
+        /// Expected value.
+        value: f64,
+        /// Absolute bound.
+        within: f64,
+    },
+    /// Everything between two limits, which belong to it; everything on one side of a limit.
+    Between {
+        /// `at_least`.
+        least: Option<f64>,
+        /// `at_most`.
+        most: Option<f64>,
+    },
+}
+
+impl Allowed {
+    /// The limits: infinite where there is none.
+    pub fn limits(&self) -> [f64; 2] {
+        match *self {
+            Self::Near { value, within } => [value - within, value + within],
+            Self::Between { least, most } => [
+                least.unwrap_or(f64::NEG_INFINITY),
+                most.unwrap_or(f64::INFINITY),
+            ],
+        }
+    }
+
+    /// Whether a value is one of them; what is no number is none.
+    pub fn holds(&self, found: f64) -> bool {
+        match *self {
+            Self::Near { value, within } => (found - value).abs() <= within,
+            Self::Between { least, most } => {
+                found.is_finite()
+                    && least.is_none_or(|least| found >= least)
+                    && most.is_none_or(|most| found <= most)
+            }
+        }
+    }
+}
+
 /// Expectation of a run: a figure, or the way it stops.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Expected {
     /// A figure, by its address (`rocker.delta_max`, `rocker.pair.separations`,
-    /// `rocker.final.speed`, `run.switches`), within an absolute bound. Those
+    /// `rocker.final.speed`, `run.switches`). Those
     /// of the steady motion (`steady.period`) are judged by `dam steady`.
     Figure {
         /// Address.
         figure: String,
-        /// Expected value (booleans as 0 and 1).
-        value: f64,
-        /// Absolute bound.
-        within: f64,
+        /// Values that it may have.
+        allowed: Allowed,
     },
     /// The run stops at a time for a named reason.
     Stops {

@@ -167,8 +167,8 @@ fn placed_by_the_driver(spec: &LinkageSpec, plan: &Plan, state: &State) -> Resul
     let mut faults = Faults::default();
     for choice in &spec.assembly {
         let branch = matches!(choice.choice, AssemblyChoice::Branch(_));
-        let remark = !spec.redundant.is_empty()
-            && matches!(choice.choice, AssemblyChoice::Near { .. });
+        let remark =
+            !spec.redundant.is_empty() && matches!(choice.choice, AssemblyChoice::Near { .. });
         let far = !remark && mismatch(choice, state, plan.size) > FAR;
         if (branch || far) && !bodies.clone().any(|body| body.has(choice.link)) {
             let name = &spec.links[choice.link].name;

@@ -7,7 +7,7 @@ use crate::kinematics::linkage::spec::{CouplingKind, LinkageSpec, PairSpec};
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Plot, page::hodograph};
-use crate::report::quantity::{DIGITS, significant};
+use crate::report::quantity::{DIGITS, counted, significant};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::forces::{Extreme, Extremes, ForceStudy};
@@ -21,9 +21,9 @@ const MOST_POINTS: usize = 2000;
 pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'a> {
     let study = report.study;
     let mut subtitle = format!(
-        "forces of {}, {} positions, {}",
+        "forces of {}, {}, {}",
         report.object,
-        study.rows.len(),
+        counted(study.rows.len(), "position"),
         report.motion
     );
     if let Some(output) = study.settings.output {

@@ -4,7 +4,7 @@ use super::{drawing, input, input_said, place, plots, several};
 use crate::dynamics::model::Coordinate;
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
-use crate::report::quantity::{DIGITS, significant, with_unit};
+use crate::report::quantity::{DIGITS, counted, significant, with_unit};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::kinematics::{
@@ -36,9 +36,9 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
     Findings {
         title: scene.to_owned(),
         subtitle: format!(
-            "kinematics of {}, {} positions, {} {from} to {to}, {}",
+            "kinematics of {}, {}, {} {from} to {to}, {}",
             found.object,
-            found.axis.values.len(),
+            counted(found.axis.values.len(), "position"),
             found.axis.name,
             found.motion
         ),
@@ -71,7 +71,10 @@ fn answer(found: &Kinematics) -> Verdict {
             .sentence(Sentence::joined(strokes, ", "))
             .words("."),
     };
-    let headline = format!("It goes through all {} positions.", found.axis.values.len());
+    let headline = match found.axis.values.len() {
+        1 => "It can be put together at this position.".to_owned(),
+        count => format!("It goes through all {count} positions."),
+    };
     Verdict::answer(Sort::Good, headline, text)
 }
 

@@ -5,7 +5,7 @@ mod findings;
 
 pub use findings::findings;
 
-use crate::report::quantity::{significant, with_unit};
+use crate::report::quantity::{counted, significant, with_unit};
 use crate::studies::reduce::{Part, Reduction, Refusal, Role, Step};
 use serde_json::{Value, json};
 
@@ -49,13 +49,6 @@ fn answer(reduction: &Reduction) -> String {
             },
             if judged == 1 { "its" } else { "their" },
         ),
-    }
-}
-
-fn counted(count: usize, what: &str) -> String {
-    match count {
-        1 => format!("1 {what}"),
-        _ => format!("{count} {what}s"),
     }
 }
 

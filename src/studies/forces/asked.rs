@@ -43,6 +43,14 @@ impl PositionSource for LinkagePositions<'_> {
     }
 }
 
+/// Number of positions that lie `intervals` apart: of a range without length a single one.
+pub(super) fn count(intervals: usize, [from, to]: [f64; 2], closed: bool) -> usize {
+    match from == to {
+        true => 1,
+        false => intervals + usize::from(!closed),
+    }
+}
+
 /// The course that a question asks for.
 ///
 /// # Errors
@@ -60,7 +68,7 @@ pub fn course_of(asked: &Asked<'_>) -> Result<Course, String> {
     let even = |from: f64, to: f64, closed: bool| Course::Even {
         from,
         to,
-        count: asked.positions + usize::from(!closed),
+        count: count(asked.positions, [from, to], closed),
         speed,
         acceleration,
         closed,

@@ -1,5 +1,6 @@
 //! Kinetostatics of linkages of several inputs: the same study over their course.
 
+use super::asked::count;
 use super::columns::columns_of_inputs;
 use super::course::{Course, PositionSource};
 use super::{ForceSettings, ForceStudy, solved};
@@ -41,7 +42,7 @@ pub fn several_forces(
     let course = Course::Even {
         from,
         to,
-        count: asked.positions() + usize::from(!closed),
+        count: count(asked.positions(), [from, to], closed),
         // Where the inputs have speeds that are not those of their way, no work is done on it.
         speed: match asked.goes_its_way() {
             true => asked.rate_of_way(),

@@ -209,9 +209,9 @@ impl<'a> Asked<'a> {
                 "`{}` goes everywhere: say over which range, as in --range \"0:100 mm\"",
                 self.object
             )),
-            Over::Range { from, to } if !(from.is_finite() && to.is_finite() && from != to) => {
-                Err("a range needs two different finite ends".to_owned())
-            }
+            Over::Range { from, to } if !(from.is_finite() && to.is_finite()) => Err(
+                "a range needs two finite ends, or the same one twice for one position".to_owned(),
+            ),
             Over::Range { from, .. } if self.outside(from) => Err(format!(
                 "the range begins outside the reach of `{}`: {}",
                 self.object,

@@ -38,8 +38,12 @@ pub(super) trait Course {
     }
 }
 
-/// Places at equal distances, and one more where it is asked for.
+/// Places at equal distances, and one more where it is asked for; a single one where both ends
+/// are the same.
 pub(super) fn evenly([from, to]: [f64; 2], count: usize, also: Option<f64>) -> Vec<f64> {
+    if from == to {
+        return vec![from];
+    }
     let mut places: Vec<f64> = (0..=count)
         .map(|index| from + (to - from) * index as f64 / count as f64)
         .collect();

@@ -2,7 +2,7 @@
 
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Figures;
-use crate::frontend::scene::{Accuracy, AccuracySpec, Elastic, Expected, TypedScene};
+use crate::frontend::scene::{Accuracy, AccuracySpec, Allowed, Elastic, Expected, TypedScene};
 use crate::studies::expectations::of_run;
 use crate::studies::limit::without_limit;
 
@@ -40,7 +40,7 @@ pub(in crate::studies) fn asked(
     };
     let expected = scene.expect.iter().filter(|one| of_run(one));
     let expected = expected.filter_map(|one| match &one.what {
-        Expected::Figure { figure, value, .. } => Some((figure, *value)),
+        Expected::Figure { figure, allowed } => Some((figure, size(allowed))),
         Expected::Stops { .. } => None,
     });
     // A share of nothing is nothing.
@@ -62,6 +62,17 @@ pub(in crate::studies) fn asked(
     figures.dedup();
     let one = |figure| Asked { figure, accuracy };
     figures.into_iter().map(one).collect()
+}
+
+/// Size of an expected value.
+fn size(allowed: &Allowed) -> f64 {
+    match *allowed {
+        Allowed::Near { value, .. } => value.abs(),
+        Allowed::Between { least, most } => {
+            let ends = [least, most].into_iter().flatten();
+            ends.fold(0.0, |size, end| size.max(end.abs()))
+        }
+    }
 }
 
 /// False for figures of the computation, and for lists whose length depends on the model.

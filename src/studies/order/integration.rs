@@ -11,7 +11,7 @@ use super::row::Course;
 use super::trial::{Trial, Trials};
 use crate::dynamics::record::Figures;
 use crate::fault::Fault;
-use crate::frontend::scene::{Expectation, Expected};
+use crate::frontend::scene::{Allowed, Expectation, Expected};
 use crate::math::order::Total;
 use crate::studies::ToleranceOfAccuracy;
 use crate::studies::expectations::of_run;
@@ -157,13 +157,25 @@ fn expected_is_kept(all: &[Expectation], coarse: &Trial, fine: &Trial) -> bool {
     let mut expected = all.iter().filter(|one| of_run(one));
     expected.all(|one| {
         let (figure, within) = match &one.what {
-            Expected::Figure { figure, within, .. } => (figure.as_str(), *within),
+            Expected::Figure { figure, allowed } => (figure.as_str(), room(allowed, fine, figure)),
             Expected::Stops { within, .. } => ("run.time", *within),
         };
         let gone = |trial: &Trial| trial.figures.value(figure).is_err();
         let computed = figure.starts_with("run.") && figure != "run.time";
         computed || (gone(coarse) && gone(fine)) || off(coarse, fine, figure) <= SHARE * within
     })
+}
+
+/// How far a figure may move: its bound, or how far its limits are.
+fn room(allowed: &Allowed, trial: &Trial, figure: &str) -> f64 {
+    match *allowed {
+        Allowed::Near { within, .. } => within,
+        Allowed::Between { .. } => {
+            let value = trial.figures.value(figure).unwrap_or(f64::NAN);
+            let [least, most] = allowed.limits().map(|limit| (value - limit).abs());
+            least.min(most)
+        }
+    }
 }
 
 #[cfg(test)]

@@ -62,13 +62,12 @@ pub fn check(expectations: &[Expectation], answer: &Answer) -> Vec<Verdict> {
     let judge = |expectation: &Expectation| match &expectation.what {
         Expected::Figure {
             figure: address,
-            value,
-            within,
+            allowed,
         } if address.starts_with("steady.") => {
             let found = figure(answer, address);
             Some(Verdict {
                 source: expectation.source.clone(),
-                ..judged(address, *value, *within, found)
+                ..judged(address, allowed, found)
             })
         }
         _ => None,

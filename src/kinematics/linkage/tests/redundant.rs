@@ -240,7 +240,10 @@ fn a_hint_for_the_only_assembly_is_a_warning_with_its_distance() {
     }
     let (plain, hinted) = (Linkage::new(wedges().0).unwrap(), linkage(0.5));
     assert_eq!(plain.spec().redundant, hinted.spec().redundant);
-    assert_eq!(plain.structure().to_string(), hinted.structure().to_string());
+    assert_eq!(
+        plain.structure().to_string(),
+        hinted.structure().to_string()
+    );
 }
 
 #[test]

@@ -151,12 +151,6 @@ impl<'a> AskedSeveral<'a> {
             }
             let range = match course.over {
                 Some(InputOver::At(value)) => [value, value],
-                Some(InputOver::Range { from, to }) if from == to => {
-                    return Err(format!(
-                        "`{}`: a range needs two different ends",
-                        course.name
-                    ));
-                }
                 Some(InputOver::Range { from, to }) => [from, to],
                 Some(InputOver::Free) | None => [0.0; 2],
             };
@@ -222,19 +216,22 @@ impl<'a> AskedSeveral<'a> {
             let held = |&input: &usize| !matches!(over(input), Some(InputOver::At(_)));
             moving.extend((0..self.inputs.len()).find(held));
         }
-        let Some(&first) = moving.first() else {
-            return Err(format!(
-                "all inputs of `{}` are held: let one move, as in {}=0:90 deg",
-                self.object,
-                self.name(0)
-            ));
-        };
+        // Of ranges without length one is enough: with all inputs held there is one position.
+        let still = |&input: &usize| matches!(over(input), Some(InputOver::Range { from, to }) if from == to);
+        let single = moving
+            .iter()
+            .all(still)
+            .then(|| moving.first().copied().unwrap_or(0));
+        moving.retain(|input| !still(input));
+        moving.extend(single);
+        let first = moving[0];
         let free = |input: usize| !matches!(over(input), Some(InputOver::Range { .. }));
         if moving.len() > 1 && moving.iter().any(|&input| free(input)) {
             return Err("of several inputs that move, each needs a range, FROM:TO".to_owned());
         }
         let (along, span) = match (moving.as_slice(), over(first)) {
             ([_], Some(InputOver::Range { from, to })) => (Some(first), [from, to]),
+            ([_], Some(InputOver::At(at))) => (Some(first), [at, at]),
             ([_], _) => (Some(first), self.free(&at, first)?),
             _ => (None, [0.0, 1.0]),
         };
