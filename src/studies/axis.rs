@@ -204,6 +204,13 @@ fn parameter_unit(path: &str, model: &Model) -> &'static str {
     let part = model.objects.iter().find(|part| part.id == id);
     let turning = part.is_none_or(|part| part.coordinate == Coordinate::Turning);
     let either = |turned, slid| if turning { turned } else { slid };
+    // Coordinates of points: `links.rod.points.C.0`, `ground.O[1]`.
+    if [".points.", "ground."]
+        .iter()
+        .any(|part| rest.contains(part))
+    {
+        return "m";
+    }
     match rest.rsplit('.').next().unwrap_or(rest) {
         "inertia" => either("kg m²", "kg"),
         "mass" => "kg",

@@ -255,3 +255,59 @@ fn a_weight_acts_on_every_mass_and_other_loads_on_the_last() {
     let said = text.replace("\"own\": {", "\"own\": { \"mass\": \"all\",");
     assert_eq!(reading.scene.hash, read(&said, &[]).scene.hash);
 }
+
+const FOUR_BAR: &str = r#"{ "dam": 1, "name": "bar", "objects": {
+    "shaft": { "kind": "drive", "motion": { "speed": "30 rpm" } },
+    "bar": { "from": "linkage/four-bar", "input": "shaft", "dimensions":
+      { "crank": "100 mm", "coupler": "244 mm", "rocker": "160 mm", "frame": "200 mm" } } },
+  "run": { "duration": 2 } }"#;
+
+/// Hash of a scene as it is read with a change.
+fn hash(changes: &[&str]) -> String {
+    read(FOUR_BAR, changes).scene.hash
+}
+
+/// A coordinate of a point is an address, as an entry of a list or as a part of its own.
+#[test]
+fn coordinates_of_points_are_addresses() {
+    let list = hash(&["bar.links.coupler.points.B=[0.25, 0.01]"]);
+    for [x, y] in [
+        [
+            "bar.links.coupler.points.B.0",
+            "bar.links.coupler.points.B.1",
+        ],
+        [
+            "bar.links.coupler.points.B[0]",
+            "bar.links.coupler.points.B[1]",
+        ],
+    ] {
+        let both = [format!("{x}=0.25"), format!("{y}=10 mm")];
+        assert_eq!(hash(&[&both[0], &both[1]]), list);
+    }
+    assert_ne!(hash(&["bar.links.coupler.points.B.0=0.25"]), list);
+    let fault = |change: &str| {
+        let document = Document::parse("scene.json", FOUR_BAR.as_bytes()).unwrap();
+        let changed = document.scene(&BuiltIn, &Overrides::new([change]));
+        changed.unwrap_err().to_string()
+    };
+    let beyond = fault("bar.links.coupler.points.B.2=1");
+    assert!(
+        beyond.contains("this list has the entries 0 to 1"),
+        "{beyond}"
+    );
+    assert!(fault("bar.links.coupler.points.B.x=1").contains("this is a list and has no `x`"));
+    // A name that is wrong itself is not excused by another change.
+    let document = Document::parse("scene.json", FOUR_BAR.as_bytes()).unwrap();
+    let both = [
+        "bar.links.coupler.points.B.0=0.25",
+        "bar.dimensions.couplr=0.2",
+    ];
+    let faults = document
+        .scene(&BuiltIn, &Overrides::new(both))
+        .unwrap_err()
+        .to_string();
+    assert!(
+        faults.contains("nothing refers to the dimension `couplr`"),
+        "{faults}"
+    );
+}

@@ -392,3 +392,36 @@ fn determined_cells_agree_with_an_independent_computation() {
     }
     assert!(compared >= 8, "{compared} cells compared");
 }
+
+/// A map over a coordinate of a point: after a quarter of a turn the pin is √(l² − r²) away.
+#[test]
+fn coordinates_of_points_are_parameters() {
+    let text = r#"{ "dam": 1, "name": "Slider-crank", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": "30 rpm" } },
+        "press": { "kind": "linkage", "input": "shaft", "ground": { "O": [0, 0] },
+          "links": { "crank": { "points": { "A": [0.1, 0] } }, "rod": { "points": { "B": [0.4, 0] } },
+            "slide": { "mass": 1 } },
+          "pairs": { "O": { "revolute": ["ground.O", "crank.origin"] },
+            "A": { "revolute": ["crank.A", "rod.origin"] }, "B": { "revolute": ["rod.B", "slide.origin"] },
+            "guide": { "sliding": { "guide": "ground.O", "block": "slide.origin" } } },
+          "driver": "O", "assembly": { "slide": { "near": [0.5, 0] } },
+          "outputs": { "ram": { "point": "slide.origin" } } } },
+      "run": { "duration": 0.5, "samples": 10 } }"#;
+    let document = Document::parse("press.json", text.as_bytes()).unwrap();
+    for name in ["press.links.rod.points.B.0", "press.links.rod.points.B[0]"] {
+        let asked = Question {
+            figure: Some("press.ram.final.displacement".to_owned()),
+            ..question(&[], &format!("{name}=0.3:0.5:3"), None)
+        };
+        let found: Vec<f64> = cells(&document, asked)
+            .iter()
+            .map(|cell| cell.value.unwrap())
+            .collect();
+        for (value, length) in found.iter().zip([0.3f64, 0.4, 0.5]) {
+            assert!(
+                (value - (length * length - 0.01).sqrt()).abs() < 1e-12,
+                "{name}: {found:?}"
+            );
+        }
+    }
+}

@@ -44,6 +44,11 @@ impl Sources {
         self.0.len() - 1
     }
 
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.0.len()
+    }
+
     /// A source by its number.
     pub fn get(&self, id: SourceId) -> Option<&Source> {
         self.0.get(id).map(Arc::as_ref)

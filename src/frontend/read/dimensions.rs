@@ -6,7 +6,7 @@ use super::fields::Fields;
 use super::number::{NUMBER_PATTERN, shorten};
 use super::slot::Slot;
 use super::suggest::{did_you_mean, quoted_list};
-use super::tree::Value;
+use super::tree::{Node, Value};
 use super::wanted::Wanted;
 use crate::units::parse;
 use serde_json::json;
@@ -52,7 +52,16 @@ impl Fields<'_> {
             .map(|entry| entry.name.as_str())
             .collect();
         let path = self.path().to_owned();
-        for entry in entries.iter().filter(|entry| !entry.used) {
+        let node = self.node();
+        // What referred to it may have been set to another value from the command line.
+        let overrides = self.reader.overrides.clone();
+        let is_set = |node: &Node| overrides.contains(&node.place.source);
+        let set = node.is_some_and(|node| holds(node, &is_set));
+        let replaced = |entry: &Entry| set && !overrides.contains(&entry.place.source);
+        for entry in entries
+            .iter()
+            .filter(|entry| !entry.used && !replaced(entry))
+        {
             let name = &entry.name;
             let fault = self.refuse(
                 "dimensions",
@@ -76,6 +85,16 @@ impl Fields<'_> {
         }
         self.faults() == before
     }
+}
+
+/// True where a node or one under it is as asked.
+fn holds(node: &Node, asked: &dyn Fn(&Node) -> bool) -> bool {
+    asked(node)
+        || match &node.value {
+            Value::Object(members) => members.iter().any(|member| holds(&member.value, asked)),
+            Value::List(items) => items.iter().any(|item| holds(item, asked)),
+            _ => false,
+        }
 }
 
 /// Reads one named number.

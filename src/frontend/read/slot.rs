@@ -5,8 +5,9 @@ use super::dimension::Dimensions;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use super::wanted::Wanted;
-use crate::frontend::diagnostics::{Diagnostic, Place};
+use crate::frontend::diagnostics::{Diagnostic, Place, SourceId};
 use serde_json::{Map, Value as Json, json};
+use std::ops::Range;
 
 /// Collects what reading finds, or describes what it would accept.
 #[derive(Debug, Default)]
@@ -16,6 +17,8 @@ pub struct Reader {
     pub(super) describing: bool,
     pub(super) definitions: Map<String, Json>,
     pub(super) dimensions: Dimensions,
+    /// Sources of values that were set from the command line.
+    pub overrides: Range<SourceId>,
     /// Numbers met on the way, where they are asked for.
     pub(super) numbers: Option<Vec<Declared>>,
 }

@@ -1,5 +1,5 @@
 //! Addresses of properties: `rocker.pair.gap`, `run.tolerance`,
-//! `cam.position.table.points[3]`.
+//! `cam.position.table.points[3]` or `cam.position.table.points.3`.
 
 use crate::frontend::diagnostics::Place;
 use crate::frontend::read::{Node, Value};
@@ -29,6 +29,19 @@ pub(super) struct Part {
 pub(super) enum Step {
     Name(String),
     Index(usize),
+}
+
+impl Step {
+    /// The entry of a list that it means: `[0]`, or `0` as in `points.C.0`.
+    pub(super) fn entry(&self) -> Option<usize> {
+        match self {
+            Self::Index(index) => Some(*index),
+            Self::Name(name) => {
+                let digits = name.bytes().all(|byte| byte.is_ascii_digit());
+                digits.then(|| name.parse().ok()).flatten()
+            }
+        }
+    }
 }
 
 /// Splits an address; `None` when it is not one.
@@ -86,8 +99,9 @@ pub(super) fn locate(root: &Node, address: &str) -> Place {
                 };
                 (&member.value, shown.clone())
             }),
-            (Step::Index(index), Value::List(items)) => {
-                items.get(*index).map(|item| (item, item.place.clone()))
+            (step, Value::List(items)) => {
+                let item = step.entry().and_then(|index| items.get(index));
+                item.map(|item| (item, item.place.clone()))
             }
             _ => None,
         };
@@ -120,6 +134,10 @@ mod tests {
             ])
         );
         assert_eq!(split("a.bc").unwrap()[1].range, 2..4);
+        let entries: Vec<_> = ["7", "x7", "07", "-1", "99999999999999999999"]
+            .map(|text| name(text).entry())
+            .into();
+        assert_eq!(entries, [Some(7), None, Some(7), None, None]);
         for bad in [
             "", ".", "a.", ".a", "a..b", "a[", "a[]", "a[x]", "a]b[", "[0]",
         ] {

@@ -165,8 +165,11 @@ impl Document {
     ) -> Result<Reading, Diagnostics> {
         let mut sources = self.sources.clone();
         let mut faults = Vec::new();
+        // Overrides are the first sources that are added.
+        let first = sources.count();
         let tree = self.tree(catalogue, overrides, &mut sources, &mut faults);
         let mut reader = Reader::new();
+        reader.overrides = first..first + overrides.arguments().len();
         let known = Known::new(&self.registry);
         let (read, canonical) = reader.read(Some(&tree), "", |slot| root::read(slot, known));
         for mut fault in reader.diagnostics {

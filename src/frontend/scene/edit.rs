@@ -10,13 +10,13 @@ pub fn property<'n>(root: &'n Node, address: &str) -> Option<&'n Node> {
         true => root,
         false => root.get("objects")?,
     };
-    parts.iter().try_fold(top, |node, part| match &part.step {
-        Step::Name(name) => node.get(name),
-        Step::Index(index) => match &node.value {
-            Value::List(items) => items.get(*index),
-            _ => None,
-        },
-    })
+    parts
+        .iter()
+        .try_fold(top, |node, part| match (&part.step, &node.value) {
+            (step, Value::List(items)) => items.get(step.entry()?),
+            (Step::Name(name), _) => node.get(name),
+            (Step::Index(_), _) => None,
+        })
 }
 
 /// Sets a property; objects on the way are made where they are missing. An address that is

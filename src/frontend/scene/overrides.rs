@@ -185,7 +185,7 @@ fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Box<Di
             }
             Some(&mut members[at].value)
         }
-        (Step::Index(index), Value::List(items)) => items.get_mut(*index),
+        (step, Value::List(items)) => step.entry().and_then(|index| items.get_mut(index)),
         _ => None,
     };
     match child {
@@ -199,9 +199,12 @@ fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Box<Di
 }
 
 fn no_such_part(node: &Node, change: &Override, part: usize) -> Diagnostic {
-    let message = match (&change.parts[part].step, &node.value) {
-        (Step::Index(index), Value::List(items)) => {
-            format!("there is no entry {index} in a list of {}", items.len())
+    let step = &change.parts[part].step;
+    let message = match (step, &node.value) {
+        (_, Value::List(items)) if step.entry().is_some() => {
+            let index = step.entry().unwrap_or_default();
+            let last = items.len().saturating_sub(1);
+            format!("there is no entry {index}: this list has the entries 0 to {last}")
         }
         (Step::Index(_), _) => format!("this is {}, not a list", node.type_name()),
         (Step::Name(name), _) => format!("this is {} and has no `{name}`", node.type_name()),
