@@ -15,6 +15,8 @@ pub(super) struct Demand<'d> {
     pub(super) figures: Option<&'d dyn Fn(usize) -> Asked>,
     /// Laws of systems before that move by the same ones.
     pub(super) laws: Option<&'d RefCell<KeptLaws>>,
+    /// True: the equations of motion are checked.
+    pub(super) checked: bool,
 }
 
 impl Demand<'_> {
@@ -22,6 +24,7 @@ impl Demand<'_> {
     pub(super) const EVERYTHING: Self = Self {
         figures: None,
         laws: None,
+        checked: true,
     };
 
     /// The parts of a system that is propagated exactly as a whole; its modes are not

@@ -17,7 +17,6 @@ use crate::dynamics::record::{
     RunSummary, Tee, choose_window, drive_cycle,
 };
 use crate::dynamics::system::{InitialState, System};
-use crate::exact::Asked;
 use crate::fault::Fault;
 
 /// Result of a run.
@@ -183,11 +182,15 @@ pub(super) fn motion(
 ) -> Result<Motion, Vec<Fault>> {
     let choice = choose_method(system, settings, &demand)?;
     let was_exact = choice.parts.is_some();
-    let found = attempt(system, settings, demand.figures, control, sinks, choice)?;
+    let found = attempt(system, settings, &demand, control, sinks, choice)?;
     match found.doubt(settings) {
         Some(why) if was_exact && settings.method.is_none() => {
             let general = choose_general(system, settings, &why);
-            attempt(system, settings, None, control, sinks, general)
+            let whole = Demand {
+                figures: None,
+                ..demand
+            };
+            attempt(system, settings, &whole, control, sinks, general)
         }
         _ => Ok(found),
     }
@@ -197,11 +200,12 @@ pub(super) fn motion(
 fn attempt(
     system: &System,
     settings: &RunSettings,
-    figures: Option<&dyn Fn(usize) -> Asked>,
+    demand: &Demand<'_>,
     control: &Control<'_>,
     sinks: &mut [&mut dyn Sink],
     choice: Choice,
 ) -> Result<Motion, Vec<Fault>> {
+    let figures = demand.figures;
     let whole = choice.parts.is_some() && choice.rest.is_none();
     let initial = match whole {
         true => system.initial_place()?,
@@ -220,7 +224,7 @@ fn attempt(
         long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
         implicit: matches!(choice.method, Method::Radau | Method::Rodas5p),
         tolerance: settings.tolerance,
-        checked: !light,
+        checked: demand.checked,
     };
     let plan = Settings {
         method: choice.method,
@@ -257,7 +261,15 @@ fn attempt(
         }
     };
     let mut recorded = found.recorded;
-    let equations = audit::check(system, &recorded.looks, settings.tolerance);
+    let equations = audit::check(
+        system,
+        &recorded.looks,
+        audit::Asked {
+            tolerance: settings.tolerance,
+            recorded: !light,
+            closed: whole,
+        },
+    );
     Ok(Motion {
         equations,
         outcome: stopped_at_failure(found.outcome, &mut recorded),

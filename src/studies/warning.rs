@@ -94,7 +94,7 @@ impl Warning {
     }
 
     /// The warning that a check of the equations of motion gives, if they are not kept.
-    pub(super) fn of_equations(check: &EquationCheck) -> Option<Self> {
+    pub(in crate::studies) fn of_equations(check: &EquationCheck) -> Option<Self> {
         (!check.is_kept()).then(|| Self::Equations(check.clone()))
     }
 }

@@ -5,7 +5,7 @@ use super::look::{Look, Looks, PLACES, SEED, WEIGHTS, Window};
 use super::mechanics::{At, Mechanics};
 use super::turns;
 use crate::dynamics::integrate::Dynamics;
-use crate::dynamics::model::{LinkBase, Model, NodeMotion};
+use crate::dynamics::model::{LinkBase, Model, NodeMotion, ObjectPart};
 use crate::dynamics::system::{ObjectState, Scratch, System};
 
 /// Defect that is allowed in tolerances, as a share of the terms.
@@ -75,16 +75,30 @@ pub(super) struct Judge<'s> {
     pub(super) system: &'s System,
     pub(super) mechanics: Mechanics<'s>,
     scratch: Scratch,
-    pub(super) tolerance: f64,
+    asked: Asked,
     pub(super) scales: Scales,
     pub(super) found: EquationCheck,
     /// Names of nodes.
     pub(super) names: Vec<String>,
 }
 
-/// Checks what was drawn in a run at a tolerance.
-pub(crate) fn check(system: &System, looks: &Looks, tolerance: f64) -> EquationCheck {
-    let mut judge = Judge::new(system, tolerance);
+/// What is to be checked of a run.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Asked {
+    /// Tolerance of the run.
+    pub(crate) tolerance: f64,
+    /// True: what the records show of motions and forces, too.
+    pub(crate) recorded: bool,
+    /// True of a motion that is known in closed form, to rounding.
+    pub(crate) closed: bool,
+}
+
+/// Checks what was drawn in a run.
+pub(crate) fn check(system: &System, looks: &Looks, asked: Asked) -> EquationCheck {
+    if looks.looks.is_empty() && looks.turns.is_empty() {
+        return EquationCheck::default();
+    }
+    let mut judge = Judge::new(system, asked);
     let longest: Vec<Vec<Balance>> = (looks.looks.iter())
         .map(|look| judge.balance(look, &look.windows[0]))
         .collect();
@@ -99,7 +113,7 @@ pub(crate) fn check(system: &System, looks: &Looks, tolerance: f64) -> EquationC
 }
 
 impl<'s> Judge<'s> {
-    fn new(system: &'s System, tolerance: f64) -> Self {
+    fn new(system: &'s System, asked: Asked) -> Self {
         let model = system.model();
         let count = model.nodes.len();
         let mut names = vec![String::new(); count];
@@ -115,7 +129,7 @@ impl<'s> Judge<'s> {
             system,
             mechanics: Mechanics::new(system),
             scratch: system.scratch(),
-            tolerance,
+            asked,
             scales: Scales {
                 size: vec![0.0; count],
                 momentum: vec![0.0; count],
@@ -134,7 +148,7 @@ impl<'s> Judge<'s> {
 
     /// A bound on a share of terms.
     pub(super) fn bound(&self) -> f64 {
-        TOLERANCES * self.tolerance + LEAST
+        TOLERANCES * self.asked.tolerance + LEAST
     }
 
     /// Looks at a state, and takes it into the scales.
@@ -199,16 +213,19 @@ impl<'s> Judge<'s> {
     /// What may be left open of a balance over a length, as a share of its terms.
     fn allowed(&self, node: usize, length: f64) -> f64 {
         let scales = &self.scales;
+        // (A closed form is known to rounding, whatever the tolerance.)
+        let of_state = if self.asked.closed { 0.0 } else { OF_STATE };
         let of_state =
-            OF_STATE * self.tolerance * (scales.momentum[node] / length + scales.stiff[node]);
+            of_state * self.asked.tolerance * (scales.momentum[node] / length + scales.stiff[node]);
         let rounding = ROUNDINGS * (scales.momentum[node] / length + scales.stiff[node]);
         self.bound() + (of_state + rounding) / scales.size[node]
     }
 
     fn judge(&mut self, look: &Look, longest: &[Balance]) {
-        self.judge_motions(look);
-        let count = longest.len();
-        let mut best: Vec<Option<(f64, f64)>> = vec![None; count];
+        if self.asked.recorded {
+            self.judge_motions(look);
+        }
+        let mut best: Vec<Option<(f64, f64)>> = vec![None; longest.len()];
         for (k, window) in look.windows.iter().enumerate() {
             let own;
             let balances = match k {
@@ -218,18 +235,19 @@ impl<'s> Judge<'s> {
                     &own
                 }
             };
-            let length = window.length();
+            let moments = self.moments(look, window);
             let mut open = false;
-            for node in 0..count {
-                let Some(defect) = self.defect(node, &balances[node], length, look) else {
+            for (node, best) in best.iter_mut().enumerate() {
+                let length = window.length();
+                let balance = (&balances[node], length);
+                let Some(defect) = self.defect(node, balance, moments[node], look) else {
                     continue;
                 };
                 let bound = self.allowed(node, length);
-                let better = best[node].is_none_or(|(d, b)| !(d * bound <= defect * b));
-                if better {
-                    best[node] = Some((defect, bound));
+                if best.is_none_or(|(d, b)| !(d * bound <= defect * b)) {
+                    *best = Some((defect, bound));
                 }
-                open |= best[node].is_some_and(|(d, b)| !(d <= b));
+                open |= best.is_some_and(|(d, b)| !(d <= b));
             }
             if !open {
                 break;
@@ -239,25 +257,64 @@ impl<'s> Judge<'s> {
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {
             if let Some((defect, bound)) = *best {
-                self.found.see(
-                    defect,
-                    bound,
-                    (time, &self.names[node]),
-                    "equation of motion",
-                );
+                let what = match self.mechanics.coordinate[node] {
+                    Some(_) => "equation of motion",
+                    None => "force on the driver",
+                };
+                self.found
+                    .see(defect, bound, (time, &self.names[node]), what);
             }
         }
     }
 
+    /// The force that moves each prescribed node, and that with which each rigid node pulls at
+    /// its law, as records have them: means over a window.
+    fn moments(&mut self, look: &Look, window: &Window) -> Vec<Option<f64>> {
+        let model = self.system.model();
+        let mut found = vec![None; model.nodes.len()];
+        if !self.asked.recorded {
+            return found;
+        }
+        let mut states = vec![ObjectState::default(); model.objects.len()];
+        let inner = window.times.iter().zip(&window.states).skip(1);
+        for ((&time, y), weight) in inner.zip(WEIGHTS) {
+            (self.system).observe(time, y, &look.modes, &mut self.scratch, &mut states);
+            for (part, state) in model.objects.iter().zip(&states) {
+                let Some(&node) = part.nodes.last() else {
+                    continue;
+                };
+                let sign = match model.nodes[node].motion {
+                    NodeMotion::Prescribed { .. } => 1.0,
+                    NodeMotion::Rigid { .. } => -1.0,
+                    NodeMotion::Rotor { .. }
+                    | NodeMotion::Mass { .. }
+                    | NodeMotion::Constrained { .. } => continue,
+                };
+                *found[node].get_or_insert(0.0) += sign * weight * state.reaction;
+            }
+        }
+        found
+    }
+
     /// Defect of the equation of a coordinate, as a share of its terms; `None` where there
     /// is none, or nothing acts.
-    fn defect(&self, node: usize, balance: &Balance, length: f64, look: &Look) -> Option<f64> {
-        self.mechanics.coordinate[node]?;
-        if self.mechanics.no_force[node].is_some() || self.is_held(node, look) {
+    fn defect(
+        &self,
+        node: usize,
+        (balance, length): (&Balance, f64),
+        moment: Option<f64>,
+        look: &Look,
+    ) -> Option<f64> {
+        if self.mechanics.no_force[node].is_some() {
             return None;
         }
         let size = self.scales.size[node];
-        let open = balance.gain / length - balance.force;
+        let open = match (self.mechanics.coordinate[node], moment) {
+            (Some(_), _) if self.is_held(node, look) => return None,
+            (Some(_), _) => balance.gain / length - balance.force,
+            (None, Some(moment)) => balance.gain / length - balance.outer - moment,
+            (None, None) => return None,
+        };
         (size > 0.0).then(|| open.abs() / size)
     }
 
@@ -326,6 +383,7 @@ impl<'s> Judge<'s> {
             if shown || self.mechanics.no_motion[node].is_some() {
                 continue;
             }
+            self.judge_force(part, state, time);
             let (own, greatest) = (self.mechanics.nodes[node].motion, self.scales.motion[node]);
             let given = self.is_given(node);
             let pairs = [
@@ -344,6 +402,37 @@ impl<'s> Judge<'s> {
                 let defect = (shown - own[k]).abs() / greatest[k];
                 self.found.see(defect, bound, (time, &part.id), what);
             }
+        }
+    }
+
+    /// The force of link 1 of an object, or of its stop, as the records have it.
+    fn judge_force(&mut self, part: &ObjectPart, state: &ObjectState, time: f64) {
+        let model = self.system.model();
+        // (Behind a massless point forces are taken from the balance there.)
+        let point = part.contact.is_some_and(|contact| contact.point.is_some());
+        if point || part.driven_end.is_some() {
+            return;
+        }
+        let own = |object: usize| std::ptr::eq(part, &raw const model.objects[object]);
+        let mut all = self.mechanics.pressed.iter();
+        let Some(pressed) = all.find(|pressed| own(pressed.object) && !pressed.holds) else {
+            return;
+        };
+        let greatest = self.scales.contact[pressed.object][1];
+        let is_stop = model.stops.iter().any(|stop| stop.part == pressed.object);
+        let shown = match is_stop {
+            true => state.contact_force - pressed.normal.max(0.0),
+            false => state.reaction - pressed.force,
+        };
+        if greatest > 0.0 {
+            let bound = LEAST + self.asked.tolerance;
+            let defect = shown.abs() / greatest;
+            self.found.see(
+                defect,
+                bound,
+                (time, &part.id),
+                "force of the driving contact",
+            );
         }
     }
 

@@ -79,6 +79,14 @@ pub(crate) struct Looks {
     pub(super) switches: usize,
 }
 
+/// A number drawn by a seed (SplitMix64).
+pub(crate) fn draw(seed: u64) -> u64 {
+    let mut x = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x ^ (x >> 31)
+}
+
 /// Draws instants and switches of a run, and keeps the states there.
 #[derive(Debug)]
 pub(crate) struct Looker {
@@ -134,13 +142,10 @@ impl Looker {
         }
     }
 
-    /// A number in [0, 1) (SplitMix64).
+    /// A number in [0, 1).
     fn next(&mut self) -> f64 {
-        self.random = self.random.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut x = self.random;
-        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((x ^ (x >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+        self.random = self.random.wrapping_add(1);
+        (draw(self.random) >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// The next instant, one in each of equal parts of the run.

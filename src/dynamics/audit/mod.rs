@@ -18,5 +18,5 @@ mod mechanics;
 mod turns;
 
 pub use check::EquationCheck;
-pub(crate) use judge::{check, fastest_rate};
-pub(crate) use look::{Looker, Looks};
+pub(crate) use judge::{Asked, check, fastest_rate};
+pub(crate) use look::{Looker, Looks, SEED, draw};

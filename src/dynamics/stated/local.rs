@@ -132,6 +132,9 @@ impl Mul for Local {
     }
 }
 
+/// Halvings of a stencil that leaves the range.
+const CLOSER: usize = 40;
+
 /// Halvings of the stencil.
 const HALVINGS: usize = 8;
 
@@ -144,6 +147,13 @@ pub(crate) fn differentiate(f: impl Fn(f64) -> f64, at: f64, reach: f64) -> (Loc
     let mut kept = [(f64::INFINITY, f64::NAN); 2];
     let mut before = [[f64::NAN; HALVINGS]; 2];
     let mut step = reach;
+    // (Near an end of its range the function has no values on both sides but close by.)
+    for _ in 0..CLOSER {
+        if (f(at - step) + f(at + step)).is_finite() {
+            break;
+        }
+        step *= 0.5;
+    }
     for level in 0..HALVINGS {
         let (left, right) = (f(at - step), f(at + step));
         let raw = [

@@ -56,6 +56,7 @@ pub fn steady_contact(
     let demand = Demand {
         figures: Some(&|_| Asked::DEVIATION),
         laws: None,
+        checked: true,
     };
     let found = motion(system, &settings, demand, control, &mut [])?;
     match &found.outcome.stop {

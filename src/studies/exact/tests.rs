@@ -46,6 +46,7 @@ fn found(
     let demand = Demand {
         figures: Some(&|_| asked),
         laws: None,
+        checked: false,
     };
     motion(system, &settings, demand, control, &mut []).unwrap()
 }

@@ -6,6 +6,7 @@ use super::rigid::RigidMotion;
 use super::scenes::{Kept, Scenes};
 use super::study::Study;
 use super::verdict::Verdict;
+use crate::dynamics::audit::{SEED, draw};
 use crate::dynamics::integrate::{Method, Stop};
 use crate::dynamics::record::{Quantity, Record, drive_cycle};
 use crate::dynamics::system::System;
@@ -17,6 +18,7 @@ use crate::studies::demand::Demand;
 use crate::studies::document::{spoiling, stop_in_words};
 use crate::studies::run::{Motion, motion};
 use crate::studies::spread::{CHANGE, changed_loads};
+use crate::studies::warning::Warning;
 use crate::studies::{Control, RunSettings};
 use crate::units::shown;
 use std::cell::RefCell;
@@ -83,7 +85,13 @@ pub(super) fn evaluate(
         let refused = |cause: String| Some(Cell::without_value(Verdict::Refused, cause));
         match scene {
             Ok((scene, kept)) => match prepare(scene) {
-                Ok((system, settings)) => judged(study, &system, &settings, kept, control),
+                Ok((system, settings)) => judged(
+                    (study, is_drawn(panel, cell)),
+                    &system,
+                    &settings,
+                    kept,
+                    control,
+                ),
                 Err(faults) => refused(in_words(&faults)),
             },
             Err(diagnostics) => {
@@ -95,9 +103,16 @@ pub(super) fn evaluate(
     })
 }
 
+/// True of the cells of a map whose equations of motion are checked: one of so many, drawn by
+/// the seed of the check, and the first of all.
+fn is_drawn(panel: usize, cell: usize) -> bool {
+    const ONE_OF: u64 = 16;
+    cell == 0 || draw(SEED ^ ((panel as u64) << 32) ^ cell as u64).is_multiple_of(ONE_OF)
+}
+
 /// The cell of a system; `None` when interrupted.
 fn judged(
-    study: &Study<'_>,
+    (study, checked): (&Study<'_>, bool),
     system: &System,
     settings: &RunSettings,
     kept: &mut Kept,
@@ -113,6 +128,7 @@ fn judged(
         settings,
         laws: &kept.exact,
         control,
+        checked,
     };
     let found = task.answer(&rigid);
     if kept.samples.is_none() {
@@ -156,6 +172,8 @@ struct Task<'t> {
     /// Laws of motion that are known from cells before.
     laws: &'t RefCell<KeptLaws>,
     control: &'t Control<'t>,
+    /// True: the equations of motion are checked.
+    checked: bool,
 }
 
 impl Task<'_> {
@@ -210,6 +228,7 @@ impl Task<'_> {
         let demand = Demand {
             figures: asked.is_some().then_some(&all),
             laws: Some(self.laws),
+            checked: self.checked,
         };
         motion(system, settings, demand, self.control, &mut [])
     }
@@ -242,7 +261,8 @@ impl Task<'_> {
             );
             return Some(Cell::without_value(Verdict::NumericalFailure, cause));
         }
-        let warning = spoiling(&found.recorded, self.settings)?;
+        let open = || Warning::of_equations(&found.equations);
+        let warning = spoiling(&found.recorded, self.settings).or_else(open)?;
         let cause = format!("{method}: {warning}");
         Some(Cell::without_value(Verdict::NumericalFailure, cause))
     }

@@ -225,6 +225,7 @@ fn exact_run(
         let demand = Demand {
             figures: Some(&|_| Asked::DEVIATION),
             laws: None,
+            checked: false,
         };
         let settings = RunSettings {
             method: Some(Method::Exact),
