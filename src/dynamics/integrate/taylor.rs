@@ -20,6 +20,8 @@ const MOST_DEGREE: f64 = 24.0;
 const CAUTION: f64 = 0.9;
 /// Longest step against what the series was asked for, and the next against the last.
 const LONGEST: f64 = 2.0;
+/// What series of laws may miss, relative to what moves in a step, however fine the tolerance.
+const OF_LAWS: f64 = 1e-10;
 /// A step that is refused is shortened at least to this share, at most to that.
 const LEAST_CUT: f64 = 0.9;
 const MOST_CUT: f64 = 0.25;
@@ -41,6 +43,8 @@ pub(super) struct Series {
     /// State and derivative at the end of the step.
     y: Vec<f64>,
     dy: Vec<f64>,
+    /// (s, ṡ, s̈) of every signal there.
+    signals: Vec<[f64; 3]>,
 }
 
 /// Takes the run as far towards its target as one leg goes: to the target or
@@ -67,6 +71,7 @@ impl Series {
         self.coefficients.resize(signals * (degree + 1), 0.0);
         self.y.resize(width, 0.0);
         self.dy.resize(width, 0.0);
+        self.signals.resize(signals, [0.0; 3]);
         let mut wanted = run.first_length(degree as i32);
         let longest = run.longest_step();
         loop {
@@ -137,6 +142,7 @@ impl Series {
             }
             loop {
                 let error = self.defect(run, degree, asked, share);
+                let error = self.signals_defect(run, degree, asked, share, error);
                 if error <= 1.0 {
                     let length = if share == whole { rest } else { share * asked };
                     let grown = 0.95 * error.max(1e-9).powf(-1.0 / degree as f64);
@@ -235,6 +241,59 @@ impl Series {
                 greatest = error;
             }
             if error.is_nan() {
+                return f64::NAN;
+            }
+        }
+        greatest
+    }
+
+    /// The greater of an error and that by which the series of the signals beyond the
+    /// coordinates miss them at the end of the step, in units of what is allowed: guards
+    /// and figures read them.
+    fn signals_defect<D: Dynamics>(
+        &mut self,
+        run: &Run<'_, D>,
+        degree: usize,
+        asked: f64,
+        share: f64,
+        known: f64,
+    ) -> f64 {
+        let count = self.y.len() / 2;
+        if self.signals.len() == count || known.is_nan() || known > 1.0 {
+            return known;
+        }
+        let time = run.from.time + share * asked;
+        run.evaluator
+            .signals(time, &self.y, &self.dy, &mut self.signals);
+        let allowed = (10.0 * run.tolerance()).max(OF_LAWS);
+        let length = share * asked;
+        let mut greatest = known;
+        let rows = self.coefficients.chunks_exact(degree + 1);
+        for (row, found) in rows.zip(&self.signals).skip(count) {
+            let (mut value, mut slope, mut moved, mut power) = (row[degree], 0.0, 0.0, 1.0);
+            for c in row[..degree].iter().rev() {
+                slope = slope * share + value;
+                value = value * share + c;
+            }
+            for c in &row[1..] {
+                power *= share;
+                moved += (c * power).abs();
+            }
+            let miss = |series: f64, exact: f64, size: f64| {
+                (series - exact).abs() - 64.0 * f64::EPSILON * (exact.abs() + size)
+            };
+            let [place, speed, _] = *found;
+            let off = miss(value, place, 0.0);
+            let of_speed = miss(slope / asked, speed, place.abs() / length) * length;
+            // (Where nothing moves nothing is missed.)
+            let error = off.max(of_speed).max(0.0);
+            if error > 0.0 || error.is_nan() {
+                let error = error / (allowed * moved);
+                if error > greatest || error.is_nan() {
+                    greatest = error;
+                }
+            }
+            if greatest.is_nan() || !(off.is_finite() && of_speed.is_finite()) {
                 return f64::NAN;
             }
         }

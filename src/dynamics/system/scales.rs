@@ -121,6 +121,7 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
         .iter()
         .map(|force| force.abs())
         .collect();
+    let mut answering = vec![0.0; carried.len()];
     for load in &frozen.loads {
         let force = match &load.written {
             Some(written) => written.magnitude(|node| {
@@ -129,7 +130,11 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
             }),
             None => magnitude(load, &ranges[load.node]),
         };
-        carried[load.node] += if force.is_finite() { force } else { 0.0 };
+        let force = if force.is_finite() { force } else { 0.0 };
+        // What only answers to the motion cannot deflect a chain by more than its law moves.
+        let answer = answer(load, &ranges[load.node]).min(force);
+        carried[load.node] += force - answer;
+        answering[load.node] += answer;
     }
     for (node, range) in ranges.iter().enumerate() {
         carried[node] += frozen.inertia[node] * range.acceleration;
@@ -142,24 +147,52 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
             Step::Prescribed(_) | Step::Rotor(_) => {}
             Step::Rigid(index) => {
                 let rigid = frozen.rigids[*index];
-                carried[frozen.laws[rigid.law].driver] += slopes[rigid.law] * carried[rigid.node];
+                let (driver, slope) = (frozen.laws[rigid.law].driver, slopes[rigid.law]);
+                carried[driver] += slope * carried[rigid.node];
+                answering[driver] += slope * answering[rigid.node];
             }
             Step::Chain(index) => {
                 let chain = &frozen.chains[*index];
-                let total = carried[chain.nodes()].iter().sum();
+                let loads: f64 = carried[chain.nodes()].iter().sum();
+                let answers: f64 = answering[chain.nodes()].iter().sum();
+                let (_, stiffness) = body(frozen, chain);
+                let way = ranges[chain.first_node].displacement;
+                let total = loads + answers.min(stiffness * way);
                 carried[chain.first_node] = total;
                 carried[frozen.laws[chain.law].driver] += slopes[chain.law] * total;
             }
             Step::Constrained(index) => {
                 let constrained = &frozen.constraints[*index];
-                let force = carried[constrained.node];
+                let (force, answer) = (carried[constrained.node], answering[constrained.node]);
                 for (&driver, slope) in constrained.drivers.iter().zip(&gradients[*index]) {
                     carried[driver] += slope * force;
+                    answering[driver] += slope * answer;
                 }
             }
         }
     }
     carried
+}
+
+/// The part of a load's magnitude with which it answers to a node's motion: that of springs
+/// and dampers.
+fn answer(load: &FrozenLoad, range: &Range) -> f64 {
+    if let Some(written) = &load.written {
+        return written.rate.abs() * range.displacement;
+    }
+    match &load.law {
+        LoadLaw::Spring { rate, .. } => rate.abs() * range.displacement,
+        LoadLaw::Viscous(damping) => damping.abs() * range.speed,
+        LoadLaw::Constant(_)
+        | LoadLaw::Pieces { .. }
+        | LoadLaw::Friction { .. }
+        | LoadLaw::LinearMotor { .. }
+        | LoadLaw::Kloss { .. }
+        | LoadLaw::SpeedTable(_)
+        | LoadLaw::Stop(_)
+        | LoadLaw::Written(_)
+        | LoadLaw::Custom { .. } => 0.0,
+    }
 }
 
 /// Greatest magnitude of a load over a node's motion.

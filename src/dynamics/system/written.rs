@@ -133,6 +133,17 @@ impl Written {
         self.factor * self.expression.program().value.evaluate(values, &modes)
     }
 
+    /// What the rounding of its variables may change in the force.
+    pub(super) fn rounding(&self, values: &[f64; VARIABLES], modes: &[i64]) -> f64 {
+        let force = self.at(values, modes);
+        let changes = (0..self.inputs.len()).map(|variable| {
+            let mut moved = *values;
+            moved[variable] *= 1.0 + ROUNDINGS * f64::EPSILON;
+            (self.at(&moved, modes) - force).abs()
+        });
+        changes.sum()
+    }
+
     /// True where it depends on time.
     pub(super) fn needs_time(&self) -> bool {
         self.inputs.contains(&Input::Time)
@@ -193,6 +204,9 @@ fn rate(load: &WrittenLoad, node: NodeIndex) -> f64 {
         -load.factor * linear.factors.iter().sum::<f64>()
     })
 }
+
+/// So many roundings a variable may be off by, a sum of the terms of a series.
+const ROUNDINGS: f64 = 8.0;
 
 /// Places at which the magnitude is tried.
 const TRIED: usize = 64;

@@ -1,6 +1,6 @@
 //! The lowest orders of a series: the state, and the laws along the way expected.
 
-use super::law::polynomial;
+use super::law::{excess_in_time, polynomial};
 use super::{HIGHEST, Start, Taylor, ZERO};
 use crate::dynamics::system::frozen::{Chain, Frozen, Step, segment};
 use crate::dynamics::system::passes::{Extent, Work};
@@ -16,6 +16,7 @@ impl Frozen {
         let Start { time, y, dy, modes } = *start;
         self.motion(time, y, modes, Extent::Full, work);
         self.known_accelerations(&dy[self.coordinates..], work);
+        taylor.excess = 1.0;
         let (u, v) = y.split_at(self.coordinates);
         for (coordinate, series) in taylor.u.iter_mut().enumerate() {
             series[0] = u[coordinate];
@@ -31,6 +32,10 @@ impl Frozen {
                     let jet = |shift: f64| drive.motion.jet(piece, time + shift);
                     let middle = jet(0.0);
                     let speeds = polynomial(middle, jet(-length), jet(length), length);
+                    let own = excess_in_time(&speeds, middle, time, length, taylor.last);
+                    if own > taylor.excess || own.is_nan() {
+                        taylor.excess = own;
+                    }
                     taylor.place(drive.node, 0, middle.value);
                     for (j, c) in speeds.iter().enumerate() {
                         taylor.place(drive.node, j + 1, length * c / (j + 1) as f64);

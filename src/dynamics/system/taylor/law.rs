@@ -120,6 +120,39 @@ pub(super) fn polynomial(middle: Jet, below: Jet, above: Jet, radius: f64) -> [f
     [c0, c1, c2, c3, c4, c5, c6, c7, c8]
 }
 
+/// Factor by which a step is too long for the polynomial of a prescribed motion over a
+/// time `radius` to both sides of `time`, when the last two coefficients may have a share
+/// `allowed`; at least 1.
+///
+/// The share is one of the change of speed: what a machine answers to is not the mean speed.
+pub(super) fn excess_in_time(
+    speeds: &[f64; DEGREE + 1],
+    middle: Jet,
+    time: f64,
+    radius: f64,
+    allowed: f64,
+) -> f64 {
+    let greatest = |list: &[f64]| list.iter().fold(0.0, |sum: f64, c| greater(sum, c.abs()));
+    let bends = (radius + time.abs()) * (middle.second.abs() + radius * middle.third.abs());
+    let rounding = COEFFICIENT_ROUNDING * (middle.first.abs() + bends);
+    let last = greatest(&speeds[DEGREE - 1..]) - rounding;
+    let size = greatest(&speeds[1..]);
+    if last <= 0.0 {
+        return 1.0;
+    }
+    // What is not a number is not known over any time.
+    greater(1.0, (last / (allowed * size)).powf(1.0 / DEGREE as f64))
+}
+
+/// The greater of two; not a number where either is none.
+fn greater(one: f64, other: f64) -> f64 {
+    if other > one || other.is_nan() {
+        other
+    } else {
+        one
+    }
+}
+
 /// U, U′ and U″ along a motion.
 #[derive(Clone, Debug)]
 pub(super) struct LawSeries {

@@ -70,6 +70,8 @@ pub(super) struct Taylor {
     length: f64,
     /// Share of U′ that the last coefficients of a law may have.
     last: f64,
+    /// Factor by which the length is too great for the motions of the drives.
+    excess: f64,
 }
 
 impl Taylor {
@@ -98,6 +100,7 @@ impl Taylor {
             v: series(frozen.coordinates),
             length: 1.0,
             last: law::last(HIGHEST),
+            excess: 1.0,
         }
     }
 
@@ -185,6 +188,7 @@ impl Frozen {
         });
         ways.chain(shares)
             .chain(written)
+            .chain([taylor.excess / BEYOND])
             .fold(
                 0.0,
                 |greatest: f64, one| {

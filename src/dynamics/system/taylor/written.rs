@@ -77,7 +77,9 @@ impl Frozen {
                 size += (c * power).abs();
                 power *= s;
             }
-            (at(force, s) - exact).abs() <= allowed * size
+            let error = (at(force, s) - exact).abs();
+            error <= allowed * size
+                || error <= allowed * size + written.rounding(&values, start.modes)
         };
         let mut share = 1.0;
         for _ in 0..HALVINGS {
