@@ -9,6 +9,7 @@ pub mod expression;
 pub(crate) mod fraction;
 pub mod jet;
 pub(crate) mod linear;
+pub(crate) mod narrow;
 pub mod number;
 pub(crate) mod optimise;
 pub(crate) mod order;

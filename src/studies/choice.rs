@@ -1,8 +1,9 @@
 //! The choice of a method, with its reason.
 
 use super::settings::RunSettings;
-use crate::dynamics::integrate::{Chosen, Method};
+use crate::dynamics::integrate::{Cause, Change, Chosen, Method, Reserve};
 use crate::exact::{Parts, Rest};
+use crate::units::shown;
 
 /// The method of a run.
 pub(super) struct Choice {
@@ -14,6 +15,8 @@ pub(super) struct Choice {
     pub(super) name: String,
     /// Why this one.
     pub(super) why: String,
+    /// What goes on where it cannot.
+    pub(super) reserve: Vec<Reserve>,
     /// Parts that are propagated exactly, when any are.
     pub(super) parts: Option<Parts>,
     /// Rest that is integrated beside them by the method.
@@ -28,8 +31,25 @@ impl Choice {
             tolerance: chosen.tolerance,
             name: chosen.method.name().to_owned(),
             why: chosen.why,
+            reserve: chosen.reserve,
             parts: None,
             rest: None,
+        }
+    }
+
+    /// Adds the changes of the method that were made on the way.
+    pub(super) fn tell_changes(&mut self, changes: &[Change]) {
+        for change in changes {
+            let Change { time, from, to, .. } = change;
+            let time = shown(*time, 6);
+            let cause = match change.cause {
+                Cause::Stiff => format!("the motion had become stiff for {from}"),
+                Cause::Floor => {
+                    format!("the step of {from} had fallen below the clock's resolution")
+                }
+            };
+            self.name = format!("{}, then {to}", self.name);
+            self.why = format!("{}; {to} from t = {time} s on, as {cause}", self.why);
         }
     }
 
@@ -53,5 +73,6 @@ pub(super) fn plain(method: Method, settings: &RunSettings, why: &str) -> Chosen
         method,
         tolerance: settings.tolerance,
         why: why.to_owned(),
+        reserve: Vec::new(),
     }
 }

@@ -8,7 +8,7 @@ use super::exact::{Mixed, mixed, tried};
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::dynamics::energy::EnergyAudit;
-use crate::dynamics::integrate::{Chosen, Dynamics, Method, Situation, Vibration, choose};
+use crate::dynamics::integrate::{Chosen, Dynamics, Method, Reserve, Situation, Vibration, choose};
 use crate::dynamics::model::{Model, NodeMotion, Start};
 use crate::dynamics::system::{MANY_COORDINATES, System};
 use crate::exact::Parts;
@@ -132,6 +132,38 @@ pub(super) fn choose_general(system: &System, settings: &RunSettings, because: &
     let chosen = choose(&situation(system, settings));
     let why = format!("{because}; {}", chosen.why);
     Choice::general(Chosen { why, ..chosen })
+}
+
+/// The next general method, where the results of those that were tried are in doubt; `None`
+/// when all have been tried.
+pub(super) fn choose_next(
+    system: &System,
+    settings: &RunSettings,
+    because: &str,
+    tried: &[Method],
+) -> Option<Choice> {
+    if system.coordinates() == 0 {
+        return None;
+    }
+    let chosen = choose(&situation(system, settings));
+    let first = Reserve {
+        method: chosen.method,
+        tolerance: chosen.tolerance,
+    };
+    let mut left = std::iter::once(first)
+        .chain(chosen.reserve.iter().copied())
+        .filter(|own| !tried.contains(&own.method));
+    let next = left.next()?;
+    let why = match next == first {
+        true => format!("{because}; {}", chosen.why),
+        false => format!("{because}; {} instead", next.method),
+    };
+    Some(Choice::general(Chosen {
+        method: next.method,
+        tolerance: next.tolerance,
+        reserve: left.collect(),
+        why,
+    }))
 }
 
 /// Why a system is propagated exactly.

@@ -4,13 +4,13 @@ use super::choice::Choice;
 use super::demand::Demand;
 use super::document::{document, summary, warnings_of};
 use super::exact;
-use super::method::{choose_general, choose_method, fixed_step};
+use super::method::{choose_method, choose_next, fixed_step};
 use super::plausible;
 use super::settings::{Control, RunSettings};
 use super::warning::Warning;
 use crate::dynamics::audit::{self, EquationCheck};
 use crate::dynamics::integrate::{
-    Dynamics, Limits, Method, Outcome, Settings, Sink, Stop, integrate,
+    Change, Dynamics, Limits, Method, Outcome, Reserve, Settings, Sink, Stop, integrate_changing,
 };
 use crate::dynamics::record::{
     EnergyAudit, EquationFigures, Figures, Record, Recorded, Recorder, RecorderSettings,
@@ -18,6 +18,7 @@ use crate::dynamics::record::{
 };
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
+use std::cell::RefCell;
 
 /// Result of a run.
 #[derive(Clone, Debug)]
@@ -66,8 +67,8 @@ impl RunResult {
 /// beside the recorder.
 ///
 /// Where the choice of the method is left to the program and exact propagation
-/// gives up on the way, or its energies do not balance, the run is made anew
-/// by a general method; the sinks then hear of a second start.
+/// gives up on the way, or the energies do not balance, the run is made anew
+/// by another method; the sinks then hear of a second start.
 ///
 /// # Errors
 /// The start cannot be found: no static balance, a position out of reach, …;
@@ -145,9 +146,32 @@ impl Motion {
         self.outcome.stop == Stop::Complete
     }
 
-    /// Why its numbers are not to be had, or in doubt.
+    /// Why its numbers are not to be had, or in doubt, where another method may do better.
     fn doubt(&self, settings: &RunSettings) -> Option<String> {
-        let audit = &self.recorded.audit;
+        match &self.choice.parts {
+            Some(_) => self.doubt_of_exact(settings),
+            None => {
+                let name = &self.choice.name;
+                if !self.is_complete() {
+                    return None; // its reserve has been used
+                }
+                if !self.equations.is_kept() {
+                    let equations = &self.equations;
+                    return Some(format!(
+                        "the equations of motion are not kept by {name}: {equations}"
+                    ));
+                }
+                let unbalanced = !self.balances(settings);
+                unbalanced.then(|| format!("the energies of {name} do not balance"))
+            }
+        }
+    }
+
+    fn balances(&self, settings: &RunSettings) -> bool {
+        self.recorded.audit.error() <= EnergyAudit::bound(settings.tolerance)
+    }
+
+    fn doubt_of_exact(&self, settings: &RunSettings) -> Option<String> {
         match &self.outcome.stop {
             Stop::Method { reason, .. } => Some(format!(
                 "exact propagation gave up at t = {} s ({reason})",
@@ -161,7 +185,7 @@ impl Motion {
                 "the equations of motion are not kept by exact propagation: {}",
                 self.equations
             )),
-            Stop::Complete if !(audit.error() <= EnergyAudit::bound(settings.tolerance)) => {
+            Stop::Complete if !self.balances(settings) => {
                 Some("the energies of exact propagation do not balance".to_owned())
             }
             _ => None,
@@ -181,19 +205,24 @@ pub(super) fn motion(
     sinks: &mut [&mut dyn Sink],
 ) -> Result<Motion, Vec<Fault>> {
     let choice = choose_method(system, settings, &demand)?;
-    let was_exact = choice.parts.is_some();
-    let found = attempt(system, settings, &demand, control, sinks, choice)?;
-    match found.doubt(settings) {
-        Some(why) if was_exact && settings.method.is_none() => {
-            let general = choose_general(system, settings, &why);
-            let whole = Demand {
-                figures: None,
-                ..demand
-            };
-            attempt(system, settings, &whole, control, sinks, general)
+    let mut tried = Vec::new();
+    let mut found = attempt(system, settings, &demand, control, sinks, choice)?;
+    let whole = Demand {
+        figures: None,
+        ..demand
+    };
+    while settings.method.is_none()
+        && let Some(why) = found.doubt(settings)
+    {
+        if found.choice.parts.is_none() {
+            tried.push(found.choice.method);
         }
-        _ => Ok(found),
+        let Some(next) = choose_next(system, settings, &why, &tried) else {
+            break;
+        };
+        found = attempt(system, settings, &whole, control, sinks, next)?;
     }
+    Ok(found)
 }
 
 /// Runs once by a method.
@@ -221,8 +250,10 @@ fn attempt(
         masses: settings.masses && !light,
         closeups: settings.closeups && !light,
         window: window.as_ref().ok().copied(),
-        long_steps: matches!(choice.method, Method::Taylor | Method::Radau),
-        implicit: matches!(choice.method, Method::Radau | Method::Rodas5p),
+        long_steps: matches!(choice.method, Method::Taylor | Method::Radau)
+            || !choice.reserve.is_empty(),
+        implicit: matches!(choice.method, Method::Radau | Method::Rodas5p)
+            || !choice.reserve.is_empty(),
         tolerance: settings.tolerance,
         checked: demand.checked,
     };
@@ -233,10 +264,17 @@ fn attempt(
     };
     let limits = control.limits(settings);
     let duration = settings.duration;
+    let mut choice = choice;
+    let changed = RefCell::new(Vec::new());
+    let reserve = choice.reserve.clone();
+    let plan = &(plan, reserve.as_slice());
     let found = match (&choice.parts, &choice.rest) {
         (Some(parts), Some(rest)) => {
             let own = |initial: &InitialState, sink: &mut dyn Sink| {
-                follow(&rest.system, initial, duration, &plan, &limits, sink)
+                let (outcome, changes) =
+                    follow(&rest.system, initial, duration, plan, &limits, sink);
+                changed.replace(changes);
+                outcome
             };
             let (both, sink) = ((parts, rest), &mut Tee(sinks));
             exact::follow_beside(system, both, &initial, recording, &limits, sink, own)
@@ -252,7 +290,8 @@ fn attempt(
                 all.push(*sink);
             }
             let sink = &mut Tee(&mut all);
-            let outcome = follow(system, &initial, duration, &plan, &limits, sink);
+            let (outcome, changes) = follow(system, &initial, duration, plan, &limits, sink);
+            changed.replace(changes);
             exact::Found {
                 recorded: recorder.finish(),
                 outcome,
@@ -260,6 +299,7 @@ fn attempt(
             }
         }
     };
+    choice.tell_changes(&changed.into_inner());
     let mut recorded = found.recorded;
     let equations = audit::check(
         system,
@@ -323,10 +363,10 @@ fn follow(
     system: &System,
     initial: &InitialState,
     duration: f64,
-    plan: &Settings,
+    (plan, reserve): &(Settings, &[Reserve]),
     limits: &Limits<'_>,
     sink: &mut dyn Sink,
-) -> Outcome {
+) -> (Outcome, Vec<Change>) {
     let mut plan = plan.clone();
     if system.coordinates() == 0 {
         let cycle = drive_cycle(system.model()).ok();
@@ -338,5 +378,6 @@ fn follow(
         plan.step = Some(plan.step.map_or(greatest, |step| step.min(greatest)));
     }
     let InitialState { y, modes, .. } = initial;
-    integrate(system, 0.0, duration, y, modes, &plan, limits, sink)
+    let plan = (&plan, *reserve);
+    integrate_changing(system, 0.0, duration, y, modes, plan, limits, sink)
 }

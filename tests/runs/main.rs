@@ -22,4 +22,5 @@ mod reduce;
 mod reference_rocker;
 mod scoreboard;
 mod short_steps;
+mod stiff_and_brief;
 mod tolerance;

@@ -1,6 +1,6 @@
 //! Which method for which system: `method: auto`.
 
-use super::{Dynamics, Method, Modes};
+use super::{Dynamics, Method, Modes, Reserve};
 use crate::units::shown;
 use std::f64::consts::TAU;
 
@@ -176,6 +176,14 @@ const BEHAVIOURS: [Behaviour; 5] = [
     },
 ];
 
+/// Methods that may go on where another cannot.
+const RESERVE: [Method; 4] = [
+    Method::Radau,
+    Method::Dop853,
+    Method::Rodas5p,
+    Method::Taylor,
+];
+
 impl Behaviour {
     /// The tolerance that keeps the one asked for over a whole run.
     fn aim(&self, situation: &Situation) -> f64 {
@@ -224,6 +232,8 @@ pub struct Chosen {
     pub tolerance: f64,
     /// Why, in a sentence.
     pub why: String,
+    /// What goes on where it cannot, or where the motion becomes stiff: the first first.
+    pub reserve: Vec<Reserve>,
 }
 
 /// The method that is expected to need the least work to keep the tolerance over the
@@ -258,10 +268,19 @@ pub fn choose(situation: &Situation) -> Chosen {
         ),
         false => why,
     };
+    let others = RESERVE.iter().filter(|&&method| method != chosen.method);
+    let others = others.filter(|&&method| situation.expands || method != Method::Taylor);
+    let others = others.filter_map(|&method| BEHAVIOURS.iter().find(|own| own.method == method));
     Chosen {
         method: chosen.method,
         tolerance,
         why,
+        reserve: others
+            .map(|own| Reserve {
+                method: own.method,
+                tolerance: own.aim(situation),
+            })
+            .collect(),
     }
 }
 

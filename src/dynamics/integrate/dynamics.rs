@@ -6,6 +6,7 @@
 //! change the right-hand side is smooth, also a little beyond the places where
 //! they should have changed; a *watch* says where that is.
 
+use crate::math::narrow::Narrow;
 use crate::math::polynomial::Step;
 
 /// Discrete state: one small integer per component (a pair, a track).
@@ -331,6 +332,13 @@ pub trait Dynamics: Sync {
     /// something is held, can be followed. Default: any.
     fn longest_step(&self, _modes: &Modes) -> f64 {
         f64::INFINITY
+    }
+
+    /// Stretches between two instants, without a break between them, in which given functions
+    /// of time change so briefly that a long step would pass over it unseen; ascending.
+    /// Default: none.
+    fn narrow(&self, _from: f64, _to: f64, _modes: &Modes) -> Vec<Narrow> {
+        Vec::new()
     }
 
     /// Why the evaluation made last gave no numbers, where the mechanism itself is

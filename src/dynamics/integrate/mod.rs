@@ -6,6 +6,7 @@
 //! cuts the step there, and begins the method anew from the located state.
 
 mod auto;
+mod changing;
 mod continuous;
 #[cfg(feature = "diffsol")]
 mod diffsol_adapter;
@@ -28,7 +29,9 @@ mod taylor;
 #[cfg(test)]
 mod tests;
 
+pub use crate::math::narrow::Narrow;
 pub use auto::{Chosen, Situation, Vibration, choose, fastest_rate};
+pub use changing::{Cause, Change, Reserve};
 pub use dynamics::{
     Dynamics, EventFunction, Guard, Impact, Modes, PhysicalStop, Probe, Singularity,
 };
@@ -37,6 +40,7 @@ pub use taylor::degree as series_degree;
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};
 
 use crate::units::shown;
+use changing::Changing;
 use evaluator::Evaluator;
 use run::Run;
 
@@ -71,8 +75,35 @@ pub fn integrate<D: Dynamics>(
     limits: &Limits<'_>,
     sink: &mut dyn Sink,
 ) -> Outcome {
+    integrate_changing(
+        dynamics,
+        start,
+        end,
+        y0,
+        modes,
+        (settings, &[]),
+        limits,
+        sink,
+    )
+    .0
+}
+
+/// [`integrate`] with methods in reserve: the method is changed where the motion becomes
+/// stiff, or where its step falls below what the clock resolves. Returns the changes too.
+#[allow(clippy::too_many_arguments)] // the parts of a run, each of another owner
+pub fn integrate_changing<D: Dynamics>(
+    dynamics: &D,
+    start: f64,
+    end: f64,
+    y0: &[f64],
+    modes: &Modes,
+    (settings, reserve): (&Settings, &[Reserve]),
+    limits: &Limits<'_>,
+    sink: &mut dyn Sink,
+) -> (Outcome, Vec<Change>) {
     let evaluator = Evaluator::new(dynamics, modes);
     let mut run = Run::new(&evaluator, settings, limits, sink);
+    run.changing = Changing::new(reserve);
     run.singularities.end = end;
     if y0.len() != 2 * dynamics.coordinates() {
         let reason = format!("the initial state has {} entries", y0.len());
@@ -90,14 +121,17 @@ pub fn integrate<D: Dynamics>(
         } else {
             end
         };
+        run.narrow_down();
         run.aim();
         let rest = run.target - run.from.time;
         // Over less before the very end a polynomial would tell no speeds.
         let roundings = if run.target == end { 4096.0 } else { 16.0 };
-        if rest <= roundings * f64::EPSILON * run.from.time.abs().max(run.target.abs()) {
+        let clock = run.from.time.abs().max(run.target.abs());
+        // A break of a formula beside zero is no shorter a time than the clock of the run tells.
+        if rest <= f64::EPSILON * (roundings * clock).max(end - start) {
             run.skip_to_target();
         } else {
-            match settings.method {
+            match run.settings.method {
                 _ if y0.is_empty() => given_motion::leg(&mut run),
                 Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
                 Method::Taylor => taylor::leg(&mut run),
@@ -116,6 +150,7 @@ pub fn integrate<D: Dynamics>(
                 }
             }
         }
+        run.change_method();
         if run.stop.is_none() && run.from.time == next && next < end {
             run.pass_break();
         }
@@ -126,11 +161,12 @@ pub fn integrate<D: Dynamics>(
         evaluations: evaluator.evaluations(),
         switches: run.switches,
     };
-    Outcome {
+    let outcome = Outcome {
         time: run.from.time,
         stop: run.stop.unwrap_or(Stop::Complete),
         statistics,
-    }
+    };
+    (outcome, run.changing.changes)
 }
 
 /// Why settings cannot be run with.

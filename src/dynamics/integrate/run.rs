@@ -1,8 +1,11 @@
 //! One run: what happens at every accepted step, whatever the method.
 
+mod narrowing;
 mod probing;
 mod switching;
 
+use self::narrowing::Narrowing;
+use super::changing::Changing;
 use super::continuous::{End, Output};
 use super::evaluator::Evaluator;
 use super::locate::{Located, Stretch};
@@ -53,7 +56,7 @@ pub(super) enum Given<'g> {
 /// State of a run between the steps of a method.
 pub(super) struct Run<'a, D: Dynamics> {
     pub(super) evaluator: &'a Evaluator<'a, D>,
-    pub(super) settings: &'a Settings,
+    pub(super) settings: Settings,
     pub(super) limits: &'a Limits<'a>,
     sink: &'a mut dyn Sink,
     /// State where the run stands.
@@ -91,6 +94,10 @@ pub(super) struct Run<'a, D: Dynamics> {
     pub(super) rosenbrock: Option<Box<Stepper>>,
     /// The own stiff method for fine tolerances, likewise.
     pub(super) radau: Option<radau::Stepper>,
+    /// Changes of the method.
+    pub(super) changing: Changing,
+    /// Stretches in which steps must be short.
+    narrow: Narrowing,
     /// Memory of the own method of Taylor series.
     pub(super) series: Series,
 }
@@ -98,7 +105,7 @@ pub(super) struct Run<'a, D: Dynamics> {
 impl<'a, D: Dynamics> Run<'a, D> {
     pub(super) fn new(
         evaluator: &'a Evaluator<'a, D>,
-        settings: &'a Settings,
+        settings: &Settings,
         limits: &'a Limits<'a>,
         sink: &'a mut dyn Sink,
     ) -> Self {
@@ -108,7 +115,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         );
         Self {
             evaluator,
-            settings,
+            settings: settings.clone(),
             limits,
             sink,
             from: End::new(coordinates, signals),
@@ -134,6 +141,8 @@ impl<'a, D: Dynamics> Run<'a, D> {
             pace: Pace::default(),
             rosenbrock: None,
             radau: None,
+            changing: Changing::new(&[]),
+            narrow: Narrowing::default(),
             series: Series::default(),
         }
     }
@@ -241,6 +250,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             (Some(found), _) => self.cut(found),
             (None, None) => match self.pass() {
                 Verdict::Continue if self.is_to_slow_down() => Verdict::Restart,
+                Verdict::Continue if self.is_to_change() => Verdict::Restart,
                 verdict => verdict,
             },
             (None, Some(edge)) => match self.pass() {

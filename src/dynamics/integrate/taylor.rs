@@ -22,6 +22,9 @@ const CAUTION: f64 = 0.9;
 const LONGEST: f64 = 2.0;
 /// What series of laws may miss, relative to what moves in a step, however fine the tolerance.
 const OF_LAWS: f64 = 1e-10;
+/// A signal that is the small difference of coordinates is known to this share of the greatest
+/// of their scales, within what is allowed.
+const UNMOVED: f64 = 1e-3;
 /// A step that is refused is shortened at least to this share, at most to that.
 const LEAST_CUT: f64 = 0.9;
 const MOST_CUT: f64 = 0.25;
@@ -267,10 +270,12 @@ impl Series {
             .signals(time, &self.y, &self.dy, &mut self.signals);
         let allowed = (10.0 * run.tolerance()).max(OF_LAWS);
         let length = share * asked;
+        let scales = &run.evaluator.dynamics.scales()[..count];
+        let floor = UNMOVED * scales.iter().copied().fold(0.0, f64::max);
         let mut greatest = known;
         let rows = self.coefficients.chunks_exact(degree + 1);
         for (row, found) in rows.zip(&self.signals).skip(count) {
-            let (mut value, mut slope, mut moved, mut power) = (row[degree], 0.0, 0.0, 1.0);
+            let (mut value, mut slope, mut moved, mut power) = (row[degree], 0.0, floor, 1.0);
             for c in row[..degree].iter().rev() {
                 slope = slope * share + value;
                 value = value * share + c;
@@ -285,17 +290,11 @@ impl Series {
             let [place, speed, _] = *found;
             let off = miss(value, place, 0.0);
             let of_speed = miss(slope / asked, speed, place.abs() / length) * length;
-            // (Where nothing moves nothing is missed.)
-            let error = off.max(of_speed).max(0.0);
-            if error > 0.0 || error.is_nan() {
-                let error = error / (allowed * moved);
-                if error > greatest || error.is_nan() {
-                    greatest = error;
-                }
-            }
-            if greatest.is_nan() || !(off.is_finite() && of_speed.is_finite()) {
+            let error = off.max(of_speed) / (allowed * moved);
+            if error.is_nan() || off.is_nan() || of_speed.is_nan() {
                 return f64::NAN;
             }
+            greatest = greatest.max(error);
         }
         greatest
     }

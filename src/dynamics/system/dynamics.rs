@@ -8,6 +8,7 @@ use super::{Bundle, DIRECTIONS, Scratch, System};
 use crate::dynamics::integrate::{
     Dynamics, EventFunction, Impact, Modes, PhysicalStop, Probe, Singularity,
 };
+use crate::math::narrow::Narrow;
 use crate::math::number::{Dual, Duals};
 use crate::math::polynomial::Step;
 
@@ -288,6 +289,10 @@ impl Dynamics for System {
             true => LONGEST_HELD * super::scales::quickest(self.laws_sampled()),
             false => f64::INFINITY,
         }
+    }
+
+    fn narrow(&self, from: f64, to: f64, modes: &Modes) -> Vec<Narrow> {
+        self.frozen.narrow(from, to, &modes.0)
     }
 
     fn has_crossings(&self) -> bool {

@@ -31,6 +31,7 @@ mod links;
 mod loads;
 mod masses;
 mod multi;
+mod narrow;
 mod observe;
 mod onset;
 mod outlook;

@@ -15,11 +15,18 @@ use super::loads::FrozenLoad;
 use super::multi::MultiWork;
 use super::passes::{Extent, Work};
 use crate::dynamics::model::LoadLaw;
+use crate::kinematics::motion::DriveMotion;
 use std::f64::consts::PI;
 
 /// Samples along a drive's motion, and its turns after the last break.
 const SAMPLES: usize = 1024;
 const TURNS: f64 = 8.0;
+
+/// Time over which the speed of a motion by an expression is looked at (s), and at how many
+/// places, spread by the golden ratio.
+const WRITTEN_TIME: f64 = 10.0;
+const WRITTEN_LOOKS: u32 = 64;
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Share of a limited reach at each end that is not sampled.
 pub(super) const EDGE: f64 = 0.05;
@@ -370,11 +377,24 @@ fn drive_sample(drive: &super::frozen::Prescribed, share: f64) -> [f64; 3] {
         return at(2.0 * share * last);
     }
     let share = if last > 0.0 { 2.0 * share - 1.0 } else { share };
-    let speed = at(last)[1].abs();
-    let span = if speed > 0.0 {
-        TURNS * 2.0 * PI / speed
-    } else {
-        0.0
+    let speed = match drive.motion {
+        // It may be at rest anywhere, and what it does far away is not known.
+        DriveMotion::Written(_) => (0..WRITTEN_LOOKS)
+            .map(|look| last + WRITTEN_TIME * (f64::from(look) * GOLDEN).fract())
+            .map(|time| at(time)[1].abs())
+            .filter(|speed| speed.is_finite())
+            .fold(0.0, f64::max),
+        DriveMotion::Constant { .. }
+        | DriveMotion::Accelerated { .. }
+        | DriveMotion::RunUp { .. }
+        | DriveMotion::Plan(_)
+        | DriveMotion::LawRunUp(_)
+        | DriveMotion::Table(_) => at(last)[1].abs(),
+    };
+    let span = match (&drive.motion, speed > 0.0) {
+        (DriveMotion::Written(_), false) => WRITTEN_TIME,
+        (_, true) => TURNS * 2.0 * PI / speed,
+        (_, false) => 0.0,
     };
     at(last + share * span)
 }

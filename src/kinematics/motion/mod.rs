@@ -18,6 +18,7 @@ pub use written::WrittenMotion;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::math::jet::Jet;
+use crate::math::narrow::{Narrow, narrow};
 
 /// Prescribed motion φ(t) of a drive.
 #[derive(Clone, Debug)]
@@ -195,6 +196,37 @@ impl DriveMotion {
                     1 => spline.jet(time),
                     2.. => continued(spline, last, time),
                 }
+            }
+        }
+    }
+
+    /// The stretches between two times of a segment in which the speed changes so briefly
+    /// that long steps would pass over it unseen.
+    pub(crate) fn narrow(&self, segment: i64, from: f64, to: f64) -> Vec<Narrow> {
+        let speed = |time: f64| self.jet(segment, time).first;
+        match self {
+            // Their formulas are simple between breaks.
+            Self::Constant { .. }
+            | Self::Accelerated { .. }
+            | Self::RunUp { .. }
+            | Self::Plan(_)
+            | Self::LawRunUp(_) => Vec::new(),
+            Self::Written(written) => {
+                let bounds = |a, b| written.speeds(segment, a, b);
+                narrow(from, to, bounds, speed)
+            }
+            Self::Table(spline) => {
+                let bounds = |a: f64, b: f64| {
+                    let knots = spline.knots();
+                    let inner = knots.partition_point(|&knot| knot <= a)
+                        ..knots.partition_point(|&knot| knot < b);
+                    let inner = knots.get(inner).unwrap_or_default().iter().copied();
+                    let speeds = inner.chain([a, b]).map(speed);
+                    speeds.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], speed| {
+                        [low.min(speed), high.max(speed)]
+                    })
+                };
+                narrow(from, to, bounds, speed)
             }
         }
     }

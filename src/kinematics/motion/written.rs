@@ -2,7 +2,7 @@
 
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
-use crate::math::expression::{Expression, MOST, OfOne, Program, Third};
+use crate::math::expression::{Expression, Interval, MOST, Moving, OfOne, Program, Third};
 use crate::math::jet::Jet;
 
 /// Jumps of a displacement or a speed below this share of its size are rounding.
@@ -95,15 +95,36 @@ impl WrittenMotion {
         self.factor
     }
 
-    /// Displacement and its derivatives, by the formula of `segment`.
-    pub(super) fn jet(&self, segment: i64, time: f64) -> Jet {
+    /// Piece and turn of a segment.
+    fn piece(&self, segment: i64) -> (usize, i64) {
         let (piece, _) = self.breaks.piece(segment);
         let turn = match self.breaks.period {
             Some(_) => segment.div_euclid(self.breaks.points.len().max(1) as i64),
             None => 0,
         };
+        (piece, turn)
+    }
+
+    /// Displacement and its derivatives, by the formula of `segment`.
+    pub(super) fn jet(&self, segment: i64, time: f64) -> Jet {
+        let (piece, turn) = self.piece(segment);
         let jet = self.function.at(Third::variable(time), piece, turn).0;
         jet.scaled(self.factor)
+    }
+
+    /// Bounds of the speed between two times of a segment; not numbers where none are known.
+    pub(super) fn speeds(&self, segment: i64, from: f64, to: f64) -> [f64; 2] {
+        let (piece, turn) = self.piece(segment);
+        let time = Moving {
+            value: Interval::between(from, to),
+            rate: Interval::of(1.0),
+        };
+        let rate = self.function.at(time, piece, turn).rate;
+        let ends = [rate.low, rate.high].map(|end| self.factor * end);
+        match self.factor < 0.0 {
+            true => [ends[1], ends[0]],
+            false => ends,
+        }
     }
 
     /// Times at which the formula changes.

@@ -93,6 +93,21 @@ pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
     run.radau = Some(stepper);
 }
 
+/// The state to which a step of a length (s) leads from where the run stands, if it keeps the
+/// tolerance. The run does not take it.
+pub(super) fn foresee<D: Dynamics>(run: &mut Run<'_, D>, length: f64) -> Option<Vec<f64>> {
+    let tolerance = run.settings.tolerance;
+    let known = run.radau.take();
+    let mut stepper = known.unwrap_or_else(|| Stepper::new(run.evaluator.dynamics, tolerance));
+    let foreseen = match &mut stepper {
+        Stepper::Three(radau) => radau.foresee(run, length),
+        Stepper::Five(radau) => radau.foresee(run, length),
+        Stepper::Seven(radau) => radau.foresee(run, length),
+    };
+    run.radau = Some(stepper);
+    foreseen
+}
+
 /// The method with S stages, L = (S + 1)/2.
 #[derive(Debug)]
 pub(super) struct Radau<const S: usize, const L: usize> {
@@ -179,6 +194,12 @@ impl<const S: usize, const L: usize> Radau<S, L> {
             }
             self.stages.keep(length);
         }
+    }
+
+    fn foresee<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Option<Vec<f64>> {
+        self.stages.forget();
+        let attempt = self.attempt(run, length);
+        matches!(attempt, Attempt::Error(error) if error <= 1.0).then(|| self.y.clone())
     }
 
     /// Factor on the step after one of a certain error was accepted; the

@@ -147,6 +147,7 @@ impl<D: Dynamics> Run<'_, D> {
         impact: Option<(&Impact, &[f64])>,
     ) {
         self.fresh = true;
+        self.forget_trial();
         *self.evaluator.modes.borrow_mut() = after.clone();
         self.evaluator
             .dynamics

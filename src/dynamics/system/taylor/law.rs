@@ -137,7 +137,8 @@ pub(super) fn excess_in_time(
     let rounding = COEFFICIENT_ROUNDING * (middle.first.abs() + bends);
     let last = greatest(&speeds[DEGREE - 1..]) - rounding;
     let size = greatest(&speeds[1..]);
-    if last <= 0.0 {
+    // (A way below the rounding of the displacement is none.)
+    if last <= 0.0 || last * radius <= COEFFICIENT_ROUNDING * middle.value.abs() {
         return 1.0;
     }
     // What is not a number is not known over any time.

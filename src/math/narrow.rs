@@ -1,0 +1,194 @@
+//! Narrow stretches of a function of one variable: where it changes within a small part of
+//! a span, so that long steps would pass over it unseen.
+//!
+//! The span is halved until samples of a panel show about all that bounds of the function
+//! allow in it. Panels that had to become short for that are narrow.
+
+/// A stretch in which steps must be short.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Narrow {
+    /// Where it begins.
+    pub from: f64,
+    /// Where it ends.
+    pub to: f64,
+    /// Longest step in it.
+    pub longest: f64,
+}
+
+/// Samples of a panel less one.
+const SAMPLES: usize = 8;
+/// Samples of the whole span, for the size of the function.
+const LOOKS: usize = 64;
+/// Bounds may be so many times as wide as the range of the samples: they are wider than
+/// the function is.
+const WIDER: f64 = 4.0;
+/// A change below this share of the greatest one does not count.
+const COUNTS: f64 = 0.01;
+/// Changes below this share of the bounds over the whole span are rounding.
+const NOISE: f64 = 1e-9;
+/// Most halvings one in another, and most panels.
+const DEEPEST: u32 = 24;
+const MOST: usize = 4096;
+/// A panel shorter than this share of the span is narrow.
+const SHORT: f64 = 1.0 / 16.0;
+
+/// A panel with the range of its samples.
+#[derive(Clone, Copy, Debug)]
+struct Panel {
+    from: f64,
+    to: f64,
+    change: f64,
+}
+
+/// The narrow stretches between two places, ascending. `bounds` gives the least and the
+/// greatest value that a function can have between two places, not numbers where nothing is
+/// known; `value` the function.
+///
+/// Where bounds say nothing down to short panels, or there are too many, nothing is narrow.
+pub(crate) fn narrow(
+    from: f64,
+    to: f64,
+    bounds: impl Fn(f64, f64) -> [f64; 2],
+    value: impl Fn(f64) -> f64,
+) -> Vec<Narrow> {
+    let whole = width(bounds(from, to));
+    if whole == 0.0 {
+        return Vec::new();
+    }
+    let mut greatest = range(from, to, LOOKS, &value);
+    if whole <= WIDER * range(from, to, SAMPLES, &value) {
+        return Vec::new();
+    }
+    let noise = if whole.is_finite() {
+        NOISE * whole
+    } else {
+        0.0
+    };
+    let mut panels: Vec<Panel> = Vec::new();
+    let mut open = vec![(from, to, 0)];
+    let mut looks = 0;
+    while let Some((a, b, depth)) = open.pop() {
+        looks += 1;
+        if looks > MOST {
+            return Vec::new();
+        }
+        let change = range(a, b, SAMPLES, &value);
+        greatest = greatest.max(change);
+        let wide = width(bounds(a, b));
+        let seen = wide <= (WIDER * change).max(COUNTS * greatest).max(noise);
+        if seen || depth >= DEEPEST {
+            // What nothing is known of is not called narrow.
+            let change = if seen { change } else { 0.0 };
+            panels.push(Panel {
+                from: a,
+                to: b,
+                change,
+            });
+        } else {
+            let middle = 0.5 * (a + b);
+            open.push((middle, b, depth + 1));
+            open.push((a, middle, depth + 1));
+        }
+    }
+    joined(&panels, COUNTS * greatest, SHORT * (to - from))
+}
+
+/// Neighbours that are narrow as one stretch; its steps are no longer than the panel that changes most.
+fn joined(panels: &[Panel], counts: f64, short: f64) -> Vec<Narrow> {
+    let mut found: Vec<Narrow> = Vec::new();
+    let mut most = 0.0;
+    let narrow = |panel: &&Panel| panel.to - panel.from < short && panel.change > counts;
+    for panel in panels.iter().filter(narrow) {
+        let longest = panel.to - panel.from;
+        match found.last_mut().filter(|last| last.to == panel.from) {
+            Some(last) => {
+                last.to = panel.to;
+                if panel.change > most {
+                    (most, last.longest) = (panel.change, longest);
+                }
+            }
+            None => {
+                most = panel.change;
+                let Panel { from, to, .. } = *panel;
+                found.push(Narrow { from, to, longest });
+            }
+        }
+    }
+    found
+}
+
+/// Infinite where nothing is known.
+fn width([low, high]: [f64; 2]) -> f64 {
+    let width = high - low;
+    if width.is_nan() { f64::INFINITY } else { width }
+}
+
+/// Range of samples; those that are not numbers do not count.
+fn range(from: f64, to: f64, count: usize, value: &impl Fn(f64) -> f64) -> f64 {
+    let places = (0..=count).map(|k| from + (to - from) * (k as f64 / count as f64));
+    let ends = places
+        .map(value)
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(value), high.max(value)]
+        });
+    (ends[1] - ends[0]).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Narrow, narrow};
+    use crate::math::expression::{Expression, Interval, Moving};
+
+    /// The narrow stretches of the speed of an expression of t.
+    fn of(text: &str, from: f64, to: f64) -> Vec<Narrow> {
+        let expression = Expression::new(text, &["t"]).unwrap();
+        let code = &expression.program().value;
+        let none = |_: u16| crate::math::expression::OPEN;
+        let bounds = |a: f64, b: f64| {
+            let moving = Moving {
+                value: Interval::between(a, b),
+                rate: Interval::of(1.0),
+            };
+            let rate = code.evaluate(&[moving], &none).rate;
+            [rate.low, rate.high]
+        };
+        let speed = |t: f64| {
+            let dual = crate::math::number::Dual::new(t, 1.0);
+            code.evaluate(&[dual], &none).derivative
+        };
+        narrow(from, to, bounds, speed)
+    }
+
+    #[test]
+    fn a_pulse_is_found_wherever_it_is() {
+        for place in [0.0131, 0.7, 0.7131, 7.77, 19.9] {
+            for width in [0.3, 0.01, 1e-4] {
+                let text = format!("3*t+0.01*exp(-((t-{place})/{width})^2)");
+                let found = of(&text, 0.0, 20.0);
+                let bend = |one: &Narrow| one.from < place + width && place - width < one.to;
+                let here = found.iter().find(|one| bend(one));
+                let here = here.unwrap_or_else(|| panic!("{text}: {found:?}"));
+                assert!(here.longest < 4.0 * width, "{text}: {found:?}");
+                let all: f64 = found.iter().map(|one| one.to - one.from).sum();
+                assert!(all < 30.0 * width, "{text}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_changes_everywhere_is_narrow_nowhere() {
+        for text in [
+            "0.3*sin(20*t)",
+            "20*t+0.5*sin(5*t)",
+            "0.05*sin(11*t)+0.03*sin(17.3*t)",
+            "t*sin(20*t)",
+            "t^2",
+            "0.2*(1-exp(-5*t))",
+            "0.3",
+            "1e-3*(t^3-4*t^4+6*t^5-4*t^6+t^7)",
+        ] {
+            let found = of(text, 0.0, 2.0);
+            assert_eq!(found, [], "{text}");
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! Motions that become stiff on the way, springs that hold, motions of drives that change
+//! briefly: steps follow what is there, whatever the method.
+
+use approx::assert_relative_eq;
+use dam::prelude::*;
+use dam::studies::run::RunResult;
+use serde_json::{Value, json};
+
+fn run(scene: &Value) -> RunResult {
+    let scene = Scene::from_json(&scene.to_string()).expect("a scene");
+    scene.run().expect("a run")
+}
+
+fn by(scene: &Value, method: &str) -> RunResult {
+    let mut scene = scene.clone();
+    scene["run"]["method"] = method.into();
+    run(&scene)
+}
+
+fn figure(result: &RunResult, name: &str) -> f64 {
+    let found = result.figures.value(name);
+    found.unwrap_or_else(|| panic!("{name}"))
+}
+
+/// A brake on a turning disc, down to a creep: −J·ω̇ = F·tanh(ω/w) − M.
+fn brake() -> Value {
+    json!({ "dam": 1, "name": "Brake", "objects": { "d": {
+        "kind": "drive",
+        "motor": { "inertia": 0.5, "speed": 80, "torque": { "constant": 3 } },
+        "loads": { "brake": { "friction": { "force": 40, "width": 0.001 } } } } },
+        "run": { "duration": 2 } })
+}
+
+/// Two inertias, driven and free, that a clutch joins from 0.2 s on.
+fn clutch() -> Value {
+    let load = |text: &str, over: &str| json!({ "c": { "expression": text, "over": over } });
+    json!({ "dam": 1, "name": "Clutch", "objects": {
+        "a": { "kind": "drive",
+            "motor": { "inertia": 0.4, "speed": 100, "torque": { "constant": 5 } },
+            "loads": load("-(t<0.2 ? 0 : 60)*tanh((phi_dot - over_phi_dot)/0.01)", "b") },
+        "b": { "kind": "drive",
+            "motor": { "inertia": 0.6, "speed": 0, "torque": { "constant": 0 } },
+            "loads": load("(t<0.2 ? 0 : 60)*tanh((over_phi_dot - phi_dot)/0.01)", "a") } },
+        "run": { "duration": 1.5, "tolerance": 1e-8 } })
+}
+
+#[test]
+fn a_motion_that_becomes_stiff_goes_on_by_another_method() {
+    let found = run(&brake());
+    // It slides for 80/74 s, then creeps at w·artanh(3/40).
+    assert!(found.is_trusted());
+    assert_relative_eq!(
+        figure(&found, "d.final.displacement"),
+        80.0f64.powi(2) / 148.0,
+        max_relative = 1e-6
+    );
+    assert_relative_eq!(
+        figure(&found, "d.final.speed"),
+        0.001 * 0.075f64.atanh(),
+        max_relative = 1e-4
+    );
+    let summary = &found.figures.run;
+    assert_eq!(summary.method, "taylor, then radau");
+    assert!(summary.why.contains("stiff"), "{}", summary.why);
+    let best = by(&brake(), "radau").figures.run.evaluations;
+    assert!(
+        summary.evaluations < 2 * best,
+        "{} {best}",
+        summary.evaluations
+    );
+
+    let found = run(&clutch());
+    assert!(found.is_trusted());
+    // Momentum: 0.4·100 + 5·1.5 = 47.5, on both in the end.
+    let [a, b] = ["a", "b"].map(|id| figure(&found, &format!("{id}.final.speed")));
+    assert_relative_eq!(0.4 * a + 0.6 * b, 47.5, max_relative = 1e-9);
+    assert_relative_eq!(
+        figure(&found, "a.final.displacement"),
+        91.0463136,
+        max_relative = 1e-8
+    );
+    assert!(found.figures.run.steps < 300, "{}", found.figures.run.steps);
+    // One method by name stays what it is, and comes to the same.
+    let alone = by(&clutch(), "taylor");
+    assert_eq!(alone.figures.run.method, "taylor");
+    assert_relative_eq!(
+        figure(&alone, "a.final.displacement"),
+        91.0463136,
+        max_relative = 1e-8
+    );
+}
+
+#[test]
+fn a_motion_that_does_not_become_stiff_stays_with_its_method() {
+    let mut scene = clutch();
+    for id in ["a", "b"] {
+        let own = scene["objects"][id]["loads"]["c"]["expression"]
+            .as_str()
+            .unwrap();
+        let soft = own.replace("/0.01)", "/20)").replace("t<0.2", "t<0");
+        scene["objects"][id]["loads"]["c"]["expression"] = soft.into();
+    }
+    scene["run"]["duration"] = 20.into();
+    let found = run(&scene);
+    assert!(found.is_trusted() && !found.figures.run.method.contains("then"));
+}
+
+/// A mass on a cam with a spring to the ground, from soft to much stiffer than what drives it.
+fn held(rate: f64) -> Value {
+    json!({ "dam": 1, "name": "Held", "objects": {
+        "cam": { "kind": "drive", "motion": { "speed": "300 rpm" } },
+        "f": { "kind": "slider", "input": "cam", "masses": 1, "inertia": 2,
+            "stiffness": 1e5, "damping_capacity": 0.3,
+            "position": { "cam": { "lift": "20 mm", "rise": "60 deg", "dwell": "120 deg",
+                "return": "60 deg", "law": "cycloidal" } },
+            "loads": { "s": { "spring": { "rate": rate } } } } },
+        "run": { "duration": 0.033, "tolerance": 1e-9 } })
+}
+
+#[test]
+fn a_spring_that_holds_does_not_loosen_the_error() {
+    for rate in [1e6, 1e7, 1e8, 1e9, 1e11] {
+        let exact = run(&held(rate));
+        assert_eq!(exact.figures.run.method, "exact");
+        for method in ["radau", "rodas5p", "dop853"] {
+            if method == "dop853" && rate > 1e8 {
+                continue;
+            }
+            let found = by(&held(rate), method);
+            assert!(found.is_trusted(), "{rate} {method}: {:?}", found.warnings);
+            for name in ["f.delta_abs", "f.peak_reaction"] {
+                let [a, b] = [&exact, &found].map(|result| figure(result, name));
+                assert!(
+                    (a - b).abs() < 1e-7 * a.abs(),
+                    "{rate} {method} {name}: {a} {b}"
+                );
+            }
+        }
+    }
+}
+
+/// A wheel on a shaft behind a motion by an expression.
+fn behind(motion: &str, duration: f64) -> Value {
+    json!({ "dam": 1, "name": "Written", "objects": {
+        "d": { "kind": "drive", "motion": { "expression": motion } },
+        "w": { "kind": "shaft", "input": "d", "masses": 1, "inertia": 0.05,
+            "stiffness": 5000, "damping": 2 } },
+        "run": { "duration": duration, "start": "on_law", "tolerance": 1e-8 } })
+}
+
+/// Values by scipy's DOP853 at 1e-11, in pieces around the pulse.
+#[test]
+fn a_brief_motion_is_seen_by_every_method_wherever_it_is() {
+    for (place, duration) in [(0.7, 1.7), (0.7131, 20.0)] {
+        let scene = behind(&format!("0.01*exp(-((t-{place})/0.01)^2)"), duration);
+        for method in ["taylor", "radau", "rodas5p", "dop853", "dopri5"] {
+            let found = by(&scene, method);
+            assert!(found.is_trusted(), "{method}: {:?}", found.warnings);
+            let delta = figure(&found, "w.delta_abs");
+            assert_relative_eq!(delta, 4.041857e-3, max_relative = 1e-6);
+        }
+    }
+}
+
+/// Values by scipy's DOP853 at 1e-12, piece by piece.
+#[test]
+fn a_motion_out_of_exact_rest_begins_with_every_method() {
+    let mut scene = behind("sin(2*pi*t)>0 ? sin(2*pi*t)^3 : 0", 1.7);
+    scene["objects"]["w"]
+        .as_object_mut()
+        .unwrap()
+        .remove("damping");
+    scene["objects"]["w"]["damping_capacity"] = 0.3.into();
+    for method in ["taylor", "radau", "rodas5p", "dop853"] {
+        let found = by(&scene, method);
+        assert!(found.is_complete() && found.is_trusted(), "{method}");
+        assert_relative_eq!(
+            figure(&found, "w.delta_abs"),
+            1.19023e-3,
+            max_relative = 1e-5
+        );
+        assert_relative_eq!(
+            figure(&found, "w.peak_reaction"),
+            5.951,
+            max_relative = 1e-4
+        );
+    }
+}
+
+#[test]
+fn a_rigid_follower_over_a_moving_ground_touches_it_when_it_does() {
+    // The ball falls freely from 0.1 m, with the speed of the ground at the start: the deviation
+    // from its law has none.
+    let speed = 0.005 * 60.0 * std::f64::consts::PI;
+    let clearance = |t: f64| {
+        let ground = 0.005 * (60.0 * std::f64::consts::PI * t).sin();
+        0.1 + speed * t - 4.905 * t * t - ground
+    };
+    let ground = json!({ "kind": "drive", "coordinate": "sliding",
+        "motion": { "expression": "0.005*sin(2*pi*30*t)" } });
+    let scene = json!({ "dam": 1, "name": "Ground", "objects": { "ground": ground,
+        "ball": { "kind": "slider", "input": "ground", "position": { "ratio": 1 },
+            "inertia": 0.5, "masses": 0,
+            "pair": { "closure": "force", "contact": { "law": "hunt_crossley",
+                "stiffness": 1e4, "dissipation": 0.3 } },
+            "loads": { "w": { "constant": -4.905 } } } },
+        "run": { "duration": 0.17, "start": { "ball": { "displacement": [0.1], "speed": [0] } } } });
+    for method in ["auto", "taylor", "radau", "dop853", "rodas5p"] {
+        let found = by(&scene, method);
+        assert!(found.is_trusted(), "{method}: {:?}", found.warnings);
+        let first = figure(&found, "ball.pair.separated_time");
+        assert!(
+            clearance(first - 1e-6) * clearance(first + 1e-6) < 0.0,
+            "{method}: {first}"
+        );
+    }
+}
