@@ -42,7 +42,7 @@ pub enum Cause {
 const FIRST_WINDOW: u64 = 32;
 const LONGEST_WINDOW: u64 = 1 << 14;
 /// Work that the change must save: by this factor.
-const GAIN: f64 = 2.0;
+const GAIN: f64 = 3.0;
 /// Evaluations of a step of `radau` as first expected, and what its elimination adds.
 const EXPECTED: f64 = 60.0;
 const ELIMINATION: f64 = 1.5;
@@ -57,7 +57,7 @@ pub(super) struct Changing {
     pub(super) reserve: Vec<Reserve>,
     pub(super) changes: Vec<Change>,
     window: u64,
-    /// Steps since the last trial, and time and evaluations then.
+    /// Steps since the last trial; time and evaluations when half of the window was over.
     counted: u64,
     since: (f64, u64),
     /// Where a long step would have led that seems to save work.
@@ -115,16 +115,19 @@ impl<D: Dynamics> Run<'_, D> {
             self.changing.due = self.confirms(&trial);
             return self.changing.due;
         }
-        if self.changing.counted == 0 {
+        // The first steps behind a start or a switch are short without need.
+        let half = self.changing.window / 2;
+        if self.changing.counted == half {
             self.changing.since = (self.from.time, self.evaluator.evaluations());
         }
         self.changing.counted += 1;
         if self.changing.counted <= self.changing.window {
             return false;
         }
-        let steps = (self.changing.counted - 1) as f64;
+        let steps = (self.changing.counted - 1 - half) as f64;
         let (since, before) = self.changing.since;
-        let step = (self.from.time - since) / steps;
+        let last = self.output.step(1.0).length;
+        let step = ((self.from.time - since) / steps).max(last);
         let work = (self.evaluator.evaluations() - before) as f64 / steps;
         let wanted = GAIN * ELIMINATION * EXPECTED / work.max(1.0) * step;
         let rest = self.target - self.from.time;
