@@ -19,7 +19,7 @@ fn by(scene: &Value, method: &str) -> RunResult {
 
 fn figure(result: &RunResult, name: &str) -> f64 {
     let found = result.figures.value(name);
-    found.unwrap_or_else(|| panic!("{name}"))
+    found.unwrap_or_else(|_| panic!("{name}"))
 }
 
 /// A brake on a turning disc, down to a creep: −J·ω̇ = F·tanh(ω/w) − M.
