@@ -46,6 +46,9 @@ const GAIN: f64 = 3.0;
 /// Evaluations of a step of `radau` as first expected, and what its elimination adds.
 const EXPECTED: f64 = 60.0;
 const ELIMINATION: f64 = 1.5;
+/// Trials in succession that must come out as foreseen, and the steps between them.
+const CONFIRMATIONS: u32 = 2;
+const AGAIN: u64 = 12;
 /// What is foreseen may differ so many tolerances from what comes.
 const CONFIRMED: f64 = 100.0;
 /// A step that is not so many times as long is not tried.
@@ -62,6 +65,8 @@ pub(super) struct Changing {
     since: (f64, u64),
     /// Where a long step would have led that seems to save work.
     trial: Option<Trial>,
+    /// Trials in succession that came out as foreseen.
+    confirmed: u32,
     due: bool,
 }
 
@@ -81,6 +86,7 @@ impl Changing {
             counted: 0,
             since: (0.0, 0),
             trial: None,
+            confirmed: 0,
             due: false,
         }
     }
@@ -112,7 +118,14 @@ impl<D: Dynamics> Run<'_, D> {
                 self.changing.trial = Some(trial);
                 return false;
             }
-            self.changing.due = self.confirms(&trial);
+            if !self.confirms(&trial) {
+                self.changing.confirmed = 0;
+                return false;
+            }
+            self.changing.confirmed += 1;
+            self.changing.due = self.changing.confirmed >= CONFIRMATIONS;
+            // What is true of a moment only, between two switches, is no reason to change.
+            self.changing.window = AGAIN;
             return self.changing.due;
         }
         // The first steps behind a start or a switch are short without need.
@@ -145,6 +158,9 @@ impl<D: Dynamics> Run<'_, D> {
         let saves = length / cost >= GAIN * step / work.max(1.0);
         let time = self.from.time + length;
         self.changing.trial = foreseen.filter(|_| saves).map(|y| Trial { time, y });
+        if self.changing.trial.is_none() {
+            self.changing.confirmed = 0;
+        }
         false
     }
 
@@ -168,6 +184,7 @@ impl<D: Dynamics> Run<'_, D> {
     /// Something has switched: what was foreseen does not come.
     pub(super) fn forget_trial(&mut self) {
         self.changing.trial = None;
+        self.changing.confirmed = 0;
     }
 
     /// Goes on with another method where that is due, or where the method cannot go on.

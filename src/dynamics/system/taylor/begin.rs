@@ -16,7 +16,7 @@ impl Frozen {
         let Start { time, y, dy, modes } = *start;
         self.motion(time, y, modes, Extent::Full, work);
         self.known_accelerations(&dy[self.coordinates..], work);
-        taylor.excess = 1.0;
+        taylor.excess = 0.0;
         let (u, v) = y.split_at(self.coordinates);
         for (coordinate, series) in taylor.u.iter_mut().enumerate() {
             series[0] = u[coordinate];

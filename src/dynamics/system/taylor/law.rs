@@ -122,7 +122,7 @@ pub(super) fn polynomial(middle: Jet, below: Jet, above: Jet, radius: f64) -> [f
 
 /// Factor by which a step is too long for the polynomial of a prescribed motion over a
 /// time `radius` to both sides of `time`, when the last two coefficients may have a share
-/// `allowed`; at least 1.
+/// `allowed`; at least 1, or 0 where the polynomial is the motion itself.
 ///
 /// The share is one of the change of speed: what a machine answers to is not the mean speed.
 pub(super) fn excess_in_time(
@@ -139,7 +139,7 @@ pub(super) fn excess_in_time(
     let size = greatest(&speeds[1..]);
     // (A way below the rounding of the displacement is none.)
     if last <= 0.0 || last * radius <= COEFFICIENT_ROUNDING * middle.value.abs() {
-        return 1.0;
+        return 0.0;
     }
     // What is not a number is not known over any time.
     greater(1.0, (last / (allowed * size)).powf(1.0 / DEGREE as f64))

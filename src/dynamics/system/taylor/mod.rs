@@ -100,7 +100,7 @@ impl Taylor {
             v: series(frozen.coordinates),
             length: 1.0,
             last: law::last(HIGHEST),
-            excess: 1.0,
+            excess: 0.0,
         }
     }
 
