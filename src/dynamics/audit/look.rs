@@ -196,7 +196,7 @@ impl Looker {
                 let due = self.due.max(from);
                 let window = |share: &f64| {
                     let length = longest * share;
-                    let begin = (due - 0.5 * length).clamp(from, until - length);
+                    let begin = (due - 0.5 * length).min(until - length).max(from);
                     self.window([begin, length], state)
                 };
                 let windows = LENGTHS.iter().map(window).collect();
