@@ -256,7 +256,10 @@ impl<'s> Judge<'s> {
         self.judge_contacts(look);
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {
-            if let Some((defect, bound)) = *best {
+            if let Some((defect, mut bound)) = *best {
+                if !(defect <= bound) {
+                    bound += self.sensitivity(node, look) / self.scales.size[node];
+                }
                 let what = match self.mechanics.coordinate[node] {
                     Some(_) => "equation of motion",
                     None => "force on the driver",
@@ -265,6 +268,34 @@ impl<'s> Judge<'s> {
                     .see(defect, bound, (time, &self.names[node]), what);
             }
         }
+    }
+
+    /// What the force on a coordinate changes by when its state is off by as much as the
+    /// tolerance allows: much, where friction is steep.
+    fn sensitivity(&mut self, node: usize, look: &Look) -> f64 {
+        let Some(own) = self.mechanics.coordinate[node].filter(|_| !self.asked.closed) else {
+            return 0.0;
+        };
+        let window = &look.windows[0];
+        let entries = [own, self.system.coordinates() + own];
+        let mut mean = 0.0;
+        let inner = window.times.iter().zip(&window.states).skip(1);
+        for ((&time, y), weight) in inner.zip(WEIGHTS) {
+            let mut force = |y: &[f64]| {
+                self.mechanics.look(time, y, &look.modes.0);
+                self.mechanics.nodes[node].force + self.mechanics.nodes[node].link
+            };
+            let here = force(y);
+            for entry in entries {
+                let off = OF_STATE * self.asked.tolerance * self.system.size(entry, y[entry]);
+                for sign in [1.0, -1.0] {
+                    let mut moved = y.clone();
+                    moved[entry] += sign * off;
+                    mean += 0.5 * weight * (force(&moved) - here).abs();
+                }
+            }
+        }
+        mean
     }
 
     /// The force that moves each prescribed node, and that with which each rigid node pulls at

@@ -6,10 +6,10 @@ use crate::dynamics::integrate::{Impact, Modes, SwitchEvent};
 pub(crate) const SEED: u64 = 0x00da_5eed;
 
 /// Instants that are drawn in a run.
-const INSTANTS: usize = 16;
+const INSTANTS: usize = 10;
 
 /// Switches that are kept.
-const SWITCHES: usize = 16;
+const SWITCHES: usize = 8;
 
 /// Most numbers of states that are kept.
 const ROOM: usize = 1 << 20;
@@ -36,7 +36,7 @@ pub(super) const WEIGHTS: [f64; 6] = [
 
 /// Lengths of the windows about an instant, in that of the first: where forces change too
 /// fast for a long one, a shorter one resolves them.
-const LENGTHS: [f64; 3] = [1.0, 0.125, 0.015_625];
+const LENGTHS: [f64; 2] = [1.0, 0.03125];
 
 /// Share of a step that is looked at.
 const PART: f64 = 0.45;
