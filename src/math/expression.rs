@@ -36,7 +36,7 @@ pub(crate) use evaluate::Scalar;
 pub(crate) use function::Function;
 pub(crate) use interval::Interval;
 pub(crate) use moving::Moving;
-pub(crate) use of_one::{MOST, OfOne};
+pub(crate) use of_one::{MOST, OfOne, Repetition};
 pub(crate) use ordered::{Ordered, about};
 pub(crate) use program::{OPEN, Program};
 pub(crate) use third::Third;

@@ -5,6 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
+use super::hidden::{Look, Looks};
 use super::prescribed::{Formulas, Instant, PLACE_ROUNDING, PrescribedMotion};
 use crate::exact::LAW_DEGREE;
 use crate::math::chebyshev::{Nodes, combined, in_powers};
@@ -20,6 +21,9 @@ const TAIL: f64 = 16.0 * f64::EPSILON;
 
 /// Greatest ratio of the sum of the coefficients in powers to the function.
 const CANCELLATION: f64 = 60.0;
+
+/// Below this numbers have lost digits, and count as zero.
+pub(super) const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
 /// Target of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -126,15 +130,28 @@ pub(crate) fn fit(
     // as it goes, within reason.
     for (tail, trials) in [(TAIL, 24), (4.0 * TAIL, 24), (32.0 * TAIL, 90)] {
         let (mut length, mut end) = (longest, whole);
-        for _ in 0..trials {
+        let (mut tried, mut looks) = (0, Looks::default());
+        let mut whole_fit = None;
+        while tried < trials {
             if !(time + length > time) {
                 break;
             }
             match attempt(course, &formulas, last, (time, length), target, tail) {
-                Trial::Good(fit) => return Some(Fit { end, ..fit }),
+                Trial::Good(fit) => {
+                    let fit = Fit { end, ..fit };
+                    let first = *whole_fit.get_or_insert(fit);
+                    match looks.judge(course.excess(&formulas, time, length)) {
+                        Look::Take => return Some(fit),
+                        Look::Unbounded => return Some(first),
+                        Look::Halve => length *= 0.5,
+                    }
+                    end = time + length;
+                    continue;
+                }
                 Trial::Leaves(after) => length = after,
                 Trial::Long => length *= 0.5,
             }
+            tried += 1;
             end = time + length;
         }
     }
@@ -155,9 +172,10 @@ fn attempt(
         Ok(Some(after)) => return Trial::Leaves(after),
         Err(()) => return Trial::Long,
     }
-    let mut size = 0.0f64;
+    let (mut size, mut speed, mut span) = (0.0f64, 0.0f64, 0.0f64);
     let values = TABLES.places.map(|place| {
         let now = course.at(formulas, depth, time + place * length);
+        (speed, span) = (speed.max(now.speed.abs()), span.max(now.span));
         let (value, own) = match target {
             Target::Displacement => (now.value, now.span),
             Target::Acceleration => (now.acceleration, now.size),
@@ -165,6 +183,11 @@ fn attempt(
         size = size.max(own);
         value
     });
+    size = size.max(NOTHING);
+    if target == Target::Acceleration && course.is_written() {
+        // What changes neither speed nor displacement within their rounding is rounding.
+        size = size.max((speed / length).min(span / (length * length)));
+    }
     let c = coefficients(&values);
     let rest = c[LAW_DEGREE + 1..]
         .iter()

@@ -11,6 +11,7 @@
 
 mod builder;
 mod fit;
+mod hidden;
 mod law;
 mod load;
 mod prescribed;

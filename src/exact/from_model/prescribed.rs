@@ -6,6 +6,7 @@
 //! once, for the motion just after it; polynomials are then fitted to that
 //! formula alone and end where the motion leaves it.
 
+use super::hidden;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
@@ -204,6 +205,39 @@ impl PrescribedMotion {
         found.unwrap_or(f64::INFINITY)
     }
 
+    /// By how much the speed of the drives may change more within an interval than
+    /// samples show, as a ratio: at most 1 where samples show all. Motions by named laws
+    /// do nothing that they do not show; written ones are bounded.
+    pub(super) fn excess(&self, formulas: &Formulas, time: f64, length: f64) -> f64 {
+        match &self.source {
+            Source::Sum { terms, .. } => {
+                let each = terms.iter().zip(&formulas.terms);
+                let each = each.map(|((_, term), own)| term.excess(own, time, length));
+                each.fold(0.0, |most: f64, own| if own <= most { most } else { own })
+            }
+            Source::Drive { motion, .. } => match motion {
+                DriveMotion::Written(written) => {
+                    hidden::excess(written, formulas.piece, time, length)
+                }
+                DriveMotion::Constant { .. }
+                | DriveMotion::Accelerated { .. }
+                | DriveMotion::RunUp { .. }
+                | DriveMotion::Plan(_)
+                | DriveMotion::LawRunUp(_)
+                | DriveMotion::Table(_) => 0.0,
+            },
+        }
+    }
+
+    /// True when an expression of the time is among what it comes from: its rounding is
+    /// not known from its value and derivatives.
+    pub(super) fn is_written(&self) -> bool {
+        match &self.source {
+            Source::Sum { terms, .. } => terms.iter().any(|(_, term)| term.is_written()),
+            Source::Drive { motion, .. } => matches!(motion, DriveMotion::Written(_)),
+        }
+    }
+
     /// About the time that the drive takes for its next turn from `time` on
     /// (s); +∞ at rest.
     pub(crate) fn turn(&self, time: f64) -> f64 {
@@ -325,7 +359,16 @@ pub(crate) fn straight(position: &Position) -> Option<(f64, f64)> {
             c.get(1).copied().unwrap_or(0.0),
             c.first().copied().unwrap_or(0.0),
         )),
-        _ => None,
+        Position::Polynomial(_)
+        | Position::Sine { .. }
+        | Position::Table(_)
+        | Position::SliderCrank(_)
+        | Position::FourBar(_)
+        | Position::SlottedLink(_)
+        | Position::Cam(_)
+        | Position::Plan(_)
+        | Position::Linkage(_)
+        | Position::Custom(_) => None,
     }
 }
 

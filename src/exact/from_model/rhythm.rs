@@ -3,6 +3,7 @@
 use super::prescribed::{PrescribedMotion, Stage, straight};
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
+use crate::math::expression::Repetition;
 use std::f64::consts::TAU;
 
 /// Rhythm: how a motion goes on for ever after some time.
@@ -37,15 +38,26 @@ impl PrescribedMotion {
                 let terms = terms.map(|(ratio, term)| term.rhythm().scaled(*ratio));
                 terms.fold(Rhythm::Uniform(0.0), Rhythm::with)
             }
-            Some(DriveMotion::Accelerated { acceleration, .. }) if *acceleration != 0.0 => {
-                Rhythm::None
+            Some(DriveMotion::Constant { .. }) => Rhythm::Uniform(speed),
+            Some(DriveMotion::Accelerated { acceleration, .. }) => match *acceleration {
+                0.0 => Rhythm::Uniform(speed),
+                _ => Rhythm::None,
+            },
+            // They go on with the speed that they have reached.
+            Some(DriveMotion::RunUp { .. } | DriveMotion::LawRunUp(_) | DriveMotion::Table(_)) => {
+                Rhythm::Uniform(speed)
             }
+            // A plan that does not repeat rests after its last station.
             Some(DriveMotion::Plan(plan)) => {
                 let spec = plan.spec();
                 let repeats = |period| Rhythm::Periodic(period, spec.advance);
                 spec.period.map_or(Rhythm::Uniform(speed), repeats)
             }
-            Some(_) => Rhythm::Uniform(speed),
+            Some(DriveMotion::Written(written)) => match written.repetition() {
+                Some(Repetition::Line(slope)) => Rhythm::Uniform(slope),
+                Some(Repetition::Cycles { period, advance }) => Rhythm::Periodic(period, advance),
+                None => Rhythm::None,
+            },
         };
         for stage in &self.stages {
             rhythm = stage.rhythm(rhythm);
@@ -82,7 +94,7 @@ impl Rhythm {
                     Self::None
                 }
             }
-            _ => Self::None,
+            (Self::None, _) | (_, Self::None) => Self::None,
         }
     }
 }
@@ -109,16 +121,17 @@ impl Stage {
                 Some(advance) => Ok((TAU, advance)),
                 None => Err(None),
             },
-            Position::Plan(plan) if plan.spec().period.is_some() => {
+            Position::Plan(plan) => {
                 let spec = plan.spec();
-                Ok((spec.period.unwrap_or(TAU), spec.advance))
+                (spec.period.map(|period| (period, spec.advance))).ok_or(None)
             }
             Position::Linkage(output) => output.period().ok_or(None),
-            Position::Table(table) if table.is_periodic() => {
+            Position::Table(table) => {
                 let (first, last) = table.ends();
-                Ok((last - first, 0.0))
+                table.is_periodic().then_some((last - first, 0.0)).ok_or(None)
             }
-            _ => Err(None),
+            // Straight ones stand first; of the others nothing is known.
+            Position::Ratio { .. } | Position::Polynomial(_) | Position::Custom(_) => Err(None),
         }
     }
 

@@ -2,7 +2,9 @@
 
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
-use crate::math::expression::{Expression, Interval, MOST, Moving, OfOne, Program, Third};
+use crate::math::expression::{
+    Expression, Interval, MOST, Moving, OfOne, Program, Repetition, Third,
+};
 use crate::math::jet::Jet;
 
 /// Jumps of a displacement or a speed below this share of its size are rounding.
@@ -95,6 +97,18 @@ impl WrittenMotion {
         self.factor
     }
 
+    /// How the motion repeats from ever to ever, where the expression proves it.
+    pub(crate) fn repetition(&self) -> Option<Repetition> {
+        let scaled = |own: Repetition| match own {
+            Repetition::Line(slope) => Repetition::Line(self.factor * slope),
+            Repetition::Cycles { period, advance } => Repetition::Cycles {
+                period,
+                advance: self.factor * advance,
+            },
+        };
+        self.function.repetition().map(scaled)
+    }
+
     /// Piece and turn of a segment.
     fn piece(&self, segment: i64) -> (usize, i64) {
         let (piece, _) = self.breaks.piece(segment);
@@ -106,14 +120,14 @@ impl WrittenMotion {
     }
 
     /// Displacement and its derivatives, by the formula of `segment`.
-    pub(super) fn jet(&self, segment: i64, time: f64) -> Jet {
+    pub(crate) fn jet(&self, segment: i64, time: f64) -> Jet {
         let (piece, turn) = self.piece(segment);
         let jet = self.function.at(Third::variable(time), piece, turn).0;
         jet.scaled(self.factor)
     }
 
     /// Bounds of the speed between two times of a segment; not numbers where none are known.
-    pub(super) fn speeds(&self, segment: i64, from: f64, to: f64) -> [f64; 2] {
+    pub(crate) fn speeds(&self, segment: i64, from: f64, to: f64) -> [f64; 2] {
         let (piece, turn) = self.piece(segment);
         let time = Moving {
             value: Interval::between(from, to),

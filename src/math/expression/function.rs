@@ -95,7 +95,8 @@ impl Function {
             Self::Atan => 1.0 / (1.0 + x * x),
             Self::Sinh => x.cosh(),
             Self::Cosh => x.sinh(),
-            Self::Tanh => 1.0 - value * value,
+            // (1 − tanh² has no digits far out.)
+            Self::Tanh => x.cosh().recip().powi(2),
             Self::Asinh => 1.0 / (x * x + 1.0).sqrt(),
             Self::Acosh => 1.0 / (x * x - 1.0).sqrt(),
             Self::Atanh => 1.0 / (1.0 - x * x),

@@ -207,7 +207,7 @@ impl Interval {
             Function::Atan => one / (one + self.square()),
             Function::Sinh => self.cosh(),
             Function::Cosh => self.of_function(Function::Sinh),
-            Function::Tanh => one - self.of_function(Function::Tanh).square(),
+            Function::Tanh => one / self.of_function(Function::Cosh).square(),
             Function::Asinh => one / root(self.square() + one),
             Function::Acosh => one / root(self.square() - one),
             Function::Atanh => one / (one - self.square()),

@@ -35,6 +35,36 @@ pub(crate) struct OfOne {
     modes: Vec<Vec<i64>>,
     /// What is added to the modes with each period.
     drifts: Vec<i64>,
+    repetition: Option<Repetition>,
+}
+
+/// How the value of a function repeats over the whole of its variable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Repetition {
+    /// It is a straight line of this slope.
+    Line(f64),
+    /// f(x + period) = f(x) + advance.
+    Cycles {
+        /// Length of a cycle, above zero.
+        period: f64,
+        /// What the value gains in a cycle.
+        advance: f64,
+    },
+}
+
+impl Repetition {
+    /// What follows from the operations of a function of variable 0; `None`: it does not
+    /// repeat, or that it does cannot be proved from them.
+    fn of(code: &Code) -> Option<Self> {
+        let own = rhythm(code)?;
+        Some(match own.period {
+            None => Self::Line(own.drift),
+            Some(period) => Self::Cycles {
+                period,
+                advance: own.drift * period,
+            },
+        })
+    }
 }
 
 impl OfOne {
@@ -47,6 +77,7 @@ impl OfOne {
             period: None,
             modes: vec![Vec::new()],
             drifts: vec![0; program.guards.len()],
+            repetition: Repetition::of(&program.value),
         };
         if program.guards.is_empty() {
             return (found, true);
@@ -59,6 +90,7 @@ impl OfOne {
         let (mut at, mut modes) = (from, located(program, from));
         found.modes[0].clone_from(&modes);
         while let Some((place, guard, target)) = next(program, &modes, at, to) {
+            let place = rhythm.map_or(place, |period| beside_the_end(place, period));
             let value = |own: usize, modes: &[i64]| {
                 let x = Dual::new(place, 1.0);
                 let mode = |one: u16| modes[usize::from(one)];
@@ -98,6 +130,11 @@ impl OfOne {
         (found, true)
     }
 
+    /// How the value repeats, where its operations prove it.
+    pub(crate) fn repetition(&self) -> Option<Repetition> {
+        self.repetition
+    }
+
     /// The value on a piece, so many periods on.
     pub(crate) fn at<N: Scalar>(&self, x: N, piece: usize, turn: i64) -> N {
         let modes = self.modes.get(piece);
@@ -109,6 +146,14 @@ impl OfOne {
             }
         };
         self.program.value.evaluate(&[x], &mode)
+    }
+}
+
+/// A place that is the end of the period but for rounding is that end.
+fn beside_the_end(place: f64, period: f64) -> f64 {
+    match (place - period).abs() <= ONE_PLACE * period {
+        true => period,
+        false => place,
     }
 }
 
@@ -314,6 +359,7 @@ fn rhythm(code: &Code) -> Option<Rhythm> {
 mod tests {
     use super::OfOne;
     use crate::math::expression::Expression;
+    use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
     fn pieces(text: &str) -> (OfOne, Expression) {
         let expression = Expression::new(text, &["t"]).unwrap();
@@ -345,6 +391,42 @@ mod tests {
                 (wanted, own) => assert_eq!(wanted, own, "{text}"),
             }
             assert_eq!(found.points.len(), count, "{text}: {:?}", found.points);
+        }
+    }
+
+    #[test]
+    fn a_value_repeats_only_where_its_operations_prove_it() {
+        use super::Repetition::{Cycles, Line};
+        for (text, wanted) in [
+            ("3", Some(Line(0.0))),
+            ("2*t + 1", Some(Line(2.0))),
+            ("0.3*sin(20*t)", Some(Cycles { period: TAU / 20.0, advance: 0.0 })),
+            ("20*t + 0.5*sin(5*t)", Some(Cycles { period: TAU / 5.0, advance: 8.0 * PI })),
+            ("((t%1)*(1-t%1))^3", Some(Cycles { period: 1.0, advance: 0.0 })),
+            ("floor(t)*pi/2 + (t%1)^3", Some(Cycles { period: 1.0, advance: FRAC_PI_2 })),
+            ("t^2", None),
+            ("exp(-t)", None),
+            ("t*sin(t)", None),
+            ("sin(t) + sin(sqrt(2)*t)", None),
+            ("t < 100 ? sin(t) : 0", None),
+            ("tanh(t - 3)", None),
+        ] {
+            let (found, expression) = pieces(text);
+            match (found.repetition(), wanted) {
+                (Some(Line(own)), Some(Line(slope))) => {
+                    approx::assert_relative_eq!(own, slope, epsilon = 1e-14);
+                }
+                (Some(Cycles { period, advance }), Some(Cycles { period: p, advance: a })) => {
+                    approx::assert_relative_eq!(period, p, max_relative = 1e-14);
+                    approx::assert_relative_eq!(advance, a, epsilon = 1e-13, max_relative = 1e-13);
+                    for k in 0..50 {
+                        let t = 0.0123 + 0.137 * f64::from(k);
+                        let gained = expression.at(&[t + period]) - expression.at(&[t]);
+                        approx::assert_relative_eq!(gained, advance, epsilon = 1e-12);
+                    }
+                }
+                (own, wanted) => assert_eq!(own, wanted, "{text}"),
+            }
         }
     }
 

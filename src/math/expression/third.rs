@@ -175,7 +175,7 @@ fn derivatives(function: Function, x: f64) -> [f64; 4] {
         Function::Sinh => [y, x.cosh(), y, x.cosh()],
         Function::Cosh => [y, x.sinh(), y, x.sinh()],
         Function::Tanh => {
-            let d = 1.0 - y * y;
+            let d = x.cosh().recip().powi(2);
             [y, d, -2.0 * y * d, d * (6.0 * y * y - 2.0)]
         }
         Function::Asinh => {

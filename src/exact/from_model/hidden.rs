@@ -1,0 +1,136 @@
+//! What samples of a written motion do not show: a short pulse between two of them.
+//!
+//! Over parts of an interval the change of the speed is bounded by evaluating the
+//! expression on intervals. A smooth motion cannot change its speed by much more than
+//! its greatest sampled acceleration allows; bounds that do exceed it by far stem from
+//! a pulse that the samples miss, or from bounds that are wide because the parts are
+//! long. Both ask for a shorter interval.
+
+use super::fit::NOTHING;
+use crate::kinematics::motion::WrittenMotion;
+
+/// Parts of an interval that are bounded one by one.
+const PARTS: usize = 16;
+
+/// Bounds may be wider than the change of speed by this factor: what depends on itself,
+/// t·(1 − t), is bounded that much too widely.
+const WIDE: f64 = 16.0;
+
+/// Changes of speed below this share of the speed do not count.
+const SLIGHT: f64 = 1e-12;
+
+/// How often an interval is halved because of what may lie between samples.
+const HALVINGS: u32 = 64;
+
+/// A bound that keeps its ratio to what samples show, within this factor, …
+const STEADY: f64 = 1.2;
+
+/// … over so many halvings is as wide as it is because it depends on itself.
+const STEADY_HALVINGS: u32 = 3;
+
+/// By how much bounds of the change of speed exceed what samples show, as a ratio: at
+/// most 1 where nothing lies between them; NaN or infinite where no bound is found.
+pub(super) fn excess(written: &WrittenMotion, segment: i64, time: f64, length: f64) -> f64 {
+    let part = length / PARTS as f64;
+    let place = |k: usize| time + k as f64 * part;
+    let (mut value, mut speed, mut acceleration) = (0.0f64, 0.0f64, 0.0f64);
+    for k in 0..=PARTS {
+        let now = written.jet(segment, place(k));
+        value = value.max(now.value.abs());
+        speed = speed.max(now.first.abs());
+        acceleration = acceleration.max(now.second.abs());
+    }
+    let slight = SLIGHT * (speed + value / length) + NOTHING;
+    let allowed = WIDE * acceleration * part + slight;
+    (0..PARTS).fold(0.0, |most: f64, k| {
+        let own = written.speed_range(segment, place(k), place(k + 1)) / allowed;
+        // (A NaN stays.)
+        if own <= most { most } else { own }
+    })
+}
+
+/// The search for a length over which nothing is hidden.
+#[derive(Debug, Default)]
+pub(super) struct Looks {
+    halvings: u32,
+    before: f64,
+    steady: u32,
+}
+
+/// What to do with an interval.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Look {
+    /// It can be taken.
+    Take,
+    /// It is to be halved.
+    Halve,
+    /// No interval can be bounded: the first one can be taken as well.
+    Unbounded,
+}
+
+impl Looks {
+    /// Judges an interval by its [`excess`].
+    pub(super) fn judge(&mut self, excess: f64) -> Look {
+        if excess <= 1.0 {
+            return Look::Take;
+        }
+        let ratio = excess / self.before;
+        self.steady = match ratio <= STEADY && ratio >= 1.0 / STEADY {
+            true => self.steady + 1,
+            false => 0,
+        };
+        self.before = excess;
+        self.halvings += 1;
+        match self.steady >= STEADY_HALVINGS || self.halvings > HALVINGS {
+            true if excess.is_finite() => Look::Take,
+            true => Look::Unbounded,
+            false => Look::Halve,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Look, Looks, excess};
+    use crate::kinematics::motion::WrittenMotion;
+    use crate::math::expression::Expression;
+
+    fn written(text: &str) -> WrittenMotion {
+        let expression = Expression::new(text, &["t"]).unwrap();
+        WrittenMotion::new(&expression, 1.0).unwrap()
+    }
+
+    #[test]
+    fn a_pulse_between_samples_is_seen_by_the_bounds() {
+        let pulse = written("0.01*exp(-((t-0.7131)/0.001)^2)");
+        assert!(excess(&pulse, 0, 0.0, 20.0) > 1e3);
+        assert!(excess(&pulse, 0, 1.0, 20.0) <= 1.0);
+        let mut looks = Looks::default();
+        let mut length = 1e9;
+        while looks.judge(excess(&pulse, 0, 0.0, length)) == Look::Halve {
+            length *= 0.5;
+        }
+        assert!(length < 0.7131 + 0.05 && length > 0.1, "{length}");
+    }
+
+    #[test]
+    fn smooth_motions_hide_nothing() {
+        for text in ["0.3*sin(20*t)", "0.1*t^2", "20*t + 0.5*sin(5*t)", "1 - exp(-5*t)"] {
+            let motion = written(text);
+            for start in [0.0, 0.37, 2.0] {
+                assert!(excess(&motion, 0, start, 0.2) <= 1.0, "{text} from {start}");
+            }
+        }
+    }
+
+    #[test]
+    fn bounds_that_stay_too_wide_end_the_search() {
+        let sloppy = written("sqrt(t^2 + 1e-8)");
+        let (mut looks, mut length) = (Looks::default(), 4.0);
+        let mut halvings = 0;
+        while looks.judge(excess(&sloppy, 0, 3.0, length)) == Look::Halve {
+            (length, halvings) = (0.5 * length, halvings + 1);
+        }
+        assert!(halvings < 10, "{halvings}");
+    }
+}
