@@ -140,7 +140,7 @@ pub(crate) fn fit(
                 Trial::Good(fit) => {
                     let fit = Fit { end, ..fit };
                     let first = *whole_fit.get_or_insert(fit);
-                    match looks.judge(course.excess(&formulas, time, length)) {
+                    match looks.judge(course.between(&formulas, time, length)) {
                         Look::Take => return Some(fit),
                         Look::Unbounded => return Some(first),
                         Look::Halve => length *= 0.5,
@@ -153,6 +153,10 @@ pub(crate) fn fit(
             }
             tried += 1;
             end = time + length;
+        }
+        // What was halved without end shows no less where it is whole.
+        if whole_fit.is_some() {
+            return whole_fit;
         }
     }
     None

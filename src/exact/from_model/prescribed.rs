@@ -6,7 +6,7 @@
 //! once, for the motion just after it; polynomials are then fitted to that
 //! formula alone and end where the motion leaves it.
 
-use super::hidden;
+use super::hidden::{self, Between};
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
@@ -205,26 +205,25 @@ impl PrescribedMotion {
         found.unwrap_or(f64::INFINITY)
     }
 
-    /// By how much the speed of the drives may change more within an interval than
-    /// samples show, as a ratio: at most 1 where samples show all. Motions by named laws
-    /// do nothing that they do not show; written ones are bounded.
-    pub(super) fn excess(&self, formulas: &Formulas, time: f64, length: f64) -> f64 {
+    /// Bounds what the drives may do between samples of an interval. Motions by named
+    /// laws do nothing that they do not show.
+    pub(super) fn between(&self, formulas: &Formulas, time: f64, length: f64) -> Between {
         match &self.source {
             Source::Sum { terms, .. } => {
                 let each = terms.iter().zip(&formulas.terms);
-                let each = each.map(|((_, term), own)| term.excess(own, time, length));
-                each.fold(0.0, |most: f64, own| if own <= most { most } else { own })
+                let each = each.map(|((_, term), own)| term.between(own, time, length));
+                each.fold(Between::default(), Between::with)
             }
             Source::Drive { motion, .. } => match motion {
                 DriveMotion::Written(written) => {
-                    hidden::excess(written, formulas.piece, time, length)
+                    hidden::between(written, formulas.piece, time, length)
                 }
                 DriveMotion::Constant { .. }
                 | DriveMotion::Accelerated { .. }
                 | DriveMotion::RunUp { .. }
                 | DriveMotion::Plan(_)
                 | DriveMotion::LawRunUp(_)
-                | DriveMotion::Table(_) => 0.0,
+                | DriveMotion::Table(_) => Between::default(),
             },
         }
     }

@@ -128,7 +128,10 @@ impl Stage {
             Position::Linkage(output) => output.period().ok_or(None),
             Position::Table(table) => {
                 let (first, last) = table.ends();
-                table.is_periodic().then_some((last - first, 0.0)).ok_or(None)
+                table
+                    .is_periodic()
+                    .then_some((last - first, 0.0))
+                    .ok_or(None)
             }
             // Straight ones stand first; of the others nothing is known.
             Position::Ratio { .. } | Position::Polynomial(_) | Position::Custom(_) => Err(None),

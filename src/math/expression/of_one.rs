@@ -400,10 +400,34 @@ mod tests {
         for (text, wanted) in [
             ("3", Some(Line(0.0))),
             ("2*t + 1", Some(Line(2.0))),
-            ("0.3*sin(20*t)", Some(Cycles { period: TAU / 20.0, advance: 0.0 })),
-            ("20*t + 0.5*sin(5*t)", Some(Cycles { period: TAU / 5.0, advance: 8.0 * PI })),
-            ("((t%1)*(1-t%1))^3", Some(Cycles { period: 1.0, advance: 0.0 })),
-            ("floor(t)*pi/2 + (t%1)^3", Some(Cycles { period: 1.0, advance: FRAC_PI_2 })),
+            (
+                "0.3*sin(20*t)",
+                Some(Cycles {
+                    period: TAU / 20.0,
+                    advance: 0.0,
+                }),
+            ),
+            (
+                "20*t + 0.5*sin(5*t)",
+                Some(Cycles {
+                    period: TAU / 5.0,
+                    advance: 8.0 * PI,
+                }),
+            ),
+            (
+                "((t%1)*(1-t%1))^3",
+                Some(Cycles {
+                    period: 1.0,
+                    advance: 0.0,
+                }),
+            ),
+            (
+                "floor(t)*pi/2 + (t%1)^3",
+                Some(Cycles {
+                    period: 1.0,
+                    advance: FRAC_PI_2,
+                }),
+            ),
             ("t^2", None),
             ("exp(-t)", None),
             ("t*sin(t)", None),
@@ -416,7 +440,13 @@ mod tests {
                 (Some(Line(own)), Some(Line(slope))) => {
                     approx::assert_relative_eq!(own, slope, epsilon = 1e-14);
                 }
-                (Some(Cycles { period, advance }), Some(Cycles { period: p, advance: a })) => {
+                (
+                    Some(Cycles { period, advance }),
+                    Some(Cycles {
+                        period: p,
+                        advance: a,
+                    }),
+                ) => {
                     approx::assert_relative_eq!(period, p, max_relative = 1e-14);
                     approx::assert_relative_eq!(advance, a, epsilon = 1e-13, max_relative = 1e-13);
                     for k in 0..50 {
