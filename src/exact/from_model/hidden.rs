@@ -77,7 +77,8 @@ pub(super) fn between(written: &WrittenMotion, segment: i64, time: f64, length: 
     }
     let slight = SLIGHT * (speed + value / length) + NOTHING;
     let range = (0..PARTS).fold(0.0, |most: f64, k| {
-        let own = written.speed_range(segment, place(k), place(k + 1));
+        let [least, greatest] = written.speeds(segment, place(k), place(k + 1));
+        let own = greatest - least;
         // (A NaN stays.)
         if own <= most { most } else { own }
     });
