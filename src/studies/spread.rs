@@ -34,7 +34,7 @@ pub struct FigureSpread {
     /// Value in the run itself.
     pub value: f64,
     /// Scale that a difference is measured against (see
-    /// [`crate::dynamics::record::Figures::scale`]).
+    /// [`crate::dynamics::record::Figures::common_scale`]).
     pub scale: f64,
     /// Difference when loads and gaps change; null: the figure is gone.
     pub by_loads: Option<f64>,
@@ -104,7 +104,11 @@ fn differences(base: &RunResult, loads: &RunResult, tolerance: &RunResult) -> Ve
         .filter(|(figure, _)| is_result(figure))
         .filter_map(|(figure, value)| {
             let value = value?;
-            let scale = base.figures.scale(&figure);
+            // Relative to a zero, or to rounding, nothing is known.
+            let scale = [loads, tolerance]
+                .map(|other| base.figures.common_scale(&other.figures, &figure))
+                .into_iter()
+                .fold(0.0, f64::max);
             let [by_loads, by_tolerance] = others
                 .each_ref()
                 .map(|other| Some((other.get(&figure).copied().flatten()? - value).abs()));

@@ -82,7 +82,7 @@ pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, F
         let shown = Shown::json_or(args.scene.json, Shown::Text);
         asker.deliver(&answer, folder.as_ref(), shown)
     };
-    let complete = match &axis {
+    let (complete, doubted) = match &axis {
         None => {
             let mut found = single((args, asker), &ready, &plan)?;
             if let Some(models) = models {
@@ -91,7 +91,7 @@ pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, F
             let document = Document::made(|| &found);
             let files = files_of_study(&found);
             answer(findings(&found, &diagram, source), document, files)?;
-            found.complete
+            (found.complete, found.doubt.is_some())
         }
         Some(axis) => {
             let found = over((args, asker), &input, &ready, axis, &plan)?;
@@ -99,12 +99,13 @@ pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, F
             let files = files_of_sweep(&found);
             let findings = sweep_findings(scene, &found, &diagram, source);
             answer(findings, document, files)?;
-            found.complete
+            (found.complete, found.is_doubted())
         }
     };
-    Ok(match complete {
-        true => Status::Answered,
-        false => interrupt::status(),
+    Ok(match (complete, doubted) {
+        (true, false) => Status::Answered,
+        (true, true) => Status::NotTrusted,
+        (false, _) => interrupt::status(),
     })
 }
 

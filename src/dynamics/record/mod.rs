@@ -17,6 +17,7 @@ mod peaks;
 mod pieces;
 mod quantity;
 mod recorder;
+mod resolution;
 mod rows;
 mod sampled;
 mod settings;

@@ -9,7 +9,9 @@ use crate::report::html::mechanism;
 use crate::report::quantity::{significant, with_unit};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
-use crate::studies::methods::{GROWN, MethodLine, ModelError, Point, Reference, Study, Verdict};
+use crate::studies::methods::{
+    Doubt, GROWN, MethodLine, ModelError, Point, Reference, Study, Verdict,
+};
 
 /// Which method to take, speed against accuracy, the models, every point, and the limits of
 /// stability.
@@ -45,16 +47,24 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
             with_unit(study.duration, "s", 4)
         ),
         answer: Some(answer(study)),
-        warnings: Vec::new(),
+        warnings: warnings(study),
         sections,
         source,
     }
 }
 
+/// Doubt about the reference is a warning, in every form of the answer.
+fn warnings(study: &Study) -> Vec<String> {
+    let doubt = study.doubt.iter();
+    let sentence = |doubt: &Doubt| format!("{}.", capitalised(&doubt.sentence()));
+    doubt.map(sentence).collect()
+}
+
 fn answer(study: &Study) -> Answer {
-    let (sort, headline) = match &study.recommendation.method {
-        Some(method) => (Sort::Recommended, format!("Take {method}.")),
-        None => (
+    let (sort, headline) = match (&study.recommendation.method, &study.doubt) {
+        (_, Some(_)) => (Sort::Numerical, "The reference is in doubt.".to_owned()),
+        (Some(method), None) => (Sort::Recommended, format!("Take {method}.")),
+        (None, None) => (
             Sort::Numerical,
             "No method is known to be accurate enough.".to_owned(),
         ),
@@ -141,8 +151,12 @@ fn no_reference(study: &Study) -> Section<'static> {
             Value::new(pair.distance, "", 2).into(),
         ]
     };
+    let words = match &study.doubt {
+        Some(doubt) => format!("None: {}.", doubt.sentence()),
+        None => "None: no two methods agree, and no errors can be known.".to_owned(),
+    };
     Section::new("Reference")
-        .words("None: no two methods agree, and no errors can be known.")
+        .words(words)
         .table(Table::new(["one", "other", ">apart"]).rows(pairs.map(row)))
 }
 

@@ -47,10 +47,19 @@ pub fn sweep_findings<'a>(
             sweep.slices.len()
         ),
         answer: Some(answer(sweep)),
-        warnings: Vec::new(),
+        warnings: warnings(sweep),
         sections,
         source,
     }
+}
+
+/// The values at which the reference is in doubt.
+fn warnings(sweep: &Sweep) -> Vec<String> {
+    let doubts = sweep.slices.iter();
+    let doubts = doubts.filter_map(|slice| Some((slice.x, slice.study.doubt.as_ref()?)));
+    doubts
+        .map(|(x, doubt)| format!("At {}: {}.", sweep.axis.written(x), doubt.sentence()))
+        .collect()
 }
 
 /// The methods that are accurate everywhere.

@@ -13,6 +13,7 @@
 //! from run to run; everything else does not.
 
 mod attempt;
+mod doubt;
 mod light;
 mod limit;
 mod line;
@@ -26,6 +27,7 @@ mod study;
 pub mod sweep;
 mod verdict;
 
+pub use doubt::Doubt;
 pub use limit::StabilityLimit;
 pub use line::MethodLine;
 pub use models::{ModelError, Models, models};

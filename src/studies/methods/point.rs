@@ -59,8 +59,8 @@ pub struct FigureError {
     /// Address.
     pub figure: String,
     /// |value − true value| relative to its scale (greatest |δ| for
-    /// displacements, peaks for rates and forces, 1 for counts); null where
-    /// the figure is missing or has no scale.
+    /// displacements, peaks for rates and forces, 1 for counts), at least to what the
+    /// run resolves; null where the figure is missing or has no scale.
     pub error: Option<f64>,
 }
 
@@ -136,10 +136,10 @@ fn figure_errors(
     reference: &Figures,
     truth: &ReferenceInUse,
 ) -> Vec<FigureError> {
-    let Some(own) = &attempt.figures else {
+    let Some(figures) = &attempt.figures else {
         return Vec::new();
     };
-    let own = own.addresses();
+    let own = figures.addresses();
     let judged = reference
         .addresses()
         .into_iter()
@@ -147,7 +147,7 @@ fn figure_errors(
     judged
         .filter_map(|(figure, value)| {
             let value = value?;
-            let scale = reference.scale(&figure);
+            let scale = reference.common_scale(figures, &figure);
             let error = own.get(&figure).copied().flatten().and_then(|own| {
                 let difference = (own - value).abs();
                 match (difference == 0.0, scale > 0.0) {

@@ -12,6 +12,7 @@
 mod moved;
 
 use super::attempt::{Attempt, Effort, Problem};
+use super::doubt::{Doubt, Witness, doubt};
 use super::light::Trace;
 use super::setting::{Setting, is_exact};
 use crate::dynamics::integrate::Method;
@@ -29,7 +30,8 @@ pub const HORIZON: f64 = 1e-2;
 /// Rounding, as a share of the change of loads.
 const CHANGE_ROUNDING: f64 = 1e-15 / CHANGE;
 
-/// Below this share of a coordinate's scale a deviation is none.
+/// Below this share of a coordinate's scale a deviation is none, and an error is taken
+/// relative to the scale.
 const NO_DEVIATION: f64 = 1e-12;
 
 /// Reference that the errors are taken against.
@@ -69,6 +71,15 @@ pub struct Distance {
     pub distance: f64,
 }
 
+/// No reference can be relied on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Unknown {
+    /// How far the finest points are apart.
+    pub(super) distances: Vec<Distance>,
+    /// Doubt about the one that there would be.
+    pub(super) doubt: Option<Doubt>,
+}
+
 /// A reference in use.
 pub(super) struct ReferenceInUse {
     pub(super) public: Reference,
@@ -76,7 +87,7 @@ pub(super) struct ReferenceInUse {
     /// Index of the point that it is among all, shown or not.
     pub(super) index: usize,
     pub(super) figures: Option<Figures>,
-    /// max|δ| of every track; 0 for tracks at rest, which are not judged.
+    /// max|δ| of every track; the scale of its coordinate for tracks at rest.
     pub(super) sizes: Vec<f64>,
     /// Last sample that is judged.
     pub(super) until: usize,
@@ -107,32 +118,50 @@ pub(super) fn distance(a: &Trace, b: &Trace, sizes: &[f64], until: usize) -> Opt
 /// Finds the reference among the points of all methods, shown or not.
 ///
 /// # Errors
-/// No two methods agree: how far they are apart.
+/// No two methods agree, or two agree with each other and not with the reference: how far
+/// they are apart.
 pub(super) fn find(
     problem: &Problem<'_>,
     attempts: &[Attempt],
     effort: &Effort<'_>,
-) -> Result<ReferenceInUse, Vec<Distance>> {
+) -> Result<ReferenceInUse, Unknown> {
     let finest = finest_of_each(attempts);
+    let scales = scales(problem);
     let exact = finest.iter().position(|&i| is_exact(attempts[i].method));
-    let Some(guess) = exact.or_else(|| nearest(attempts, &finest, None).map(|best| best.0)) else {
-        return Err(Vec::new());
+    let Some(guess) =
+        exact.or_else(|| nearest(attempts, &finest, &scales, None).map(|best| best.0))
+    else {
+        return Err(Unknown::default());
     };
     let guess = finest[guess];
     let moved = Moved::of(problem, &attempts[guess], effort);
     let last = last_sample(trace(&attempts[guess]));
     let (until, share) = moved.horizon(trace(&attempts[guess]), last);
-    let pair = nearest(attempts, &finest, Some(until));
+    let pair = nearest(attempts, &finest, &scales, Some(until));
     let (index, agreement) = match (exact, pair) {
         (Some(exact), _) => (finest[exact], None),
         (None, Some((one, _, distance))) if distance <= AGREE => (finest[one], Some(distance)),
-        _ => return Err(mutual(attempts, &finest, until)),
+        _ => {
+            return Err(Unknown {
+                distances: mutual(attempts, &finest, &scales, until),
+                doubt: None,
+            });
+        }
     };
-    let sizes = sizes(problem, trace(&attempts[index]), until);
+    let sizes = sizes(&scales, trace(&attempts[index]), until);
     let confirmed_by = confirmation(attempts, index, &sizes, until);
     let rounding = (CHANGE_ROUNDING * share).max(1e-15);
     let resolution = agreement.map_or(rounding, |distance| rounding.max(distance));
     let attempt = &attempts[index];
+    let witnesses: Vec<Option<Witness>> = attempts.iter().map(Witness::of).collect();
+    // A pair of methods is no nearer to the truth than it is to itself.
+    let doubt = doubt(&witnesses, (index, &name(attempt)), resolution, |a, b| {
+        between(attempts, a, b, &scales, Some(until))
+    });
+    if doubt.is_some() {
+        let distances = mutual(attempts, &finest, &scales, until);
+        return Err(Unknown { distances, doubt });
+    }
     let end = attempt.timed.as_ref().map_or(0.0, |t| t.outcome.time);
     let horizon = match until == last {
         true => end,
@@ -191,21 +220,29 @@ fn finest_of_each(attempts: &[Attempt]) -> Vec<usize> {
     finest
 }
 
-/// max|δ| of every track up to a sample, 0 where it is at rest.
-fn sizes(problem: &Problem<'_>, trace: &Trace, until: usize) -> Vec<f64> {
+/// The scale of every track's coordinate.
+fn scales(problem: &Problem<'_>) -> Vec<f64> {
     use crate::dynamics::integrate::Dynamics;
     let scales = problem.system.scales();
-    let tracks = problem.tracks.iter().enumerate();
+    let tracks = problem.tracks.iter();
+    tracks.map(|track| scales[track.coordinate]).collect()
+}
+
+/// max|δ| of every track up to a sample; of a track at rest the scale of its coordinate, so
+/// that no error is taken relative to nothing.
+fn sizes(scales: &[f64], trace: &Trace, until: usize) -> Vec<f64> {
+    let tracks = scales.iter().enumerate();
     tracks
-        .map(|(index, track)| {
-            let greatest = greatest(trace, index, until);
-            if greatest > NO_DEVIATION * scales[track.coordinate] {
-                greatest
-            } else {
-                0.0
-            }
-        })
+        .map(|(index, scale)| size(greatest(trace, index, until), *scale))
         .collect()
+}
+
+/// What a difference of a deviation is taken relative to.
+fn size(greatest: f64, scale: f64) -> f64 {
+    match greatest <= NO_DEVIATION * scale {
+        true => scale,
+        false => greatest,
+    }
 }
 
 /// Greatest |value| of a track up to a sample; up to the last one, what lies
@@ -219,10 +256,13 @@ fn greatest(trace: &Trace, index: usize, until: usize) -> f64 {
 }
 
 /// Greatest |δ| of both, for a distance that favours neither.
-fn common_sizes(a: &Trace, b: &Trace, until: usize) -> Vec<f64> {
-    let tracks = 0..a.greatest.len();
+fn common_sizes(a: &Trace, b: &Trace, scales: &[f64], until: usize) -> Vec<f64> {
+    let tracks = scales.iter().enumerate();
     tracks
-        .map(|k| greatest(a, k, until).max(greatest(b, k, until)))
+        .map(|(k, scale)| {
+            let greatest = greatest(a, k, until).max(greatest(b, k, until));
+            size(greatest, *scale)
+        })
         .collect()
 }
 
@@ -231,12 +271,14 @@ fn common_sizes(a: &Trace, b: &Trace, until: usize) -> Vec<f64> {
 fn nearest(
     attempts: &[Attempt],
     finest: &[usize],
+    scales: &[f64],
     until: Option<usize>,
 ) -> Option<(usize, usize, f64)> {
     let mut best: Option<(usize, usize, f64)> = None;
     for one in 0..finest.len() {
         for other in one + 1..finest.len() {
-            let Some(distance) = between(attempts, finest[one], finest[other], until) else {
+            let (a, b) = (finest[one], finest[other]);
+            let Some(distance) = between(attempts, a, b, scales, until) else {
                 continue;
             };
             if best.is_none_or(|(_, _, least)| distance < least) {
@@ -248,7 +290,8 @@ fn nearest(
     // Of the two, the one with the nearer third is the more accurate.
     let third = |member: usize| {
         let others = (0..finest.len()).filter(|&k| k != one && k != other);
-        let distances = others.filter_map(|k| between(attempts, finest[member], finest[k], until));
+        let distances =
+            others.filter_map(|k| between(attempts, finest[member], finest[k], scales, until));
         distances.fold(f64::INFINITY, f64::min)
     };
     Some(if third(other) < third(one) {
@@ -258,18 +301,24 @@ fn nearest(
     })
 }
 
-fn between(attempts: &[Attempt], one: usize, other: usize, until: Option<usize>) -> Option<f64> {
+fn between(
+    attempts: &[Attempt],
+    one: usize,
+    other: usize,
+    scales: &[f64],
+    until: Option<usize>,
+) -> Option<f64> {
     let (a, b) = (trace(&attempts[one]), trace(&attempts[other]));
     let until = until.unwrap_or(last_sample(a).min(last_sample(b)));
-    distance(a, b, &common_sizes(a, b, until), until)
+    distance(a, b, &common_sizes(a, b, scales, until), until)
 }
 
 /// All distances between the finest points.
-fn mutual(attempts: &[Attempt], finest: &[usize], until: usize) -> Vec<Distance> {
+fn mutual(attempts: &[Attempt], finest: &[usize], scales: &[f64], until: usize) -> Vec<Distance> {
     let mut all = Vec::new();
     for (k, &one) in finest.iter().enumerate() {
         for &other in &finest[k + 1..] {
-            if let Some(distance) = between(attempts, one, other, Some(until)) {
+            if let Some(distance) = between(attempts, one, other, scales, Some(until)) {
                 all.push(Distance {
                     one: name(&attempts[one]),
                     other: name(&attempts[other]),

@@ -1,16 +1,17 @@
 //! All methods at all their settings.
 
 use super::attempt::{Attempt, Effort, Problem};
+use super::doubt::Doubt;
 use super::light::tracks;
 use super::limit::{StabilityLimit, too_long};
 use super::line::MethodLine;
 use super::models::Models;
 use super::point::Point;
 use super::recommend::{Recommendation, recommend};
-use super::reference::{Distance, Reference, ReferenceInUse, find};
+use super::reference::{Distance, Reference, ReferenceInUse, Unknown, find};
 use super::setting::{Setting, all_methods, is_fixed_step, ladder};
 use super::stability::{Spectrum, degree, remark};
-use super::verdict::judge;
+use super::verdict::{Verdict, judge};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
@@ -89,6 +90,10 @@ pub struct Study {
     pub fastest_rate: f64,
     /// Reference that errors are taken against; null when it cannot be known.
     pub reference: Option<Reference>,
+    /// Doubt about the reference: two methods agree with each other and not with it. Then
+    /// there is no reference, nothing is judged, and nothing is recommended.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub doubt: Option<Doubt>,
     /// Where there is no reference: how far the finest points are apart.
     pub mutual_distances: Vec<Distance>,
     /// Lines, one a method.
@@ -105,7 +110,7 @@ impl Study {
     /// tolerance together.
     #[must_use]
     pub fn with_models(mut self, models: Models) -> Self {
-        self.recommendation = recommend(&self.methods, self.accuracy);
+        self.recommendation = recommendation(&self.methods, self.accuracy, self.doubt.as_ref());
         let method = &self.recommendation.text;
         self.recommendation.text = format!("{}; {method}", models.sentence());
         self.models = Some(models);
@@ -149,13 +154,13 @@ pub fn study(
     };
     let effort = Effort { control, ..effort };
     let found = find(&problem, &attempts, &effort);
-    let mut methods = lines(system, plan, &spectrum, &attempts, found.as_ref().ok());
+    let mut methods = lines(system, plan, &spectrum, &attempts, &found);
     if let (Ok(truth), true) = (&found, complete) {
         measure_limits(&problem, &spectrum, truth, &mut methods, &effort);
     }
-    let (reference, mutual_distances) = match found {
-        Ok(truth) => (Some(truth.public), Vec::new()),
-        Err(distances) => (None, distances),
+    let (reference, unknown) = match found {
+        Ok(truth) => (Some(truth.public), Unknown::default()),
+        Err(unknown) => (None, unknown),
     };
     Ok(Study {
         dam: 1,
@@ -167,11 +172,21 @@ pub fn study(
         samples: settings.samples,
         fastest_rate: spectrum.fastest,
         reference,
-        mutual_distances,
-        recommendation: recommend(&methods, plan.accuracy),
+        mutual_distances: unknown.distances,
+        recommendation: recommendation(&methods, plan.accuracy, unknown.doubt.as_ref()),
+        doubt: unknown.doubt,
         methods,
         models: None,
     })
+}
+
+/// Recommendation; none where the reference is in doubt.
+fn recommendation(lines: &[MethodLine], accuracy: f64, doubt: Option<&Doubt>) -> Recommendation {
+    let mut found = recommend(lines, accuracy);
+    if let Some(doubt) = doubt {
+        found.text = format!("{}; no method is recommended", doubt.sentence());
+    }
+    found
 }
 
 /// The start of a system that there is something to study in.
@@ -253,8 +268,13 @@ fn lines(
     plan: &Plan,
     spectrum: &Spectrum,
     attempts: &[Attempt],
-    truth: Option<&ReferenceInUse>,
+    found: &Result<ReferenceInUse, Unknown>,
 ) -> Vec<MethodLine> {
+    let truth = found.as_ref().ok();
+    let doubt = found
+        .as_ref()
+        .err()
+        .and_then(|unknown| unknown.doubt.as_ref());
     let line = |&method: &Method| {
         let bound = spectrum.bound_at(method, plan.accuracy);
         let stability = match degree(method, plan.accuracy) {
@@ -265,7 +285,10 @@ fn lines(
             let tolerance = attempt.setting.tolerance().unwrap_or(plan.accuracy);
             let bound = spectrum.bound_at(method, tolerance);
             let bound = bound.as_ref();
-            let judged = judge(attempt, truth, plan.accuracy, bound);
+            let mut judged = judge(attempt, truth, plan.accuracy, bound);
+            if let (Verdict::NotJudged, Some(doubt)) = (judged.verdict, doubt) {
+                judged.cause = format!("the reference {} is in doubt", doubt.reference);
+            }
             let is_reference = truth.is_some_and(|truth| truth.index == index);
             Point::new(attempt, judged, truth, bound, is_reference)
         };

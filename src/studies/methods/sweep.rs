@@ -63,6 +63,13 @@ pub struct Standing {
     pub stable_step_by_theory: Option<f64>,
 }
 
+impl Sweep {
+    /// True where the reference is in doubt at some value.
+    pub fn is_doubted(&self) -> bool {
+        self.slices.iter().any(|slice| slice.study.doubt.is_some())
+    }
+}
+
 impl Slice {
     /// Standing of a method here; `None`: it was not tried.
     pub fn standing(&self, method: Method) -> Option<Standing> {

@@ -149,7 +149,7 @@ impl Row {
         if let Some(found) = bounded.filter(|found| self.serves(trials, asked, found)) {
             return Course::Bounded(found);
         }
-        let noise = 2.0 * last.integration * last.figures.scale(figure);
+        let noise = 2.0 * last.integration * last.scale(figure);
         match self.same_story(trials).then(|| settled(&values, noise)) {
             Some(Some(settled)) => Course::Limit(settled),
             _ => bounded.map_or(open, Course::Bounded),

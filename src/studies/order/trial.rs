@@ -39,12 +39,18 @@ pub(in crate::studies) struct Trial {
 }
 
 impl Trial {
+    /// Scale of a figure, no less than what the run resolves.
+    pub(super) fn scale(&self, figure: &str) -> f64 {
+        let resolution = self.figures.resolution(figure);
+        self.figures.scale(figure).max(resolution)
+    }
+
     /// Error that the integration leaves in a figure, in its unit.
     pub(super) fn integration_of(&self, figure: &str) -> f64 {
         match (self.measured.get(figure), is_count(figure)) {
             (Some(measured), _) => *measured,
             (None, true) => 0.0,
-            (None, false) => self.integration * self.figures.scale(figure),
+            (None, false) => self.integration * self.scale(figure),
         }
     }
 }

@@ -74,14 +74,17 @@ impl Moved {
         let Some(reference) = reference else {
             return Vec::new();
         };
-        let changed = self.attempt.as_ref().and_then(|a| a.figures.as_ref());
-        let changed = changed.map(Figures::addresses).unwrap_or_default();
+        let Some(moved) = self.attempt.as_ref().and_then(|a| a.figures.as_ref()) else {
+            return Vec::new();
+        };
+        let changed = moved.addresses();
         let values = reference.addresses().into_iter();
         values
             .filter(|(figure, _)| is_result(figure))
             .filter_map(|(figure, value)| {
                 let other = changed.get(&figure).copied().flatten()?;
-                let far = (other - value?).abs() > DETERMINED * reference.scale(&figure);
+                let far =
+                    (other - value?).abs() > DETERMINED * reference.common_scale(moved, &figure);
                 (far || !throughout).then_some(figure)
             })
             .collect()
