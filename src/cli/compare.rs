@@ -19,6 +19,7 @@ use crate::report::diagram::Diagram;
 use crate::report::findings::Source;
 use crate::studies::RunSettings;
 use crate::studies::compare::{ComparedRun, Comparison, compare};
+use crate::studies::judgement::{Judgement, checks};
 use crate::studies::limit::without_limit;
 use crate::studies::list::ValueList;
 use crate::studies::order::{Limits, limits};
@@ -189,7 +190,11 @@ fn prepare_folder(
 /// The document of a comparison.
 fn document(scene: &str, comparison: &Comparison) -> Value {
     let runs = comparison.runs.iter();
-    let runs = runs.map(|run| json!({ "value": run.label, "figures": run.result.figures }));
+    let runs = runs.map(|run| {
+        let figures = &run.result.figures;
+        let (verdict, checks) = (Judgement::of(figures), checks(figures));
+        json!({ "value": run.label, "verdict": verdict, "checks": checks, "figures": figures })
+    });
     json!({
         "dam": 1, "scene": scene, "over": comparison.over, "table": comparison.table,
         "runs": runs.collect::<Vec<_>>()

@@ -135,7 +135,10 @@ fn answer(runs: &[ComparedRun]) -> Verdict {
         ),
         (0, count, _) => (
             Sort::Unfinished,
-            format!("{count} of {} runs did not finish.", runs.len()),
+            format!(
+                "{count} of {} runs did not finish or are not judged.",
+                runs.len()
+            ),
         ),
         (count, ..) => (
             Sort::Numerical,

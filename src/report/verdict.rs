@@ -1,20 +1,21 @@
 //! The one-line verdict of a run: what became of the mechanism, and whether
 //! the numbers can be trusted. The two are never mixed up.
 
-use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures, Units};
+use crate::dynamics::record::{Figures, PairFigures, Units};
 use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
+use crate::studies::judgement::{Ending, Judgement, checks, ending};
 
 /// Sort of a verdict: good news, bad news, or neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sort {
     /// The mechanism works as asked.
     Good,
-    /// The mechanism itself fails or cannot be judged: lift-off, a dead position.
+    /// The mechanism itself fails: lift-off, a dead position.
     Mechanism,
     /// The computation failed or is not to be trusted.
     Numerical,
-    /// The run was ended from outside or by a limit of the user's.
+    /// The run was ended from outside, or was too short to be judged.
     Unfinished,
     /// No judgement: what to take.
     Recommended,
@@ -46,76 +47,69 @@ impl Verdict {
     }
 }
 
-/// Judges a run by its figures.
+/// The verdict of a run in words, and the sentence that follows.
 pub fn verdict(figures: &Figures) -> Verdict {
-    let run = &figures.run;
-    if !run.complete {
-        return stopped(figures);
+    let judgement = Judgement::of(figures);
+    let ending = ending(figures);
+    let failed_check = judgement == Judgement::NotToBeTrusted && ending != Ending::OfComputation;
+    if ending != Ending::Complete && !failed_check {
+        return stopped(figures, ending);
     }
-    let finite = figures.objects.values().all(is_finite);
-    // Written so that an energy error that is not a number counts as too large.
-    let audited = run.energy_error <= EnergyAudit::bound(run.tolerance);
-    let kept = run.equations.is_kept();
-    if !finite || !audited || !kept {
-        let reason = if finite && audited {
-            format!(
-                "{} of {} at {} s leaves {} of its terms open, more than {}",
-                run.equations.what,
-                run.equations.object,
-                significant(run.equations.time, 7),
-                significant(run.equations.defect, 2),
-                significant(run.equations.bound, 2)
-            )
-        } else if finite {
-            format!(
-                "the energy audit is out by {} of the energy turned over",
-                significant(run.energy_error, 2)
-            )
-        } else {
-            "a figure is not a finite number".into()
-        };
-        return Verdict {
-            sort: Sort::Numerical,
-            headline: "Not to be trusted".into(),
-            text: format!("The computation failed its own check: {reason}.").into(),
-        };
+    let sort = match judgement {
+        Judgement::InWorkingOrder => Sort::Good,
+        Judgement::NotInWorkingOrder => Sort::Mechanism,
+        Judgement::NotJudged => Sort::Unfinished,
+        Judgement::NotToBeTrusted => Sort::Numerical,
+    };
+    let text = match judgement {
+        Judgement::NotToBeTrusted => failed(figures),
+        Judgement::InWorkingOrder | Judgement::NotInWorkingOrder | Judgement::NotJudged => {
+            pairs(figures, judgement)
+        }
+    };
+    Verdict {
+        sort,
+        headline: judgement.words().into(),
+        text,
     }
-    pairs(figures)
 }
 
-fn is_finite(object: &ObjectFigures) -> bool {
-    [
-        object.delta_abs,
-        object.delta_max,
-        object.delta_min,
-        object.sigma,
-        object.peak_speed,
-        object.peak_acceleration,
-        object.peak_reaction,
-        object.end.displacement,
-        object.end.speed,
-    ]
-    .iter()
-    .all(|value| value.is_finite())
+/// The first check that a run failed.
+fn failed(figures: &Figures) -> Sentence {
+    let run = &figures.run;
+    let failed = checks(figures).into_iter().find(|check| !check.passed());
+    let reason = match failed {
+        Some(check) if check.name == "equations of motion" => format!(
+            "{} of {} at {} s leaves {} of its terms open, more than {}",
+            run.equations.what,
+            run.equations.object,
+            significant(run.equations.time, 7),
+            significant(check.value, 2),
+            significant(check.bound, 2)
+        ),
+        Some(check) => format!(
+            "{}: {}, more than {}",
+            check.name,
+            significant(check.value, 2),
+            significant(check.bound, 2)
+        ),
+        None => String::new(),
+    };
+    format!("The computation failed its own check: {reason}.").into()
 }
 
 /// A run that did not reach its end.
-fn stopped(figures: &Figures) -> Verdict {
-    let name = figures.run.stopped.as_deref().unwrap_or("");
+fn stopped(figures: &Figures, ending: Ending) -> Verdict {
     let reason = figures.run.stopped_because.as_deref().unwrap_or("");
     let ended = Sentence::from("The run ended at t = ").quantity(figures.run.time, "s", 6);
     let text = match reason.trim_end() {
         "" => ended.words("."),
         reason => ended.words(". ").sentence(Sentence::read(reason)),
     };
-    let (sort, headline) = match name {
-        "interrupted" | "wall_clock" | "too_many_steps" | "not_explored" => {
-            (Sort::Unfinished, "Not finished")
-        }
-        "not_finite" | "step_floor" | "too_many_switches" | "method" | "" => {
-            (Sort::Numerical, "The computation stopped")
-        }
-        _ => (Sort::Mechanism, "The mechanism stops"),
+    let (sort, headline) = match ending {
+        Ending::FromOutside | Ending::Complete => (Sort::Unfinished, "Not finished"),
+        Ending::OfComputation => (Sort::Numerical, "The computation stopped"),
+        Ending::OfMechanism => (Sort::Mechanism, "The mechanism stops"),
     };
     Verdict {
         sort,
@@ -124,8 +118,8 @@ fn stopped(figures: &Figures) -> Verdict {
     }
 }
 
-/// A complete, trustworthy run: what the pairs did.
-fn pairs(figures: &Figures) -> Verdict {
+/// A complete run that passed its checks: what the pairs did.
+fn pairs(figures: &Figures, judgement: Judgement) -> Sentence {
     let pairs: Vec<(&String, &PairFigures)> = figures
         .objects
         .iter()
@@ -135,12 +129,12 @@ fn pairs(figures: &Figures) -> Verdict {
         .iter()
         .filter_map(|(id, pair)| complaint(id, pair, units(figures, id)))
         .collect();
+    let missing = match (judgement, &figures.run.window_missing) {
+        (Judgement::NotJudged, Some(why)) => format!(" No steady window: {why}."),
+        _ => String::new(),
+    };
     if !failing.is_empty() {
-        return Verdict {
-            sort: Sort::Mechanism,
-            headline: "Pair opens".into(),
-            text: sentence(failing),
-        };
+        return sentence(failing).words(missing);
     }
     let passing: u64 = pairs.iter().map(|(_, pair)| pair.separations).sum();
     let text = match (pairs.is_empty(), passing) {
@@ -151,11 +145,7 @@ fn pairs(figures: &Figures) -> Verdict {
             times(count)
         ),
     };
-    Verdict {
-        sort: Sort::Good,
-        headline: "In working order".into(),
-        text: text.into(),
-    }
+    (text + &missing).into()
 }
 
 /// Complaint about one pair; `None` when nothing is wrong. Without a window every
@@ -259,6 +249,8 @@ mod tests {
             .as_mut()
             .unwrap();
         pair.in_working_order = None;
-        assert_eq!(verdict(&figures).sort, Sort::Mechanism);
+        let judged = verdict(&figures);
+        assert_eq!(judged.sort, Sort::Unfinished);
+        assert_eq!(judged.headline.to_string(), "Not judged");
     }
 }

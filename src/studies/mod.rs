@@ -2,6 +2,7 @@
 
 pub mod axis;
 pub mod cam;
+pub mod check;
 mod choice;
 pub mod clock;
 pub mod compare;
@@ -12,6 +13,7 @@ mod endless;
 pub mod exact;
 pub mod expectations;
 pub mod forces;
+pub mod judgement;
 pub mod kinematics;
 pub mod law;
 pub mod limit;

@@ -130,7 +130,8 @@ fn formulas(
     let mut at = |_: usize, position: f64| [inertia.at(position), other.at(position)];
     let answer = Profile::new(spec.cycle, &[], given, &mut at)
         .and_then(|profile| by_energy(&profile, question, spec.fluctuation))
-        .map_err(|refusal| refused(&refusal))?;
+        .map_err(|refusal| refused(&refusal))?
+        .judged();
     let folder = folder(args, &title)?;
     let rows = answer.motion.rows(ROWS);
     let document = machine_document(&title, &answer);
@@ -146,5 +147,8 @@ fn formulas(
     };
     let found = Found::rigid(&motion, document, machine_source(&title));
     tell((args, asker), found, folder.as_ref())?;
-    Ok(Status::Answered)
+    match answer.is_trusted() {
+        true => Ok(Status::Answered),
+        false => Ok(Status::NotTrusted),
+    }
 }

@@ -190,7 +190,7 @@ fn ranges(answer: &Answer<Vec<BaseRange>>) -> String {
     };
     match (&answer.found, &answer.why_not) {
         (Some(list), _) => list.iter().map(one).collect::<Vec<_>>().join(", "),
-        (None, Some(why)) => format!("NONE: {why}"),
+        (None, Some(why)) => format!("none: {why}"),
         (None, None) => String::new(),
     }
 }
@@ -207,7 +207,16 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
     let generalised = force.unit;
     rows.extend([
         Figure::new("speed of the cam", rpm(force.speed)),
-        extreme("greatest contact force", force.contact_force, "N"),
+        extreme(
+            "greatest normal force of the contact",
+            force.contact_force,
+            "N",
+        ),
+        extreme(
+            "greatest contact force along the follower",
+            force.greatest,
+            generalised,
+        ),
         extreme(
             "least force of the pair (margin)",
             force.margin,

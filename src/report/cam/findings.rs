@@ -108,7 +108,12 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
     match grave.first() {
         None => Verdict {
             sort: Sort::Good,
-            headline: "The cam is sound.".into(),
+            headline: match &report.figures.force {
+                Some(force) if !force.rigid.is_empty() => {
+                    "The cam is sound for a rigid follower.".into()
+                }
+                _ => "The cam is sound.".into(),
+            },
             text: "No undercut, no corner; pressure angle, face and closing force are as asked."
                 .into(),
         },

@@ -5,6 +5,7 @@ use crate::dynamics::record::{
 };
 use crate::report::findings::{Cell, Figure, Table, Value};
 use crate::report::quantity::{DIGITS, significant, units, with_unit};
+use crate::studies::judgement::Judgement;
 
 fn value(value: f64, unit: &str) -> Cell {
     Value::new(value, unit, DIGITS).into()
@@ -68,7 +69,7 @@ pub(super) fn pairs(figures: &Figures) -> Table {
         ">longest opening",
         ">greatest lift",
         ">greatest approach speed",
-        ">greatest contact force",
+        ">greatest contact force (along the follower)",
     ];
     table(heads, figures, |object, units| {
         let pair = object.pair.as_ref()?;
@@ -93,19 +94,19 @@ pub(super) fn pairs(figures: &Figures) -> Table {
 
 /// Whether a pair is in working order; of a rigid object, the least force that its motion needs.
 fn order(pair: &PairFigures, units: Units) -> Cell {
-    match (pair.margin, pair.in_working_order) {
-        (Some(margin), _) => {
-            let word = if margin < 0.0 {
-                "would lift off"
-            } else {
-                "yes"
-            };
+    let judgement = Judgement::of_pair(pair);
+    let (word, good) = match judgement {
+        Judgement::InWorkingOrder => ("yes", Some(true)),
+        Judgement::NotInWorkingOrder if pair.margin.is_some() => ("would lift off", Some(false)),
+        Judgement::NotInWorkingOrder => ("NO", Some(false)),
+        Judgement::NotJudged | Judgement::NotToBeTrusted => ("not judged", None),
+    };
+    match pair.margin {
+        Some(margin) => {
             let least = with_unit(margin, units.force, DIGITS);
-            Cell::with(word, format!("least force {least}")).judged(Some(margin >= 0.0))
+            Cell::with(word, format!("least force {least}")).judged(good)
         }
-        (None, Some(true)) => Cell::from("yes").judged(Some(true)),
-        (None, Some(false)) => Cell::from("NO").judged(Some(false)),
-        (None, None) => "not judged".into(),
+        None => Cell::from(word).judged(good),
     }
 }
 

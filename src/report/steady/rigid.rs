@@ -8,6 +8,7 @@ use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, T
 use crate::report::quantity::significant;
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
+use crate::studies::steady::Agreement;
 
 /// A quantity to all the digits that say something.
 pub(super) fn value(name: &str, value: f64, unit: &str) -> Figure {
@@ -29,10 +30,6 @@ pub(super) fn mean_speed(speed: f64, why: &str) -> Figure {
 /// The motion over a cycle, its flywheel, how independent ways agree.
 pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a> {
     let f = shown.figures;
-    let headline = format!(
-        "The speed fluctuates by δ = {}.",
-        significant(f.fluctuation, 4)
-    );
     // In SI the unit of the first is that of the second.
     let speed = |sentence: Sentence, value: f64, unit: &str| {
         let words = significant(value, 5) + unit;
@@ -41,9 +38,20 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
     let text = speed(Sentence::from("From "), f.least_speed.value, "").words(" to ");
     let text = speed(text, f.greatest_speed.value, " rad/s").words(" about a mean of ");
     let text = speed(text, f.mean_speed, " rad/s").words(".");
-    let sort = match f.warnings.is_empty() {
-        true => Sort::Good,
-        false => Sort::Mechanism,
+    let checks = shown.agreement.map(Agreement::checks).unwrap_or_default();
+    let failed = checks.iter().any(|check| !check.passed());
+    let begun = match failed {
+        true => "Not to be trusted: the speed",
+        false => "The speed",
+    };
+    let headline = format!(
+        "{begun} fluctuates by δ = {}.",
+        significant(f.fluctuation, 4)
+    );
+    let sort = match (failed, f.warnings.is_empty()) {
+        (true, _) => Sort::Numerical,
+        (false, true) => Sort::Good,
+        (false, false) => Sort::Mechanism,
     };
     let flywheel = |make: fn(&Flywheel) -> Section<'static>| {
         shown.flywheel.map_or_else(Section::default, make)

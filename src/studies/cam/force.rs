@@ -1,7 +1,7 @@
 //! Contact force, lift-off and closing spring of a cam in a scene.
 
 use super::reduction::Reduction;
-use crate::dynamics::model::{Closure, Coordinate, Model};
+use crate::dynamics::model::{Closure, Coordinate, Model, NodeMotion};
 use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
 use crate::kinematics::cam::search::greatest_over;
@@ -56,6 +56,9 @@ pub struct ForceFigures {
     /// With the follower's elasticity: the speed (rad/s of the drive) at which the pair opens in
     /// the last cycle of a run; null unless it was looked for.
     pub elastic: Option<LiftOff>,
+    /// Elastic objects of the scene; these figures take them as rigid.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rigid: Vec<String>,
     /// Notes on what is left out.
     pub notes: Vec<String>,
 }
@@ -99,6 +102,8 @@ pub struct CamForce<'m> {
     reduction: Reduction<'m>,
     speed: f64,
     unit: &'static str,
+    /// Elastic objects of the scene, all taken as rigid here.
+    rigid: Vec<String>,
 }
 
 /// Points of the boundary of the region of springs.
@@ -128,6 +133,7 @@ impl<'m> CamForce<'m> {
             cam,
             reduction,
             speed,
+            rigid: elastic(model),
             unit: match model.objects[object].coordinate {
                 Coordinate::Turning => "N m",
                 Coordinate::Sliding => "N",
@@ -218,6 +224,13 @@ impl<'m> CamForce<'m> {
         let (spring, speed) = (self.reduction.spring, self.speed);
         let forced = self.reduction.pair().closure == Closure::Force;
         let mut notes = self.reduction.notes.clone();
+        if !self.rigid.is_empty() {
+            notes.push(format!(
+                "rigid: the forces are computed without the elasticity of {}; `dam run` and \
+                 `dam cam --lift-off` include it",
+                self.rigid.join(", ")
+            ));
+        }
         if self.cam.geometry().surface == Surface::Groove && forced {
             notes.push("a groove needs no closing force".to_owned());
         }
@@ -236,17 +249,48 @@ impl<'m> CamForce<'m> {
             torque,
             return_torque,
             lets_go: forced.then(|| closing.lets_go(spring, speed.signum())),
-            closing: forced.then(|| answer(&closing, spring, speed, reserve)),
+            closing: forced.then(|| answer(&closing, spring, (speed, self.unit), reserve)),
             elastic: None,
+            rigid: self.rigid.clone(),
             notes,
         }
     }
 }
 
+/// The objects with masses on springs.
+fn elastic(model: &Model) -> Vec<String> {
+    let is_mass = |&node: &usize| matches!(model.nodes[node].motion, NodeMotion::Mass { .. });
+    let elastic = model
+        .objects
+        .iter()
+        .filter(|part| part.nodes.iter().any(is_mass));
+    elastic.map(|part| part.id.clone()).collect()
+}
+
+/// The least rate that keeps contact without a reserve, in words.
+fn without_reserve(closing: &Closing<'_>, spring: ClosingSpring, speed: f64, unit: &str) -> String {
+    let Ok(rates) = closing.rates_for(spring.preload, speed, 0.0) else {
+        return ". No rate keeps contact without a reserve either".to_owned();
+    };
+    let of_rate = match unit {
+        "N m" => "N m/rad",
+        _ => "N/m",
+    };
+    let least = ClosingSpring {
+        rate: rates.from,
+        ..spring
+    };
+    format!(
+        ". Without a reserve (--reserve 0) the least rate is {} {of_rate}, at φ = {:.4} deg",
+        shown(rates.from, 10),
+        closing.least(least, speed).phi.to_degrees()
+    )
+}
+
 fn answer(
     closing: &Closing<'_>,
     spring: ClosingSpring,
-    speed: f64,
+    (speed, unit): (f64, &str),
     reserve: Reserve,
 ) -> SpringAnswer {
     let reserve = match reserve {
@@ -255,12 +299,15 @@ fn answer(
     };
     let rates = closing.rates_for(spring.preload, speed, reserve);
     let no_rate = rates.as_ref().err().map(|none| {
-        format!(
-            "with a preload of {} no rate leaves the reserve: at φ = {:.3} deg {} is lacking still",
+        let missing = format!(
+            "no rate leaves the reserve of {} {unit} with the preload of {} {unit}: \
+             at φ = {:.3} deg {} {unit} are missing. The reserve is asked for in dwells too",
+            shown(reserve, 6),
             shown(spring.preload, 6),
             none.lacking.phi.to_degrees(),
             shown(none.lacking.value, 6)
-        )
+        );
+        missing + &without_reserve(closing, spring, speed, unit)
     });
     let widest = match &rates {
         Ok(rates) => rates.from.max(spring.rate),

@@ -3,6 +3,7 @@
 use crate::dynamics::steady::cycle_map::Regime;
 use crate::dynamics::steady::flywheel::Flywheel;
 use crate::dynamics::steady::{Check, Extreme, Means, SteadyFigures, SteadyMotion};
+use crate::studies::check::Check as Judged;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -40,6 +41,50 @@ pub struct Agreement {
     pub simulation: Option<Simulation>,
     /// Why there is no simulation.
     pub simulation_missing: Option<String>,
+}
+
+/// Greatest relative difference between independent ways to the same motion.
+const AGREED: f64 = 1e-6;
+
+impl Agreement {
+    /// What was compared, with its bounds.
+    pub fn checks(&self) -> Vec<Judged> {
+        let equation = self.equation.map(|check| {
+            [
+                ("speed by the equation of motion over a cycle", check.speed),
+                ("period by the equation of motion", check.period),
+            ]
+        });
+        let map = self
+            .cycle_map
+            .map(|apart| ("speed by the cycle map", apart));
+        let simulation = self
+            .simulation
+            .map(|run| ("speed by the simulation of the scene in time", run.speed));
+        let found = equation.into_iter().flatten().chain(map).chain(simulation);
+        found
+            .map(|(name, value)| Judged {
+                name,
+                value,
+                bound: AGREED,
+            })
+            .collect()
+    }
+}
+
+impl RigidAnswer {
+    /// True when the independent ways agree.
+    pub fn is_trusted(&self) -> bool {
+        self.agreement.checks().iter().all(Judged::passed)
+    }
+
+    /// Adds a warning for each comparison beyond its bound.
+    pub fn judged(mut self) -> Self {
+        let checks = self.agreement.checks();
+        let failures = checks.iter().filter_map(Judged::failure);
+        self.figures.warnings.extend(failures);
+        self
+    }
 }
 
 /// Simulation of the scene in time, for comparison.

@@ -63,7 +63,7 @@ pub(super) fn answer(
         Ok(simulation) => answer.agreement.simulation = Some(simulation),
         Err(why) => answer.agreement.simulation_missing = Some(why),
     }
-    Ok(answer)
+    Ok(answer.judged())
 }
 
 /// The energy-mass method, with a flywheel where one is asked for.

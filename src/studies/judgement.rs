@@ -1,0 +1,139 @@
+//! The verdict of a run: one of four, from its checks and from what its pairs did.
+
+use super::check::Check;
+use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures};
+use serde::Serialize;
+
+/// The verdict of a run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Judgement {
+    /// The mechanism works: no pair opens in the steady window.
+    InWorkingOrder,
+    /// A pair opens, or the mechanism stops.
+    NotInWorkingOrder,
+    /// The run was too short, or was ended, before its working order could be judged.
+    NotJudged,
+    /// The computation failed, or failed a check of its own.
+    NotToBeTrusted,
+}
+
+impl Judgement {
+    /// In words, with a capital.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::InWorkingOrder => "In working order",
+            Self::NotInWorkingOrder => "Not in working order",
+            Self::NotJudged => "Not judged",
+            Self::NotToBeTrusted => "Not to be trusted",
+        }
+    }
+
+    /// The verdict of a run with these figures.
+    pub fn of(figures: &Figures) -> Self {
+        let ending = ending(figures);
+        // What stops at its very start, as by self-locking, leaves nothing to check.
+        let at_start = ending == Ending::OfMechanism && figures.run.time <= 0.0;
+        let checked = at_start || checks(figures).iter().all(Check::passed);
+        match ending {
+            Ending::OfComputation => Self::NotToBeTrusted,
+            Ending::Complete | Ending::FromOutside | Ending::OfMechanism if !checked => {
+                Self::NotToBeTrusted
+            }
+            Ending::OfMechanism => Self::NotInWorkingOrder,
+            Ending::FromOutside => Self::NotJudged,
+            Ending::Complete => pairs(figures),
+        }
+    }
+
+    /// The verdict on a pair by itself.
+    pub fn of_pair(pair: &PairFigures) -> Self {
+        match (pair.margin, pair.in_working_order) {
+            // The margin of a rigid object is that of the whole run.
+            (Some(margin), _) if margin >= 0.0 => Self::InWorkingOrder,
+            (Some(_), _) | (None, Some(false)) => Self::NotInWorkingOrder,
+            (None, Some(true)) => Self::InWorkingOrder,
+            (None, None) => Self::NotJudged,
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// At its end.
+    Complete,
+    /// By the user or a limit of the user's.
+    FromOutside,
+    /// By a failure of the computation.
+    OfComputation,
+    /// By the mechanism: a dead-centre position, the end of a range.
+    OfMechanism,
+}
+
+/// How the run of these figures ended.
+pub fn ending(figures: &Figures) -> Ending {
+    if figures.run.complete {
+        return Ending::Complete;
+    }
+    match figures.run.stopped.as_deref().unwrap_or("") {
+        "interrupted" | "wall_clock" | "too_many_steps" | "not_explored" => Ending::FromOutside,
+        "not_finite" | "step_floor" | "too_many_switches" | "method" | "" => Ending::OfComputation,
+        _ => Ending::OfMechanism,
+    }
+}
+
+/// The checks that a run makes of itself, with their bounds.
+pub fn checks(figures: &Figures) -> Vec<Check> {
+    let run = &figures.run;
+    // Accelerations grow without bound towards a dead-centre position that ends a run.
+    let unknown = match ending(figures) {
+        Ending::OfMechanism => 0,
+        Ending::Complete | Ending::FromOutside | Ending::OfComputation => {
+            let all = figures.objects.values();
+            all.filter(|one| !is_finite(one)).count()
+        }
+    };
+    vec![
+        Check {
+            name: "count of objects with a figure that is not a finite number",
+            value: unknown as f64,
+            bound: 0.0,
+        },
+        Check {
+            name: "energy balance",
+            value: run.energy_error,
+            bound: EnergyAudit::bound(run.tolerance),
+        },
+        Check {
+            name: "equations of motion",
+            value: run.equations.defect,
+            bound: run.equations.bound,
+        },
+    ]
+}
+
+fn pairs(figures: &Figures) -> Judgement {
+    let pairs = figures.objects.values().filter_map(|one| one.pair.as_ref());
+    let found: Vec<Judgement> = pairs.map(Judgement::of_pair).collect();
+    [Judgement::NotInWorkingOrder, Judgement::NotJudged]
+        .into_iter()
+        .find(|one| found.contains(one))
+        .unwrap_or(Judgement::InWorkingOrder)
+}
+
+fn is_finite(object: &ObjectFigures) -> bool {
+    [
+        object.delta_abs,
+        object.delta_max,
+        object.delta_min,
+        object.sigma,
+        object.peak_speed,
+        object.peak_acceleration,
+        object.peak_reaction,
+        object.end.displacement,
+        object.end.speed,
+    ]
+    .iter()
+    .all(|value| value.is_finite())
+}
