@@ -13,25 +13,12 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Scenes whose answers are known to be wrong. The test fails when one of them passes, so
 /// that this list can only become shorter.
 const STILL_WRONG: &[&str] = &[
-    "motion_half_sine_cubed",
-    "motion_polynomial_modulo",
-    "geneva_with_dwell",
-    "motion_smooth_sine",
-    "motion_register",
-    "motion_cam_wobble",
-    "clutch_dry",
-    "belt_stick_slip",
     "start_harmonic_rise",
     "start_cycloidal_rise",
     "spring_surge",
     "contact_force_two_meanings",
     "spring_none",
-    "wedge_hint_off",
-    "wedge_hint_far",
-    "brake_to_rest",
-    "shaking_ground",
     "start_on_law",
-    "written_feed_smooth",
     "force_table_without_period",
 ];
 
