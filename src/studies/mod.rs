@@ -1,5 +1,7 @@
 //! Questions asked of a system: one file or folder a question.
 
+#[cfg(test)]
+mod audit_tests;
 pub mod axis;
 pub mod cam;
 pub mod check;

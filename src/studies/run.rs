@@ -301,6 +301,10 @@ fn attempt(
     };
     choice.tell_changes(&changed.into_inner());
     let mut recorded = found.recorded;
+    let figures = recorded.figures.iter();
+    let peaks: Vec<[f64; 3]> = figures
+        .map(|own| [own.peak_speed, own.peak_acceleration, own.peak_reaction])
+        .collect();
     let equations = audit::check(
         system,
         &recorded.looks,
@@ -309,6 +313,7 @@ fn attempt(
             recorded: !light,
             closed: whole,
         },
+        &peaks,
     );
     Ok(Motion {
         equations,

@@ -94,11 +94,20 @@ pub(crate) struct Asked {
 }
 
 /// Checks what was drawn in a run.
-pub(crate) fn check(system: &System, looks: &Looks, asked: Asked) -> EquationCheck {
+///
+/// `peaks`: of every object part the greatest speed, acceleration and reaction of the whole
+/// run, by which defects are measured too: what was looked at may have died away.
+pub(crate) fn check(
+    system: &System,
+    looks: &Looks,
+    asked: Asked,
+    peaks: &[[f64; 3]],
+) -> EquationCheck {
     if looks.looks.is_empty() && looks.turns.is_empty() {
         return EquationCheck::default();
     }
     let mut judge = Judge::new(system, asked);
+    judge.see_peaks(peaks);
     let longest: Vec<Vec<Balance>> = (looks.looks.iter())
         .map(|look| judge.balance(look, &look.windows[0]))
         .collect();
@@ -143,6 +152,24 @@ impl<'s> Judge<'s> {
                 ..EquationCheck::default()
             },
             names,
+        }
+    }
+
+    /// Takes the greatest values of the run into the scales.
+    fn see_peaks(&mut self, peaks: &[[f64; 3]]) {
+        let model = self.system.model();
+        let scales = &mut self.scales;
+        for (index, (part, [speed, acceleration, reaction])) in
+            model.objects.iter().zip(peaks).enumerate()
+        {
+            for &node in &part.nodes {
+                scales.size[node] = scales.size[node].max(*reaction);
+            }
+            scales.contact[index][1] = scales.contact[index][1].max(*reaction);
+            if let Some(&node) = part.nodes.last() {
+                let motion = &mut scales.motion[node];
+                (motion[1], motion[2]) = (motion[1].max(*speed), motion[2].max(*acceleration));
+            }
         }
     }
 

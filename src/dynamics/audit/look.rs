@@ -6,7 +6,11 @@ use crate::dynamics::integrate::{Impact, Modes, SwitchEvent};
 pub(crate) const SEED: u64 = 0x00da_5eed;
 
 /// Instants that are drawn in a run.
-const INSTANTS: usize = 10;
+const INSTANTS: usize = 6;
+
+/// Stretches that are drawn in a run, short and long ones with the same chance: a formula
+/// that holds for a short time alone is looked at too.
+const STRETCHES: usize = 5;
 
 /// Switches that are kept.
 const SWITCHES: usize = 8;
@@ -105,6 +109,9 @@ pub(crate) struct Looker {
     /// The place that the next switch is kept at, and the end of the stretch before it.
     place: usize,
     last: Option<(f64, Vec<f64>)>,
+    /// Stretches met, and looks at those that are drawn.
+    stretches: usize,
+    drawn: Vec<Look>,
 }
 
 impl Looker {
@@ -128,6 +135,8 @@ impl Looker {
             awaits: None,
             place: 0,
             last: None,
+            stretches: 0,
+            drawn: Vec::new(),
         };
         looker.draw();
         looker
@@ -168,6 +177,9 @@ impl Looker {
         closed: bool,
         state: &mut dyn FnMut(f64, &mut [f64]),
     ) {
+        if self.instants > 0 && until > from {
+            self.draw_stretch([from, until], modes, closed, state);
+        }
         let keeps_end = self.place < SWITCHES && self.instants > 0;
         if until < self.due && self.awaits.is_none() && !keeps_end {
             return;
@@ -188,11 +200,7 @@ impl Looker {
         }
         while self.due <= until {
             if until > from {
-                // (A step is balanced at its ends by whatever was integrated: part of it.)
-                let longest = match closed {
-                    true => self.longest.min(until - from),
-                    false => PART * (until - from),
-                };
+                let longest = self.longest_in([from, until], closed);
                 let due = self.due.max(from);
                 let window = |share: &f64| {
                     let length = longest * share;
@@ -206,6 +214,49 @@ impl Looker {
                 });
             }
             self.draw();
+        }
+    }
+
+    /// The longest window in a stretch.
+    fn longest_in(&self, [from, until]: [f64; 2], closed: bool) -> f64 {
+        // (A step is balanced at its ends by whatever was integrated: part of it.)
+        match closed {
+            true => self.longest.min(until - from),
+            false => PART * (until - from),
+        }
+    }
+
+    /// Keeps a look at a stretch: each with the same chance.
+    fn draw_stretch(
+        &mut self,
+        span: [f64; 2],
+        modes: &Modes,
+        closed: bool,
+        state: &mut dyn FnMut(f64, &mut [f64]),
+    ) {
+        self.stretches += 1;
+        let kept = self.drawn.len();
+        let place = match kept < STRETCHES {
+            true => kept,
+            false => (self.next() * self.stretches as f64) as usize,
+        };
+        if place >= STRETCHES {
+            return;
+        }
+        let length = self.longest_in(span, closed);
+        let begin = span[0] + self.next() * (span[1] - span[0] - length);
+        let window = |share: &f64| {
+            let short = share * length;
+            self.window([begin + 0.5 * (length - short), short], state)
+        };
+        let windows = LENGTHS.iter().map(window).collect();
+        let look = Look {
+            modes: modes.clone(),
+            windows,
+        };
+        match place == kept {
+            true => self.drawn.push(look),
+            false => self.drawn[place] = look,
         }
     }
 
@@ -253,7 +304,8 @@ impl Looker {
     }
 
     /// What was drawn.
-    pub(crate) fn finish(self) -> Looks {
+    pub(crate) fn finish(mut self) -> Looks {
+        self.found.looks.append(&mut self.drawn);
         self.found
     }
 }

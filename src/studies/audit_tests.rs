@@ -1,0 +1,169 @@
+//! The check of the equations of motion, against runs of models that are not what their
+//! scenes state: as where a fault of a method or of the lowering takes one law for another.
+
+use super::demand::Demand;
+use super::run::{motion, run};
+use super::{Control, RunSettings};
+use crate::dynamics::audit::{self, Asked};
+use crate::dynamics::integrate::Method;
+use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
+use crate::dynamics::system::System;
+use crate::frontend::lower::lower;
+use crate::frontend::scene::{BuiltIn, Document, Overrides};
+use crate::kinematics::motion::DriveMotion;
+use std::path::Path;
+
+/// Scenes of public reports whose motions were once taken for uniform, or passed over.
+const REPORTED: [&str; 8] = [
+    "motion_cam_wobble",
+    "motion_half_sine_cubed",
+    "motion_polynomial_modulo",
+    "motion_register",
+    "motion_smooth_sine",
+    "written_feed_smooth",
+    "geneva_with_dwell",
+    "shaking_ground",
+];
+
+fn lowered(text: &[u8]) -> (Model, RunSettings) {
+    let document = Document::parse("scene.json", text).unwrap();
+    let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+    let settings = RunSettings::of(&reading.scene).unwrap();
+    (lower(&reading.scene).unwrap(), settings)
+}
+
+fn reported(name: &str) -> (Model, RunSettings) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/reference/public");
+    lowered(&std::fs::read(folder.join(format!("{name}.json"))).unwrap())
+}
+
+/// Takes every prescribed motion for the uniform one that it begins with.
+fn take_for_uniform(model: &mut Model) {
+    for node in &mut model.nodes {
+        if let NodeMotion::Prescribed { motion, track } = &mut node.motion {
+            let jet = motion.jet(motion.breaks().locate(0.0, 1.0), 0.0);
+            let (speed, angle) = (jet.first, jet.value);
+            (*motion, *track) = (DriveMotion::Constant { speed, angle }, None);
+        }
+    }
+}
+
+fn is_kept(model: Model, settings: &RunSettings, method: Option<Method>) -> bool {
+    let settings = RunSettings {
+        method,
+        ..settings.clone()
+    };
+    let system = System::new(model).unwrap();
+    let found = run(&system, &settings, &Control::default(), &mut []).unwrap();
+    assert_eq!(
+        found.equations.is_kept(),
+        found.figures.run.equations.is_kept()
+    );
+    assert!(found.equations.instants > 0, "{:?}", found.equations);
+    assert!(found.equations.is_kept() || !found.is_trusted());
+    found.equations.is_kept()
+}
+
+#[test]
+fn a_motion_that_is_taken_for_a_uniform_one_is_found_out_by_every_method() {
+    for name in REPORTED {
+        for method in [Method::Dop853, Method::Radau, Method::Taylor] {
+            let (mut model, settings) = reported(name);
+            take_for_uniform(&mut model);
+            assert!(!is_kept(model, &settings, Some(method)), "{name}, {method}");
+        }
+        let (mut model, settings) = reported(name);
+        take_for_uniform(&mut model);
+        assert!(!is_kept(model, &settings, None), "{name}");
+    }
+}
+
+#[test]
+fn runs_as_they_stand_keep_their_equations() {
+    for (name, method) in [
+        ("motion_smooth_sine", Method::Dop853),
+        ("motion_smooth_sine", Method::Radau),
+        ("written_feed_smooth", Method::Taylor),
+        ("motion_register", Method::Dop853),
+        ("shaking_ground", Method::Dop853),
+        ("hunting", Method::Dop853),
+        ("geneva_explicit_times", Method::Exact),
+    ] {
+        let (model, settings) = reported(name);
+        assert!(is_kept(model, &settings, Some(method)), "{name}, {method}");
+    }
+}
+
+const CAM: &[u8] = br#"{ "dam": 1, "name": "Cam", "objects": {
+    "shaft": { "kind": "drive", "motion": { "speed": "300 rpm" } },
+    "follower": { "kind": "slider", "input": "shaft", "mass": 2, "stiffness": 2e5,
+        "damping_capacity": 0.3, "masses": 2,
+        "position": { "cam": { "lift": "20 mm", "rise": "90 deg", "dwell": "30 deg",
+            "return": "90 deg", "law": "modified_sine" } },
+        "loads": { "spring": { "spring": { "rate": 3000, "preload": 200 } },
+            "push": { "window": { "from": "20 deg", "to": "60 deg", "force": -50 } } } } },
+    "run": { "duration": 0.4 } }"#;
+
+/// A share of 1e-4 in a law or a load is enough.
+#[test]
+fn small_differences_from_what_the_scene_states_are_found() {
+    let (model, settings) = lowered(CAM);
+    for method in [Method::Exact, Method::Dop853] {
+        assert!(is_kept(model.clone(), &settings, Some(method)), "{method}");
+        for changed in 0..3 {
+            let mut other = model.clone();
+            match changed {
+                0 => {
+                    for node in &mut other.nodes {
+                        if let NodeMotion::Prescribed { motion, .. } = &mut node.motion {
+                            let speed = 10.0 * std::f64::consts::PI * (1.0 + 1e-4);
+                            *motion = DriveMotion::Constant { speed, angle: 0.0 };
+                        }
+                    }
+                }
+                1 => {
+                    for load in &mut other.loads {
+                        if let LoadLaw::Spring { rate, .. } = &mut load.law {
+                            *rate *= 1.01;
+                        }
+                    }
+                }
+                _ => {
+                    for load in &mut other.loads {
+                        if let LoadLaw::Pieces { pieces, .. } = &mut load.law {
+                            pieces.iter_mut().for_each(|piece| piece.value *= 1.1);
+                        }
+                    }
+                }
+            }
+            assert!(
+                !is_kept(other, &settings, Some(method)),
+                "{method}, {changed}"
+            );
+        }
+    }
+}
+
+/// A method that steps over a whole rise is found out by the tolerance it was asked for.
+#[test]
+fn a_rise_that_is_stepped_over_is_found() {
+    let text = String::from_utf8(CAM.to_vec())
+        .unwrap()
+        .replace("2e5", "1e9");
+    let (model, settings) = lowered(text.as_bytes());
+    let system = System::new(model).unwrap();
+    let settings = RunSettings {
+        method: Some(Method::Radau),
+        tolerance: 0.1,
+        ..settings
+    };
+    let control = Control::default();
+    let found = motion(&system, &settings, Demand::EVERYTHING, &control, &mut []).unwrap();
+    let asked = Asked {
+        tolerance: 1e-9,
+        recorded: true,
+        closed: false,
+    };
+    let check = audit::check(&system, &found.recorded.looks, asked, &[]);
+    assert!(!check.is_kept(), "{check:?}");
+}
