@@ -115,7 +115,7 @@ impl Looks {
         }
         let ratio = now.excess() / self.before.excess();
         let falls = FALLING.contains(&(now.range / self.before.range));
-        self.steady = match falls && ratio <= STEADY && ratio >= 1.0 / STEADY {
+        self.steady = match falls && (1.0 / STEADY..=STEADY).contains(&ratio) {
             true => self.steady + 1,
             false => 0,
         };

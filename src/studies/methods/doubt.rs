@@ -63,7 +63,7 @@ pub(super) struct Witness {
 
 impl Witness {
     pub(super) fn of(attempt: &Attempt) -> Option<Self> {
-        attempt.has_ended_well().then(|| Self {
+        attempt.has_ended_well().then_some(Self {
             method: attempt.method,
             tolerance: match attempt.setting {
                 Setting::Tolerance(tolerance) => Some(tolerance),
