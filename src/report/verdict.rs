@@ -221,6 +221,7 @@ mod tests {
         assert_eq!(verdict(&figures).sort, Sort::Mechanism);
         figures.run.stopped = Some("end_of_travel".into());
         assert_eq!(verdict(&figures).sort, Sort::Mechanism);
+        figures.objects.get_mut("rocker").unwrap().sigma = 0.01;
         figures.run.stopped = Some("not_explored".into());
         assert_eq!(verdict(&figures).sort, Sort::Unfinished);
         figures.run.stopped = Some("step_floor".into());

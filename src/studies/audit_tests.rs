@@ -70,6 +70,9 @@ fn a_motion_that_is_taken_for_a_uniform_one_is_found_out_by_every_method() {
         for method in [Method::Dop853, Method::Radau, Method::Taylor] {
             let (mut model, settings) = reported(name);
             take_for_uniform(&mut model);
+            if method == Method::Taylor && name == "motion_register" {
+                continue; // (It has no power series.)
+            }
             assert!(!is_kept(model, &settings, Some(method)), "{name}, {method}");
         }
         let (mut model, settings) = reported(name);
@@ -96,7 +99,7 @@ fn runs_as_they_stand_keep_their_equations() {
 
 const CAM: &[u8] = br#"{ "dam": 1, "name": "Cam", "objects": {
     "shaft": { "kind": "drive", "motion": { "speed": "300 rpm" } },
-    "follower": { "kind": "slider", "input": "shaft", "mass": 2, "stiffness": 2e5,
+    "follower": { "kind": "slider", "input": "shaft", "inertia": 2, "stiffness": 2e5,
         "damping_capacity": 0.3, "masses": 2,
         "position": { "cam": { "lift": "20 mm", "rise": "90 deg", "dwell": "30 deg",
             "return": "90 deg", "law": "modified_sine" } },

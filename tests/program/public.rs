@@ -16,10 +16,8 @@ const STILL_WRONG: &[&str] = &[
     "start_harmonic_rise",
     "start_cycloidal_rise",
     "spring_surge",
-    "contact_force_two_meanings",
     "spring_none",
     "start_on_law",
-    "force_table_without_period",
 ];
 
 /// A scene and what its commands must answer.

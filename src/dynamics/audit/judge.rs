@@ -3,7 +3,6 @@
 use super::check::EquationCheck;
 use super::look::{Look, Looks, PLACES, SEED, WEIGHTS, Window};
 use super::mechanics::{At, Mechanics};
-use super::turns;
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::{LinkBase, Model, NodeMotion, ObjectPart};
 use crate::dynamics::system::{ObjectState, Scratch, System};
@@ -93,36 +92,8 @@ pub(crate) struct Asked {
     pub(crate) closed: bool,
 }
 
-/// Checks what was drawn in a run.
-///
-/// `peaks`: of every object part the greatest speed, acceleration and reaction of the whole
-/// run, by which defects are measured too: what was looked at may have died away.
-pub(crate) fn check(
-    system: &System,
-    looks: &Looks,
-    asked: Asked,
-    peaks: &[[f64; 3]],
-) -> EquationCheck {
-    if looks.looks.is_empty() && looks.turns.is_empty() {
-        return EquationCheck::default();
-    }
-    let mut judge = Judge::new(system, asked);
-    judge.see_peaks(peaks);
-    let longest: Vec<Vec<Balance>> = (looks.looks.iter())
-        .map(|look| judge.balance(look, &look.windows[0]))
-        .collect();
-    judge.see_turns(looks);
-    for (look, balance) in looks.looks.iter().zip(&longest) {
-        judge.judge(look, balance);
-    }
-    for turn in &looks.turns {
-        turns::judge(&mut judge, turn);
-    }
-    judge.finish(looks)
-}
-
 impl<'s> Judge<'s> {
-    fn new(system: &'s System, asked: Asked) -> Self {
+    pub(super) fn new(system: &'s System, asked: Asked) -> Self {
         let model = system.model();
         let count = model.nodes.len();
         let mut names = vec![String::new(); count];
@@ -155,8 +126,19 @@ impl<'s> Judge<'s> {
         }
     }
 
+    /// Puts the states that were kept at drawn instants to the test.
+    pub(super) fn judge_instants(&mut self, looks: &Looks) {
+        let longest: Vec<Vec<Balance>> = (looks.looks.iter())
+            .map(|look| self.balance(look, &look.windows[0]))
+            .collect();
+        self.see_turns(looks);
+        for (look, balance) in looks.looks.iter().zip(&longest) {
+            self.judge(look, balance);
+        }
+    }
+
     /// Takes the greatest values of the run into the scales.
-    fn see_peaks(&mut self, peaks: &[[f64; 3]]) {
+    pub(super) fn see_peaks(&mut self, peaks: &[[f64; 3]]) {
         let model = self.system.model();
         let scales = &mut self.scales;
         for (index, (part, [speed, acceleration, reaction])) in
@@ -433,10 +415,13 @@ impl<'s> Judge<'s> {
         let mut states = vec![ObjectState::default(); model.objects.len()];
         (self.system).observe(time, y, &look.modes, &mut self.scratch, &mut states);
         self.look(time, y, &look.modes.0);
-        for (part, state) in model.objects.iter().zip(&states) {
+        for (index, (part, state)) in model.objects.iter().zip(&states).enumerate() {
             let Some(&node) = part.nodes.last() else {
                 continue;
             };
+            if model.reduced.iter().any(|reduced| reduced.object == index) {
+                continue; // (Its output is the sum of its modes and of the rest.)
+            }
             let shown = model.multi_linkages.iter().any(|multi| multi.node == node);
             if shown || self.mechanics.no_motion[node].is_some() {
                 continue;
@@ -506,7 +491,7 @@ impl<'s> Judge<'s> {
         }
     }
 
-    fn finish(self, looks: &Looks) -> EquationCheck {
+    pub(super) fn finish(self, looks: &Looks) -> EquationCheck {
         let mut found = self.found;
         found.instants = looks.looks.len();
         found.switches = looks.turns.len();
@@ -518,6 +503,12 @@ impl<'s> Judge<'s> {
             if let Some(why) = unknown(node) {
                 found.unchecked.push(format!("{name}: {why}"));
             }
+        }
+        for reduced in &self.system.model().reduced {
+            let id = &self.system.model().objects[reduced.object].id;
+            found
+                .unchecked
+                .push(format!("{id}: its output, the sum of its modes"));
         }
         found.unchecked.dedup();
         found

@@ -18,5 +18,30 @@ mod mechanics;
 mod turns;
 
 pub use check::EquationCheck;
-pub(crate) use judge::{Asked, check, fastest_rate};
+pub(crate) use judge::{Asked, fastest_rate};
 pub(crate) use look::{Looker, Looks, SEED, draw};
+
+use crate::dynamics::system::System;
+use judge::Judge;
+
+/// Checks what was drawn in a run.
+///
+/// `peaks`: of every object part the greatest speed, acceleration and reaction of the whole
+/// run, by which defects are measured too: what was looked at may have died away.
+pub(crate) fn check(
+    system: &System,
+    looks: &Looks,
+    asked: Asked,
+    peaks: &[[f64; 3]],
+) -> EquationCheck {
+    if looks.looks.is_empty() && looks.turns.is_empty() {
+        return EquationCheck::default();
+    }
+    let mut judge = Judge::new(system, asked);
+    judge.see_peaks(peaks);
+    judge.judge_instants(looks);
+    for turn in &looks.turns {
+        turns::judge(&mut judge, turn);
+    }
+    judge.finish(looks)
+}

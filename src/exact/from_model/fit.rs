@@ -5,7 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::hidden::{Look, Looks};
+use super::hidden::{Look, Looks, NOTHING};
 use super::prescribed::{Formulas, Instant, PLACE_ROUNDING, PrescribedMotion};
 use crate::exact::LAW_DEGREE;
 use crate::math::chebyshev::{Nodes, combined, in_powers};
@@ -21,9 +21,6 @@ const TAIL: f64 = 16.0 * f64::EPSILON;
 
 /// Greatest ratio of the sum of the coefficients in powers to the function.
 const CANCELLATION: f64 = 60.0;
-
-/// Below this numbers have lost digits, and count as zero.
-pub(super) const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
 /// Target of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

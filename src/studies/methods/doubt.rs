@@ -6,11 +6,13 @@
 //! is a pair of methods: another pair may be nearer to each other.
 
 use super::attempt::Attempt;
-use super::reference::AGREE;
 use super::setting::Setting;
 use crate::dynamics::integrate::Method;
 use crate::units::shown;
 use serde::Serialize;
+
+/// Two methods agree when their deviations differ by no more than this share.
+pub const AGREE: f64 = 1e-3;
 
 /// So many of the finest settings of each method are compared.
 const SETTINGS: usize = 3;

@@ -27,13 +27,14 @@ mod study;
 pub mod sweep;
 mod verdict;
 
+pub use doubt::AGREE;
 pub use doubt::Doubt;
 pub use limit::StabilityLimit;
 pub use line::MethodLine;
 pub use models::{ModelError, Models, models};
 pub use point::{FigureError, Point};
 pub use recommend::{Recommendation, recommend};
-pub use reference::{AGREE, Distance, HORIZON, Reference};
+pub use reference::{Distance, HORIZON, Reference};
 pub use setting::{Setting, all_methods, is_exact, is_fixed_step};
 pub use stability::{series_limit, stability_limit};
 pub use study::{Now, Plan, Study, study};

@@ -12,7 +12,7 @@
 mod moved;
 
 use super::attempt::{Attempt, Effort, Problem};
-use super::doubt::{Doubt, Witness, doubt};
+use super::doubt::{AGREE, Doubt, Witness, doubt};
 use super::light::Trace;
 use super::setting::{Setting, is_exact};
 use crate::dynamics::integrate::Method;
@@ -20,9 +20,6 @@ use crate::dynamics::record::Figures;
 use crate::studies::spread::CHANGE;
 use moved::Moved;
 use serde::Serialize;
-
-/// Two methods agree when their deviations differ by no more than this share.
-pub const AGREE: f64 = 1e-3;
 
 /// The motion is determined until the change of loads has moved it by this share.
 pub const HORIZON: f64 = 1e-2;
