@@ -265,6 +265,9 @@ impl<'s> Judge<'s> {
         self.judge_contacts(look);
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {
+            if self.is_sum_of_modes(node) {
+                continue;
+            }
             if let Some((defect, mut bound)) = *best {
                 if !(defect <= bound) {
                     bound += self.sensitivity(node, look) / self.scales.size[node];
@@ -415,12 +418,12 @@ impl<'s> Judge<'s> {
         let mut states = vec![ObjectState::default(); model.objects.len()];
         (self.system).observe(time, y, &look.modes, &mut self.scratch, &mut states);
         self.look(time, y, &look.modes.0);
-        for (index, (part, state)) in model.objects.iter().zip(&states).enumerate() {
+        for (part, state) in model.objects.iter().zip(&states) {
             let Some(&node) = part.nodes.last() else {
                 continue;
             };
-            if model.reduced.iter().any(|reduced| reduced.object == index) {
-                continue; // (Its output is the sum of its modes and of the rest.)
+            if self.is_sum_of_modes(node) {
+                continue;
             }
             let shown = model.multi_linkages.iter().any(|multi| multi.node == node);
             if shown || self.mechanics.no_motion[node].is_some() {
@@ -477,6 +480,14 @@ impl<'s> Judge<'s> {
                 "force of the driving contact",
             );
         }
+    }
+
+    /// True of the output of an object that is reduced to modes: it is their sum with a rest
+    /// that no law of the scene states.
+    fn is_sum_of_modes(&self, node: usize) -> bool {
+        let model = self.system.model();
+        let mut all = model.reduced.iter();
+        all.any(|reduced| model.objects[reduced.object].nodes.contains(&node))
     }
 
     /// True where the motion of a node is prescribed.
