@@ -265,7 +265,8 @@ impl<'s> Judge<'s> {
         self.judge_contacts(look);
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {
-            if self.is_sum_of_modes(node) {
+            let on_driver = self.mechanics.coordinate[node].is_none();
+            if self.is_sum_of_modes(node) || (on_driver && self.has_rigid_contacts()) {
                 continue;
             }
             if let Some((defect, mut bound)) = *best {
@@ -482,6 +483,13 @@ impl<'s> Judge<'s> {
         }
     }
 
+    /// True where a contact is rigid: what it bears while it holds is no function of the
+    /// state, and the forces on drivers are not known from it.
+    fn has_rigid_contacts(&self) -> bool {
+        let mut parts = 0..self.system.model().objects.len();
+        parts.any(|part| self.system.is_rigid_contact(part))
+    }
+
     /// True of the output of an object that is reduced to modes: it is their sum with a rest
     /// that no law of the scene states.
     fn is_sum_of_modes(&self, node: usize) -> bool {
@@ -503,6 +511,7 @@ impl<'s> Judge<'s> {
     }
 
     pub(super) fn finish(self, looks: &Looks) -> EquationCheck {
+        let rigid = self.has_rigid_contacts();
         let mut found = self.found;
         found.instants = looks.looks.len();
         found.switches = looks.turns.len();
@@ -514,6 +523,10 @@ impl<'s> Judge<'s> {
             if let Some(why) = unknown(node) {
                 found.unchecked.push(format!("{name}: {why}"));
             }
+        }
+        if rigid {
+            let what = "forces on drivers: a rigid contact bears what no state tells of";
+            found.unchecked.push(what.to_owned());
         }
         for reduced in &self.system.model().reduced {
             let id = &self.system.model().objects[reduced.object].id;

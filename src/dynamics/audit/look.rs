@@ -12,6 +12,9 @@ const INSTANTS: usize = 6;
 /// that holds for a short time alone is looked at too.
 const STRETCHES: usize = 5;
 
+/// Stretches shorter than this share of the time are not looked at.
+const BRIEFEST: f64 = 1e-6;
+
 /// Switches that are kept.
 const SWITCHES: usize = 8;
 
@@ -177,7 +180,8 @@ impl Looker {
         closed: bool,
         state: &mut dyn FnMut(f64, &mut [f64]),
     ) {
-        if self.instants > 0 && until > from {
+        // (Of a stretch that is hardly longer than rounding of the time nothing is known.)
+        if self.instants > 0 && until - from > BRIEFEST * until.abs() {
             self.draw_stretch([from, until], modes, closed, state);
         }
         let keeps_end = self.place < SWITCHES && self.instants > 0;

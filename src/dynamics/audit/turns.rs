@@ -73,7 +73,11 @@ fn changed(judge: &mut Judge<'_>, turn: &Turn) {
             let Some(pressed) = pressed_at(judge, turn, side, component) else {
                 continue;
             };
-            if pressed.restitution.is_some() {
+            // (A massless point between them is set anew by the event: the contact opens or
+            // closes where the balance there says so.)
+            let contact = judge.system.model().objects[object].contact;
+            let point = contact.is_some_and(|contact| contact.point.is_some());
+            if pressed.restitution.is_some() || point {
                 continue;
             }
             let [depth, force] = judge.scales.contact[pressed.object];
