@@ -42,7 +42,7 @@ async function tab(page, name) {
 // The command's answer to a scene, as JSON and as its page.
 function told(scene, command, ...options) {
   const run = (more) => {
-    try { return execFileSync(dam, [...command.split(" "), ...(scene ? [server.path(scene)] : []), ...options, ...more], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28 }); } catch (error) { return error.stdout; }
+    try { return execFileSync(dam, [...command.split(" "), ...(scene ? [server.path(scene)] : []), ...options, ...more], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28, timeout: 50_000 }); } catch (error) { return error.stdout; }
   };
   const json = JSON.parse(run(["--json"])), out = join(server.base, `out-${Math.random()}`);
   run(["--out", out, "--quiet"]);

@@ -212,3 +212,23 @@ fn a_rigid_follower_over_a_moving_ground_touches_it_when_it_does() {
         );
     }
 }
+
+/// Fast layers behind each closure, thinner than the clock resolves them: no method is doubted
+/// for what rounding leaves of them.
+#[test]
+fn fine_chains_that_strike_are_certified_at_the_first_attempt() {
+    let path = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/scenarios/rocker/two_masses.json"
+    );
+    let text = std::fs::read_to_string(path).expect("a scenario");
+    let mut scene: Value = serde_json::from_str(&text).expect("JSON");
+    for masses in [96, 128] {
+        scene["objects"]["rocker"]["masses"] = masses.into();
+        let found = run(&scene);
+        assert!(found.is_trusted(), "{masses}: {}", found.equations);
+        let why = &found.figures.run.why;
+        assert!(!why.contains("not kept"), "{masses}: {why}");
+        assert_eq!(figure(&found, "rocker.pair.separations"), 60.0);
+    }
+}

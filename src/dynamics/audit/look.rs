@@ -63,6 +63,41 @@ pub(crate) struct Look {
     pub(super) windows: Vec<Window>,
 }
 
+/// Roundings of the instant of a switch.
+pub(super) const LATE: f64 = 64.0 * f64::EPSILON;
+
+/// A state at the end of a stretch, the one beside it by roundings of the instant, and how
+/// long the stretch is.
+#[derive(Clone, Debug)]
+pub(crate) struct End {
+    pub(super) state: Vec<f64>,
+    pub(super) beside: Vec<f64>,
+    pub(super) length: f64,
+}
+
+impl End {
+    fn new(entries: usize) -> Self {
+        Self {
+            state: vec![0.0; entries],
+            beside: vec![0.0; entries],
+            length: 0.0,
+        }
+    }
+
+    /// Sees the end at a time of the stretch [from, until].
+    fn see(&mut self, time: f64, span: [f64; 2], state: &mut dyn FnMut(f64, &mut [f64])) {
+        let off = LATE * time.abs();
+        let beside = if time > span[0] {
+            time - off
+        } else {
+            time + off
+        };
+        state(time, &mut self.state);
+        state(beside.clamp(span[0], span[1]), &mut self.beside);
+        self.length = span[1] - span[0];
+    }
+}
+
 /// A switch that was drawn.
 #[derive(Clone, Debug)]
 pub(crate) struct Turn {
@@ -71,8 +106,8 @@ pub(crate) struct Turn {
     /// begins.
     pub(super) before: Vec<f64>,
     pub(super) after: Vec<f64>,
-    pub(super) last: Option<Vec<f64>>,
-    pub(super) next: Option<Vec<f64>>,
+    pub(super) last: Option<End>,
+    pub(super) next: Option<End>,
     pub(super) modes: [Modes; 2],
     pub(super) impact: Option<Impact>,
 }
@@ -111,7 +146,7 @@ pub(crate) struct Looker {
     awaits: Option<usize>,
     /// The place that the next switch is kept at, and the end of the stretch before it.
     place: usize,
-    last: Option<(f64, Vec<f64>)>,
+    last: Option<(f64, End)>,
     /// Stretches met, and looks at those that are drawn.
     stretches: usize,
     drawn: Vec<Look>,
@@ -189,18 +224,15 @@ impl Looker {
             return;
         }
         if keeps_end {
-            let (_, y) = self
-                .last
-                .get_or_insert_with(|| (until, vec![0.0; self.entries]));
-            state(until, y);
-            if let Some(last) = &mut self.last {
-                last.0 = until;
-            }
+            let entries = self.entries;
+            let (time, end) = self.last.get_or_insert_with(|| (until, End::new(entries)));
+            *time = until;
+            end.see(until, [from, until], state);
         }
         if let Some(turn) = self.awaits.take() {
-            let mut y = vec![0.0; self.entries];
-            state(from, &mut y);
-            self.found.turns[turn].next = Some(y);
+            let mut end = End::new(self.entries);
+            end.see(from, [from, until], state);
+            self.found.turns[turn].next = Some(end);
         }
         while self.due <= until {
             if until > from {

@@ -2,8 +2,11 @@
 
 use super::contact::Pressed;
 use super::judge::Judge;
-use super::look::Turn;
+use super::look::{End, LATE, Turn};
 use crate::dynamics::integrate::Impact;
+
+/// Roundings of the displacements through which a stretch knows its speeds.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
 /// Puts a switch to the test.
 pub(super) fn judge(judge: &mut Judge<'_>, turn: &Turn) {
@@ -18,28 +21,54 @@ pub(super) fn judge(judge: &mut Judge<'_>, turn: &Turn) {
 fn continuity(judge: &mut Judge<'_>, turn: &Turn) {
     let count = turn.before.len() / 2;
     let bound = judge.bound();
-    let mut pairs = vec![(&turn.before, &turn.after, 0..1)];
-    pairs.extend(turn.last.iter().map(|last| (last, &turn.before, 0..2)));
-    pairs.extend(turn.next.iter().map(|next| (next, &turn.after, 0..2)));
+    let mut pairs: Vec<(&[f64], &[f64], Option<&End>)> = vec![(&turn.before, &turn.after, None)];
+    pairs.extend(
+        turn.last
+            .iter()
+            .map(|end| (&*end.state, &*turn.before, Some(end))),
+    );
+    pairs.extend(
+        turn.next
+            .iter()
+            .map(|end| (&*end.state, &*turn.after, Some(end))),
+    );
     for node in 0..judge.names.len() {
         let Some(own) = judge.mechanics.coordinate[node] else {
             continue;
         };
         // (A massless point has no speed of its own: it follows from the balance.)
         let massless = judge.system.model().nodes[node].inertia == 0.0;
-        for (one, other, orders) in &pairs {
-            for order in orders.clone().take(if massless { 1 } else { 2 }) {
+        for &(one, other, end) in &pairs {
+            let orders = if massless || end.is_none() {
+                0..1
+            } else {
+                0..2
+            };
+            for order in orders {
                 let entry = own + order * count;
                 let what = ["displacement at a switch", "speed at a switch"][order];
                 let scale = judge.scales.entries[entry];
                 if scale > 0.0 {
                     let defect = (one[entry] - other[entry]).abs() / scale;
+                    let unsure = end.map_or(0.0, |end| unsure(judge, end, node, order, entry));
+                    let bound = bound + unsure / scale;
                     judge
                         .found
                         .see(defect, bound, (turn.time, &judge.names[node]), what);
                 }
             }
         }
+    }
+}
+
+/// How far rounding leaves an entry of the state at the end of a stretch open: of the
+/// instant, about which what is stiff moves, and of the displacements.
+fn unsure(judge: &Judge<'_>, end: &End, node: usize, order: usize, entry: usize) -> f64 {
+    let moved = (end.state[entry] - end.beside[entry]).abs();
+    match order == 0 || end.length == 0.0 {
+        true => moved,
+        // (A displacement may be counted from that of a law, which is rounded as well.)
+        false => moved + ROUNDED * judge.scales.motion[node][0] / end.length,
     }
 }
 
@@ -84,7 +113,7 @@ fn changed(judge: &mut Judge<'_>, turn: &Turn) {
             let share = |value: f64, of: f64| if of > 0.0 { value.abs() / of } else { 0.0 };
             let defect = share(pressed.depth, depth).min(share(pressed.normal, force));
             // The instant is rounded.
-            let late = 64.0 * f64::EPSILON * turn.time * pressed.speed.abs();
+            let late = LATE * turn.time * pressed.speed.abs();
             let bound = judge.bound() + share(late, depth);
             let id = &judge.system.model().objects[pressed.object].id;
             let what = "contact force or depth at a switch";

@@ -184,6 +184,12 @@ const RESERVE: [Method; 4] = [
     Method::Taylor,
 ];
 
+/// None is in reserve that is expected to need so many times the work of the method chosen …
+const DEAREST: f64 = 300.0;
+
+/// … unless it needs no more evaluations than this.
+const CHEAP: f64 = 1e6;
+
 impl Behaviour {
     /// The tolerance that keeps the one asked for over a whole run.
     fn aim(&self, situation: &Situation) -> f64 {
@@ -271,6 +277,8 @@ pub fn choose(situation: &Situation) -> Chosen {
     let others = RESERVE.iter().filter(|&&method| method != chosen.method);
     let others = others.filter(|&&method| situation.expands || method != Method::Taylor);
     let others = others.filter_map(|&method| BEHAVIOURS.iter().find(|own| own.method == method));
+    let dearest = (DEAREST * chosen.work(situation)).max(CHEAP);
+    let others = others.filter(|own| own.work(situation) <= dearest);
     Chosen {
         method: chosen.method,
         tolerance,

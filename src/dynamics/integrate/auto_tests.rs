@@ -69,6 +69,21 @@ fn a_stiff_chain_gets_the_implicit_method_and_a_short_one_power_series() {
 }
 
 #[test]
+fn what_would_not_come_to_an_end_is_not_in_reserve() {
+    let stiff = Situation {
+        fastest: 1e11,
+        ..situation(1e-9, 0.5)
+    };
+    let methods = |situation: &Situation| -> Vec<Method> {
+        let reserve = choose(situation).reserve;
+        reserve.iter().map(|own| own.method).collect()
+    };
+    assert_eq!(methods(&stiff), [Method::Rodas5p]);
+    let soft = methods(&situation(1e-9, 0.5));
+    assert!(soft.contains(&Method::Radau) && soft.len() > 1, "{soft:?}");
+}
+
+#[test]
 fn a_system_at_rest_without_springs_has_a_method_and_a_readable_reason() {
     let Chosen { method, why, .. } = choose(&situation(1e-8, 2.0));
     assert_eq!(method, Method::Taylor);

@@ -42,14 +42,36 @@ impl Figures {
     /// # Errors
     /// The address is unknown (similar ones are named), or the figure is null.
     pub fn value(&self, address: &str) -> Result<f64, AddressError> {
-        let mut known = self.addresses();
-        match known.remove(address) {
+        match self.at(address) {
             Some(Some(value)) => Ok(value),
             Some(None) => Err(AddressError::NoValue),
             None => Err(AddressError::Unknown {
-                close: closest(address, known.into_keys()),
+                close: closest(address, self.addresses().into_keys()),
             }),
         }
+    }
+
+    /// What stands at an address, without a list of all; `None`: nothing.
+    fn at(&self, address: &str) -> Option<Option<f64>> {
+        let (id, name) = owner_of(address, |id| self.objects.contains_key(id));
+        let owner = match self.objects.get(id) {
+            Some(figures) => serde_json::to_value(figures).ok()?,
+            None if id == "run" => serde_json::to_value(&self.run).ok()?,
+            None => return None,
+        };
+        let mut here = &owner;
+        for part in name.split('.') {
+            here = match here {
+                Value::Object(members) => members.get(part)?,
+                Value::Array(members) => {
+                    let index: usize = part.parse().ok()?;
+                    // (As the list writes it: no leading zeros or signs.)
+                    members.get(index).filter(|_| index.to_string() == part)?
+                }
+                Value::Number(_) | Value::Bool(_) | Value::Null | Value::String(_) => return None,
+            };
+        }
+        number(here)
     }
 
     /// SI unit of a figure; empty for counts, answers and pure numbers, and for what
@@ -144,16 +166,22 @@ fn collect(prefix: &str, value: &Value, found: &mut BTreeMap<String, Option<f64>
                 collect(&format!("{prefix}.{index}"), member, found);
             }
         }
-        Value::Number(number) => {
-            found.insert(prefix.to_owned(), number.as_f64());
+        Value::Number(_) | Value::Bool(_) | Value::Null | Value::String(_) => {
+            if let Some(value) = number(value) {
+                found.insert(prefix.to_owned(), value);
+            }
         }
-        Value::Bool(flag) => {
-            found.insert(prefix.to_owned(), Some(f64::from(u8::from(*flag))));
-        }
-        Value::Null => {
-            found.insert(prefix.to_owned(), None);
-        }
-        Value::String(_) => {}
+    }
+}
+
+/// What a figure is: its number, 0 or 1 of an answer, `Some(None)` of null; `None` of what is
+/// no figure.
+fn number(value: &Value) -> Option<Option<f64>> {
+    match value {
+        Value::Number(number) => Some(number.as_f64()),
+        Value::Bool(flag) => Some(Some(f64::from(u8::from(*flag)))),
+        Value::Null => Some(None),
+        Value::String(_) | Value::Object(_) | Value::Array(_) => None,
     }
 }
 
@@ -201,6 +229,33 @@ mod tests {
             },
             warnings: Vec::new(),
         }
+    }
+
+    /// Looking one up and listing all are two ways to the same.
+    #[test]
+    fn every_address_that_is_listed_is_found_and_no_other() {
+        let figures = figures();
+        let same = |one: f64, other: f64| one == other || (one.is_nan() && other.is_nan());
+        for (address, value) in figures.addresses() {
+            match (figures.value(&address), value) {
+                (Ok(found), Some(value)) => assert!(same(found, value), "{address}"),
+                (Err(AddressError::NoValue), None) => {}
+                other => panic!("{address}: {other:?}"),
+            }
+            for wrong in [
+                format!("{address}.0"),
+                format!("{address}."),
+                format!(".{address}"),
+            ] {
+                let found = figures.value(&wrong);
+                assert!(
+                    matches!(found, Err(AddressError::Unknown { .. })),
+                    "{wrong}"
+                );
+            }
+        }
+        let padded = figures.value("rocker.pair.switch_times.01");
+        assert!(matches!(padded, Err(AddressError::Unknown { .. })));
     }
 
     #[test]
