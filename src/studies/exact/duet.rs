@@ -13,29 +13,22 @@ use crate::exact::walk::{Given, Walk};
 use crate::math::polynomial::Step;
 
 /// Listens to the rest and follows the trees.
-pub(super) struct Duet<'a, 's> {
+pub(super) struct Duet<'a> {
     rest: &'a Rest,
     walk: Walk<'a>,
     joint: Joint<'a>,
-    sink: &'s mut dyn Sink,
     /// State and modes of the whole where the walk stands.
     y: Vec<f64>,
     modes: Modes,
 }
 
-impl<'a, 's> Duet<'a, 's> {
-    pub(super) fn new(
-        rest: &'a Rest,
-        walk: Walk<'a>,
-        joint: Joint<'a>,
-        sink: &'s mut dyn Sink,
-    ) -> Self {
+impl<'a> Duet<'a> {
+    pub(super) fn new(rest: &'a Rest, walk: Walk<'a>, joint: Joint<'a>) -> Self {
         let (y, modes) = (walk.state().to_vec(), walk.modes().clone());
         Self {
             rest,
             walk,
             joint,
-            sink,
             y,
             modes,
         }
@@ -71,7 +64,7 @@ impl<'a, 's> Duet<'a, 's> {
     }
 }
 
-impl Sink for Duet<'_, '_> {
+impl Sink for Duet<'_> {
     fn start(&mut self, _time: f64, y: &[f64], modes: &Modes) {
         self.joint.start_beside(y, modes);
         self.walk.begin(&mut self.joint);
@@ -96,7 +89,7 @@ impl Sink for Duet<'_, '_> {
         self.joint.step(&reached, modes);
         self.y.copy_from_slice(self.walk.stand(Some(&given)).0);
         self.modes.0.copy_from_slice(&self.walk.modes().0);
-        self.sink.passes(self.walk.time(), self.walk.switches());
+        self.joint.passes(self.walk.time(), self.walk.switches());
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {

@@ -11,7 +11,7 @@
 use super::beside::Beside;
 use super::carried::{Looked, carried};
 use crate::dynamics::energy::EnergyAudit;
-use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
+use crate::dynamics::integrate::{Dynamics, Modes, Sink, SwitchEvent};
 use crate::dynamics::record::{
     Course, Failure, Log, Recorded, RecorderSettings, Stretch, Tally, drive_cycle,
 };
@@ -50,6 +50,8 @@ pub(super) struct Joint<'a> {
     seen: Vec<ObjectState>,
     /// Instants of extremes just found.
     found: Vec<f64>,
+    /// Who listens beside the record.
+    sink: &'a mut dyn Sink,
 }
 
 impl<'a> Joint<'a> {
@@ -59,6 +61,7 @@ impl<'a> Joint<'a> {
         (route, goes_on): (Way<'a>, &'a dyn Fn() -> bool),
         settings: RecorderSettings,
         rest: Option<(&'a Rest, bool)>,
+        sink: &'a mut dyn Sink,
     ) -> Self {
         let system = route.system;
         let tallies = |objects: &Vec<usize>| {
@@ -85,7 +88,13 @@ impl<'a> Joint<'a> {
             settings,
             route,
             goes_on,
+            sink,
         }
+    }
+
+    /// The walk has come up to an instant, with so many switches of pairs.
+    pub(super) fn passes(&mut self, time: f64, switches: u64) {
+        self.sink.passes(time, switches);
     }
 
     /// A step of what is integrated beside the trees, which have been followed to its end.
@@ -271,6 +280,7 @@ impl<'a> Joint<'a> {
 
 impl Listener for Joint<'_> {
     fn start(&mut self, y: &[f64], modes: &Modes) {
+        self.sink.start(0.0, y, modes);
         let states = self.log.start(0.0, y, modes);
         for (own, part) in self.trees.iter_mut().zip(&self.route.parts.trees) {
             for (tally, &object) in own.iter_mut().zip(&part.objects) {

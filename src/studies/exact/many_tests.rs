@@ -2,8 +2,8 @@
 
 use super::{Joint, request, trees, whole};
 use crate::budget::Budget;
-use crate::dynamics::integrate::{Limits, Modes, SwitchEvent};
-use crate::dynamics::record::{Observer, RecorderSettings};
+use crate::dynamics::integrate::{Limits, Modes, Sink, SwitchEvent};
+use crate::dynamics::record::{Observer, RecorderSettings, Tee};
 use crate::dynamics::system::System;
 use crate::exact::Rest;
 use crate::exact::walk::{Branch, Clock, Listener, Motion, Walk, Way};
@@ -113,7 +113,9 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     let clock = Clock::new(&limits);
     let goes_on = || clock.goes_on();
     let asked = |number: usize| request(&parts.trees[number], &limits, duration, None);
-    let mut joint = Joint::new((way, &goes_on), settings, Some((&rest, false)));
+    let mut nobody: [&mut dyn Sink; 0] = [];
+    let sink = &mut Tee(&mut nobody);
+    let mut joint = Joint::new((way, &goes_on), settings, Some((&rest, false)), sink);
     let mut counted = Counted {
         joint: &mut joint,
         observer: Observer::new(&system),

@@ -175,6 +175,7 @@ pub(super) fn follow(
         (way, &goes_on),
         settings,
         rest.as_ref().map(|rest| (rest, false)),
+        sink,
     );
     let mut walk = match Walk::new(way, &request, &clock, &goes_on) {
         Ok(walk) => walk,
@@ -183,7 +184,7 @@ pub(super) fn follow(
     walk.begin(&mut joint);
     while walk.goes_on(end) {
         walk.go_on_to(end, None, &mut joint);
-        sink.passes(walk.time(), walk.switches());
+        joint.passes(walk.time(), walk.switches());
     }
     finish(walk, joint)
 }
@@ -351,12 +352,12 @@ pub(super) fn follow_beside(
     let clock = Clock::new(limits);
     let goes_on = || clock.goes_on();
     let request = |number: usize| request(&parts.trees[number], limits, end, None);
-    let joint = Joint::new((way, &goes_on), settings, Some((rest, true)));
+    let joint = Joint::new((way, &goes_on), settings, Some((rest, true)), sink);
     let walk = match Walk::new(way, &request, &clock, &goes_on) {
         Ok(walk) => walk,
         Err(stop) => return never_begun(joint, initial, stop),
     };
-    let mut duet = Duet::new(rest, walk, joint, sink);
+    let mut duet = Duet::new(rest, walk, joint);
     let own = integrate(&rest.initial(initial), &mut duet);
     duet.finish(own)
 }

@@ -44,17 +44,135 @@ const LONG: [&str; 4] = [
     "run={\"duration\": 100000, \"samples\": 100, \"method\": \"taylor\", \"max_switches\": 1000000000}",
 ];
 
-#[cfg(unix)]
+/// A lever that can be propagated exactly, and beside it one that must be integrated.
+const MIXED: &str = r#"{ "dam": 1, "name": "Mixed", "objects": {
+    "shaft": { "kind": "drive", "motion": { "speed": "10 rev/s" } },
+    "lever": { "kind": "rocker", "input": "shaft", "masses": 2, "inertia": 0.1,
+        "stiffness": 1e7, "damping_capacity": 0.4, "pair": { "closure": "force" },
+        "position": { "sine": { "amplitude": "90 deg" } },
+        "loads": { "closing": { "mass": "last", "constant": -600 } } },
+    "brake": { "kind": "rocker", "input": "shaft", "masses": 1, "inertia": 0.2,
+        "stiffness": 3e5, "damping_capacity": 0.3,
+        "position": { "sine": { "amplitude": "20 deg" } },
+        "loads": { "shoe": { "friction": { "force": 40, "width": 0.5 } } } } } }"#;
+
+/// How a run is ended from outside.
+#[derive(Clone, Copy, Debug)]
+enum Ending {
+    Limit,
+    #[cfg(unix)]
+    Signal(&'static str),
+}
+
+impl Ending {
+    #[cfg(unix)]
+    const ALL: [Self; 3] = [Self::Limit, Self::Signal("-INT"), Self::Signal("-TERM")];
+    #[cfg(not(unix))]
+    const ALL: [Self; 1] = [Self::Limit];
+
+    /// Exit status, and what the result says of it.
+    fn expected(self) -> (i32, &'static str) {
+        match self {
+            Self::Limit => (1, "wall_clock"),
+            #[cfg(unix)]
+            Self::Signal("-INT") => (130, "interrupted"),
+            #[cfg(unix)]
+            Self::Signal(_) => (143, "interrupted"),
+        }
+    }
+
+    /// Status and outputs of a command that is ended after a while.
+    fn end(self, args: &[&str], after: Duration) -> (Option<i32>, String, String) {
+        match self {
+            Self::Limit => {
+                let limit = after.as_secs_f64().to_string();
+                let found = output(&[args, &["--time-limit", &limit]].concat());
+                (
+                    found.status.code(),
+                    text(&found.stdout),
+                    text(&found.stderr),
+                )
+            }
+            #[cfg(unix)]
+            Self::Signal(signal) => {
+                let (code, out, err, _) = told(args, signal, after);
+                (code, out, err)
+            }
+        }
+    }
+}
+
+/// The result of a run that is ended from outside, which must be kept as far as it came. On a
+/// machine that is busy a run may not have begun yet: it is then given more time.
+fn kept(ending: Ending, args: &[&str], folder: Option<&std::path::Path>) -> serde_json::Value {
+    let (status, stopped) = ending.expected();
+    let mut after = Duration::from_millis(250);
+    loop {
+        let (code, out, err) = ending.end(args, after);
+        let said = format!("{ending:?} {args:?} after {after:?}: {out}{err}");
+        assert_eq!(code, Some(status), "{said}");
+        let document = match folder {
+            None => out.clone(),
+            Some(folder) => {
+                std::fs::read_to_string(folder.join("summary.json")).unwrap_or_default()
+            }
+        };
+        if let Ok(document) = serde_json::from_str::<serde_json::Value>(&document)
+            && document["errors"].is_null()
+        {
+            assert_eq!(document["run"]["stopped"], stopped, "{said}");
+            if folder.is_some() {
+                assert!(out.contains("Not finished"), "{said}");
+            }
+            return document;
+        }
+        assert!(after < Duration::from_secs(10), "nothing was kept: {said}");
+        after *= 3;
+    }
+}
+
 #[test]
-fn a_signal_ends_a_run_with_what_was_computed() {
-    for (signal, status) in [("-INT", 130), ("-TERM", 143)] {
-        let (code, out, err, _) = told(&LONG, signal, Duration::from_secs(2));
-        assert_eq!(code, Some(status), "{err}");
-        assert!(
-            out.contains("INCOMPLETE") && out.contains("interrupted"),
-            "{out}"
-        );
-        assert!(out.contains("peak speed"), "{out}");
+fn every_ending_keeps_what_was_computed() {
+    let folder = tempfile::tempdir().unwrap();
+    let mixed = scene(folder.path(), MIXED);
+    let rocker = "scenarios/rocker/one_mass.json";
+    let scenes = ["auto", "exact", "taylor", "radau", "dop853"].map(|method| (rocker, method));
+    let mixed = [(mixed.to_str().unwrap(), "auto")];
+    for (path, method) in scenes.into_iter().chain(mixed) {
+        let method = format!("run.method={method}");
+        let run = [
+            &["run", path, "--set", "run.duration=5000", "--set", &method][..],
+            &["--set", "run.max_switches=1000000000"],
+        ]
+        .concat();
+        for ending in Ending::ALL {
+            let out = folder.path().join("out");
+            let files = [&run[..], &["--out", out.to_str().unwrap(), "--force"]].concat();
+            let json = [&run[..], &["--json"]].concat();
+            for (args, folder) in [(json, None), (files, Some(&*out))] {
+                let document = kept(ending, &args, folder);
+                let run = &document["run"];
+                let is_mixed = run["why"].to_string().contains("brake");
+                assert_eq!(is_mixed, path != rocker, "{run}");
+                assert_eq!(run["complete"], false, "{run}");
+                assert_eq!(document["verdict"], "not_judged", "{run}");
+                let time = run["time"].as_f64().unwrap();
+                assert!(time > 0.0 && time < 5e3, "{run}");
+                // It has gone through a turn at least: the figures are those of the motion.
+                let objects = document["objects"].as_object().unwrap();
+                let moving = objects
+                    .values()
+                    .filter(|own| own["peak_speed"].as_f64() > Some(1.0));
+                assert_eq!(moving.count(), objects.len(), "{method}: {run}");
+                if let Some(folder) = folder {
+                    let page = std::fs::read_to_string(folder.join("report.html")).unwrap();
+                    assert!(page.contains("Not finished"));
+                    let rows = std::fs::read_to_string(folder.join("record.csv")).unwrap();
+                    assert!(rows.lines().count() >= 2, "{rows}");
+                }
+            }
+            let _ = std::fs::remove_dir_all(out);
+        }
     }
 }
 
