@@ -4,6 +4,7 @@ use super::choice::Choice;
 use super::demand::Demand;
 use super::document::{document, summary, warnings_of};
 use super::exact;
+use super::judgement::Judgement;
 use super::method::{choose_method, choose_next, fixed_step};
 use super::plausible;
 use super::settings::{Control, RunSettings};
@@ -47,19 +48,16 @@ impl RunResult {
         self.outcome.stop == Stop::Complete
     }
 
+    /// The verdict, with which headline, tables and exit status speak.
+    pub fn judgement(&self) -> Judgement {
+        Judgement::of(&self.figures)
+    }
+
     /// False when the numbers themselves are in doubt: the energies do not
     /// balance, a number was not finite, or the method gave up. A mechanism that
     /// lifts off or reaches a dead position has perfectly good figures.
     pub fn is_trusted(&self) -> bool {
-        let gave_up = matches!(
-            self.outcome.stop,
-            Stop::NotFinite { .. }
-                | Stop::StepFloor { .. }
-                | Stop::TooManySwitches { .. }
-                | Stop::TooManySteps { .. }
-                | Stop::Method { .. }
-        );
-        !gave_up && !self.warnings.iter().any(Warning::spoils_figures)
+        self.judgement() != Judgement::NotToBeTrusted
     }
 }
 
