@@ -11,7 +11,7 @@ use crate::studies::expectations::unknown_figures;
 use crate::studies::order::{Certificate, choose};
 use crate::studies::run::{RunResult, run};
 use crate::studies::steady::{Answer, steady_motion_within};
-use crate::studies::{Control, RunSettings, clock, plausible, studied};
+use crate::studies::{Control, RunSettings, clock, defined, plausible, studied};
 
 /// A scene that was checked, lowered and frozen: it is asked without being read again.
 #[derive(Debug)]
@@ -156,7 +156,10 @@ fn sound_settings(scene: &TypedScene, model: &Model) -> Result<RunSettings, Vec<
         return Err(faults);
     }
     let settings = RunSettings::of(scene).map_err(|fault| vec![fault])?;
-    let unresolved = clock::unresolved(model, &settings);
+    let mut unresolved = defined::undefined(model, settings.duration);
+    if unresolved.is_empty() {
+        unresolved = clock::unresolved(model, &settings);
+    }
     match unresolved.is_empty() {
         true => Ok(settings),
         false => Err(unresolved),

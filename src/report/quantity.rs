@@ -22,6 +22,9 @@ const PREFIXES: [(i32, &str); 8] = [
 pub(in crate::report) const TAKE_ALL: [&str; 6] = ["N", "J", "W", "Pa", "Hz", "Nm"];
 pub(in crate::report) const TAKE_SMALL: [&str; 3] = ["s", "m", "rad"];
 
+/// Least power of ten that a scale is divided by.
+const LEAST_POWER: i32 = -300;
+
 /// A scale for showing values of one unit: shown = value / `factor`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scale {
@@ -52,6 +55,10 @@ pub fn scale(magnitude: f64, unit: &str) -> Scale {
     }
     // A hair of slack keeps 999.9999… from being called 1000 of the lower prefix.
     let exponent = ((magnitude.abs().log10() + 1e-9) / 3.0).floor() as i32 * 3;
+    // Smaller powers are no numbers of full precision, or none at all.
+    if exponent < LEAST_POWER {
+        return plain;
+    }
     let prefixes = Prefixes::of(unit);
     let exponent = match prefixes {
         Prefixes::All => exponent,
@@ -296,6 +303,7 @@ mod tests {
         assert_eq!(significant(123456.7, 6), "123457");
         assert_eq!(significant(0.1, 6), "0.1");
         assert_eq!(significant(9.9999999, 3), "10");
+        assert_eq!(with_unit(5e-324, "s", 3), "4.94·10⁻³²⁴ s");
         assert_eq!(significant(f64::NAN, 3), "not a number");
         assert_eq!(significant(f64::NEG_INFINITY, 3), "−∞");
         assert_eq!(subscript(10), "₁₀");

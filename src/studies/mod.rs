@@ -9,6 +9,7 @@ mod choice;
 pub mod clock;
 pub mod compare;
 pub mod cycle;
+pub mod defined;
 mod demand;
 mod document;
 mod endless;

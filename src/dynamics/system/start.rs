@@ -4,7 +4,7 @@ use super::balance::{Balance, Balanced};
 use super::passes::{Extent, Work};
 use super::{InitialState, System};
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{Closure, ExplicitStart, Start};
+use crate::dynamics::model::{Closure, ExplicitStart, LoadLaw, NodeIndex, Start};
 use crate::fault::Fault;
 use crate::units::shown;
 
@@ -87,7 +87,7 @@ impl System {
         let rate = self
             .frozen
             .balance_rate(Balance::Kinetostatic, &state, modes)
-            .ok_or_else(|| vec![no_balance()])?;
+            .ok_or_else(|| vec![self.no_balance(modes)])?;
         for chain in &self.frozen.chains {
             for coordinate in chain.coordinates() {
                 state[n + coordinate] = rate[coordinate];
@@ -101,7 +101,7 @@ impl System {
         let frozen = &self.frozen;
         let mut balanced = frozen
             .settle(kind, modes)
-            .ok_or_else(|| vec![no_balance()])?;
+            .ok_or_else(|| vec![self.no_balance(modes)])?;
         let mut faults = Vec::new();
         for (index, chain) in frozen.chains.iter().enumerate() {
             let reaction = balanced.reactions[index];
@@ -261,6 +261,41 @@ impl System {
     pub(super) fn part_of_chain(&self, chain: usize) -> usize {
         let is = |place: &super::ObjectPlace| matches!(place.body, super::Body::Chain(index) if index == chain);
         self.places.iter().position(is).unwrap_or(0)
+    }
+}
+
+impl System {
+    /// Why there is no balance: a load that has no value where every mass is on its law, or
+    /// nothing that could be told.
+    fn no_balance(&self, modes: &[i64]) -> Fault {
+        let on_law = vec![0.0; 2 * self.frozen.coordinates];
+        let mut work = Work::new(&self.frozen);
+        self.frozen
+            .motion(0.0, &on_law, modes, Extent::Full, &mut work);
+        let motion = |node: NodeIndex| {
+            let node = self.frozen.internal[node];
+            (work.displacement[node], work.speed[node])
+        };
+        let mut loads = self.model.loads.iter();
+        let without = loads.find_map(|load| match &load.law {
+            LoadLaw::Written(written) => {
+                let force = written.force(0.0, motion);
+                (!force.is_finite()).then_some((load, written))
+            }
+            _ => None,
+        });
+        match without {
+            None => no_balance(),
+            Some((load, written)) => Fault::new(
+                format!("{}.expression", load.name),
+                format!(
+                    "\"{}\" has no finite value at t = 0 where every object is on its law",
+                    written.expression.text()
+                ),
+                "a function that is finite at the start, or a condition before what is not: \
+                 `phi > 0 ? log(phi) : 0`",
+            ),
+        }
     }
 }
 

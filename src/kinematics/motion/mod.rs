@@ -1,6 +1,7 @@
 //! Motions: dimensionless laws of motion, splines, and the prescribed motion of a drive over time.
 
 pub mod cycle;
+mod defined;
 pub mod law;
 mod run_up;
 mod spec;

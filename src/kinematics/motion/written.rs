@@ -65,6 +65,38 @@ impl WrittenMotion {
         (motion, whole)
     }
 
+    /// A load over the time alone, in the same pieces; `None` where these are too many.
+    pub fn of_load(expression: &Expression, factor: f64) -> Option<Self> {
+        let (function, whole) = Self::of(expression.program(), expression.text(), factor, MOST);
+        whole.then_some(function)
+    }
+
+    /// Bounds of the value between two times, by the formula of `segment`.
+    pub(super) fn bounds(&self, segment: i64, from: f64, to: f64) -> Interval {
+        let time = Moving {
+            value: Interval::between(from, to),
+            rate: Interval::of(1.0),
+        };
+        let (piece, turn) = self.piece(segment);
+        self.function.at(time, piece, turn).value
+    }
+
+    /// The value alone, by the formula of `segment`.
+    pub(super) fn value(&self, segment: i64, time: f64) -> f64 {
+        let (piece, turn) = self.piece(segment);
+        self.factor * self.function.at(time, piece, turn)
+    }
+
+    /// The piece of a segment, and how many periods on it is.
+    fn piece(&self, segment: i64) -> (usize, i64) {
+        let (piece, _) = self.breaks.piece(segment);
+        let turn = match self.breaks.period {
+            Some(_) => segment.div_euclid(self.breaks.points.len().max(1) as i64),
+            None => 0,
+        };
+        (piece, turn)
+    }
+
     fn check_jumps(&self, path: &str, faults: &mut Faults) {
         let count = self.breaks.points.len() as i64;
         let first = if self.breaks.period.is_some() { -1 } else { 0 };
@@ -107,16 +139,6 @@ impl WrittenMotion {
             },
         };
         self.function.repetition().map(scaled)
-    }
-
-    /// Piece and turn of a segment.
-    fn piece(&self, segment: i64) -> (usize, i64) {
-        let (piece, _) = self.breaks.piece(segment);
-        let turn = match self.breaks.period {
-            Some(_) => segment.div_euclid(self.breaks.points.len().max(1) as i64),
-            None => 0,
-        };
-        (piece, turn)
     }
 
     /// Displacement and its derivatives, by the formula of `segment`.
