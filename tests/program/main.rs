@@ -1,5 +1,6 @@
 //! The program and what it reads, prints and writes; the scenarios and the documents.
 
+mod bad_numbers;
 mod browser;
 mod command_line;
 mod diagnostics;
