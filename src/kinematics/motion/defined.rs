@@ -13,10 +13,12 @@ const STRETCHES: usize = 20_000;
 const NARROW: f64 = 1e-13;
 /// Share of the run within which one pole is looked for.
 const SHORT: f64 = 1e-5;
-/// From so many narrow stretches away to one …
+/// Narrow stretches between a place and where its surroundings are looked at: close to it …
+const NEAR: f64 = 32.0;
+/// … and so many times farther away.
 const AWAY: f64 = 1e4;
-/// … what has a pole grows by more than this.
-const GROWS: f64 = 100.0;
+/// From away to near, what has a pole grows by more than this.
+const GROWS: f64 = 30.0;
 
 impl WrittenMotion {
     /// The first time up to `end` at which it has no finite value; `None`: none is found.
@@ -29,6 +31,7 @@ impl WrittenMotion {
             let piece = Piece {
                 written: self,
                 segment,
+                edges: [from, to],
                 narrow: NARROW * end,
                 short: SHORT * end,
                 end,
@@ -52,6 +55,8 @@ impl WrittenMotion {
 struct Piece<'w> {
     written: &'w WrittenMotion,
     segment: i64,
+    /// Where it begins and ends; beyond, its formula need not hold.
+    edges: [f64; 2],
     narrow: f64,
     short: f64,
     end: f64,
@@ -126,7 +131,9 @@ impl Piece<'_> {
             }
             let [a, m, b] = [from, middle, to].map(|time| self.at(time));
             if !m.is_finite() {
-                return Some(middle);
+                // At an edge of the piece rounding may lie beyond it.
+                let inside = self.edges.iter().all(|edge| (middle - edge).abs() > self.narrow);
+                return (inside || self.grows_towards(middle)).then_some(middle);
             }
             let left = match (a * m < 0.0, m * b < 0.0) {
                 (true, false) => true,
@@ -138,17 +145,22 @@ impl Piece<'_> {
                 false => from = middle,
             }
         }
-        self.grows_towards([from, to]).then_some(0.5 * (from + to))
+        let place = 0.5 * (from + to);
+        self.grows_towards(place).then_some(place)
     }
 
-    fn grows_towards(&self, [from, to]: [f64; 2]) -> bool {
-        let far = AWAY * self.narrow;
-        let size = |time: f64| match self.at(time).abs() {
-            size if size.is_finite() => size,
-            _ => f64::INFINITY,
-        };
-        let grows = |near: f64, away: f64| size(near) > GROWS * size(away) && size(away) > 0.0;
-        grows(from, from - far) || grows(to, to + far)
+    /// Whether it grows towards a place from either side that belongs to the piece.
+    fn grows_towards(&self, place: f64) -> bool {
+        let [begin, end] = self.edges;
+        let near = NEAR * self.narrow;
+        [-1.0, 1.0].into_iter().any(|side| {
+            let [close, away] = [near, AWAY * near].map(|distance| place + side * distance);
+            if away < begin || away > end {
+                return false;
+            }
+            let [close, away] = [close, away].map(|time| self.at(time).abs());
+            away > 0.0 && close > GROWS * away
+        })
     }
 }
 
@@ -179,6 +191,9 @@ mod tests {
             ("t<0.1 ? 1/(t-0.25) : t<0.2 ? 1 : 1/(t-0.25)", 0.5, 0.25),
             ("acos(2*t)", 1.0, 0.5),
             ("exp(2000*t)", 1.0, 0.354_891_356_446_692),
+            ("t<0.3 ? 1/(t-0.3) : 2", 0.5, 0.3),
+            ("t<0.3 ? 2 : (t-0.3)^-0.5", 0.5, 0.3),
+            ("abs(t-0.3)^-0.5", 0.5, 0.3),
         ] {
             let found = undefined(text, end).unwrap_or_else(|| panic!("{text}: no place"));
             assert!((found - wanted).abs() < 1e-9, "{text}: {found}");
@@ -193,6 +208,8 @@ mod tests {
             ("sqrt(t)", 1.0),
             ("sqrt(t*t-2*t+1)", 3.0),
             ("sqrt(abs(t-0.3))", 1.0),
+            ("abs(t-0.3)^0.01", 1.0),
+            ("t<0.3 ? sqrt(0.3-t) : sqrt(t-0.3)", 1.0),
             ("t<0.2 ? 1/(0.25-t) : 7", 1.0),
             ("sin(20*t)/(2+cos(31*t))", 100.0),
             ("1/(1e-6+(t-0.4)^2)", 1.0),
