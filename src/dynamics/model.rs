@@ -11,6 +11,7 @@
 //! for, and an angle that grows with every turn costs no digits. A motor's
 //! rotor keeps its absolute angle.
 
+mod condition;
 mod contact;
 mod loads;
 mod part;
@@ -28,6 +29,8 @@ use crate::kinematics::position::Position;
 use serde::Serialize;
 use std::sync::Arc;
 
+pub(crate) use condition::NAMES as CONDITION_NAMES;
+pub use condition::{Condition, UNTIL};
 pub use contact::{ContactElement, ContactLaw};
 pub use loads::{LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
 pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, SUM, owner_of};
@@ -66,6 +69,8 @@ pub struct Model {
     pub warnings: Vec<String>,
     /// Motions and loads as the scene states them, for the check of a run.
     pub stated: Stated,
+    /// Conditions whose first times are figures of the run.
+    pub conditions: Vec<Condition>,
 }
 
 impl Model {

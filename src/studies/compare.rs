@@ -225,7 +225,9 @@ impl FigureTable {
 
 fn is_compared(figure: &str) -> bool {
     let of_run = figure.starts_with("run.");
-    figure == "run.switches" || !(of_run || figure.contains(".switch_times."))
+    figure == "run.switches"
+        || figure.starts_with("run.first_times.")
+        || !(of_run || figure.contains(".switch_times."))
 }
 
 fn labelled(runs: &[ComparedRun]) -> Vec<(&str, &Figures)> {

@@ -50,6 +50,7 @@ pub(super) fn summary(
         switches: outcome.statistics.switches,
         energy_error: recorded.audit.error(),
         equations: EquationFigures::default(),
+        first_times: recorded.first_times.clone(),
         window: window.as_ref().ok().copied(),
         window_missing: window.err(),
     }
@@ -231,7 +232,12 @@ pub(super) fn blank(model: &Model) -> Figures {
         })
         .collect();
     let settings = RunSettings::new(0.0);
-    document(model, &settings, &figures, RunSummary::default(), &[])
+    let conditions = model.conditions.iter();
+    let run = RunSummary {
+        first_times: conditions.map(|one| (one.name.clone(), None)).collect(),
+        ..RunSummary::default()
+    };
+    document(model, &settings, &figures, run, &[])
 }
 
 /// True when the friction of the object's joints acts on the motion.

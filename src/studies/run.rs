@@ -13,6 +13,7 @@ use crate::dynamics::audit::{self, EquationCheck};
 use crate::dynamics::integrate::{
     Change, Dynamics, Limits, Method, Outcome, Reserve, Settings, Sink, Stop, integrate_changing,
 };
+use crate::dynamics::model::UNTIL;
 use crate::dynamics::record::{
     EnergyAudit, EquationFigures, Figures, Record, Recorded, Recorder, RecorderSettings,
     RunSummary, Tee, choose_window, drive_cycle,
@@ -196,6 +197,72 @@ impl Motion {
 /// # Errors
 /// Those of [`run`].
 pub(super) fn motion(
+    system: &System,
+    settings: &RunSettings,
+    demand: Demand<'_>,
+    control: &Control<'_>,
+    sinks: &mut [&mut dyn Sink],
+) -> Result<Motion, Vec<Fault>> {
+    if system.model().conditions.is_empty() {
+        return whole_motion(system, settings, demand, control, sinks);
+    }
+    // Times are looked for where all is told.
+    let demand = Demand {
+        figures: None,
+        ..demand
+    };
+    let found = whole_motion(system, settings, demand, control, sinks)?;
+    let met = found.recorded.first_times.get(UNTIL).copied().flatten();
+    let Some(time) = met.filter(|_| !found.outcome.stop.is_from_outside()) else {
+        return Ok(found);
+    };
+    if time <= 0.0 {
+        let message = "the condition holds at t = 0 already: there is no run";
+        let hint =
+            "a condition that is false at the start, or one with a time: `phi > 0.3 && t > 0.1`";
+        return Err(vec![Fault::new("run.until.condition", message, hint)]);
+    }
+    let shorter = ending_at(settings, time);
+    let mut found = whole_motion(system, &shorter, demand, control, sinks)?;
+    let times = &mut found.recorded.first_times;
+    times.insert(UNTIL.to_owned(), Some(time));
+    Ok(found)
+}
+
+/// The settings of a run that ends at a time.
+fn ending_at(settings: &RunSettings, time: f64) -> RunSettings {
+    RunSettings {
+        duration: time,
+        window: settings.window.filter(|window| window.1 <= time),
+        step: settings.step.map(|step| step.min(time)),
+        ..settings.clone()
+    }
+}
+
+/// The settings of the run up to the time at which the condition of its scene ends it.
+///
+/// # Errors
+/// Those of [`run`].
+pub(super) fn ended(
+    system: &System,
+    settings: &RunSettings,
+    control: &Control<'_>,
+) -> Result<RunSettings, Vec<Fault>> {
+    if !system
+        .model()
+        .conditions
+        .iter()
+        .any(|one| one.name == UNTIL)
+    {
+        return Ok(settings.clone());
+    }
+    let found = motion(system, settings, Demand::EVERYTHING, control, &mut [])?;
+    let met = found.recorded.first_times.get(UNTIL).copied().flatten();
+    Ok(met.map_or_else(|| settings.clone(), |time| ending_at(settings, time)))
+}
+
+/// The motion up to the end of its duration.
+fn whole_motion(
     system: &System,
     settings: &RunSettings,
     demand: Demand<'_>,

@@ -5,6 +5,7 @@ mod browser;
 mod command_line;
 mod diagnostics;
 mod documents;
+mod first_times;
 mod imports;
 mod map;
 mod meaning;

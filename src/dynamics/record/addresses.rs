@@ -81,6 +81,7 @@ impl Figures {
         let Some(units) = self.units.get(id) else {
             return match name {
                 "time" if id == "run" => "s".to_owned(),
+                name if id == "run" && name.starts_with("first_times.") => "s".to_owned(),
                 _ => String::new(),
             };
         };

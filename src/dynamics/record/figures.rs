@@ -225,6 +225,10 @@ pub struct RunSummary {
     pub energy_error: f64,
     /// Check of the equations of motion.
     pub equations: EquationFigures,
+    /// First time at which each condition of the scene holds (s), by its name; `until` is the one
+    /// that ends the run. Null: it did not hold.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub first_times: BTreeMap<String, Option<f64>>,
     /// Window of steady figures `[from, to]` (s), or null.
     pub window: Option<[f64; 2]>,
     /// Why there is no window, when null.

@@ -8,6 +8,7 @@ use super::observer::Observer;
 use super::pairs::PairTracker;
 use super::rows::{Rows, is_finite};
 use super::settings::RecorderSettings;
+use super::watch::Watch;
 use super::{Interval, SwitchRow};
 use crate::dynamics::audit::{Looker, fastest_rate};
 use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
@@ -49,6 +50,7 @@ pub(crate) struct Log<'s> {
     failure: Option<Failure>,
     /// Draws what the check of the run looks at.
     looker: Looker,
+    watch: Watch,
 }
 
 impl<'s> Log<'s> {
@@ -83,6 +85,7 @@ impl<'s> Log<'s> {
             budget: 0,
             peaks: Vec::new(),
             failure: None,
+            watch: Watch::new(model),
             looker: match settings.checked {
                 true => {
                     let entries = 2 * system.coordinates();
@@ -102,6 +105,7 @@ impl<'s> Log<'s> {
         }
         let states = self.observer.state(time, y, modes);
         let bad = states.iter().position(|state| !is_finite(state));
+        self.watch.start(time, states);
         if self.rows.is_wanted() {
             let seen = seen(&self.observer, modes, &mut self.masses);
             self.rows.sample_at(time, seen);
@@ -117,6 +121,7 @@ impl<'s> Log<'s> {
     pub(crate) fn sample(&mut self, mut stretch: Stretch<'_>) {
         let [from, until] = stretch.span;
         self.draw(&mut stretch);
+        self.watch(&mut stretch);
         while let Some(time) = self.rows.due(until) {
             if self.failure.is_some() {
                 return;
@@ -151,6 +156,18 @@ impl<'s> Log<'s> {
                 self.looker.stretch(span, modes, true, *state);
             }
         }
+    }
+
+    /// Looks for the first times of conditions.
+    fn watch(&mut self, stretch: &mut Stretch<'_>) {
+        if !self.watch.is_looking() || self.failure.is_some() {
+            return;
+        }
+        let whole = matches!(stretch.course, Course::Known(_));
+        let (span, observer) = (stretch.span, &mut self.observer);
+        self.watch.follow(span, whole, &mut |time, object| {
+            stretch.look(time, observer, &mut []).states[object]
+        });
     }
 
     /// A switch.

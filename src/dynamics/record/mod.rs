@@ -25,6 +25,7 @@ mod smoothness;
 mod subdivision;
 mod tally;
 mod tee;
+mod watch;
 mod window;
 
 pub use crate::dynamics::audit::EquationCheck;

@@ -12,6 +12,7 @@ use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Modes, Sink, SwitchEvent};
 use crate::dynamics::system::System;
 use crate::math::polynomial::Step;
+use std::collections::BTreeMap;
 
 /// Record and figures of a run.
 #[derive(Clone, Debug)]
@@ -30,6 +31,8 @@ pub struct Recorded {
     pub failure: Option<Failure>,
     /// States at instants drawn at random, for the check of the run.
     pub(crate) looks: Looks,
+    /// The first time of each condition of the model, by its name; `None`: it did not hold.
+    pub first_times: BTreeMap<String, Option<f64>>,
 }
 
 /// Records a run of a system. Its memory is bounded by samples and switches.

@@ -48,6 +48,7 @@ pub fn lower(scene: &TypedScene) -> Result<Model, Vec<Fault>> {
     start::set(scene, &mut builder);
     let mut model = builder.finish()?;
     count_masses(&mut model);
+    model.conditions.clone_from(&scene.run.conditions);
     Ok(model)
 }
 

@@ -18,6 +18,22 @@ pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression
     }
 }
 
+/// Reads a condition: an expression that compares, so that it is either true or false.
+pub(in crate::frontend) fn condition(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
+    let read = slot.look(|slot| expression(slot, names))?;
+    // What is no comparison changes without a jump, and says so where it has to decide.
+    let deciding = Expression::over(&format!("({}) ? 1 : 0", read.text()), names);
+    if deciding.is_ok_and(|deciding| deciding.switches().is_ok()) {
+        return Some(read);
+    }
+    let message = format!("\"{}\" compares nothing: it is no condition", read.text());
+    let fault = slot.refuse("bad-expression", message);
+    fault
+        .hints
+        .push("for example \"phi > 0.3\", \"phi_dot < 0 && t > 1\"".to_owned());
+    None
+}
+
 fn refuse(slot: &mut Slot<'_>, mistake: Mistake) {
     // The text's own bytes follow its opening quote.
     let (start, end) = (

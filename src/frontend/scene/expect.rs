@@ -340,6 +340,9 @@ fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
         known.objects.contains_key(id) || known.stops.contains_key(id)
     });
     if owner == "run" {
+        if name.starts_with("first_times.") {
+            return Some(About::Figure(address, q::TIME.into()));
+        }
         if RUN_FIGURES.contains(&name) {
             let wanted = if name == "time" { q::TIME } else { q::NUMBER };
             return Some(About::Figure(address, wanted.into()));

@@ -32,6 +32,7 @@ pub use schema::{schema, schema_of, schema_text};
 pub(crate) use template::Template;
 pub use variation::Variation;
 
+use crate::dynamics::model::Condition;
 use crate::dynamics::steady::Mean;
 use crate::frontend::graph::MechanismGraph;
 use crate::frontend::object::{Connection, Object};
@@ -115,6 +116,8 @@ pub struct RunSpec {
     pub window: Option<(f64, f64)>,
     /// Most switches before the run is given up; default 1 000 000.
     pub max_switches: u64,
+    /// Conditions whose first times are figures; the one named `until` ends the run.
+    pub conditions: Vec<Condition>,
     /// Accuracy wanted of its figures; `None`: not asked for.
     pub accuracy: Option<AccuracySpec>,
 }

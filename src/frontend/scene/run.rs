@@ -4,8 +4,9 @@ use super::accuracy;
 use super::objects::Known;
 use super::{RunSpec, StartSpec};
 use crate::dynamics::integrate::Method;
+use crate::dynamics::model::{CONDITION_NAMES, Condition, UNTIL};
 use crate::frontend::object::KnownObject;
-use crate::frontend::object::Measures;
+use crate::frontend::object::{Measures, condition};
 use crate::frontend::read::{Bounds, Fields, Slot, did_you_mean, quoted_list};
 use crate::units::quantities as q;
 use serde_json::json;
@@ -17,6 +18,13 @@ const MOST_SAMPLES: u64 = 1_000_000;
 const ACCURACY: &str = "Accuracy wanted of the figures, the error of the model included: a \
     share of each, \"1 %\", or by the address of a figure a share or a quantity. Objects of \
     `masses`: \"auto\" are modelled as far as it takes.";
+
+const ENDS: &str = "Condition that ends the run before `duration`, at the first time at which it \
+    holds: { \"of\": \"rocker\", \"condition\": \"phi > 0.3\" }. The motion is found up to `duration` \
+    first.";
+
+const FIRST_TIMES: &str = "Conditions by names of their own: the first time at which each holds is \
+    the result `run.first_times.NAME`.";
 
 /// Reads `run`.
 pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
@@ -75,6 +83,20 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
             json!(1_000_000),
             |slot| slot.count(1..=1_000_000_000),
         );
+        let until = fields.maybe("until", ENDS, |slot| one_condition(slot, UNTIL, known));
+        let first_times = fields.maybe("first_times", FIRST_TIMES, |slot| {
+            slot.map(|name, mut slot| {
+                if name == UNTIL {
+                    let message = format!("`{UNTIL}` is the name of the condition that ends the run");
+                    let place = slot.name_place();
+                    let fault = slot.refuse("bad-name", message);
+                    fault.place = Some(place);
+                    fault.hints.push("choose another name".to_owned());
+                    return None;
+                }
+                one_condition(slot, name, known)
+            })
+        });
         let accuracy = fields.maybe("accuracy", ACCURACY, |slot| accuracy::read(slot, known));
         let run = RunSpec {
             accuracy: accuracy?,
@@ -89,8 +111,31 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
             masses: record?.unwrap_or(false),
             window: window?,
             max_switches: max_switches?,
+            conditions: until?.into_iter().chain(first_times?.unwrap_or_default().into_values()).collect(),
         };
         check(fields, &run).then_some(run)
+    })
+}
+
+/// A condition on the motion of an object or of an output.
+fn one_condition(slot: Slot<'_>, name: &str, known: &Known) -> Option<Condition> {
+    slot.record(|fields| {
+        let doc = "Object, output or stop whose motion the condition is about: `rocker`, `press.ram`.";
+        let object = fields.need("of", doc, |mut slot| {
+            let id = slot.look(|slot| slot.text())?;
+            let ids = || known.objects.keys().chain(known.stops.keys()).map(String::as_str);
+            if ids().any(|known| known == id) {
+                return Some(id);
+            }
+            let fault = slot.refuse("unknown-object", format!("unknown object `{id}`"));
+            let all = || format!("the objects are {}", quoted_list(ids().take(20), "and"));
+            fault.hints.push(did_you_mean(&id, ids()).unwrap_or_else(all));
+            None
+        });
+        let doc = "Comparisons over t, phi, phi_dot, acceleration, delta, reaction, contact_force and \
+            clearance of the object, in SI units: \"phi > 0.3 && t > 1\".";
+        let expression = fields.need("condition", doc, |slot| condition(slot, &CONDITION_NAMES));
+        Some(Condition { name: name.to_owned(), object: object?, expression: expression? })
     })
 }
 
@@ -103,6 +148,12 @@ fn method(slot: Slot<'_>) -> Option<String> {
 
 fn check(fields: &mut Fields<'_>, run: &RunSpec) -> bool {
     let before = fields.faults();
+    if run.duration < f64::MIN_POSITIVE {
+        let message = format!("`duration` ({:?} s) is too short", run.duration);
+        let fault = fields.refuse("duration", "out-of-range", message);
+        let least = "times below 2.3e-308 s have no number of full precision".to_owned();
+        fault.hints.push(least);
+    }
     if run.method == Method::Rk4.name() && run.step.is_none() {
         let fault = fields.refuse("method", "missing-property", "`rk4` needs a `step`");
         fault

@@ -132,7 +132,10 @@ impl Piece<'_> {
             let [a, m, b] = [from, middle, to].map(|time| self.at(time));
             if !m.is_finite() {
                 // At an edge of the piece rounding may lie beyond it.
-                let inside = self.edges.iter().all(|edge| (middle - edge).abs() > self.narrow);
+                let inside = self
+                    .edges
+                    .iter()
+                    .all(|edge| (middle - edge).abs() > self.narrow);
                 return (inside || self.grows_towards(middle)).then_some(middle);
             }
             let left = match (a * m < 0.0, m * b < 0.0) {

@@ -1,5 +1,6 @@
 //! Tables of a run: figures, pairs, stops, joints, switches, statistics.
 
+use crate::dynamics::model::UNTIL;
 use crate::dynamics::record::{
     EnergyAudit, EquationFigures, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
 };
@@ -219,6 +220,13 @@ pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
         format!("{}, {end}", with_unit(run.time, "s", 9)),
     )];
     rows.extend(run.stopped_because.clone().map(|why| words("reason", why)));
+    rows.extend(run.first_times.iter().map(|(name, time)| {
+        let time = time.map_or("never".to_owned(), |time| with_unit(time, "s", 9));
+        match name == UNTIL {
+            true => words("condition of `until`", time),
+            false => words(&format!("first time, {name}"), time),
+        }
+    }));
     rows.extend(window.map(|window| words("steady window", window)));
     rows.extend([
         words("method", format!("{}: {}", run.method, run.why)),

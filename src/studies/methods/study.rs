@@ -15,6 +15,7 @@ use super::verdict::{Verdict, judge};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
+use crate::studies::run::ended;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
 use std::time::Duration;
@@ -129,6 +130,7 @@ pub fn study(
     control: &Control<'_>,
     progress: &mut dyn FnMut(&Now),
 ) -> Result<Study, Vec<Fault>> {
+    let settings = &ended(system, settings, control)?;
     let tracks = tracks(system);
     let initial = start(system)?;
     let problem = Problem {

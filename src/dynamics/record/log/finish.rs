@@ -95,6 +95,7 @@ impl Log<'_> {
             margins,
             failure: self.failure,
             looks: self.looker.finish(),
+            first_times: self.watch.finish(),
         }
     }
 

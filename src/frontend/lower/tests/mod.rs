@@ -74,6 +74,7 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> TypedScene {
             masses: false,
             window: None,
             max_switches: 1000,
+            conditions: Vec::new(),
         },
         steady: None,
         expect: Vec::new(),
