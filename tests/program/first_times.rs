@@ -9,7 +9,7 @@ fn swinging(run: &Value) -> Value {
     json!({
         "dam": 1, "name": "t",
         "objects": {
-            "shaft": { "kind": "drive", "motion": { "speed": 0 } },
+            "shaft": { "kind": "drive", "motion": { "expression": "0*t" } },
             "rocker": {
                 "kind": "rocker", "input": "shaft", "position": { "ratio": 1 },
                 "inertia": 1, "stiffness": 1e4, "damping_capacity": 0, "masses": 1
