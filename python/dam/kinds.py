@@ -27,6 +27,7 @@ __all__ = [
     "DifferentialInput",
     "DiscCam",
     "Drive",
+    "FirstTimes",
     "Flat",
     "Force",
     "FourBar",
@@ -104,6 +105,7 @@ __all__ = [
     "TorqueLinear",
     "Torsion",
     "Trapezoid",
+    "Until",
     "Weight",
     "Weld",
     "Window",
@@ -894,6 +896,32 @@ class Drive(Tree):
             ("loads", loads),
             ("motion", motion),
             ("motor", motor),
+        )
+
+
+class FirstTimes(Tree):
+    """What `first_times` is made of.
+
+    Parameters
+    ----------
+    condition
+        Comparisons over t, phi, phi_dot, acceleration, delta, reaction, contact_force and
+        clearance of the object, in SI units: "phi > 0.3 && t > 1".
+    of
+        Object, output or stop whose motion the condition is about: `rocker`, `press.ram`.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        condition: str,
+        of: str,
+    ) -> None:
+        super().__init__(
+            ("condition", condition),
+            ("of", of),
         )
 
 
@@ -3050,6 +3078,9 @@ class Run(Tree):
         Accuracy wanted of the figures, the error of the model included: a share of each, "1
         %", or by the address of a figure a share or a quantity. Objects of `masses`: "auto"
         are modelled as far as it takes. (a pure number)
+    first_times
+        Conditions by names of their own: the first time at which each holds is the result
+        `run.first_times.NAME`.
     max_switches
         Most switches before the run is given up. Default: 1000000.
     method
@@ -3071,6 +3102,10 @@ class Run(Tree):
         Error wanted in each object's δ, relative to its scale. Left out, with the method
         `auto` and where figures are to keep an accuracy (`accuracy`, `masses`: "auto"), it
         is as coarse as that allows: a tenth of it. (a pure number) Default: 1e-06.
+    until
+        Condition that ends the run before `duration`, at the first time at which it holds:
+        { "of": "rocker", "condition": "phi > 0.3" }. The motion is found up to `duration`
+        first.
     window
         [from, to]: where steady figures are taken. Default: the last whole cycle of the
         drive.
@@ -3083,6 +3118,7 @@ class Run(Tree):
         *,
         duration: Quantity,
         accuracy: Quantity | Mapping[str, Quantity] | None = None,
+        first_times: Mapping[str, FirstTimes | Mapping[str, Value]] | None = None,
         max_switches: int | None = None,
         method: Literal['auto', 'exact', 'rk4', 'dopri5', 'dop853', 'taylor', 'rodas5p', 'radau', 'bdf', 'tr_bdf2', 'esdirk34'] | None = None,
         record: Literal['objects', 'all'] | None = None,
@@ -3091,11 +3127,13 @@ class Run(Tree):
         step: Quantity | None = None,
         switch_rows: bool | None = None,
         tolerance: Quantity | None = None,
+        until: Until | Mapping[str, Value] | None = None,
         window: Sequence[Quantity] | None = None,
     ) -> None:
         super().__init__(
             ("duration", duration),
             ("accuracy", accuracy),
+            ("first_times", first_times),
             ("max_switches", max_switches),
             ("method", method),
             ("record", record),
@@ -3104,6 +3142,7 @@ class Run(Tree):
             ("step", step),
             ("switch_rows", switch_rows),
             ("tolerance", tolerance),
+            ("until", until),
             ("window", window),
         )
 
@@ -4150,6 +4189,32 @@ class Trapezoid(Tree):
         super().__init__(
             ("s1", s1),
             ("s2", s2),
+        )
+
+
+class Until(Tree):
+    """Condition that ends the run before `duration`, at the first time at which it holds: { "of": "rocker", "condition": "phi > 0.3" }. The motion is found up to `duration` first.
+
+    Parameters
+    ----------
+    condition
+        Comparisons over t, phi, phi_dot, acceleration, delta, reaction, contact_force and
+        clearance of the object, in SI units: "phi > 0.3 && t > 1".
+    of
+        Object, output or stop whose motion the condition is about: `rocker`, `press.ram`.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        condition: str,
+        of: str,
+    ) -> None:
+        super().__init__(
+            ("condition", condition),
+            ("of", of),
         )
 
 

@@ -77,7 +77,8 @@ fn size(allowed: &Allowed) -> f64 {
 
 /// False for figures of the computation, and for lists whose length depends on the model.
 fn depends(figure: &str) -> bool {
-    let computation = figure.starts_with("run.") && figure != "run.switches";
+    let of_motion = figure == "run.switches" || figure.starts_with("run.first_times.");
+    let computation = figure.starts_with("run.") && !of_motion;
     !computation && !figure.contains(".switch_times.")
 }
 
