@@ -18,7 +18,7 @@ use crate::report::csv::record_csv;
 use crate::report::diagram::Diagram;
 use crate::report::findings::Source;
 use crate::report::machine::Machine;
-use crate::report::run::{RunReport, findings};
+use crate::report::run::{RunReport, findings, switches_csv};
 use crate::studies::cam::disc_cams;
 use crate::studies::check::Check;
 use crate::studies::expectations::{Verdict, check, of_run};
@@ -32,7 +32,13 @@ use serde::Serialize;
 use serde_json::Value;
 use std::time::Instant;
 
-const FILES: [&str; 4] = ["summary.json", "record.csv", PAGE, "timing.json"];
+const FILES: [&str; 5] = [
+    "summary.json",
+    "record.csv",
+    "switches.csv",
+    PAGE,
+    "timing.json",
+];
 
 /// The document of a run: the figures, and what else was asked for.
 #[derive(Serialize)]
@@ -150,6 +156,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let contents = [
         Content::Document,
         Content::made(|| record.clone()),
+        Content::made(|| switches_csv(&result.record, &result.figures)),
         Content::Page,
         Content::made(timing),
     ];

@@ -122,6 +122,23 @@ pub fn record_csv(record: &Record) -> Result<String, String> {
     Ok(out)
 }
 
+/// Every switch of every pair, one a row; `unit`: that of the speed of an object.
+pub fn switches_csv(record: &Record, unit: impl Fn(&str) -> String) -> String {
+    let mut out = line(["time [s]", "object", "switch", "flank", "speed", "unit"].into_iter());
+    // There may be hundreds of thousands.
+    let (mut last, mut of_last) = ("", String::new());
+    for row in &record.switches {
+        if row.object != last {
+            (last, of_last) = (&row.object, unit(&row.object));
+        }
+        push_number(&mut out, row.time);
+        let _ = write!(out, ",{},{},{},", row.object, row.what, row.flank);
+        push_number(&mut out, row.speed);
+        let _ = writeln!(out, ",{of_last}");
+    }
+    out
+}
+
 /// The table of a comparison: `figure`, `unit`, then a column of values and one of errors for
 /// every run; empty where there is none.
 pub fn table_csv(table: &FigureTable) -> String {
@@ -195,8 +212,8 @@ fn push_number(out: &mut String, value: f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::{number, record_csv, table_csv};
-    use crate::dynamics::record::{Column, Record};
+    use super::{number, record_csv, switches_csv, table_csv};
+    use crate::dynamics::record::{Column, Record, SwitchRow};
     use crate::studies::compare::{FigureTable, TableRow};
 
     fn record(values: Vec<f64>) -> Record {
@@ -237,6 +254,31 @@ mod tests {
         let numbers = table.numbers(1).unwrap();
         assert_eq!(numbers[0], 0.1 + 0.2);
         assert!(numbers[1].is_nan());
+    }
+
+    #[test]
+    fn every_switch_is_a_row_with_the_unit_of_its_object() {
+        let row = |time: f64, object: &str, what| SwitchRow {
+            time,
+            object: object.to_owned(),
+            what,
+            flank: "lower",
+            speed: 0.1 + time,
+        };
+        let switches = vec![row(0.1, "rocker", "opens"), row(0.25, "valve", "closes")];
+        let record = Record {
+            switches,
+            ..Record::default()
+        };
+        let unit = |object: &str| match object {
+            "rocker" => "rad/s".to_owned(),
+            other => format!("m/s of {other}"),
+        };
+        assert_eq!(
+            switches_csv(&record, unit),
+            "time [s],object,switch,flank,speed,unit\n\
+             0.1,rocker,opens,lower,0.2,rad/s\n0.25,valve,closes,lower,0.35,m/s of valve\n"
+        );
     }
 
     #[test]

@@ -1,25 +1,74 @@
 //! Records with more samples than a page can hold.
 
-use crate::dynamics::record::{Column, Record};
+use crate::dynamics::record::{Column, Quantity, Record};
 
-/// Most samples that a page draws: more than any screen has pixels, of all curves together.
-const MOST: usize = 40_000;
+/// Most numbers of a page, of all curves together: more than any screen has pixels.
+const MOST: usize = 200_000;
 
-/// The record with closeups among its samples, without those that no chart would show apart: of every
-/// stretch the first sample stays, and those with the least and the greatest value of each column.
-pub(in crate::report) fn drawn(record: &Record) -> Record {
-    thinned(record.merged(), MOST)
+/// Samples that a page draws in any case.
+const LEAST: usize = 400;
+
+/// Most columns of which a page has charts.
+const MOST_COLUMNS: usize = 300;
+
+/// The record of a page: with closeups among its samples, without what no chart would show apart.
+#[derive(Debug)]
+pub(in crate::report) struct Drawn {
+    pub(in crate::report) record: Record,
+    /// Columns that have no chart.
+    pub(in crate::report) left_out: usize,
+}
+
+/// The record with closeups among its samples. Of every stretch the first sample stays, and those
+/// with the least and the greatest value of each column; columns of masses and links are left out
+/// where there are very many.
+pub(in crate::report) fn drawn(record: &Record) -> Drawn {
+    let mut record = record.merged();
+    let left_out = leave_out_columns(&mut record, MOST_COLUMNS);
+    let most = (MOST / (record.columns.len() + 1)).max(LEAST);
+    Drawn {
+        record: thinned(record, most),
+        left_out,
+    }
+}
+
+/// Leaves out columns beyond so many: first those of masses and links, then all but the
+/// displacements and deviations of objects; how many.
+fn leave_out_columns(record: &mut Record, most: usize) -> usize {
+    let all = record.columns.len();
+    if all <= most {
+        return 0;
+    }
+    let rank = |column: &Column| match column.quantity {
+        Quantity::Displacement => 0,
+        Quantity::Delta => 1,
+        Quantity::Speed
+        | Quantity::Acceleration
+        | Quantity::Reaction
+        | Quantity::ContactForce
+        | Quantity::ContactPressure => 2,
+        Quantity::MassDisplacement(_) | Quantity::MassSpeed(_) | Quantity::LinkForce(_) => 3,
+    };
+    let mut order: Vec<usize> = (0..all).collect();
+    order.sort_by_key(|&index| rank(&record.columns[index]));
+    order.truncate(most);
+    order.sort_unstable();
+    record.columns = order
+        .iter()
+        .map(|&index| record.columns[index].clone())
+        .collect();
+    all - most
 }
 
 fn thinned(mut record: Record, most: usize) -> Record {
     let samples = record.times.len();
-    let stretches = most / (2 * record.columns.len() + 1);
-    if samples <= most || stretches == 0 {
+    if samples <= most {
         return record;
     }
+    let stretches = (most / (2 * record.columns.len() + 1)).max(1);
     let coarse = telling(&record, stretches);
     // Most often the extremes of several columns fall together, and there is room for more.
-    let fine = telling(&record, stretches * most / coarse.len());
+    let fine = telling(&record, (stretches * most / coarse.len()).max(1));
     let kept = if fine.len() <= most { fine } else { coarse };
     let rows = |values: &[f64]| kept.iter().map(|&row| values[row]).collect();
     record.times = rows(&record.times);
@@ -61,7 +110,7 @@ fn extremes(values: &[f64]) -> [Option<usize>; 2] {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOST, thinned};
+    use super::{LEAST, MOST, MOST_COLUMNS, drawn, thinned};
     use crate::dynamics::record::{Column, Quantity, Record};
 
     fn record(samples: usize) -> Record {
@@ -91,8 +140,9 @@ mod tests {
     fn peaks_gaps_and_ends_stay() {
         let samples = 200_000;
         let given = record(samples);
-        let thin = thinned(given.clone(), MOST);
-        assert!((MOST / 2..=MOST).contains(&thin.times.len()));
+        let thin = drawn(&given).record;
+        let most = MOST / 3;
+        assert!((most / 2..=most).contains(&thin.times.len()));
         assert!(thin.times.is_sorted());
         assert!(
             thin.columns
@@ -103,5 +153,24 @@ mod tests {
         assert_eq!(thin.times.first(), given.times.first());
         assert!(thin.columns[1].values.contains(&7.0));
         assert!(thin.columns[0].values.iter().any(|value| value.is_nan()));
+    }
+    #[test]
+    fn a_page_has_a_bounded_number_of_values() {
+        let mut given = record(3000);
+        for mass in 1..=500 {
+            let mut own = given.columns[0].clone();
+            own.quantity = Quantity::MassSpeed(mass);
+            given.columns.push(own);
+        }
+        let thin = drawn(&given);
+        assert_eq!(thin.left_out, 502 - MOST_COLUMNS);
+        assert_eq!(thin.record.columns.len(), MOST_COLUMNS);
+        // The object's own columns stay, in their places.
+        assert_eq!(thin.record.columns[1].quantity, Quantity::Displacement);
+        let rows = thin.record.times.len();
+        assert!(
+            rows * (MOST_COLUMNS + 1) <= MOST.max(LEAST * (MOST_COLUMNS + 1)),
+            "{rows}"
+        );
     }
 }

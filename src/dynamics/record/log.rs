@@ -230,8 +230,11 @@ impl<'s> Log<'s> {
             let id = &self.observer.system().model().objects[pair.object].id;
             pair.hold(id, event.time, &mut self.separations);
         }
-        if any && self.settings.closeups {
-            self.budget = CLOSEUPS;
+        if any {
+            self.budget = match self.rows.follow_switch() {
+                true => CLOSEUPS,
+                false => 0,
+            };
         }
         if any && self.settings.switch_rows {
             let struck = event.impact.map_or(event.y, |(_, before)| before);

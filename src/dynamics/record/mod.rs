@@ -3,6 +3,7 @@
 mod addresses;
 mod area;
 mod audit;
+mod closeups;
 mod contact;
 pub(crate) mod failure;
 mod figure;
@@ -69,6 +70,8 @@ pub struct Closeups {
     pub times: Vec<f64>,
     /// Values of the record's columns, in their order.
     pub columns: Vec<Vec<f64>>,
+    /// They follow every switch (1), every second one (2), …; 0: none was asked for.
+    pub every: u64,
 }
 
 impl Record {
@@ -97,7 +100,10 @@ impl Record {
             columns: columns.collect(),
             switches: self.switches.clone(),
             separations: self.separations.clone(),
-            closeups: Closeups::default(),
+            closeups: Closeups {
+                every: self.closeups.every,
+                ..Closeups::default()
+            },
         }
     }
 }

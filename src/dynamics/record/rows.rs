@@ -1,5 +1,6 @@
 //! The samples of a record: equally spaced rows, column by column.
 
+use super::closeups::{Groups, Table};
 use super::{Closeups, Column, Quantity};
 use crate::dynamics::model::ObjectPart;
 use crate::dynamics::system::{MassState, ObjectState, System};
@@ -10,30 +11,6 @@ const OF_A_MASS: usize = Quantity::of_mass(1).len();
 
 /// Rows for which room is made at once; a longer record grows as it is filled.
 const MOST_ROOM: usize = 1 << 16;
-
-/// Rows on the way, column by column.
-#[derive(Clone, Debug, Default)]
-struct Table {
-    times: Vec<f64>,
-    columns: Vec<Vec<f64>>,
-}
-
-impl Table {
-    /// So many columns, with room for so many rows.
-    fn new(columns: usize, room: usize) -> Self {
-        Self {
-            times: Vec::with_capacity(room),
-            columns: (0..columns).map(|_| Vec::with_capacity(room)).collect(),
-        }
-    }
-
-    fn push(&mut self, time: f64, row: &[f64]) {
-        self.times.push(time);
-        for (column, value) in self.columns.iter_mut().zip(row) {
-            column.push(*value);
-        }
-    }
-}
 
 /// Rows and what they are rows of.
 #[derive(Clone, Debug)]
@@ -46,7 +23,7 @@ pub(crate) struct Rows {
     unreported: Vec<String>,
     rows: Table,
     /// Rows between the equal intervals.
-    closeups: Table,
+    closeups: Groups,
     /// Greatest magnitude in every column, where closeups are taken.
     greatest: Option<Vec<f64>>,
     /// Values of the row at hand.
@@ -76,7 +53,7 @@ impl Rows {
         let width = columns.len();
         Self {
             rows: Table::new(width, room),
-            closeups: Table::new(width, 0),
+            closeups: Groups::new(width),
             greatest: None,
             row: vec![0.0; width],
             columns,
@@ -139,7 +116,12 @@ impl Rows {
 
     /// A row between those that are due, of values that [`Self::values`] gave.
     pub(crate) fn push_closeup(&mut self, time: f64, values: &[f64]) {
-        self.closeups.push(time, values);
+        self.closeups.table.push(time, values);
+    }
+
+    /// Hears of a switch: true where closeups are to follow it.
+    pub(crate) fn follow_switch(&mut self) -> bool {
+        self.greatest.is_some() && self.closeups.follow()
     }
 
     /// True when a row in the middle between two others lies on the straight line
@@ -185,7 +167,7 @@ impl Rows {
 
     /// Times and columns, those of an object side by side; and the closeups.
     pub(crate) fn into_columns(mut self) -> (Vec<f64>, Vec<Column>, Closeups) {
-        let (rows, closeups) = (&mut self.rows.columns, &mut self.closeups.columns);
+        let (rows, closeups) = (&mut self.rows.columns, &mut self.closeups.table.columns);
         // Where a pressure has no bounds there is no figure of it either.
         let known = |index: usize| {
             let mut values = rows[index].iter().chain(&closeups[index]);
@@ -211,7 +193,11 @@ impl Rows {
         let close = |&index: &usize| std::mem::take(&mut closeups[index]);
         let closeups = Closeups {
             columns: order.iter().map(close).collect(),
-            times: self.closeups.times,
+            times: self.closeups.table.times,
+            every: match self.greatest {
+                Some(_) => self.closeups.every,
+                None => 0,
+            },
         };
         (self.rows.times, columns, closeups)
     }

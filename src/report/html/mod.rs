@@ -93,9 +93,19 @@ pub(in crate::report) fn mechanism(diagram: &Diagram, plots: &Plots) -> String {
     )
 }
 
+/// Longest text of a scene that stands on a page (bytes).
+const MOST_OF_SCENE: usize = 1_000_000;
+
 /// The scene as it was written.
 pub(in crate::report) fn scene(text: &str) -> String {
     let lines = text.lines().count();
+    if text.len() > MOST_OF_SCENE {
+        let size = text.len() as f64 / 1e6;
+        return format!(
+            "<h2>Scene</h2>\n<p class=\"soft\">The scene has {size:.1} MB, too much for this page. \
+             Its SHA-256 is stated below.</p>\n"
+        );
+    }
     let open = if lines <= 60 { " open" } else { "" };
     format!(
         "<h2>Scene</h2>\n<details{open}>\n<summary>{lines} lines of JSON</summary>\n\

@@ -3,7 +3,7 @@
 use super::player::Coordinates;
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::report::plot::{Band, Plot, Plots, Series};
-use crate::report::quantity::escape;
+use crate::report::quantity::{escape, with_unit};
 
 /// Samples of a run under a label.
 #[derive(Clone, Debug)]
@@ -50,7 +50,7 @@ pub fn chart(
     });
     let bands = runs.iter().enumerate().map(|(run, one)| Band {
         label: String::new(),
-        spans: open(one.record, object),
+        spans: open(one.record, object, most_spans(runs)).spans,
         series: (runs.len() > 1).then_some(run),
     });
     let mut bands: Vec<Band> = bands.collect();
@@ -77,10 +77,66 @@ fn columns<'a>(
     runs.iter().enumerate().filter_map(of).collect()
 }
 
-/// Times between which the pair of an object is open (s).
-fn open(record: &Record, object: &str) -> Vec<[f64; 2]> {
-    let own = record.separations.iter().filter(|one| one.object == object);
-    own.map(|interval| [interval.from, interval.to]).collect()
+/// Most intervals that all charts of a page shade, of each object in six charts.
+const MOST_SPANS: usize = 30_000;
+const CHARTS: usize = QUANTITIES.len();
+
+/// Most intervals that a chart shades for a run.
+fn most_spans(runs: &[RunSeries<'_>]) -> usize {
+    let objects = |run: &RunSeries<'_>| {
+        let mut ids: Vec<&str> = Vec::new();
+        for one in &run.record.separations {
+            // (Those of one object often follow each other.)
+            if ids.last() != Some(&one.object.as_str()) && !ids.contains(&one.object.as_str()) {
+                ids.push(&one.object);
+            }
+        }
+        ids.len()
+    };
+    let all: usize = runs.iter().map(objects).sum();
+    MOST_SPANS / (CHARTS * all.max(1))
+}
+
+/// When the pair of an object is open.
+#[derive(Debug, Default)]
+struct Open {
+    /// From when until when (s): the first intervals.
+    spans: Vec<[f64; 2]>,
+    /// Number of all intervals.
+    all: usize,
+}
+
+/// The first intervals, at most so many, in which the pair of an object is open.
+fn open(record: &Record, object: &str, most: usize) -> Open {
+    let mut open = Open::default();
+    for one in record.separations.iter().filter(|one| one.object == object) {
+        open.all += 1;
+        if open.spans.len() < most {
+            open.spans.push([one.from, one.to]);
+        }
+    }
+    open
+}
+
+/// Which separations of an object are not shaded, where there are very many; else nothing.
+fn unshaded(runs: &[RunSeries<'_>], object: &str) -> String {
+    let most = most_spans(runs);
+    let note = |run: &RunSeries<'_>| {
+        let open = open(run.record, object, most);
+        let until = open.spans.last().filter(|_| open.all > open.spans.len())?[1];
+        let label = match run.label.as_str() {
+            "" => String::new(),
+            label => format!("{label}: "),
+        };
+        Some(format!(
+            "{label}the first {} of {} separations are shaded, up to {}",
+            open.spans.len(),
+            open.all,
+            with_unit(until, "s", 6)
+        ))
+    };
+    let notes: Vec<String> = runs.iter().filter_map(note).collect();
+    notes.join("; ")
 }
 
 /// Tables of an object for the player: its displacement and its deviation from the law.
@@ -107,6 +163,8 @@ pub(in crate::report) struct Shown {
     kind: String,
     pub(in crate::report) charts: Vec<Plot>,
     silent: Vec<String>,
+    /// Separations that are not shaded, in words.
+    unshaded: String,
     runs: usize,
 }
 
@@ -134,6 +192,7 @@ impl Shown {
             kind: kind.to_owned(),
             charts,
             silent,
+            unshaded: unshaded(runs, id),
             runs: runs.len(),
         })
     }
@@ -187,13 +246,17 @@ impl Shown {
             "<section class=\"object\" id=\"object-{id}\">\n\
              <h2>{id}<span class=\"kind\">{kind}</span></h2>\n\
              <div class=\"bar\" data-zoom=\"object {id}\">{shading}</div>\n\
-             <div class=\"plots{single}\"{rows}>\n{figures}</div>\n{silent}</section>\n",
+             <div class=\"plots{single}\"{rows}>\n{figures}</div>\n{unshaded}{silent}</section>\n",
             id = escape(&self.id),
             kind = escape(&self.kind),
             shading = match (shaded, self.runs) {
                 (false, _) => "",
                 (true, 1) => "<span class=\"key\"><span class=\"swatch\"></span>pair open</span>",
                 (true, _) => "<span>strips at the foot: pair open</span>",
+            },
+            unshaded = match self.unshaded.as_str() {
+                "" => String::new(),
+                words => format!("<p class=\"soft\">Pair open: {}.</p>\n", escape(words)),
             },
             single = if self.is_single() { " single" } else { "" },
             rows = rows,

@@ -95,22 +95,7 @@ impl Plot {
                     )
                 }
             };
-            let mut path = String::new();
-            for &[from, to] in &band.spans {
-                let clamp = |at: f64| frame.left + frame.x.share(at).clamp(0.0, 1.0) * frame.width;
-                let (a, b) = (clamp(from), clamp(to));
-                if b >= a {
-                    let _ = write!(
-                        path,
-                        "M{} {}h{}v{}H{}z",
-                        coordinate(a),
-                        coordinate(top),
-                        coordinate((b - a).max(0.5)),
-                        coordinate(height),
-                        coordinate(a)
-                    );
-                }
-            }
+            let path = shaded(frame, &band.spans, [top, height]);
             let _ = writeln!(out, "<path {look} data-band=\"\" d=\"{path}\"/>");
         }
         if let Some((value, _)) = &self.below {
@@ -181,6 +166,39 @@ impl Frame {
             [self.left, self.top, self.width, self.height].map(coordinate);
         format!("{left} {top} {width} {height}")
     }
+}
+
+/// Shaded intervals closer than this are drawn as one (pixels), as the script does.
+const APART: f64 = 0.4;
+
+/// Shaded intervals as a path; those that no pixel tells apart are one.
+fn shaded(frame: &Frame, spans: &[[f64; 2]], [top, height]: [f64; 2]) -> String {
+    let mut path = String::new();
+    let mut put = |[a, b]: [f64; 2]| {
+        let _ = write!(
+            path,
+            "M{} {}h{}v{}H{}z",
+            coordinate(a),
+            coordinate(top),
+            coordinate((b - a).max(0.5)),
+            coordinate(height),
+            coordinate(a)
+        );
+    };
+    let clamp = |at: f64| frame.left + frame.x.share(at).clamp(0.0, 1.0) * frame.width;
+    let mut last: Option<[f64; 2]> = None;
+    for [a, b] in spans
+        .iter()
+        .map(|span| span.map(clamp))
+        .filter(|[a, b]| b >= a)
+    {
+        match &mut last {
+            Some([from, to]) if a >= *from && a - *to < APART => *to = to.max(b),
+            _ => last.replace([a, b]).into_iter().for_each(&mut put),
+        }
+    }
+    last.into_iter().for_each(put);
+    path
 }
 
 fn curve(series: &Series, frame: &Frame, index: usize) -> String {

@@ -10,7 +10,7 @@ use super::diagram::{Diagram, ObjectBox};
 use super::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use super::html::{mechanism, runs};
 use super::machine::Machine;
-use super::quantity::{significant, with_unit};
+use super::quantity::{significant, units, with_unit};
 use super::thinned::drawn;
 use super::verdict::{Verdict, verdict};
 use crate::dynamics::record::{Figures, Record};
@@ -44,7 +44,8 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         machine,
         ..
     } = *report;
-    let record = Rc::new(drawn(report.record));
+    let drawn = drawn(report.record);
+    let record = Rc::new(drawn.record);
     let samples = [report.record, &*record].map(|one| one.times.len() + one.closeups.times.len());
     let mut sections = vec![Section::default().drawing(|plots| mechanism(diagram, plots))];
     if let Some(machine) = machine {
@@ -53,6 +54,8 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         sections.push(Section::default().drawing(moving));
     }
     sections.extend(objects(figures, samples));
+    let left_out = left_out(report.record, drawn.left_out);
+    sections.push(Section::default().legend(left_out.join(" ")));
     if let Some(certificate) = report.certificate {
         sections.extend(accuracy::sections(certificate));
         sections.push(accuracy::chart(certificate));
@@ -81,6 +84,25 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         sections,
         source,
     }
+}
+
+/// What the charts of a page leave out, in sentences.
+fn left_out(record: &Record, columns: usize) -> Vec<String> {
+    let mut notes = Vec::new();
+    let every = record.closeups.every;
+    if every > 1 {
+        notes.push(format!(
+            "The charts show the motion in detail after one switch in {every}. Elsewhere they join \
+             the samples of record.csv."
+        ));
+    }
+    if columns > 0 {
+        notes.push(format!(
+            "{columns} columns of the record have no chart on this page. All of them are in \
+             record.csv."
+        ));
+    }
+    notes
 }
 
 /// The figures of all objects, of their pairs, stops and joints; `samples`: of the record, and of them
@@ -178,26 +200,39 @@ fn spread<'a>(spread: &Spread) -> Section<'a> {
         .table(Table::new(heads).rows(spread.figures.iter().map(row)))
 }
 
+/// Every switch of every pair as CSV.
+pub fn switches_csv(record: &Record, figures: &Figures) -> String {
+    super::csv::switches_csv(record, |object| tables::speed(units(figures, object)))
+}
+
 /// Up to this many switches are listed openly; more are folded away.
 const OPEN_LIST: usize = 12;
 
-/// All switches in order of time, on a page.
+/// Most switches that a page lists.
+const MOST_LISTED: usize = 1000;
+
+/// Switches in order of time, on a page.
 fn switches<'a>(record: &Record, figures: &Figures) -> Section<'a> {
     let section = Section::new("Switches");
-    let (Some(first), Some(last)) = (record.switches.first(), record.switches.last()) else {
+    let count = record.switches.len();
+    let listed = &record.switches[..count.min(MOST_LISTED)];
+    let (Some(first), Some(last)) = (listed.first(), listed.last()) else {
         return section.legend("No pair opens or closes during the run.");
     };
-    let table = tables::switches(&record.switches, figures);
-    let count = record.switches.len();
-    section.item(match count <= OPEN_LIST {
-        true => Item::Table(table),
-        false => Item::Folded(
-            format!(
-                "{count} switches between {} and {}",
-                with_unit(first.time, "s", 6),
-                with_unit(last.time, "s", 6)
-            ),
-            table,
+    let table = tables::switches(listed, figures);
+    if count <= OPEN_LIST {
+        return section.item(Item::Table(table));
+    }
+    let span = format!(
+        "between {} and {}",
+        with_unit(first.time, "s", 6),
+        with_unit(last.time, "s", 6)
+    );
+    let summary = match count <= MOST_LISTED {
+        true => format!("{count} switches {span}"),
+        false => format!(
+            "the first {MOST_LISTED} of {count} switches, {span}; all of them are in switches.csv"
         ),
-    })
+    };
+    section.item(Item::Folded(summary, table))
 }

@@ -13,7 +13,7 @@ fn value(value: f64, unit: &str) -> Cell {
 }
 
 /// Unit of a speed.
-fn speed(units: Units) -> String {
+pub(super) fn speed(units: Units) -> String {
     format!("{}/s", units.displacement)
 }
 

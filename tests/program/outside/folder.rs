@@ -31,6 +31,7 @@ fn results_of_two_commands_never_mix() {
         "record.csv",
         "report.html",
         "summary.json",
+        "switches.csv",
         "timing.json",
     ];
     assert_eq!(names(&out), of_run);
@@ -140,4 +141,52 @@ fn the_journal_of_an_interrupted_map_is_not_lost_to_another_command() {
     let run = output(&["run", SCENE, "--out", out, "--force"]);
     assert!(run.status.success());
     assert!(!names(folder.path()).contains(&"map.journal".to_owned()));
+}
+
+#[test]
+fn a_page_of_very_many_switches_is_bounded_and_says_what_it_leaves_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let args = [
+        "run",
+        "scenarios/rocker/two_masses.json",
+        "--set",
+        "run.duration=120",
+        "--out",
+        out.to_str().unwrap(),
+    ];
+    let found = output(&args);
+    assert!(out.join("report.html").exists(), "{}", text(&found.stderr));
+    let read = |name: &str| std::fs::read_to_string(out.join(name)).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&read("summary.json")).unwrap();
+    let count = summary["run"]["switches"].as_u64().unwrap();
+    let pair = &summary["objects"]["rocker"]["pair"];
+    let separations = pair["separations"].as_u64().unwrap();
+    assert!(count > 20_000, "{count}");
+    // The files are complete.
+    let times = pair["switch_times"].as_array().unwrap();
+    assert_eq!(times.len() as u64, count);
+    let rows = read("switches.csv");
+    let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split(',').collect()).collect();
+    assert_eq!(
+        rows[0],
+        ["time [s]", "object", "switch", "flank", "speed", "unit"]
+    );
+    assert_eq!(rows.len() as u64, count + 1);
+    for (row, time) in rows[1..].iter().zip(times) {
+        assert_eq!(row[0].parse::<f64>().ok(), time.as_f64());
+        assert_eq!((row[1], row[5]), ("rocker", "rad/s"));
+    }
+    let opens = rows.iter().filter(|row| row[2] == "opens").count() as u64;
+    assert_eq!(opens, separations);
+    // The page is not, and says so.
+    let page = read("report.html");
+    assert!(page.len() < 5_000_000, "{}", page.len());
+    for words in [
+        format!("the first 1000 of {count} switches"),
+        format!("the first 5000 of {separations} separations are shaded, up to"),
+        "in detail after one switch in".to_owned(),
+    ] {
+        assert!(page.contains(&words), "{words}");
+    }
 }
