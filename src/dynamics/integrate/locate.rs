@@ -1,6 +1,7 @@
 //! The earliest switch on a step: every guard is a polynomial, and none of its
 //! roots is skipped (see [`crate::math::polynomial`]).
 
+use super::run::Touching;
 use super::{EventFunction, Guard, continuous::End};
 use crate::math::polynomial::{
     Coefficients, MAX_DEGREE, Step, evaluate, first_both_positive, first_positive,
@@ -22,6 +23,8 @@ pub(super) struct Stretch<'a> {
     pub(super) from: &'a End,
     pub(super) to: &'a End,
     pub(super) zero_at_start: &'a [Guard],
+    /// Contacts that just touch: they come apart beyond what numbers resolve.
+    pub(super) touching: &'a [Touching],
 }
 
 impl Stretch<'_> {
@@ -54,13 +57,17 @@ impl Stretch<'_> {
     fn fires(&self, watch: &EventFunction) -> Option<f64> {
         let degree = self.step.degree;
         let sign = if watch.rising { 1.0 } else { -1.0 };
-        let first = self.guard(&watch.guards[0], sign);
-        let first = &first[..=degree];
+        let mut first = self.guard(&watch.guards[0], sign);
+        let mut second = self.guard(&watch.guards[1], sign);
+        let touches = |own: &&Touching| own.component == watch.component && !watch.rising;
+        if let Some(touching) = self.touching.iter().find(touches) {
+            first.iter_mut().for_each(|c| *c -= touching.floors[0]);
+            second.iter_mut().for_each(|c| *c -= touching.floors[1]);
+        }
+        let (first, second) = (&first[..=degree], &second[..=degree]);
         if watch.guards[0] == watch.guards[1] {
             return first_positive(first).or_else(|| crosses_at_end(first).then_some(1.0));
         }
-        let second = self.guard(&watch.guards[1], sign);
-        let second = &second[..=degree];
         if watch.rising {
             let at_end = || {
                 let ready = |c: &[f64]| c[degree] > 0.0 || crosses_at_end(c);

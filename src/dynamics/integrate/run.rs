@@ -3,6 +3,9 @@
 mod narrowing;
 mod probing;
 mod switching;
+mod touching;
+
+pub(super) use touching::Touching;
 
 use self::narrowing::Narrowing;
 use super::changing::Changing;
@@ -85,6 +88,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     /// True before the first step after the start and after every switch.
     fresh: bool,
     zero_at_start: Vec<Guard>,
+    /// Contacts that were closed without a force and a speed that could be told from 0.
+    touching: Vec<Touching>,
     switches_at_once: u32,
     /// Count of how often the step under way has been shortened to end just behind a
     /// switch.
@@ -136,6 +141,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             probed: vec![0.0; 2 * coordinates],
             fresh: true,
             zero_at_start: Vec::new(),
+            touching: Vec::new(),
             switches_at_once: 0,
             drawn_in: 0,
             pace: Pace::default(),
@@ -157,6 +163,8 @@ impl<'a, D: Dynamics> Run<'a, D> {
             .event_functions(&modes, &mut self.event_functions);
         self.evaluator.dynamics.probes(&modes, &mut self.probes);
         self.sink.start(time, y, &modes);
+        drop(modes);
+        self.find_touching(|_| true);
     }
 
     /// Ends the run before it has begun.
@@ -336,6 +344,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             from: &self.from,
             to: &self.to,
             zero_at_start: &self.zero_at_start,
+            touching: &self.touching,
         };
         stretch.earliest(&self.event_functions)
     }
@@ -347,6 +356,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         drop(modes);
         std::mem::swap(&mut self.from, &mut self.to);
         self.zero_at_start.clear();
+        self.release_touching();
         self.fresh = false;
         self.switches_at_once = 0;
         self.check_limits()

@@ -227,6 +227,7 @@ impl<D: Dynamics> Run<'_, D> {
             from: &self.from,
             to: &self.to,
             zero_at_start: &[],
+            touching: &[],
         };
         stretch.earliest(&[watch]).map(|found| found.s)
     }

@@ -108,7 +108,18 @@ impl Deformation<'_> {
     fn mode_ahead(&self) -> i64 {
         let pressed = |&&side: &&i64| self.presses(side).iter().all(|guard| guard.sign() > 0.0);
         let side = self.contact.sides().iter().find(pressed);
-        side.copied().unwrap_or(OPEN)
+        side.copied().unwrap_or_else(|| self.undecided())
+    }
+
+    /// The mode of what no derivative decides: the only flank of a force-closed pair that
+    /// touches it is closed, without a force.
+    fn undecided(&self) -> i64 {
+        let &[side] = self.contact.sides() else {
+            return OPEN;
+        };
+        let [depth, pressing] = self.presses(side).map(|guard| guard.sign());
+        let touches = depth >= 0.0 && pressing >= 0.0;
+        if touches { side } else { OPEN }
     }
 }
 

@@ -27,6 +27,7 @@ impl<D: Dynamics> Run<'_, D> {
             from: &self.from,
             to: &self.to,
             zero_at_start: &self.zero_at_start,
+            touching: &self.touching,
         };
         let causes: Vec<Guard> = match found.watch < self.event_functions.len() {
             true => stretch.causes(&watch, found.s).collect(),
@@ -112,6 +113,8 @@ impl<D: Dynamics> Run<'_, D> {
         self.zero_at_start
             .extend(touching.map(|function| function.guards[0]));
         self.enter(time, y, (before, after), Some(watch), impact);
+        self.release_touching();
+        self.find_touching(|component| component == watch.component);
         if let Err(stop) = result {
             return self.end(Stop::Physical(stop));
         }
