@@ -22,5 +22,6 @@ mod reduce;
 mod reference_rocker;
 mod scoreboard;
 mod short_steps;
+mod starts_of_laws;
 mod stiff_and_brief;
 mod tolerance;

@@ -5,6 +5,15 @@ use super::frozen::{Chain, Frozen, Step};
 use super::passes::{Extent, Work};
 use crate::math::expression::OPEN;
 
+/// Side of t = 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// The past: of laws that repeat, the segment that they come from.
+    Before,
+    /// The future: the segment that they move on in.
+    After,
+}
+
 impl Frozen {
     /// Modes with every pair open, every track in segment 0 and every guard of an expression
     /// by its value.
@@ -37,8 +46,18 @@ impl Frozen {
 
     /// Balance from the law on, with the modes that belong to it.
     pub(super) fn settle(&self, kind: Balance, modes: &mut [i64]) -> Option<Balanced> {
+        self.settle_on(Side::After, kind, modes)
+    }
+
+    /// The same with the laws as they are on a side of t = 0.
+    pub(super) fn settle_on(
+        &self,
+        side: Side,
+        kind: Balance,
+        modes: &mut [i64],
+    ) -> Option<Balanced> {
         let mut state = self.law_state();
-        self.locate_tracks(&state, modes);
+        self.locate_tracks_on(side, &state, modes);
         // Each round may change flanks and segments; a balance that depends on
         // them so that it never settles is none.
         for _ in 0..8 + 2 * modes.len() {
@@ -53,7 +72,7 @@ impl Frozen {
                 }
             }
             self.settle_stops(&mut balanced, &before, modes);
-            self.locate_tracks(&balanced.state, modes);
+            self.locate_tracks_on(side, &balanced.state, modes);
             if *modes == before {
                 return Some(balanced);
             }
@@ -98,6 +117,12 @@ impl Frozen {
 
     /// Sets every track to the segment in which the state at t = 0 moves on.
     pub(super) fn locate_tracks(&self, state: &[f64], modes: &mut [i64]) {
+        self.locate_tracks_on(Side::After, state, modes);
+    }
+
+    /// Sets every track to the segment on a side of t = 0. Only a track that repeats has
+    /// one before it.
+    pub(super) fn locate_tracks_on(&self, side: Side, state: &[f64], modes: &mut [i64]) {
         if self.tracks.is_empty() {
             return self.locate_guards(0.0, state, modes);
         }
@@ -124,6 +149,11 @@ impl Frozen {
                 };
                 let component = self.track_component(index);
                 if place.is_finite() {
+                    let sense = match (side, track.breaks.period) {
+                        // (Upwards is ≥ 0: at rest nothing lies behind.)
+                        (Side::Before, Some(_)) if sense != 0.0 => -sense,
+                        (Side::Before | Side::After, _) => sense,
+                    };
                     let segment = track.breaks.locate(place, sense);
                     settled &= modes[component] == segment;
                     modes[component] = segment;

@@ -2,6 +2,7 @@
 
 use super::balance::{Balance, Balanced};
 use super::passes::{Extent, Work};
+use super::placing::Side;
 use super::{InitialState, System};
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::{Closure, ExplicitStart, LoadLaw, NodeIndex, Start};
@@ -48,11 +49,11 @@ impl System {
             Start::OnLaw => self.explicit_state(&[], &mut modes)?,
             Start::Explicit(starts) => self.explicit_state(starts, &mut modes)?,
             Start::Static => {
-                let balanced = self.balanced(Balance::Static, &mut modes)?;
+                let balanced = self.balanced(Side::After, Balance::Static, &mut modes)?;
                 self.warn_of_inertia(&balanced, &modes, &mut warnings);
                 balanced.state
             }
-            Start::Kinetostatic => self.kinetostatic(&mut modes)?,
+            Start::Kinetostatic => self.quiet(&mut modes, &mut warnings)?,
         };
         self.check_start(&y, &modes)?;
         if self.frozen.impacts {
@@ -80,9 +81,61 @@ impl System {
         Modes(modes)
     }
 
-    /// The quiet start.
-    fn kinetostatic(&self, modes: &mut [i64]) -> Result<Vec<f64>, Vec<Fault>> {
-        let mut state = self.balanced(Balance::Kinetostatic, modes)?.state;
+    /// The quiet start: on the side of t = 0 that the motion comes from. A law that
+    /// repeats has one, and what it asks for there may differ from what it asks for next:
+    /// out of a dwell nothing is deflected by inertia yet.
+    fn quiet(&self, modes: &mut [i64], warnings: &mut Vec<String>) -> Result<Vec<f64>, Vec<Fault>> {
+        let (mut after, mut before) = (modes.to_vec(), modes.to_vec());
+        let law = self.frozen.law_state();
+        self.frozen.locate_tracks_on(Side::After, &law, &mut after);
+        self.frozen
+            .locate_tracks_on(Side::Before, &law, &mut before);
+        if after == before {
+            return self.kinetostatic(Side::After, modes);
+        }
+        let mut start = self.kinetostatic(Side::Before, &mut before)?;
+        self.keep_speeds(&before, &after, &mut start);
+        let ahead = self.kinetostatic(Side::After, &mut after);
+        modes.copy_from_slice(&after);
+        modes[..self.frozen.contacts()].copy_from_slice(&before[..self.frozen.contacts()]);
+        if ahead.is_ok_and(|ahead| self.differs(&start, &ahead)) {
+            warnings.push(
+                "a law that repeats has other derivatives before t = 0 than after it: the run \
+                 starts from the side before, as it leaves a dwell"
+                    .to_owned(),
+            );
+        }
+        Ok(start)
+    }
+
+    /// Speeds are those of the masses: where the slope of a law jumps, the rates of the
+    /// deviations do.
+    fn keep_speeds(&self, before: &[i64], after: &[i64], state: &mut [f64]) {
+        let frozen = &self.frozen;
+        let n = frozen.coordinates;
+        let mut work = Work::new(frozen);
+        for index in 0..frozen.chains.len() {
+            let chain = &frozen.chains[index];
+            frozen.motion(0.0, state, before, Extent::Full, &mut work);
+            let speed = work.laws[chain.law].speed;
+            frozen.motion(0.0, state, after, Extent::Full, &mut work);
+            let jump = work.laws[chain.law].speed - speed;
+            for coordinate in chain.coordinates() {
+                state[n + coordinate] -= jump;
+            }
+        }
+    }
+
+    /// True when two states differ by more than rounding.
+    fn differs(&self, one: &[f64], other: &[f64]) -> bool {
+        let sizes = self.scales_of_state().iter();
+        let mut all = one.iter().zip(other).zip(sizes);
+        all.any(|((a, b), size)| (a - b).abs() > 1e-9 * (size + a.abs().max(b.abs())))
+    }
+
+    /// Deflections and their rates under all loads on a side of t = 0.
+    fn kinetostatic(&self, side: Side, modes: &mut [i64]) -> Result<Vec<f64>, Vec<Fault>> {
+        let mut state = self.balanced(side, Balance::Kinetostatic, modes)?.state;
         let n = self.frozen.coordinates;
         let rate = self
             .frozen
@@ -97,10 +150,15 @@ impl System {
     }
 
     /// Balance, with the flanks and the segments of tracks that belong to it.
-    fn balanced(&self, kind: Balance, modes: &mut [i64]) -> Result<Balanced, Vec<Fault>> {
+    fn balanced(
+        &self,
+        side: Side,
+        kind: Balance,
+        modes: &mut [i64],
+    ) -> Result<Balanced, Vec<Fault>> {
         let frozen = &self.frozen;
         let mut balanced = frozen
-            .settle(kind, modes)
+            .settle_on(side, kind, modes)
             .ok_or_else(|| vec![self.no_balance(modes)])?;
         let mut faults = Vec::new();
         for (index, chain) in frozen.chains.iter().enumerate() {

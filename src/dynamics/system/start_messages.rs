@@ -3,6 +3,7 @@
 use super::System;
 use super::balance::{Balance, Balanced};
 use super::passes::{Extent, Work};
+use super::placing::Side;
 use crate::dynamics::model::LoadLaw;
 use crate::fault::Fault;
 use crate::units::shown;
@@ -85,6 +86,12 @@ impl System {
         modes: &[i64],
         warnings: &mut Vec<String>,
     ) {
+        // Out of a dwell nothing is left out: what comes next has not acted yet.
+        let law = self.frozen.law_state();
+        let mut behind = modes.to_vec();
+        self.frozen
+            .locate_tracks_on(Side::Before, &law, &mut behind);
+        let modes = behind.as_slice();
         let with = self
             .frozen
             .link_forces(Balance::Kinetostatic, &balanced.state, modes);

@@ -6,6 +6,7 @@ mod modes;
 mod pressing;
 mod restitution;
 mod rod;
+mod starts;
 mod stops;
 
 use dam::integrate::Method;
@@ -98,7 +99,7 @@ impl Wall {
     }
 }
 
-fn run_text(text: &str, method: Option<Method>) -> RunResult {
+pub(crate) fn run_text(text: &str, method: Option<Method>) -> RunResult {
     let document = Document::parse("scene.json", text.as_bytes()).unwrap();
     let reading = document.scene(&BuiltIn, &Overrides::none());
     let reading = reading.unwrap_or_else(|faults| panic!("{faults:#?}\n{text}"));
