@@ -348,6 +348,8 @@ pub struct Track {
     pub source: TrackSource,
     /// The break points.
     pub breaks: Breaks,
+    /// True of a law of motion that repeats for ever: it has a past before t = 0.
+    pub repeats: bool,
     /// True when leaving segment `home` ends the run: the position function
     /// cannot be assembled beyond it (a dead position).
     pub stops: bool,

@@ -106,11 +106,13 @@ impl ModelBuilder {
             _ => return self.smooth_law(path, spec, object, node),
         };
         match pieces {
-            Ok(Pieces { breaks, pieces }) => Some(match self.track(source, breaks, object) {
-                Some(track) => LoadLaw::Pieces { track, pieces },
-                // A single piece without an end.
-                None => LoadLaw::Constant(pieces.first().map_or(0.0, |piece| piece.value)),
-            }),
+            Ok(Pieces { breaks, pieces }) => {
+                Some(match self.track(source, (breaks, false), object) {
+                    Some(track) => LoadLaw::Pieces { track, pieces },
+                    // A single piece without an end.
+                    None => LoadLaw::Constant(pieces.first().map_or(0.0, |piece| piece.value)),
+                })
+            }
             Err(found) => {
                 self.faults.absorb(&format!("{path}.{property}"), found);
                 None

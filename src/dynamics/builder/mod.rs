@@ -155,18 +155,28 @@ impl ModelBuilder {
         self.model.warnings.push(warning.into());
     }
 
-    /// The track over these breaks, made when there is none yet; `None`: no breaks.
-    fn track(&mut self, source: TrackSource, breaks: Breaks, object: usize) -> Option<usize> {
+    /// The track over these breaks, made when there is none yet; `None`: no breaks. Whether
+    /// it is that of a law of motion that repeats.
+    fn track(
+        &mut self,
+        source: TrackSource,
+        (breaks, repeats): (Breaks, bool),
+        object: usize,
+    ) -> Option<usize> {
         if breaks.is_empty() {
             return None;
         }
-        let same = |track: &Track| track.source == source && track.breaks == breaks && !track.stops;
+        let same = |track: &Track| {
+            let own = (track.source, track.stops, track.repeats);
+            own == (source, false, repeats) && track.breaks == breaks
+        };
         if let Some(found) = self.model.tracks.iter().position(same) {
             return Some(found);
         }
         self.model.tracks.push(Track {
             source,
             breaks,
+            repeats,
             stops: false,
             object,
         });

@@ -13,7 +13,11 @@ use crate::kinematics::position::Position;
 impl ModelBuilder {
     /// A node whose motion is given over time.
     pub fn prescribed(&mut self, at: &Place, motion: DriveMotion) -> NodeIndex {
-        let track = self.track(TrackSource::Time, motion.breaks(), at.object);
+        let track = self.track(
+            TrackSource::Time,
+            (motion.breaks(), motion.repeats()),
+            at.object,
+        );
         let start = instant(&motion, 0.0).value;
         let node = Node {
             inertia: 0.0,
@@ -47,7 +51,9 @@ impl ModelBuilder {
         lever: f64,
     ) -> Option<Law> {
         let source = TrackSource::Node(driver.node);
-        let track = self.track(source, position.breaks(), at.object);
+        let breaks = position.breaks();
+        let repeats = breaks.period.is_some();
+        let track = self.track(source, (breaks, repeats), at.object);
         match position.reach_from(self.start_of(driver.node)) {
             Ok(None) => {}
             Ok(Some(reach)) => self.limit(at, driver.node, reach, DEAD),

@@ -104,6 +104,7 @@ impl ModelBuilder {
                 points: vec![reach.0, reach.1],
                 period: None,
             },
+            repeats: false,
             stops: true,
             object: at.object,
         });

@@ -249,6 +249,7 @@ impl<'a> Builder<'a> {
                 node,
                 signal,
                 breaks: track.breaks.clone(),
+                repeats: track.repeats,
                 stops: track.stops,
                 object: track.object,
             });

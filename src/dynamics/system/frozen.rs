@@ -259,6 +259,8 @@ pub(super) struct FrozenTrack {
     pub(super) signal: Option<usize>,
     /// The break points.
     pub(super) breaks: Breaks,
+    /// True of a law of motion that repeats: it has a past before t = 0.
+    pub(super) repeats: bool,
     /// True when leaving the present segment ends the run.
     pub(super) stops: bool,
     /// Index of the object concerned.

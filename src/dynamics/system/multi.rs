@@ -281,6 +281,7 @@ impl Frozen {
                     points: vec![0.0],
                     period: None,
                 },
+                repeats: false,
                 stops: true,
                 object: self.multi[linkage].object,
             });

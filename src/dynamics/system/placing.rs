@@ -120,8 +120,8 @@ impl Frozen {
         self.locate_tracks_on(Side::After, state, modes);
     }
 
-    /// Sets every track to the segment on a side of t = 0. Only a track that repeats has
-    /// one before it.
+    /// Sets every track to the segment on a side of t = 0. Only a law of motion that
+    /// repeats has one before it.
     pub(super) fn locate_tracks_on(&self, side: Side, state: &[f64], modes: &mut [i64]) {
         if self.tracks.is_empty() {
             return self.locate_guards(0.0, state, modes);
@@ -149,9 +149,9 @@ impl Frozen {
                 };
                 let component = self.track_component(index);
                 if place.is_finite() {
-                    let sense = match (side, track.breaks.period) {
+                    let sense = match (side, track.repeats) {
                         // (Upwards is ≥ 0: at rest nothing lies behind.)
-                        (Side::Before, Some(_)) if sense != 0.0 => -sense,
+                        (Side::Before, true) if sense != 0.0 => -sense,
                         (Side::Before | Side::After, _) => sense,
                     };
                     let segment = track.breaks.locate(place, sense);

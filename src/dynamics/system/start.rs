@@ -96,14 +96,11 @@ impl System {
         let mut start = self.kinetostatic(Side::Before, &mut before)?;
         self.keep_speeds(&before, &after, &mut start);
         let ahead = self.kinetostatic(Side::After, &mut after);
+        let others = self.starts_apart(&start, ahead.as_deref().ok());
         modes.copy_from_slice(&after);
         modes[..self.frozen.contacts()].copy_from_slice(&before[..self.frozen.contacts()]);
-        if ahead.is_ok_and(|ahead| self.differs(&start, &ahead)) {
-            warnings.push(
-                "a law that repeats has other derivatives before t = 0 than after it: the run \
-                 starts from the side before, as it leaves a dwell"
-                    .to_owned(),
-            );
+        if !others.is_empty() {
+            warnings.push(from_before(&others));
         }
         Ok(start)
     }
@@ -114,23 +111,37 @@ impl System {
         let frozen = &self.frozen;
         let n = frozen.coordinates;
         let mut work = Work::new(frozen);
-        for index in 0..frozen.chains.len() {
-            let chain = &frozen.chains[index];
-            frozen.motion(0.0, state, before, Extent::Full, &mut work);
-            let speed = work.laws[chain.law].speed;
+        frozen.motion(0.0, state, before, Extent::Full, &mut work);
+        let speeds: Vec<f64> = work.laws.iter().map(|law| law.speed).collect();
+        for chain in &frozen.chains {
+            // (A chain that follows a chain sees the speeds that this one has by now.)
             frozen.motion(0.0, state, after, Extent::Full, &mut work);
-            let jump = work.laws[chain.law].speed - speed;
+            let jump = work.laws[chain.law].speed - speeds[chain.law];
             for coordinate in chain.coordinates() {
                 state[n + coordinate] -= jump;
             }
         }
     }
 
-    /// True when two states differ by more than rounding.
-    fn differs(&self, one: &[f64], other: &[f64]) -> bool {
-        let sizes = self.scales_of_state().iter();
-        let mut all = one.iter().zip(other).zip(sizes);
-        all.any(|((a, b), size)| (a - b).abs() > 1e-9 * (size + a.abs().max(b.abs())))
+    /// The objects that a state starts otherwise than another does, by more than rounding;
+    /// without another, all that have a state.
+    fn starts_apart(&self, one: &[f64], other: Option<&[f64]>) -> Vec<&str> {
+        let sizes = self.scales_of_state();
+        let differs = |index: usize| {
+            other.is_none_or(|other| {
+                let (a, b) = (one[index], other[index]);
+                (a - b).abs() > 1e-9 * (sizes[index] + a.abs().max(b.abs()))
+            })
+        };
+        let n = self.frozen.coordinates;
+        let chains = self.frozen.chains.iter().enumerate();
+        let apart = chains.filter(|(_, chain)| {
+            let mut own = chain.coordinates();
+            own.any(|index| differs(index) || differs(n + index))
+        });
+        let objects = &self.model.objects;
+        let names = apart.map(|(index, _)| objects[self.part_of_chain(index)].id.as_str());
+        names.collect()
     }
 
     /// Deflections and their rates under all loads on a side of t = 0.
@@ -355,6 +366,20 @@ impl System {
             ),
         }
     }
+}
+
+/// Warning that objects start from the side before t = 0.
+fn from_before(objects: &[&str]) -> String {
+    let named: Vec<String> = objects.iter().map(|id| format!("`{id}`")).collect();
+    format!(
+        "the derivatives of a law that repeats differ on the two sides of t = 0: {} {} from the \
+         side before t = 0",
+        named.join(", "),
+        match objects.len() {
+            1 => "starts",
+            _ => "start",
+        }
+    )
 }
 
 fn no_balance() -> Fault {

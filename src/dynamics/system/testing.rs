@@ -160,6 +160,7 @@ pub(super) fn add_body(model: &mut Model, driver: usize, body: &Body) -> usize {
     let track = (!breaks.is_empty()).then(|| {
         model.tracks.push(Track {
             source: TrackSource::Node(source),
+            repeats: breaks.period.is_some(),
             breaks,
             stops: false,
             object,

@@ -142,6 +142,7 @@ fn add_tables(model: &mut Model, random: &mut Random) {
                 points: vec![-0.5, 0.4],
                 period: None,
             },
+            repeats: false,
             stops: false,
             object,
         });

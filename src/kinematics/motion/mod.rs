@@ -18,6 +18,7 @@ pub use written::WrittenMotion;
 
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
+use crate::math::expression::Repetition;
 use crate::math::jet::Jet;
 use crate::math::narrow::{Narrow, narrow};
 
@@ -245,6 +246,23 @@ impl DriveMotion {
         }
     }
 
+    /// True when it repeats for ever, but for an advance with each cycle, as a plan that
+    /// repeats does and an expression of which it is proved.
+    pub fn repeats(&self) -> bool {
+        match self {
+            Self::Plan(cycle) => cycle.breaks().period.is_some(),
+            Self::Written(written) => match written.repetition() {
+                Some(Repetition::Cycles { .. }) => true,
+                Some(Repetition::Line(_)) | None => false,
+            },
+            Self::Constant { .. }
+            | Self::Accelerated { .. }
+            | Self::RunUp { .. }
+            | Self::LawRunUp(_)
+            | Self::Table(_) => false,
+        }
+    }
+
     /// Times at which the formula changes.
     pub fn breaks(&self) -> Breaks {
         let points = match self {
@@ -285,6 +303,7 @@ fn continued(spline: &Spline, end: f64, time: f64) -> Jet {
 mod tests {
     use super::cycle::{CycleSpec, Motion, Station};
     use super::{DriveMotion, DriveMotionSpec, LawName, RunLawName};
+    use crate::math::expression::Repetition;
     use crate::math::jet::Jet;
 
     fn station(at: f64, displacement: f64, motion: Motion) -> Station {

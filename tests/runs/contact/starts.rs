@@ -18,7 +18,7 @@ fn contacts(scale: f64) -> [(&'static str, String); 3] {
         (
             "Hunt–Crossley",
             format!(
-                r#"{{ "law": "hunt_crossley", "stiffness": {:e}, "kappa": {:e} }}"#,
+                r#"{{ "law": "hunt_crossley", "stiffness": {:e}, "dissipation": {:e} }}"#,
                 150_000.0 / scale.powi(2),
                 0.2 * scale
             ),
@@ -36,7 +36,7 @@ fn lever(masses: usize, contact: &str, scale: f64) -> String {
         r#"{{ "dam": 1, "name": "Start on the law", "objects": {{
             "cam": {{ "kind": "drive", "motion": {{ "fixed": 0 }} }},
             "lever": {{ "kind": "rocker", "input": "cam", "position": {{ "ratio": 0.69 }},
-                "inertia": 0.074, "stiffness": {:e}, "masses": {masses},
+                "inertia": 0.074, "stiffness": {:e}, "masses": {masses}, "damping_capacity": 0.2,
                 "pair": {{ "closure": "force", "contact": {contact} }},
                 "loads": {{ "h": {{ "constant": {:e} }} }} }} }},
             "run": {{ "duration": {:e}, "start": "on_law", "tolerance": 1e-8 }} }}"#,

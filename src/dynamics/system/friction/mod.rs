@@ -163,6 +163,7 @@ impl Frozen {
                 node: Some(node),
                 signal: Some(own),
                 breaks: reversals.breaks.clone(),
+                repeats: false,
                 stops: false,
                 object: body.object,
             });
