@@ -61,8 +61,7 @@ impl Stretch<'_> {
         let mut second = self.guard(&watch.guards[1], sign);
         let touches = |own: &&Touching| own.component == watch.component && !watch.rising;
         if let Some(touching) = self.touching.iter().find(touches) {
-            first.iter_mut().for_each(|c| *c -= touching.floors[0]);
-            second.iter_mut().for_each(|c| *c -= touching.floors[1]);
+            touching.shift([&mut first, &mut second], degree);
         }
         let (first, second) = (&first[..=degree], &second[..=degree]);
         if watch.guards[0] == watch.guards[1] {

@@ -23,7 +23,10 @@ fn contacts(scale: f64) -> [(&'static str, String); 3] {
                 0.2 * scale
             ),
         ),
-        ("rigid", r#"{ "restitution": 0 }"#.to_owned()),
+        (
+            "elastic",
+            format!(r#"{{ "stiffness": {:e} }}"#, 150_000.0 / scale.powi(2)),
+        ),
     ]
 }
 

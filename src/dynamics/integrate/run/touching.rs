@@ -12,6 +12,10 @@ use crate::dynamics::integrate::{Dynamics, EventFunction, Guard};
 /// steps add up.
 const TOLERANCES: f64 = 10.0;
 
+/// How much farther it may seem to come apart between two states at which it touches: what
+/// a method knows between them is less exact than they are.
+const BETWEEN: f64 = 10.0;
+
 /// A contact that just touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::dynamics::integrate) struct Touching {
@@ -19,6 +23,19 @@ pub(in crate::dynamics::integrate) struct Touching {
     pub(in crate::dynamics::integrate) component: usize,
     /// Values that its two guards must fall below, less than zero by so much.
     pub(in crate::dynamics::integrate) floors: [f64; 2],
+}
+
+impl Touching {
+    /// Shifts the coefficients of its two guards, signed so that it comes apart where one
+    /// is above zero; `degree` is the last, which is the value at the end of the step.
+    pub(in crate::dynamics::integrate) fn shift(&self, guards: [&mut [f64]; 2], degree: usize) {
+        let ends = [guards[0][degree], guards[1][degree]];
+        let apart = (0..2).any(|index| ends[index] > self.floors[index]);
+        let factor = if apart { 1.0 } else { BETWEEN };
+        for (guard, floor) in guards.into_iter().zip(self.floors) {
+            guard.iter_mut().for_each(|c| *c -= factor * floor);
+        }
+    }
 }
 
 impl<D: Dynamics> Run<'_, D> {
@@ -34,7 +51,7 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
-    /// Lets go of those that are pressed, or have come apart.
+    /// Lets go of those that are pressed beyond the tolerance, or are open.
     pub(super) fn release_touching(&mut self) {
         if self.touching.is_empty() {
             return;
@@ -42,7 +59,12 @@ impl<D: Dynamics> Run<'_, D> {
         let mut touching = std::mem::take(&mut self.touching);
         touching.retain(|own| {
             let mut functions = self.event_functions.iter();
-            functions.any(|f| f.component == own.component && self.touches(f))
+            functions.any(|f| {
+                let opens = f.component == own.component && !f.rising;
+                // (Not by its rate: that of a massless point is no better than its place
+                // over its time constant.)
+                opens && self.depth(f) <= self.floor(&f.guards[0])
+            })
         });
         self.touching = touching;
     }
@@ -51,21 +73,25 @@ impl<D: Dynamics> Run<'_, D> {
     /// from zero.
     fn touches(&self, function: &EventFunction) -> bool {
         let dynamics = self.evaluator.dynamics;
-        let coordinates = dynamics.coordinates();
         let [depth, _] = function.guards;
-        let own = depth.signal < coordinates && dynamics.is_pair(function.component);
+        let own = depth.signal < dynamics.coordinates() && dynamics.is_pair(function.component);
         if function.rising || !own || dynamics.is_rigid_contact(function.component) {
             return false;
         }
-        let [value, rate, _] = self.from.signals[depth.signal];
+        let rate = depth.displacement * self.from.signals[depth.signal][1];
         let moving = Guard {
             offset: 0.0,
             displacement: 0.0,
             speed: depth.displacement,
             ..depth
         };
-        (depth.offset + depth.displacement * value).abs() <= self.floor(&depth)
-            && (depth.displacement * rate).abs() <= self.floor(&moving)
+        self.depth(function).abs() <= self.floor(&depth) && rate.abs() <= self.floor(&moving)
+    }
+
+    /// How deep a contact is pressed where the run stands.
+    fn depth(&self, function: &EventFunction) -> f64 {
+        let guard = &function.guards[0];
+        guard.offset + guard.displacement * self.from.signals[guard.signal][0]
     }
 
     /// Size of a guard of a coordinate that is nothing but the tolerance of the run.
