@@ -33,7 +33,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
         let duration = fields.need("duration", "Simulated time", seconds);
         let start = fields.or(
             "start",
-            "State at t = 0: `kinetostatic` (quiet), `static`, `on_law`, or explicit states by object.",
+            "State at t = 0: `kinetostatic` (quiet; of a law that repeats, as before t = 0), `static`, `on_law`, or explicit states by object.",
             json!("kinetostatic"),
             |slot| start(slot, known),
         );
