@@ -120,6 +120,7 @@ fn model() -> Model {
     let track = |source, breaks| Track {
         source,
         breaks,
+        repeats: false,
         stops: false,
         object: 2,
     };

@@ -303,7 +303,6 @@ fn continued(spline: &Spline, end: f64, time: f64) -> Jet {
 mod tests {
     use super::cycle::{CycleSpec, Motion, Station};
     use super::{DriveMotion, DriveMotionSpec, LawName, RunLawName};
-    use crate::math::expression::Repetition;
     use crate::math::jet::Jet;
 
     fn station(at: f64, displacement: f64, motion: Motion) -> Station {
