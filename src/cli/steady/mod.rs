@@ -100,8 +100,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     }
     let trusted = match &answer {
         Answer::Rigid(answer) => answer.is_trusted(),
-        // Shooting gives no motion that misses its own start.
-        Answer::Periodic(_) => true,
+        Answer::Periodic(answer) => answer.is_trusted(),
     };
     match trusted && expected::hold(&verdicts) {
         true => Ok(Status::Answered),

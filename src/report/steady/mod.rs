@@ -1,6 +1,7 @@
 //! The steady motion as findings, rows and charts.
 
 mod charts;
+mod over_period;
 mod periodic;
 mod rigid;
 

@@ -1,5 +1,6 @@
 //! The periodic motion of elastic objects.
 
+use super::over_period;
 use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
 use crate::dynamics::steady::Extreme;
 use crate::report::csv::{Field, Rows};
@@ -7,6 +8,7 @@ use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, T
 use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
 use crate::report::quantity::significant;
 use crate::report::verdict::{Sort, Verdict};
+use crate::studies::check::Check;
 use crate::studies::steady::{
     DriveFigures, DriveRow, LongRun, PartMotion, PeriodicAnswer, Stability,
 };
@@ -44,13 +46,15 @@ fn figures(part: &PartMotion, cycle: f64) -> Vec<Figure> {
         Stability::Attracts => "attracts: every small disturbance dies away",
         Stability::Neutral => "neutral: small disturbances stay, nothing damps them",
         Stability::Repels => "repels: some small disturbances grow",
+        Stability::Undecided => "not decided: a multiplier is 1 in modulus within its error",
     };
     let shown = part.multipliers.iter().take(LISTED).map(|multiplier| {
         let re = significant(multiplier.re, 8);
+        let error = significant(multiplier.error, 2);
         match multiplier.im {
-            0.0 => re,
-            im if im > 0.0 => format!("{re} + {}i", significant(im, 8)),
-            im => format!("{re} − {}i", significant(-im, 8)),
+            0.0 => format!("{re} ± {error}"),
+            im if im > 0.0 => format!("{re} + {}i ± {error}", significant(im, 8)),
+            im => format!("{re} − {}i ± {error}", significant(-im, 8)),
         }
     });
     let mut multipliers = shown.collect::<Vec<_>>().join(", ");
@@ -71,6 +75,7 @@ fn figures(part: &PartMotion, cycle: f64) -> Vec<Figure> {
         Figure::new("stability", stability),
         Figure::new("Floquet multipliers", multipliers),
         Figure::new("derivative by", part.how.as_str()),
+        Figure::new("errors (±) by", part.checked_by.as_str()),
         Figure::new("comes back to", back),
         Figure::new("long run", long_run(&part.long_run, cycle)),
     ]
@@ -179,6 +184,7 @@ pub fn periodic_findings<'a>(
         let section = section.charts(Layout::Wide(360.0), "", vec![orbit(part)]);
         sections.push(section.charts(Layout::Round, "", vec![circle(part)]));
     }
+    sections.extend(over_period::sections(answer));
     let start = match answer.drive {
         Some(_) => "State at φ = 0",
         None => "State at t = 0",
@@ -198,24 +204,36 @@ pub fn periodic_findings<'a>(
     Findings {
         title: title.to_owned(),
         subtitle,
-        answer: Some(verdict(&answer.parts)),
-        warnings: Vec::new(),
+        answer: Some(verdict(answer)),
+        warnings: answer.checks().iter().filter_map(Check::failure).collect(),
         sections,
         source,
     }
 }
 
-fn verdict(parts: &[PartMotion]) -> Verdict {
-    let repels = parts.iter().any(|part| part.stability == Stability::Repels);
-    let (sort, headline) = match repels {
-        true => (
+fn verdict(answer: &PeriodicAnswer) -> Verdict {
+    let parts = &answer.parts;
+    let any = |stability| parts.iter().any(|part| part.stability == stability);
+    let (sort, headline) = if !answer.is_trusted() {
+        (
+            Sort::Numerical,
+            "A periodic motion was found that is not to be trusted.",
+        )
+    } else if any(Stability::Repels) {
+        (
             Sort::Mechanism,
             "A periodic motion was found that repels its neighbours.",
-        ),
-        false => (
+        )
+    } else if any(Stability::Undecided) {
+        (
+            Sort::Unfinished,
+            "A periodic motion was found. Whether small disturbances leave it is not decided.",
+        )
+    } else {
+        (
             Sort::Good,
             "A periodic motion was found that no small disturbance leaves.",
-        ),
+        )
     };
     let miss = parts.iter().map(|part| part.miss).fold(0.0, f64::max);
     let text = format!("It comes back to {} of its size.", significant(miss, 2));
@@ -236,9 +254,10 @@ fn circle(part: &PartMotion) -> Plot {
             .iter()
             .map(|m| {
                 mark(format!(
-                    "{} + {}i",
+                    "{} + {}i, error {}",
                     significant(m.re, 6),
-                    significant(m.im, 6)
+                    significant(m.im, 6),
+                    significant(m.error, 2)
                 ))
             })
             .collect(),

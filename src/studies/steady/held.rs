@@ -4,7 +4,7 @@
 //! it is a function of that moment: the state at φ = 0 and the moment are found together,
 //! as a state that comes back after a cycle with the mean speed asked for.
 
-use super::map::{Map, Orbit, differences, rough_differences};
+use super::map::{AGAIN, Map, Orbit, differences, differences_again, rough_differences};
 use super::phase::PhaseMap;
 use super::shooting::near;
 use crate::budget::Budget;
@@ -158,6 +158,14 @@ impl Map for HeldMap<'_> {
 
     fn how(&self) -> &'static str {
         "differences"
+    }
+
+    fn check(&self, state: &[f64], cycle: f64) -> Result<DMatrix<f64>, String> {
+        differences_again(self, state, cycle)
+    }
+
+    fn checked_by(&self) -> &'static str {
+        AGAIN
     }
 }
 

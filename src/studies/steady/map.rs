@@ -75,6 +75,15 @@ pub(super) trait Map {
 
     /// Way in which its derivative is found, in words.
     fn how(&self) -> &'static str;
+
+    /// The derivative found another way.
+    ///
+    /// # Errors
+    /// As [`Map::apply`].
+    fn check(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String>;
+
+    /// That way, in words.
+    fn checked_by(&self) -> &'static str;
 }
 
 /// Any system, integrated; its state is y = [u, u̇].
@@ -90,8 +99,32 @@ const TOLERANCE: f64 = 1e-12;
 /// Steps of the differences, relative to the scales.
 const DIFFERENCE: f64 = 1e-5;
 
+/// Greater steps, by which differences are checked: rounding weighs less in them, curvature more.
+const GREATER: f64 = 4.0 * DIFFERENCE;
+
 /// The derivative of a map: central differences with two steps, extrapolated.
 pub(super) fn differences(map: &dyn Map, state: &[f64], over: f64) -> Result<DMatrix<f64>, String> {
+    extrapolated(map, state, over, DIFFERENCE)
+}
+
+/// The same with greater steps.
+pub(super) fn differences_again(
+    map: &dyn Map,
+    state: &[f64],
+    over: f64,
+) -> Result<DMatrix<f64>, String> {
+    extrapolated(map, state, over, GREATER)
+}
+
+/// How differences are checked, in words.
+pub(super) const AGAIN: &str = "differences with steps four times as great";
+
+fn extrapolated(
+    map: &dyn Map,
+    state: &[f64],
+    over: f64,
+    difference: f64,
+) -> Result<DMatrix<f64>, String> {
     let n = state.len();
     let central = |step: f64| -> Result<DMatrix<f64>, String> {
         let mut matrix = DMatrix::zeros(n, n);
@@ -108,7 +141,7 @@ pub(super) fn differences(map: &dyn Map, state: &[f64], over: f64) -> Result<DMa
         }
         Ok(matrix)
     };
-    let (coarse, fine) = (central(2.0 * DIFFERENCE)?, central(DIFFERENCE)?);
+    let (coarse, fine) = (central(2.0 * difference)?, central(difference)?);
     Ok((fine * 4.0 - coarse) / 3.0)
 }
 
@@ -220,10 +253,19 @@ impl Map for SystemMap<'_> {
     fn how(&self) -> &'static str {
         "central differences of the integrated motion, extrapolated from two steps"
     }
+
+    fn check(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
+        differences_again(self, state, time)
+    }
+
+    fn checked_by(&self) -> &'static str {
+        AGAIN
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::multipliers;
     use super::{Map, SystemMap, TreeMap};
     use crate::budget::Budget;
     use crate::dynamics::integrate::Method;
@@ -258,14 +300,18 @@ mod tests {
             approx::assert_abs_diff_eq!(a / scale, b / scale, epsilon = 1e-8);
         }
         let [one, other] = [&tree as &dyn Map, &general].map(|map| {
-            let moduli = map.monodromy(&start, turn).unwrap().complex_eigenvalues();
-            let mut moduli: Vec<f64> = moduli.iter().map(|z| z.re.hypot(z.im)).collect();
-            moduli.sort_by(|a, b| b.total_cmp(a));
-            moduli
+            let derivative = map.monodromy(&start, turn).unwrap();
+            multipliers::of(&derivative, &map.check(&start, turn).unwrap())
         });
-        assert!(one[0] > 1e-4, "the test must see something: {one:?}");
+        assert!(
+            one[0].modulus > 1e-4,
+            "the test must see something: {one:?}"
+        );
+        // Those of the other way lie within what either says of its errors.
         for (a, b) in one.iter().zip(&other) {
-            approx::assert_abs_diff_eq!(*a, *b, epsilon = 1e-5);
+            let off = (a.re - b.re).hypot(a.im - b.im);
+            assert!(off <= 3.0 * (a.error + b.error), "{a:?} {b:?}");
+            assert!(a.error < 1e-5 && b.error < 1e-5, "{a:?} {b:?}");
         }
         let orbits = [&tree as &dyn Map, &general].map(|map| map.orbit(&start, turn, 50).unwrap());
         for (a, b) in orbits[0].columns.iter().zip(&orbits[1].columns) {

@@ -272,7 +272,8 @@ pub(super) fn answer(
     let portrait = map.portrait(&state, angle, ORBIT).map_err(none)?;
     let y = map.whole(&state, 0.0);
     let turn = map.duration(&state, cycle).map_err(none)?;
-    Ok(PeriodicAnswer {
+    let period = motion.period;
+    let answer = PeriodicAnswer {
         cycle,
         turn,
         drive: Some(DriveFigures {
@@ -283,5 +284,8 @@ pub(super) fn answer(
         parts: vec![motion],
         state_names: state_names(system),
         state: y,
-    })
+        over_period: None,
+        over_period_missing: None,
+    };
+    Ok(answer.followed(system, method, control, period))
 }

@@ -3,18 +3,19 @@
 use super::answer::DriveFigures;
 use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
+use super::multipliers::{self, Multiplier, Stability};
+use super::over_period::OverPeriod;
 use super::shooting::{Fixed, distance, shoot_near};
-use crate::dynamics::integrate::Dynamics;
+use crate::dynamics::integrate::{Dynamics, Method};
 use crate::dynamics::model::Coordinate;
 use crate::dynamics::record::drive_cycle;
 use crate::dynamics::system::System;
 use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
-use crate::math::order::Total;
+use crate::studies::check::Check;
 use crate::studies::method::choose_general;
 use crate::studies::{Control, RunSettings};
-use nalgebra::DMatrix;
 use serde::Serialize;
 use std::f64::consts::TAU;
 
@@ -34,6 +35,46 @@ pub struct PeriodicAnswer {
     pub state: Vec<f64>,
     /// Names of the entries of `state`.
     pub state_names: Vec<String>,
+    /// What happens over a period of the whole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub over_period: Option<OverPeriod>,
+    /// Why that is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub over_period_missing: Option<String>,
+}
+
+impl PeriodicAnswer {
+    /// The checks of the answer, with their bounds.
+    pub fn checks(&self) -> &[Check] {
+        self.over_period.as_ref().map_or(&[], |found| &found.checks)
+    }
+
+    /// True when all checks are passed.
+    pub fn is_trusted(&self) -> bool {
+        self.checks().iter().all(Check::passed)
+    }
+
+    /// With what happens over a period, integrated from the state found.
+    pub(super) fn followed(
+        self,
+        system: &System,
+        method: Method,
+        control: &Control<'_>,
+        period: f64,
+    ) -> Self {
+        let greatest = self.parts.iter().flat_map(|part| part.multipliers.first());
+        let greatest = greatest.map(|one| one.modulus).fold(1.0, f64::max);
+        match OverPeriod::of(system, method, *control, &self.state, (period, greatest)) {
+            Ok(found) => Self {
+                over_period: Some(found),
+                ..self
+            },
+            Err(why) => Self {
+                over_period_missing: Some(why),
+                ..self
+            },
+        }
+    }
 }
 
 /// The periodic motion of one part.
@@ -55,6 +96,8 @@ pub struct PartMotion {
     pub iterations: u32,
     /// Way in which the derivative of the motion was found.
     pub how: String,
+    /// Second way, by which the errors of the multipliers are estimated.
+    pub checked_by: String,
     /// Unit of the deviations.
     pub unit: String,
     /// Deviations from the law over the period: name and (t, value).
@@ -65,45 +108,6 @@ pub struct PartMotion {
 
 /// The name of a coordinate and its (t, value) over a period.
 pub type Orbit = (String, Vec<(f64, f64)>);
-
-/// Stability of a periodic motion: what becomes of small disturbances.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Stability {
-    /// All die away.
-    Attracts,
-    /// None grows, but some stay: nothing damps them.
-    Neutral,
-    /// Some grow.
-    Repels,
-}
-
-/// Moduli of multipliers this near to 1 are 1.
-const UNIT: f64 = 1e-8;
-
-impl Stability {
-    fn of(multipliers: &[Multiplier]) -> Self {
-        match multipliers
-            .first()
-            .map_or(0.0, |multiplier| multiplier.modulus)
-        {
-            greatest if greatest < 1.0 - UNIT => Self::Attracts,
-            greatest if greatest <= 1.0 + UNIT => Self::Neutral,
-            _ => Self::Repels,
-        }
-    }
-}
-
-/// A Floquet multiplier: what becomes of a small disturbance in a period.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Multiplier {
-    /// Real part.
-    pub re: f64,
-    /// Imaginary part.
-    pub im: f64,
-    /// Modulus.
-    pub modulus: f64,
-}
 
 /// A run of many periods from the scene's start.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -124,26 +128,9 @@ const SETTLED: f64 = 1e-6;
 /// Turns of a long run, at least and at most.
 const LONG: [usize; 2] = [50, 1000];
 
-/// Eigenvalues, the greatest modulus first.
-fn multipliers(monodromy: &DMatrix<f64>) -> Vec<Multiplier> {
-    let mut found: Vec<Multiplier> = monodromy
-        .complex_eigenvalues()
-        .iter()
-        .map(|value| Multiplier {
-            re: value.re,
-            im: value.im,
-            modulus: value.re.hypot(value.im),
-        })
-        .collect();
-    found.sort_by_cached_key(|one| [one.modulus, one.im].map(|x| Total(-x)));
-    found
-}
-
 /// A long run from the scene's start, against the periodic motion.
 fn long_run(map: &dyn Map, start: &[f64], fixed: &Fixed, turn: f64, periods: usize) -> LongRun {
-    let slowest = multipliers(&fixed.monodromy)
-        .first()
-        .map_or(0.0, |multiplier| multiplier.modulus);
+    let slowest = multipliers::greatest(&fixed.monodromy);
     let needed = if slowest > 0.0 && slowest < 1.0 {
         (1e-13f64.ln() / slowest.ln()).ceil() * periods as f64
     } else {
@@ -271,7 +258,8 @@ pub(super) fn part_near(
         let known = known.filter(|_| periods == 1);
         match shoot_near(map, start, known, turn, periods) {
             Ok(fixed) => {
-                let multipliers = multipliers(&fixed.monodromy);
+                let multipliers =
+                    multipliers::of(&fixed.monodromy, &map.check(&fixed.state, period)?);
                 let stability = Stability::of(&multipliers);
                 let motion = PartMotion {
                     objects: about.objects.clone(),
@@ -284,6 +272,7 @@ pub(super) fn part_near(
                     stability,
                     iterations: fixed.iterations,
                     how: map.how().to_owned(),
+                    checked_by: map.checked_by().to_owned(),
                     long_run: long_run(map, start, &fixed, turn, periods),
                 };
                 if stability != Stability::Repels {
@@ -343,14 +332,28 @@ pub(super) fn answer(
         motions.push(motion);
         state = found;
     }
-    Ok(PeriodicAnswer {
+    let together = motions.iter().map(|part| part.periods).fold(1, lcm);
+    let answer = PeriodicAnswer {
         cycle,
         turn,
         drive: None,
         parts: motions,
         state_names: state_names(system),
         state,
-    })
+        over_period: None,
+        over_period_missing: None,
+    };
+    let method = choose_general(system, settings, "").method;
+    Ok(answer.followed(system, method, control, turn * together as f64))
+}
+
+/// Least common multiple.
+fn lcm(a: usize, b: usize) -> usize {
+    let (mut x, mut y) = (a, b);
+    while y != 0 {
+        (x, y) = (y, x % y);
+    }
+    a / x.max(1) * b
 }
 
 /// Names of the entries of a state.

@@ -1,7 +1,7 @@
 //! The map of the state over an angle of a drive that turns as its motor and its load
 //! let it: the angle takes the place of time.
 
-use super::map::{Map, Orbit, differences, follow, rough_differences};
+use super::map::{AGAIN, Map, Orbit, differences, differences_again, follow, rough_differences};
 use super::portrait::Portrait;
 use super::sink::Last;
 use crate::budget::Budget;
@@ -269,6 +269,14 @@ impl Map for PhaseMap<'_> {
     fn how(&self) -> &'static str {
         "central differences of the motion integrated over a cycle of the drive's angle, \
          extrapolated from two steps"
+    }
+
+    fn check(&self, state: &[f64], angle: f64) -> Result<DMatrix<f64>, String> {
+        differences_again(self, state, angle)
+    }
+
+    fn checked_by(&self) -> &'static str {
+        AGAIN
     }
 }
 

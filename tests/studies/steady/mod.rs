@@ -9,5 +9,6 @@ mod elastic_motor;
 mod elastic_wanted;
 mod flywheel;
 mod motor;
+mod over_period;
 mod reference;
 mod scenes;

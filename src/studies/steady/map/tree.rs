@@ -1,6 +1,6 @@
 //! The map of a tree that is propagated exactly.
 
-use super::{Map, Orbit};
+use super::{Map, Orbit, differences};
 use crate::budget::Budget;
 use crate::exact::{Cursor, ExactRun, ExactTree, Halt, PairState, Part, Request, TreeProblem};
 use crate::units::shown;
@@ -112,6 +112,14 @@ impl Map for TreeMap<'_> {
 
     fn how(&self) -> &'static str {
         "exact propagation of the variations through every switch"
+    }
+
+    fn check(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
+        differences(self, state, time)
+    }
+
+    fn checked_by(&self) -> &'static str {
+        "central differences of the motion, extrapolated from two steps"
     }
 }
 
