@@ -65,6 +65,8 @@ pub struct Model {
     pub objects: Vec<ObjectPart>,
     /// State at t = 0.
     pub start: Start,
+    /// Time that is to be simulated (s), where it is known: how far motions lead.
+    pub horizon: Option<f64>,
     /// Warnings to the user before the run.
     pub warnings: Vec<String>,
     /// Motions and loads as the scene states them, for the check of a run.

@@ -95,6 +95,7 @@ impl ModelBuilder {
             indices: ids.enumerate().map(|(index, id)| (id, index)).collect(),
             model: Model {
                 objects: parts,
+                horizon: Some(duration),
                 ..Model::default()
             },
             faults: Faults::default(),

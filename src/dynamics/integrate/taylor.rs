@@ -54,9 +54,7 @@ pub(super) struct Series {
 /// to a switch.
 pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
     if !run.evaluator.dynamics.expands() {
-        let reason = "a motor's torque over a table of speeds has no power series; \
-                      use dop853, rodas5p or radau"
-            .to_owned();
+        let reason = "the motion has no power series; use dop853, rodas5p or radau".to_owned();
         let method = run.settings.method;
         run.end(Stop::Method { method, reason });
         return;

@@ -60,6 +60,7 @@ impl<'a> Builder<'a> {
     fn new(model: &'a Model) -> Self {
         let mut frozen = Frozen {
             internal: vec![0; model.nodes.len()],
+            horizon: model.horizon.unwrap_or(f64::INFINITY),
             ..Frozen::default()
         };
         let chains = chains_of(model);

@@ -55,6 +55,8 @@ pub(super) struct Frozen {
     pub(super) roots: Vec<Root>,
     /// Such a linkage and its rotors, if the system consists of nothing else.
     pub(super) direct: Option<Direct>,
+    /// How far motions are looked at to find their greatest values (s).
+    pub(super) horizon: f64,
     /// Constant inertia of each node (k, kg·m² or kg).
     pub(super) inertia: Vec<f64>,
     /// Sum of the constant loads on each node (k, N·m or N).

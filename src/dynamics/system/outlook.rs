@@ -32,27 +32,7 @@ impl System {
     /// Part of the mechanism that has no power series because it is not known to the
     /// library, or couples coordinates; `None`: nothing of that sort.
     pub(crate) fn without_series(&self) -> Option<&'static str> {
-        let frozen = &self.frozen;
-        let custom = |load: &super::loads::FrozenLoad| matches!(load.law, LoadLaw::Custom { .. });
-        if !frozen.multi.is_empty() {
-            Some("a linkage with several inputs, which couples coordinates,")
-        } else if frozen
-            .constraints
-            .iter()
-            .any(|one| !one.constraint.is_linear())
-        {
-            Some("a constraint that is not linear")
-        } else if !frozen.heavy.is_empty() {
-            Some("inertia on an object with several inputs, which couples coordinates,")
-        } else if frozen.loads.iter().any(custom) {
-            Some("a load from outside the library")
-        } else if (frozen.chains.iter()).any(|chain| chain.contact.hertz().is_some()) {
-            Some("a contact by Hertz, whose force has no series where it begins,")
-        } else if self.stop_without_series() {
-            Some("a stop by Hertz, whose force has no series where it begins,")
-        } else {
-            None
-        }
+        self.frozen.without_series()
     }
 
     /// True when a motor's torque is a table over its speed, whose corners are passed

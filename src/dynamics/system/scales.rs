@@ -139,7 +139,7 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
         };
         let force = if force.is_finite() { force } else { 0.0 };
         // What only answers to the motion cannot deflect a chain by more than its law moves.
-        let answer = answer(load, &ranges[load.node]).min(force);
+        let answer = answer(load, force, &ranges[load.node]).clamp(0.0, force);
         carried[load.node] += force - answer;
         answering[load.node] += answer;
     }
@@ -181,11 +181,12 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
     carried
 }
 
-/// The part of a load's magnitude with which it answers to a node's motion: that of springs
-/// and dampers.
-fn answer(load: &FrozenLoad, range: &Range) -> f64 {
+/// The part of a load's magnitude, `all`, with which it answers to a node's motion: that of
+/// springs and dampers.
+fn answer(load: &FrozenLoad, all: f64, range: &Range) -> f64 {
     if let Some(written) = &load.written {
-        return written.rate.abs() * range.displacement;
+        // What it is beyond its force at rest comes of the motion.
+        return all - written.magnitude(|_| [0.0; 2]);
     }
     match &load.law {
         LoadLaw::Spring { rate, .. } => rate.abs() * range.displacement,
@@ -313,10 +314,13 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
         let share = sample as f64 / SAMPLES as f64;
         for step in &frozen.steps {
             match step {
-                Step::Prescribed(drive) => motion[drive.node] = drive_sample(drive, share),
+                Step::Prescribed(drive) => {
+                    motion[drive.node] = drive_sample(drive, share, frozen.horizon);
+                }
                 Step::Rotor(rotor) => {
                     let speed = nominal_speed(frozen, rotor.node, rotor.speed);
-                    let angle = rotor.angle + TURNS * 2.0 * PI * share;
+                    let way = (TURNS * 2.0 * PI).min(speed * frozen.horizon);
+                    let angle = rotor.angle + way * share;
                     motion[rotor.node] = [angle, speed, 0.0];
                 }
                 Step::Rigid(index) => {
@@ -364,11 +368,12 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
     }
 }
 
-/// A drive's motion: half of the samples up to its last break, half over
+/// A drive's motion up to a horizon (s): half of the samples up to its last break, half over
 /// [`TURNS`] turns after it.
-fn drive_sample(drive: &super::frozen::Prescribed, share: f64) -> [f64; 3] {
+fn drive_sample(drive: &super::frozen::Prescribed, share: f64, horizon: f64) -> [f64; 3] {
     let breaks = drive.motion.breaks();
     let last = breaks.points.last().map_or(0.0, |last| last.max(0.0));
+    let last = last.min(horizon);
     let at = |time: f64| {
         let jet = drive.motion.jet(breaks.locate(time, 1.0), time);
         [jet.value, jet.first, jet.second]
@@ -396,7 +401,7 @@ fn drive_sample(drive: &super::frozen::Prescribed, share: f64) -> [f64; 3] {
         (_, true) => TURNS * 2.0 * PI / speed,
         (_, false) => 0.0,
     };
-    at(last + share * span)
+    at(last + share * span.min(horizon - last))
 }
 
 /// φ, φ̇ and φ̈ that a law asks for, and |U′|; NaN and 0 beyond its reach, and

@@ -190,12 +190,4 @@ impl System {
         let own = self.model.stops.iter().filter(move |s| s.object == object);
         own.filter_map(|stop| self.pair_component(stop.part))
     }
-
-    /// What of its stops has no power series.
-    pub(super) fn stop_without_series(&self) -> bool {
-        self.frozen
-            .stops
-            .iter()
-            .any(|stop| stop.contact.hertz().is_some())
-    }
 }

@@ -195,6 +195,7 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
         });
     }
     out.start = start(&model.start, kept);
+    out.horizon = model.horizon;
     Some((out, tracks))
 }
 

@@ -272,9 +272,9 @@ fn without_reserve(closing: &Closing<'_>, spring: ClosingSpring, speed: f64, uni
     let Ok(rates) = closing.rates_for(spring.preload, speed, 0.0) else {
         return ". No rate keeps contact without a reserve either".to_owned();
     };
-    let of_rate = match unit {
-        "N m" => "N m/rad",
-        _ => "N/m",
+    let (in_unit, of_rate) = match unit {
+        "N m" => (rates.from, "N m/rad"),
+        _ => (1e-3 * rates.from, "N/mm"),
     };
     let least = ClosingSpring {
         rate: rates.from,
@@ -282,7 +282,7 @@ fn without_reserve(closing: &Closing<'_>, spring: ClosingSpring, speed: f64, uni
     };
     format!(
         ". Without a reserve (--reserve 0) the least rate is {} {of_rate}, at φ = {:.4} deg",
-        shown(rates.from, 10),
+        shown(in_unit, 10),
         closing.least(least, speed).phi.to_degrees()
     )
 }

@@ -130,18 +130,34 @@ pub(super) struct Start<'a> {
 impl Frozen {
     /// True when motions can be expanded.
     pub(super) fn expands(&self) -> bool {
-        let known = |law: &LoadLaw| !matches!(law, LoadLaw::SpeedTable(_) | LoadLaw::Custom { .. });
-        // Inertia on a node with several drivers couples coordinates.
+        self.without_series().is_none()
+    }
+
+    /// What of the motion has no power series, in words; `None`: it has one.
+    pub(super) fn without_series(&self) -> Option<&'static str> {
+        let load = |has: fn(&LoadLaw) -> bool| self.loads.iter().any(|load| has(&load.law));
+        let mut contacts = self.chains.iter().map(|chain| chain.contact.hertz());
+        let mut stops = self.stops.iter().map(|stop| stop.contact.hertz());
         let linear = |one: &Constrained| one.constraint.is_linear();
-        let sums = self.heavy.is_empty() && self.constraints.iter().all(linear);
-        // The force of a contact by Hertz has no series where it begins.
-        let smooth = self
-            .chains
-            .iter()
-            .all(|chain| chain.contact.hertz().is_none());
-        let smooth = smooth && !self.stops.iter().any(|stop| stop.contact.hertz().is_some());
-        let known = self.loads.iter().all(|load| known(&load.law));
-        sums && smooth && self.linkages.is_empty() && self.multi.is_empty() && known
+        if !self.multi.is_empty() {
+            Some("a linkage with several inputs, which couples coordinates,")
+        } else if !self.linkages.is_empty() {
+            Some("a linkage, whose inertia changes with its position,")
+        } else if !self.constraints.iter().all(linear) {
+            Some("a constraint that is not linear")
+        } else if !self.heavy.is_empty() {
+            Some("inertia on an object with several inputs, which couples coordinates,")
+        } else if load(|law| matches!(law, LoadLaw::Custom { .. })) {
+            Some("a load from outside the library")
+        } else if load(|law| matches!(law, LoadLaw::SpeedTable(_))) {
+            Some("a motor's torque by a table of speeds")
+        } else if contacts.any(|contact| contact.is_some()) {
+            Some("a contact by Hertz, whose force has no series where it begins,")
+        } else if stops.any(|stop| stop.is_some()) {
+            Some("a stop by Hertz, whose force has no series where it begins,")
+        } else {
+            None
+        }
     }
 
     /// Series to the power `degree` over the time `length`: coefficients of all
