@@ -81,4 +81,15 @@ def greatest(pieces):
     return run(1.0 / lift, True)[1]
 
 
-print(json.dumps({"end": END, "force": {name: greatest(pieces) for name, pieces in LAWS.items()}}, indent=1))
+def dragged(power):
+    """Angle and speed after 4 s of a rotor of 0.2 kg m^2 out of rest, by 3 t^power - 0.05 v |v|."""
+
+    def slope(t, y):
+        return [y[1], (3 * t**power - 0.05 * y[1] * abs(y[1])) / 0.2]
+
+    return list(solve_ivp(slope, (0, 4), [0, 0], "DOP853", rtol=1e-12, atol=1e-15).y[:, -1])
+
+
+force = {name: greatest(pieces) for name, pieces in LAWS.items()}
+drag = {str(power): dragged(power) for power in (1, 2, 3, 5)}
+print(json.dumps({"end": END, "force": force, "drag": drag}, indent=1))

@@ -27,6 +27,17 @@ pub struct Guard {
     pub speed: f64,
 }
 
+/// A guard without a sign yet: it keeps its mode until it is beyond a floor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resting {
+    /// Component of [`Modes`].
+    pub component: usize,
+    /// Value below zero at which it has changed its sign.
+    pub floor: f64,
+    /// Its rate.
+    pub rate: f64,
+}
+
 /// A switch to be looked for: the moment when w = min(guards) changes to the
 /// sign asked for. Time intervals are half-open: a switch at the start of an
 /// interval has been dealt with, one at its end belongs to it.
@@ -317,15 +328,23 @@ pub trait Dynamics: Sync {
 
     /// The first switch on a step, up to `end`, of what is no linear function of a
     /// signal and its rate: its place and what changes. `fresh`: something has switched
-    /// at the step's start. Default: none.
+    /// at the step's start. Guards at rest change beyond their floors. Default: none.
     fn crossing(
         &self,
         _step: &Step<'_>,
         _modes: &Modes,
         _end: f64,
         _fresh: bool,
+        _resting: &[Resting],
     ) -> Option<(f64, EventFunction)> {
         None
+    }
+
+    /// The guards that [`Self::crossing`] looks at of which a state does not tell the sign,
+    /// as what errors of `share` of the scales of the state change in them is more than
+    /// their value. Default: none.
+    fn undecided(&self, _time: f64, _y: &[f64], _modes: &Modes, _share: f64) -> Vec<Resting> {
+        Vec::new()
     }
 
     /// The longest step (s) in which what the state does not tell, a force by which

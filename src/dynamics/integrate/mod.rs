@@ -33,7 +33,7 @@ pub use crate::math::narrow::Narrow;
 pub use auto::{Chosen, Situation, Vibration, choose, fastest_rate};
 pub use changing::{Cause, Change, Reserve};
 pub use dynamics::{
-    Dynamics, EventFunction, Guard, Impact, Modes, PhysicalStop, Probe, Singularity,
+    Dynamics, EventFunction, Guard, Impact, Modes, PhysicalStop, Probe, Resting, Singularity,
 };
 pub use taylor::degree as series_degree;
 

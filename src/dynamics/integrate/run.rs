@@ -18,7 +18,8 @@ use super::rosenbrock::Stepper;
 use super::singularities::Singularities;
 use super::taylor::Series;
 use super::{
-    Dynamics, EventFunction, Guard, Limits, Method, Probe, Settings, Singularity, Sink, Stop,
+    Dynamics, EventFunction, Guard, Limits, Method, Probe, Resting, Settings, Singularity, Sink,
+    Stop,
 };
 
 /// A switch at these places of a step is located on a step that ends just behind
@@ -90,6 +91,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     zero_at_start: Vec<Guard>,
     /// Contacts that were closed without a force and a speed that could be told from 0.
     touching: Vec<Touching>,
+    /// Guards that have had no sign since the start.
+    resting: Vec<Resting>,
     switches_at_once: u32,
     /// Count of how often the step under way has been shortened to end just behind a
     /// switch.
@@ -142,6 +145,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             fresh: true,
             zero_at_start: Vec::new(),
             touching: Vec::new(),
+            resting: Vec::new(),
             switches_at_once: 0,
             drawn_in: 0,
             pace: Pace::default(),
@@ -165,6 +169,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         self.sink.start(time, y, &modes);
         drop(modes);
         self.find_touching(|_| true);
+        self.find_resting();
     }
 
     /// Ends the run before it has begun.
@@ -357,6 +362,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         std::mem::swap(&mut self.from, &mut self.to);
         self.zero_at_start.clear();
         self.release_touching();
+        self.release_resting();
         self.fresh = false;
         self.switches_at_once = 0;
         self.check_limits()

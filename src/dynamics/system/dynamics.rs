@@ -6,7 +6,7 @@ use super::taylor::{Start, Taylor};
 use super::written::Written;
 use super::{Bundle, DIRECTIONS, Scratch, System};
 use crate::dynamics::integrate::{
-    Dynamics, EventFunction, Impact, Modes, PhysicalStop, Probe, Singularity,
+    Dynamics, EventFunction, Impact, Modes, PhysicalStop, Probe, Resting, Singularity,
 };
 use crate::math::narrow::Narrow;
 use crate::math::number::{Dual, Duals};
@@ -305,8 +305,14 @@ impl Dynamics for System {
         modes: &Modes,
         end: f64,
         fresh: bool,
+        resting: &[Resting],
     ) -> Option<(f64, EventFunction)> {
-        self.frozen.crossing(step, &modes.0, end, fresh)
+        self.frozen.crossing(step, &modes.0, end, fresh, resting)
+    }
+
+    fn undecided(&self, time: f64, y: &[f64], modes: &Modes, share: f64) -> Vec<Resting> {
+        let errors: Vec<f64> = self.scales().iter().map(|scale| share * scale).collect();
+        self.frozen.undecided_guards(time, y, &modes.0, &errors)
     }
 
     fn obstacle(&self, scratch: &Scratch) -> Option<PhysicalStop> {

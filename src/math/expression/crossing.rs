@@ -93,15 +93,15 @@ impl Guard {
         }
     }
 
-    /// The first place up to `end` at which the guard leaves its mode; `fresh`: it may
-    /// have entered it just now.
+    /// The first place up to `end` at which the guard leaves its mode by more than
+    /// `floor`; `fresh`: it may have entered it just now.
     pub(crate) fn leaves(
         &self,
         mode: i64,
         modes: &impl Fn(u16) -> i64,
         stretch: &impl Stretch,
         end: f64,
-        fresh: bool,
+        (fresh, floor): (bool, f64),
     ) -> Option<Crossing> {
         let (sides, count) = self.sides(mode);
         let mut first: Option<Crossing> = None;
@@ -111,10 +111,10 @@ impl Guard {
                 side: *side,
                 modes,
                 stretch,
-                shift: std::cell::Cell::new(0.0),
+                shift: std::cell::Cell::new(-floor),
             };
             let end = first.map_or(end, |first| first.s);
-            if let Some(s) = search.first(end, fresh) {
+            if let Some(s) = search.first(end, fresh && floor == 0.0) {
                 first = Some(Crossing {
                     s,
                     target: side.target,
@@ -158,7 +158,7 @@ struct Search<'a, M, S> {
     side: Side,
     modes: &'a M,
     stretch: &'a S,
-    /// What is taken off: the rounding of a guard that is just zero.
+    /// What is taken off: the rounding of a guard that is just zero, or a floor, negative.
     shift: std::cell::Cell<f64>,
 }
 
@@ -283,7 +283,7 @@ mod tests {
         let program = expression.program();
         assert_eq!(program.guards.len(), 1, "{text}");
         let along = Along(|s| 3.0 * s * s, |s| 6.0 * s);
-        program.guards[0].leaves(mode, &|_| OPEN, &along, 1.0, false)
+        program.guards[0].leaves(mode, &|_| OPEN, &along, 1.0, (false, 0.0))
     }
 
     #[test]

@@ -113,6 +113,7 @@ impl<D: Dynamics> Run<'_, D> {
         self.zero_at_start
             .extend(touching.map(|function| function.guards[0]));
         self.enter(time, y, (before, after), Some(watch), impact);
+        self.resting.retain(|own| own.component != watch.component);
         self.release_touching();
         self.find_touching(|component| component == watch.component);
         if let Err(stop) = result {

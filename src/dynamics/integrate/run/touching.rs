@@ -6,7 +6,7 @@
 //! the rounding of zero would open and close it without end.
 
 use super::Run;
-use crate::dynamics::integrate::{Dynamics, EventFunction, Guard};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Resting};
 
 /// Share of the tolerance of a state within which a contact just touches: errors of some
 /// steps add up.
@@ -67,6 +67,30 @@ impl<D: Dynamics> Run<'_, D> {
             })
         });
         self.touching = touching;
+    }
+
+    /// Finds which guards have neither a sign nor a rate where the run starts.
+    pub(super) fn find_resting(&mut self) {
+        if self.evaluator.dynamics.has_crossings() {
+            self.resting = self.undecided();
+            self.resting.retain(|own| own.rate == 0.0);
+        }
+    }
+
+    /// Lets go of those that have a sign by now.
+    pub(super) fn release_resting(&mut self) {
+        if !self.resting.is_empty() {
+            let undecided = self.undecided();
+            let still = |own: &Resting| undecided.iter().any(|one| one.component == own.component);
+            self.resting.retain(still);
+        }
+    }
+
+    fn undecided(&self) -> Vec<Resting> {
+        let modes = self.evaluator.modes.borrow();
+        let share = TOLERANCES * self.settings.tolerance;
+        let dynamics = self.evaluator.dynamics;
+        dynamics.undecided(self.from.time, &self.from.y, &modes, share)
     }
 
     /// True of the opening of an elastic contact whose depth and its rate cannot be told

@@ -2,7 +2,7 @@
 //! does.
 
 use super::{Input, Written};
-use crate::dynamics::integrate::{EventFunction, Guard, PhysicalStop};
+use crate::dynamics::integrate::{EventFunction, Guard, PhysicalStop, Resting};
 use crate::dynamics::model::{Load, LoadLaw};
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
@@ -184,6 +184,52 @@ impl Frozen {
         written.guard(guard, time + LATER, modes, &later).value
     }
 
+    /// The guards that are zero with their rates, up to errors of the entries of a state.
+    pub(in crate::dynamics::system) fn undecided_guards(
+        &self,
+        time: f64,
+        state: &[f64],
+        modes: &[i64],
+        errors: &[f64],
+    ) -> Vec<Resting> {
+        if self.guards == 0 {
+            return Vec::new();
+        }
+        let mut work = Work::new(self);
+        let mut out = vec![0.0; self.coordinates];
+        let mut values = |state: &[f64]| -> Vec<(usize, Dual)> {
+            self.evaluate(time, state, modes, Extent::Full, &mut work, &mut out);
+            let of = |written: &Written| {
+                let components = written.components().enumerate();
+                let guards = components.filter(|&(_, component)| modes[component] != OPEN);
+                let values =
+                    guards.map(|(guard, own)| (own, written.guard(guard, time, modes, &work)));
+                values.collect::<Vec<_>>()
+            };
+            self.written().flat_map(of).collect()
+        };
+        let now = values(state);
+        let mut floors = vec![0.0; now.len()];
+        let mut moved = state.to_vec();
+        for (index, error) in errors.iter().enumerate() {
+            moved[index] = state[index] + error;
+            for ((floor, (_, there)), (_, here)) in floors.iter_mut().zip(values(&moved)).zip(&now)
+            {
+                *floor += (there.value - here.value).abs();
+            }
+            moved[index] = state[index];
+        }
+        let pairs = now.iter().zip(floors);
+        let undecided =
+            pairs.filter(|((_, at), floor)| floor.is_finite() && at.value.abs() < *floor);
+        let resting = undecided.map(|(&(component, at), floor)| Resting {
+            component,
+            floor,
+            rate: at.derivative,
+        });
+        resting.collect()
+    }
+
     /// The first switch of a guard on a step, up to `end`.
     pub(in crate::dynamics::system) fn crossing(
         &self,
@@ -191,6 +237,7 @@ impl Frozen {
         modes: &[i64],
         end: f64,
         fresh: bool,
+        resting: &[Resting],
     ) -> Option<(f64, EventFunction)> {
         let mut first: Option<(f64, EventFunction)> = None;
         for written in self.written() {
@@ -203,9 +250,10 @@ impl Frozen {
                     continue;
                 }
                 let end = first.as_ref().map_or(end, |first| first.0);
-                let Some(found) = guard.leaves(mode, &of_guard, &along, end, fresh) else {
-                    continue;
-                };
+                let rests = resting.iter().find(|own| own.component == component);
+                let floor = rests.map_or(0.0, |own| own.floor);
+                let found = guard.leaves(mode, &of_guard, &along, end, (fresh, floor));
+                let Some(found) = found else { continue };
                 if first.as_ref().is_some_and(|first| first.0 <= found.s) {
                     continue;
                 }
