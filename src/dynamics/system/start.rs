@@ -9,6 +9,9 @@ use crate::dynamics::model::{Closure, ExplicitStart, LoadLaw, NodeIndex, Start};
 use crate::fault::Fault;
 use crate::units::shown;
 
+/// Share of a speed that is nothing but the rounding of two formulas.
+const ROUNDING: f64 = 1e-12;
+
 impl System {
     /// State just after t = 0, as the model's `start` asks.
     ///
@@ -113,13 +116,18 @@ impl System {
         let mut work = Work::new(frozen);
         frozen.motion(0.0, state, before, Extent::Full, &mut work);
         let speeds: Vec<f64> = work.laws.iter().map(|law| law.speed).collect();
+        frozen.motion(0.0, state, after, Extent::Full, &mut work);
         for chain in &frozen.chains {
-            // (A chain that follows a chain sees the speeds that this one has by now.)
-            frozen.motion(0.0, state, after, Extent::Full, &mut work);
-            let jump = work.laws[chain.law].speed - speeds[chain.law];
+            let speed = work.laws[chain.law].speed;
+            let jump = speed - speeds[chain.law];
+            if jump.abs() <= ROUNDING * speed.abs().max(speeds[chain.law].abs()) {
+                continue;
+            }
             for coordinate in chain.coordinates() {
                 state[n + coordinate] -= jump;
             }
+            // A chain that follows this one sees the speeds that it has by now.
+            frozen.motion(0.0, state, after, Extent::Full, &mut work);
         }
     }
 
