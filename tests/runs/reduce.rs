@@ -5,7 +5,7 @@ use dam::prelude::*;
 use dam::read::Node;
 use dam::studies::Control;
 use dam::studies::order::Certainty;
-use dam::studies::reduce::{Part, Reduction, Refusal, Step};
+use dam::studies::reduce::{Part, Reduction, Refusal, Role, Step};
 use std::sync::atomic::AtomicBool;
 
 fn of(part: &Part) -> impl Fn(&&Step) -> bool + '_ {
@@ -84,6 +84,13 @@ fn what_does_not_matter_is_left_out_and_what_matters_stays() {
     let levels = &found.certificate.models["shaft"];
     assert_eq!(levels.level.to_string(), "rigid");
     // The reduced scene is a scene: it gives what is said of it.
+    assert!(found.is_offered());
+    let cost = found.cost.expect("both are run");
+    assert!(cost.repeats >= 3 && cost.given.least > 0.0, "{cost:?}");
+    assert!(
+        cost.reduced.median >= cost.reduced.least && cost.reduced.least > 0.0,
+        "{cost:?}"
+    );
     let reduced = Scene::of(found.document.clone());
     let said = &found.certificate.accuracy["slide.delta_abs"];
     assert_eq!(value(&reduced, "slide.delta_abs"), said.value);
@@ -180,4 +187,44 @@ fn a_search_that_is_ended_says_so() {
         .reduce_within(&Control::interrupted_by(&flag))
         .expect("a reduction");
     assert!(!found.complete);
+}
+
+/// Ten masses are propagated exactly in less time than the motion of the rigid lever is sampled.
+#[test]
+fn a_smaller_scene_that_runs_slower_is_not_offered() {
+    let scene = Scene::read("scenarios/rocker/ten_masses_closed.json").expect("a scene");
+    let mut asked = Node::object();
+    asked.put("rocker.delta_abs", "20 %");
+    let asked = scene.clone().set("run.accuracy", asked);
+    let found = asked.reduce().expect("a reduction");
+    assert!(found.complete && found.holds() && found.given_holds());
+    let cost = found.cost.expect("both are run");
+    assert!(cost.repeats >= 3 && cost.is_slower(), "{cost:?}");
+    assert!(!found.is_offered());
+    // The answer is the scene as given, with what its own figures are worth.
+    let text = found.document.text();
+    assert!(
+        text.contains("\"masses\": 10") && !text.contains("Reduced"),
+        "{text}"
+    );
+    let offered = Scene::of(found.document.clone());
+    assert_eq!(
+        value(&offered, "rocker.delta_abs"),
+        value(&scene, "rocker.delta_abs")
+    );
+    let figure = &found.certificate.accuracy["rocker.delta_abs"];
+    assert_relative_eq!(
+        figure.value,
+        value(&scene, "rocker.delta_abs"),
+        max_relative = 1e-9
+    );
+    // The single runs of the search say the same.
+    let single = |role| found.model(role).expect("a model").seconds;
+    assert!(single(Role::Given) >= cost.given.least);
+    assert!(single(Role::Reduced) >= cost.given.least);
+    let removed: Vec<String> = found
+        .removed()
+        .map(|step| step.removal.to_string())
+        .collect();
+    assert!(!removed.is_empty(), "a smaller scene was found");
 }

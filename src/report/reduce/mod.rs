@@ -6,7 +6,7 @@ mod findings;
 pub use findings::findings;
 
 use crate::report::quantity::{counted, significant, with_unit};
-use crate::studies::reduce::{Part, Reduction, Refusal, Role, Step};
+use crate::studies::reduce::{Cost, Part, Reduction, Refusal, Role, Step};
 use serde_json::{Value, json};
 
 /// The answer in a sentence.
@@ -23,6 +23,13 @@ fn answer(reduction: &Reduction) -> String {
             .to_owned();
     }
     let left_out = reduction.removed().count();
+    if let Some(cost) = reduction.cost.as_ref().filter(|_| !reduction.is_offered()) {
+        return format!(
+            "The scene as given is the answer. A smaller scene is accurate enough, but it runs slower: \
+             {}.",
+            times(cost)
+        );
+    }
     let coordinates = |role| reduction.model(role).map(|model| model.coordinates);
     let size = match (coordinates(Role::Given), coordinates(Role::Reduced)) {
         (Some(given), Some(reduced)) if given != reduced => {
@@ -37,6 +44,14 @@ fn answer(reduction: &Reduction) -> String {
         }
         _ => String::new(),
     };
+    let size = match &reduction.cost {
+        Some(cost) if cost.is_slower() => format!(
+            "{size} It runs slower than the scene as given: {}.",
+            times(cost)
+        ),
+        Some(cost) => format!("{size} Time of a run: {}.", times(cost)),
+        None => size,
+    };
     match left_out {
         0 => format!("Nothing can be left out of the scene within the accuracy asked for.{size}"),
         _ => format!(
@@ -50,6 +65,16 @@ fn answer(reduction: &Reduction) -> String {
             if judged == 1 { "its" } else { "their" },
         ),
     }
+}
+
+/// The measured times of both scenes.
+fn times(cost: &Cost) -> String {
+    format!(
+        "{} reduced, {} as given (least of {} runs each)",
+        with_unit(cost.reduced.least, "s", 2),
+        with_unit(cost.given.least, "s", 2),
+        cost.repeats
+    )
 }
 
 /// What a step changes most, in words.
@@ -103,6 +128,8 @@ pub fn document(reduction: &Reduction) -> Value {
         "scene": reduction.scene,
         "complete": reduction.complete,
         "holds": reduction.holds(),
+        "offered": reduction.is_offered(),
+        "cost": reduction.cost,
         "answer": answer(reduction),
         "accuracy": reduction.certificate.accuracy,
         "objects": reduction.certificate.models,

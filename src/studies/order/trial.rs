@@ -134,7 +134,11 @@ impl<'s> Trials<'s> {
     ///
     /// # Errors
     /// The model at these levels cannot be built or started.
-    pub(super) fn run(&mut self, levels: &Levels, tolerance: f64) -> Result<Trial, Vec<Fault>> {
+    pub(in crate::studies) fn run(
+        &mut self,
+        levels: &Levels,
+        tolerance: f64,
+    ) -> Result<Trial, Vec<Fault>> {
         self.elastic.set(self.scene, levels);
         let system = System::new(lower(self.scene)?)?;
         let settings = RunSettings {

@@ -1,5 +1,6 @@
 //! What looking for the smallest scene leaves.
 
+use super::cost::Cost;
 use super::removal::{Part, Removal};
 use crate::frontend::scene::{Document, Levels};
 use crate::studies::order::Certificate;
@@ -20,7 +21,11 @@ pub struct Reduction {
     pub certificate: Certificate,
     /// Every model that was run.
     pub models: Vec<ModelTried>,
-    /// The reduced scene, its descriptions saying what was left out.
+    /// Cost of the scene as given and of the reduced one, measured; `None`: both are the same, or
+    /// they could not be run again.
+    pub cost: Option<Cost>,
+    /// The scene that is offered: the reduced one, its descriptions saying what was left out; the
+    /// scene as given where the reduced one runs slower.
     pub document: Document,
 }
 
@@ -116,6 +121,13 @@ impl Reduction {
         };
         let given = self.model(Role::Given);
         given.is_some_and(|model| model.errors.iter().all(within))
+    }
+
+    /// False when the reduced scene runs slower than the scene as given, which is accurate enough:
+    /// the latter is the answer.
+    pub fn is_offered(&self) -> bool {
+        let slower = self.cost.as_ref().is_some_and(Cost::is_slower);
+        !(slower && self.given_holds())
     }
 
     /// True when every figure that has a limit is as accurate as it is asked to be, and

@@ -7,12 +7,14 @@
 //! is left out already. A pair that never opens is made bilateral, which allows lower levels
 //! again.
 
+mod cost;
 mod description;
 mod findings;
 mod removal;
 mod search;
 mod variant;
 
+pub use cost::{Cost, Times};
 pub use findings::{Change, ModelTried, Reduction, Refusal, Role, Step};
 pub use removal::{Part, Removal};
 pub use search::reduce;

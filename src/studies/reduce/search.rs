@@ -1,5 +1,6 @@
 //! The search for the smallest scene.
 
+use super::cost::measured;
 use super::description::describe;
 use super::findings::{Change, ModelTried, Reduction, Refusal, Role, Step};
 use super::removal::{Part, Removal, candidates};
@@ -56,9 +57,11 @@ pub fn reduce(
     let given: Levels = (given.objects.iter())
         .map(|(id, (_, level))| (id.clone(), level.unwrap_or(trials.made[first].levels[id])))
         .collect();
-    if let Ok(as_given) = trials.at(&given) {
+    let as_given = trials.at(&given).ok();
+    let as_given = as_given.map(|as_given| {
         search.note(&[], &trials.made[as_given], Role::Given);
-    }
+        search.judge.certificate(&trials, &families, as_given)
+    });
     let tried = trials.made.iter().filter(|trial| trial.doubt.is_none());
     for trial in tried {
         search.note(&[], trial, Role::Tried);
@@ -73,7 +76,7 @@ pub fn reduce(
     if enough {
         end = search.leave_out(end);
     }
-    Ok(search.finish(&reading.scene.name, end, interrupted))
+    Ok(search.finish(&reading.scene.name, end, (&given, as_given), interrupted))
 }
 
 /// What has been found so far.
@@ -262,8 +265,22 @@ impl Search<'_> {
         });
     }
 
-    fn finish(mut self, scene: &str, end: End, interrupted: bool) -> Reduction {
+    /// The end; `given`: levels and certificate of the scene as given.
+    fn finish(
+        mut self,
+        scene: &str,
+        end: End,
+        (given, as_given): (&Levels, Option<Certificate>),
+        interrupted: bool,
+    ) -> Reduction {
         self.note(&end.removals, &end.trial, Role::Reduced);
+        let cost = match end.removals.is_empty() && end.levels == *given {
+            true => None,
+            false => {
+                let how = (self.settings, self.control);
+                measured(self.whole, how, given, (&end.removals, &end.levels))
+            }
+        };
         let mut document = at_levels(self.whole, &end.removals, &end.levels);
         let mut reduction = Reduction {
             scene: scene.to_owned(),
@@ -271,10 +288,19 @@ impl Search<'_> {
             steps: self.steps,
             certificate: end.certificate,
             models: self.models,
+            cost,
             document: document.clone(),
         };
-        document.edit(|root| describe(root, &reduction));
-        reduction.document = document;
+        match as_given.filter(|_| !reduction.is_offered()) {
+            Some(as_given) => {
+                reduction.certificate = as_given;
+                reduction.document = self.whole.clone();
+            }
+            None => {
+                document.edit(|root| describe(root, &reduction));
+                reduction.document = document;
+            }
+        }
         reduction
     }
 }
