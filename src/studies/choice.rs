@@ -44,6 +44,7 @@ impl Choice {
             let time = shown(*time, 6);
             let cause = match change.cause {
                 Cause::Stiff => format!("the motion had become stiff for {from}"),
+                Cause::GaveUp => format!("{from} came no further"),
                 Cause::Floor => {
                     format!("the step of {from} had fallen below the clock's resolution")
                 }

@@ -132,6 +132,7 @@ impl<'s> Judge<'s> {
             .map(|look| self.balance(look, &look.windows[0]))
             .collect();
         self.see_turns(looks);
+        self.see_resolved();
         for (look, balance) in looks.looks.iter().zip(&longest) {
             self.judge(look, balance);
         }
@@ -185,6 +186,32 @@ impl<'s> Judge<'s> {
                 (&turn.after, &turn.modes[1]),
             ] {
                 self.look(turn.time, y, &modes.0);
+            }
+        }
+    }
+
+    /// Takes into the scales what errors of a run are measured by: of bounces that die away
+    /// no more is left than it resolves.
+    fn see_resolved(&mut self) {
+        let count = self.system.coordinates();
+        let resolved = self.system.scales();
+        for (coordinate, motion) in self.mechanics.coordinate.iter().zip(&self.scales.motion) {
+            let Some(own) = *coordinate else {
+                continue;
+            };
+            for (order, greatest) in motion.iter().take(2).enumerate() {
+                let entry = &mut self.scales.entries[own + order * count];
+                *entry = entry.max(resolved[own + order * count].min(*greatest));
+            }
+        }
+        for (object, part) in self.system.model().objects.iter().enumerate() {
+            let first = part
+                .nodes
+                .first()
+                .and_then(|&node| self.mechanics.coordinate[node]);
+            if let Some(own) = first.filter(|_| self.system.is_rigid_contact(object)) {
+                let [depth, _] = &mut self.scales.contact[object];
+                *depth = depth.max(self.scales.entries[own]);
             }
         }
     }

@@ -2,7 +2,8 @@
 //!
 //! An explicit method is held to short steps where the motion has become stiff. That is
 //! measured, not foreseen: now and then, ever more rarely, a long step of `radau` is tried
-//! from where the run stands, and the state that it came to is compared when the run gets there. A method whose step falls to its floor hands over to the next.
+//! from where the run stands, and the state that it came to is compared when the run gets
+//! there. A method that gives up, or whose step falls to its floor, hands over to the next.
 
 use super::run::Run;
 use super::{Dynamics, Method, Stop, radau};
@@ -36,6 +37,8 @@ pub enum Cause {
     Floor,
     /// The motion has become stiff.
     Stiff,
+    /// The method gave up, as where it switches to and fro and comes no further.
+    GaveUp,
 }
 
 /// Steps before a long step is tried for the first time; each time twice as many follow.
@@ -189,16 +192,16 @@ impl<D: Dynamics> Run<'_, D> {
 
     /// Goes on with another method where that is due, or where the method cannot go on.
     pub(super) fn change_method(&mut self) {
-        let floor = matches!(self.stop, Some(Stop::StepFloor { .. }));
         let due = std::mem::take(&mut self.changing.due);
-        let cause = match (floor, due && self.stop.is_none()) {
-            (true, _) => Cause::Floor,
-            (false, true) => Cause::Stiff,
-            (false, false) => return,
+        let cause = match &self.stop {
+            Some(Stop::StepFloor { .. }) => Cause::Floor,
+            Some(Stop::Method { .. }) => Cause::GaveUp,
+            None if due => Cause::Stiff,
+            Some(_) | None => return,
         };
         let reserve = &mut self.changing.reserve;
         let next = match cause {
-            Cause::Floor => (!reserve.is_empty()).then_some(0),
+            Cause::Floor | Cause::GaveUp => (!reserve.is_empty()).then_some(0),
             Cause::Stiff => reserve.iter().position(|own| own.method == Method::Radau),
         };
         let Some(next) = next else {
