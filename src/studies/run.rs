@@ -120,6 +120,10 @@ pub fn run(
     })
 }
 
+/// Times that a prescribed motion is followed anew, each time by so many times the steps.
+const MOST_REFINEMENTS: u32 = 3;
+const REFINEMENT: f64 = 4.0;
+
 /// A motion and what was found of it.
 pub(super) struct Motion {
     /// Samples, figures, audit.
@@ -276,6 +280,19 @@ fn whole_motion(
         figures: None,
         ..demand
     };
+    // Of a motion that the drives prescribe nothing is off but the works, which are summed
+    // over its steps.
+    let mut finer = settings.clone();
+    for _ in 0..MOST_REFINEMENTS {
+        let known = system.coordinates() == 0 && found.is_complete();
+        if !known || found.balances(settings) {
+            break;
+        }
+        let steps = REFINEMENT * found.outcome.statistics.steps.max(1) as f64;
+        finer.step = Some(settings.duration / steps);
+        let choice = choose_method(system, &finer, &demand)?;
+        found = attempt(system, &finer, &demand, control, sinks, choice)?;
+    }
     while settings.method.is_none()
         && let Some(why) = found.doubt(settings)
     {
