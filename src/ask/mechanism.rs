@@ -3,6 +3,7 @@
 use super::RunOptions;
 use crate::Error;
 use crate::dynamics::model::Model;
+use crate::dynamics::record::Figures;
 use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::lower::lower;
@@ -11,7 +12,7 @@ use crate::studies::expectations::unknown_figures;
 use crate::studies::order::{Certificate, choose};
 use crate::studies::run::{RunResult, run};
 use crate::studies::steady::{Answer, steady_motion_within};
-use crate::studies::{Control, RunSettings, clock, defined, plausible, studied};
+use crate::studies::{Control, RunSettings, clock, defined, lookup, plausible, studied};
 
 /// A scene that was checked, lowered and frozen: it is asked without being read again.
 #[derive(Debug)]
@@ -99,7 +100,30 @@ impl Mechanism {
     /// The start cannot be found; the method asked for cannot be used.
     pub fn run_within(&self, control: &Control<'_>) -> Result<RunResult, Error> {
         let found = run(&self.system, &self.settings, control, &mut []);
-        found.map_err(|faults| self.diagnose(&faults))
+        let mut found = found.map_err(|faults| self.diagnose(&faults))?;
+        let named = lookup::named_in(self.scene());
+        self.attach(&mut found.figures, named, control)?;
+        Ok(found)
+    }
+
+    /// Adds the results of studies that are named, `frequency.1`, to the figures of a run.
+    ///
+    /// # Errors
+    /// There is no such result; a study cannot be made, or is not to be trusted.
+    pub(crate) fn attach<'a>(
+        &self,
+        figures: &mut Figures,
+        addresses: impl IntoIterator<Item = &'a str>,
+        control: &Control<'_>,
+    ) -> Result<(), Error> {
+        let subject = lookup::Subject {
+            scene: self.scene(),
+            system: &self.system,
+            settings: &self.settings,
+            control,
+        };
+        let attached = lookup::attach(figures, addresses, subject);
+        attached.map_err(|faults| self.diagnose(&faults))
     }
 
     /// The steady motion that the scene's `steady` block asks for.

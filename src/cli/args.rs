@@ -240,6 +240,10 @@ pub(crate) struct CompareArgs {
     /// The parameter and its values: rocker.masses=1,2,10
     #[arg(long, value_name = "PATH=LIST")]
     pub(crate) over: String,
+    /// Also compare a result of another study: frequency.1, steady.mean_time,
+    /// cam.follower.least_radius, kinematics.press.ram.speed.greatest
+    #[arg(long, value_name = "FIGURE")]
+    pub(crate) figure: Vec<String>,
     #[command(flatten)]
     pub(crate) out: OutArgs,
 }

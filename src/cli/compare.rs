@@ -22,6 +22,7 @@ use crate::studies::compare::{ComparedRun, Comparison, compare};
 use crate::studies::judgement::{Judgement, checks};
 use crate::studies::limit::without_limit;
 use crate::studies::list::ValueList;
+use crate::studies::lookup;
 use crate::studies::order::{Limits, limits};
 use serde_json::{Value, json};
 
@@ -44,6 +45,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let over = parse_over(&args.over)?;
     let input = Input::load(&args.scene)?;
     let ready = prepare_all(&input, &over)?;
+    check_figures(&args.figure, ready[0].system.model())?;
     let scene = ready[0].scene().name.clone();
     let folder = prepare_folder(args, &ready, over.values.len())?;
     let mut next = ready.iter();
@@ -54,7 +56,10 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         };
         let found = run_with_progress((ready, &Terminal), &ready.settings, args.scene.quiet);
         keeping.get_or_insert_with(interrupt::keep);
-        found
+        let mut found = found?;
+        let named = args.figure.iter().map(String::as_str);
+        ready.attach(&mut found.figures, named, interrupt::budget())?;
+        Ok(found)
     })?;
     if let Some(limits) = limits_of(&input, &over, &comparison)? {
         comparison.measure_against(&limits);
@@ -91,6 +96,30 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     Ok(status(&comparison))
 }
 
+/// Results that are asked for besides are those of other studies.
+fn check_figures(figures: &[String], model: &Model) -> Result<(), Failure> {
+    for figure in figures {
+        match lookup::check(figure, model) {
+            Some(Ok(())) => {}
+            Some(Err(fault)) => {
+                let hint = match fault.hint.is_empty() {
+                    true => String::new(),
+                    false => format!("; {}", fault.hint),
+                };
+                return Err(Failure::Other(format!("--figure: {}{hint}", fault.message)));
+            }
+            None => {
+                return Err(Failure::Other(format!(
+                    "--figure: `{figure}` is no result of another study; those of a run are \
+                     compared in any case; write `frequency.1`, `steady.mean_time`, \
+                     `cam.follower.least_radius`, `kinematics.press.ram.speed.greatest`"
+                )));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// The limits of all figures, where the order of a model is compared: its masses or modes.
 fn limits_of(
     input: &Input<'_>,
@@ -114,6 +143,7 @@ fn limits_of(
     let diagnose = |faults: Vec<Fault>| reading.places.diagnose(&faults);
     let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
     let figures = comparison.table.rows.iter().map(|row| row.figure.clone());
+    let figures = figures.filter(|figure| !lookup::is_address(figure));
     let found = limits(&mut reading.scene, &settings, figures, interrupt::budget());
     Ok(found.ok())
 }

@@ -27,7 +27,7 @@ use crate::studies::limit::without_limit;
 use crate::studies::order::Certificate;
 use crate::studies::run::{RunResult, run};
 use crate::studies::spread::{Spread, spread};
-use crate::studies::{RunSettings, plausible};
+use crate::studies::{RunSettings, lookup, plausible};
 use serde::Serialize;
 use serde_json::Value;
 use std::time::Instant;
@@ -206,7 +206,10 @@ pub(crate) fn run_with_progress(
     let mut sinks: [&mut dyn Sink; 1] = [&mut progress];
     let result = run(&ready.system, settings, asker.budget(), &mut sinks);
     progress.finish();
-    result.map_err(|faults| ready.reading.places.diagnose(&faults).into())
+    let mut result = result.map_err(|faults| ready.reading.places.diagnose(&faults))?;
+    let named = lookup::named_in(ready.scene());
+    ready.attach(&mut result.figures, named, asker.budget())?;
+    Ok(result)
 }
 
 fn talk(ready: &Ready, result: &RunResult, verdicts: &[Verdict], seconds: f64) {

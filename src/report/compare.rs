@@ -78,6 +78,10 @@ pub fn findings<'a>(
         sections.push(figures(&comparison.table, &one.id));
     }
     sections.push(figures(&comparison.table, "run"));
+    for study in ["frequency", "steady", "cam", "kinematics", "forces"] {
+        let known = boxes.iter().any(|one| one.id == study);
+        sections.extend((!known).then(|| figures(&comparison.table, study)));
+    }
     sections.retain(|section| !section.is_empty());
     Findings {
         title: scene.to_owned(),

@@ -207,6 +207,7 @@ pub(super) fn document(
             .map(|(part, figures)| (part.id.clone(), figures.clone()))
             .collect(),
         run,
+        studies: std::collections::BTreeMap::new(),
         warnings: warnings.iter().map(ToString::to_string).collect(),
     }
 }

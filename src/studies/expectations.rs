@@ -1,6 +1,7 @@
 //! Does a run give what its scene expects?
 
 use super::document::blank;
+use super::lookup;
 use super::run::RunResult;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::AddressError;
@@ -114,6 +115,10 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
         // How many switches there will be is not known before the run.
         if figure.contains(".switch_times.") || !of_run(expectation) {
             return None;
+        }
+        if let Some(known) = lookup::check(figure, model) {
+            let path = format!("expect.{index}.figure");
+            return known.err().map(|fault| Fault { path, ..fault });
         }
         let Err(AddressError::Unknown { close }) = figures.value(figure) else {
             return None;

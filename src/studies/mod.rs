@@ -21,6 +21,7 @@ pub mod kinematics;
 pub mod law;
 pub mod limit;
 pub mod list;
+pub mod lookup;
 pub mod map;
 mod method;
 pub mod methods;

@@ -160,33 +160,33 @@ pub fn check_all(
 
 /// Expectations of figures that no study of this model has, without making it.
 pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault> {
-    let unknown = |(index, expectation): (usize, &Expectation)| {
+    let fault = |(index, expectation): (usize, &Expectation)| {
         let Expected::Figure { figure, .. } = &expectation.what else {
             return None;
         };
-        let at = Address::of(figure)?;
+        let (message, hint) = unknown(figure, model)?;
         let path = format!("expect.{index}.figure");
-        let names = match names(model, at) {
-            Ok(names) => names,
-            Err(reason) => return Some(Fault::new(path, reason, "")),
-        };
-        let of_zone = at.study == "forces" && is_zone(at.figure);
-        if of_zone || names.iter().any(|name| name == at.figure) {
-            return None;
-        }
-        let close = closest(at.figure, names.iter().map(String::as_str));
-        let close = close.map(|name| format!("{}.{}.{name}", at.study, at.object));
-        Some(Fault::new(
-            path,
-            format!("there is no figure `{figure}`"),
-            did_you_mean(close.as_slice()),
-        ))
+        Some(Fault::new(path, message, hint))
     };
-    expectations
-        .iter()
-        .enumerate()
-        .filter_map(unknown)
-        .collect()
+    expectations.iter().enumerate().filter_map(fault).collect()
+}
+
+/// Why a model has no figure at an address of kinematics or forces, with a hint; `None`: it has
+/// one, or the address is another.
+pub(super) fn unknown(figure: &str, model: &Model) -> Option<(String, String)> {
+    let at = Address::of(figure)?;
+    let names = match names(model, at) {
+        Ok(names) => names,
+        Err(reason) => return Some((reason, String::new())),
+    };
+    let of_zone = at.study == "forces" && is_zone(at.figure);
+    if of_zone || names.iter().any(|name| name == at.figure) {
+        return None;
+    }
+    let close = closest(at.figure, names.iter().map(String::as_str));
+    let close = close.map(|name| format!("{}.{}.{name}", at.study, at.object));
+    let message = format!("there is no figure `{figure}`");
+    Some((message, did_you_mean(close.as_slice())))
 }
 
 /// `zones.3.from`: how many zones there will be is not known beforehand.

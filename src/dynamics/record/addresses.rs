@@ -34,6 +34,8 @@ impl Figures {
         }
         let run = serde_json::to_value(&self.run).unwrap_or_default();
         collect("run", &run, &mut found);
+        let studies = self.studies.iter();
+        found.extend(studies.map(|(address, own)| (address.clone(), own.value)));
         found
     }
 
@@ -53,6 +55,9 @@ impl Figures {
 
     /// What stands at an address, without a list of all; `None`: nothing.
     fn at(&self, address: &str) -> Option<Option<f64>> {
+        if let Some(found) = self.studies.get(address) {
+            return Some(found.value);
+        }
         let (id, name) = owner_of(address, |id| self.objects.contains_key(id));
         let owner = match self.objects.get(id) {
             Some(figures) => serde_json::to_value(figures).ok()?,
@@ -77,6 +82,9 @@ impl Figures {
     /// SI unit of a figure; empty for counts, answers and pure numbers, and for what
     /// is no figure.
     pub fn unit(&self, address: &str) -> String {
+        if let Some(found) = self.studies.get(address) {
+            return found.unit.clone();
+        }
         let (id, name) = owner_of(address, |id| self.units.contains_key(id));
         let Some(units) = self.units.get(id) else {
             return match name {
@@ -199,7 +207,7 @@ fn closest(wanted: &str, known: impl Iterator<Item = String>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::AddressError;
-    use crate::dynamics::record::{Figures, ObjectFigures, PairFigures, RunSummary};
+    use crate::dynamics::record::{Figures, ObjectFigures, PairFigures, RunSummary, StudyFigure};
     use std::collections::BTreeMap;
 
     fn figures() -> Figures {
@@ -228,6 +236,13 @@ mod tests {
                 switches: 6,
                 ..RunSummary::default()
             },
+            studies: BTreeMap::from([(
+                "frequency.1".to_owned(),
+                StudyFigure {
+                    value: Some(12.0),
+                    unit: "Hz".to_owned(),
+                },
+            )]),
             warnings: Vec::new(),
         }
     }

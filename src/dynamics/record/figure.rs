@@ -297,6 +297,7 @@ mod tests {
             units: BTreeMap::new(),
             objects: BTreeMap::from([("a".to_owned(), all_different())]),
             run: RunSummary::default(),
+            studies: BTreeMap::new(),
             warnings: Vec::new(),
         };
         let known = figures.addresses();

@@ -20,8 +20,20 @@ pub struct Figures {
     pub objects: BTreeMap<String, ObjectFigures>,
     /// Summary of the run.
     pub run: RunSummary,
+    /// Results of other studies that were asked for, by their addresses: `frequency.1`.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub studies: BTreeMap<String, StudyFigure>,
     /// Warnings to the user.
     pub warnings: Vec<String>,
+}
+
+/// A result of another study than the run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StudyFigure {
+    /// The value in SI units; null where the study has none.
+    pub value: Option<f64>,
+    /// SI unit; empty of pure numbers, and of kinematics and forces.
+    pub unit: String,
 }
 
 /// Units of an object's figures.

@@ -37,7 +37,7 @@ pub use figure::Figure;
 pub(crate) use figured::Figured;
 pub use figures::{
     EquationFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
-    PressingFigures, RunSummary, StopFigures, Units, greatest_magnitude,
+    PressingFigures, RunSummary, StopFigures, StudyFigure, Units, greatest_magnitude,
 };
 pub(crate) use log::{Course, Log, Stretch};
 pub use quantity::Quantity;

@@ -10,6 +10,9 @@ impl Figures {
     /// kind over all objects of the same unit. Zero of counts, times and works, and where
     /// nothing moves.
     pub fn resolution(&self, address: &str) -> f64 {
+        if self.studies.contains_key(address) {
+            return 0.0;
+        }
         let unit = self.unit(address);
         let displacement = unit.split('/').next().unwrap_or("");
         let time = self.run.time;
@@ -67,6 +70,7 @@ mod tests {
             units: BTreeMap::from([("rocker".to_owned(), units)]),
             objects: BTreeMap::from([("rocker".to_owned(), rocker)]),
             run: RunSummary::default(),
+            studies: BTreeMap::new(),
             warnings: Vec::new(),
         }
     }

@@ -1,6 +1,7 @@
 //! The `expect` block.
 
 use super::objects::Known;
+use super::study_address::{CAM_FIGURES, StudyAddress};
 use super::{Allowed, Expectation, Expected};
 use crate::dynamics::model::owner_of;
 use crate::frontend::object::Measures;
@@ -136,7 +137,8 @@ fn expectation(fields: &mut Fields<'_>, known: &Known) -> Option<Expectation> {
     about.case(
         "figure",
         "Address of a figure: `rocker.delta_max`, `run.switches`; `steady.period`; \
-         `kinematics.press.ram.time_ratio`, `forces.press.drive.greatest`.",
+         `kinematics.press.ram.time_ratio`, `forces.press.drive.greatest`; \
+         `cam.follower.least_radius`, `frequency.1`.",
         |slot| figure(slot, known),
     );
     about.case(
@@ -318,17 +320,8 @@ fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
     about(&mut slot, address, known)
 }
 
-/// What a figure of a run measures, whose address is the name of a property.
+/// What a figure of a run or of a study measures, whose address is the name of a property.
 pub(super) fn figure_of_run(slot: &mut Slot<'_>, address: &str, known: &Known) -> Option<Wanted> {
-    let (owner, _) = owner_of(address, |id| known.objects.contains_key(id));
-    if ["steady", "kinematics", "forces"].contains(&owner) {
-        let message = format!("`{address}` is no figure of a run");
-        let fault = slot.refuse("unknown-figure", message);
-        fault
-            .hints
-            .push("figures of a run are those of objects: `rocker.delta_abs`".to_owned());
-        return None;
-    }
     match about(slot, address.to_owned(), known)? {
         About::Figure(_, wanted) => Some(wanted),
         About::Stop(_) => None,
@@ -336,6 +329,17 @@ pub(super) fn figure_of_run(slot: &mut Slot<'_>, address: &str, known: &Known) -
 }
 
 fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
+    match StudyAddress::of(&address) {
+        Some(StudyAddress::Frequency { number: 1.., .. }) => {
+            return Some(About::Figure(address, q::FREQUENCY.into()));
+        }
+        Some(StudyAddress::Cam { object, name }) if known.objects.contains_key(object) => {
+            let found = CAM_FIGURES.iter().find(|figure| figure.0 == name);
+            let quantity = found.map_or(q::NUMBER, |figure| figure.1);
+            return Some(About::Figure(address, quantity.into()));
+        }
+        _ => {}
+    }
     let (owner, name) = owner_of(&address, |id| {
         known.objects.contains_key(id) || known.stops.contains_key(id)
     });

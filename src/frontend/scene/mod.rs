@@ -17,11 +17,13 @@ mod root;
 mod run;
 mod schema;
 mod steady;
+mod study_address;
 mod template;
 mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, Layered};
 pub use document::{Document, Places, Reading};
+pub(crate) use expect::STEADY_FIGURES;
 #[cfg(feature = "studio")]
 pub(crate) use expect::is_expectable;
 pub use folder::{Folder, read_bounded};
@@ -29,6 +31,7 @@ pub use levels::{Elastic, Levels, in_words};
 pub use numbers::Number;
 pub use overrides::Overrides;
 pub use schema::{schema, schema_of, schema_text};
+pub(crate) use study_address::{CAM_FIGURES, StudyAddress};
 pub(crate) use template::Template;
 pub use variation::Variation;
 

@@ -19,7 +19,7 @@ use crate::studies::document::{spoiling, stop_in_words};
 use crate::studies::run::{Motion, motion};
 use crate::studies::spread::{CHANGE, changed_loads};
 use crate::studies::warning::Warning;
-use crate::studies::{Control, RunSettings};
+use crate::studies::{Control, RunSettings, lookup};
 use crate::units::shown;
 use std::cell::RefCell;
 
@@ -87,7 +87,7 @@ pub(super) fn evaluate(
             Ok((scene, kept)) => match prepare(scene) {
                 Ok((system, settings)) => judged(
                     (study, is_drawn(panel, cell)),
-                    &system,
+                    (scene, &system),
                     &settings,
                     kept,
                     control,
@@ -113,7 +113,7 @@ fn is_drawn(panel: usize, cell: usize) -> bool {
 /// The cell of a system; `None` when interrupted.
 fn judged(
     (study, checked): (&Study<'_>, bool),
-    system: &System,
+    (scene, system): (&TypedScene, &System),
     settings: &RunSettings,
     kept: &mut Kept,
     control: &Control<'_>,
@@ -124,6 +124,7 @@ fn judged(
     }
     let task = Task {
         study,
+        scene,
         system,
         settings,
         laws: &kept.exact,
@@ -167,6 +168,7 @@ fn in_words(faults: &[Fault]) -> String {
 #[derive(Clone, Copy)]
 struct Task<'t> {
     study: &'t Study<'t>,
+    scene: &'t TypedScene,
     system: &'t System,
     settings: &'t RunSettings,
     /// Laws of motion that are known from cells before.
@@ -202,7 +204,7 @@ impl Task<'_> {
         if self.control.is_spent() {
             return Ok(None);
         }
-        let value = self.value(&found);
+        let value = self.value(self.system, &found)?;
         let mut cell = Cell {
             value,
             ..Cell::without_value(verdict, cause)
@@ -233,15 +235,20 @@ impl Task<'_> {
         motion(system, settings, demand, self.control, &mut [])
     }
 
-    /// The figure of the map.
-    fn value(&self, found: &Motion) -> Option<f64> {
-        let value = read(
-            &self.study.figure,
-            self.system.model(),
-            self.settings,
-            found,
-        );
-        value.filter(|value| value.is_finite())
+    /// The figure of the map: of the run, or of another study of the system.
+    fn value(&self, system: &System, found: &Motion) -> Result<Option<f64>, Vec<Fault>> {
+        let figure = &self.study.figure;
+        let subject = lookup::Subject {
+            scene: self.scene,
+            system,
+            settings: self.settings,
+            control: self.control,
+        };
+        let value = match lookup::figure(figure, subject)? {
+            Some(of_study) => of_study.value,
+            None => read(figure, self.system.model(), self.settings, found),
+        };
+        Ok(value.filter(|value| value.is_finite()))
     }
 
     /// The cell of a run that stopped or is not to be trusted.
@@ -316,13 +323,17 @@ impl Task<'_> {
             ..self.settings.clone()
         };
         let changed = changed_loads(self.system.model().clone(), 1.0 + CHANGE);
-        let other = self.motion(&System::new(changed)?, &same_method)?;
+        let changed = System::new(changed)?;
+        let other = self.motion(&changed, &same_method)?;
         if other.outcome.stop.is_from_outside() {
             return Ok(None);
         }
-        let scale = scale(&self.study.figure, self.system.model(), self.settings, base);
+        let scale = match lookup::is_address(&self.study.figure) {
+            true => value.abs(),
+            false => scale(&self.study.figure, self.system.model(), self.settings, base),
+        };
         let gone = self.failed(&other).is_some();
-        Ok(Some(match self.value(&other) {
+        Ok(Some(match self.value(&changed, &other)? {
             Some(other) if !gone => share(other - value, scale),
             _ => f64::INFINITY,
         }))

@@ -4,9 +4,9 @@ use crate::dynamics::model::{Closure, Model, ObjectPart, owner_of};
 use crate::dynamics::record::{AddressError, Figures, ObjectFigures};
 use crate::exact::Asked;
 use crate::fault::Fault;
-use crate::studies::RunSettings;
 use crate::studies::document::{blank, document, summary};
 use crate::studies::run::Motion;
+use crate::studies::{RunSettings, lookup};
 
 /// The figure of a map when none is asked for: the greatest |δ| of the last elastic
 /// object, drivers before what they drive; `None` when nothing is elastic.
@@ -35,6 +35,9 @@ pub(super) fn nothing_elastic(model: &Model) -> String {
 
 /// Checks that a run of a model has a figure.
 pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
+    if let Some(known) = lookup::check(figure, model) {
+        return known;
+    }
     let Err(AddressError::Unknown { close }) = blank(model).value(figure) else {
         return Ok(());
     };
@@ -176,7 +179,10 @@ fn whole(model: &Model, settings: &RunSettings, found: &Motion) -> Figures {
 
 /// SI unit of a figure; empty for counts and answers.
 pub(super) fn unit(figure: &str, model: &Model) -> String {
-    blank(model).unit(figure)
+    match lookup::is_address(figure) {
+        true => lookup::unit(figure).to_owned(),
+        false => blank(model).unit(figure),
+    }
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Elastic, Levels, TypedScene};
+use crate::studies::lookup::{Subject, attach, named_in};
 use crate::studies::run::run;
 use crate::studies::{Control, RunSettings};
 use std::collections::BTreeMap;
@@ -146,9 +147,16 @@ impl<'s> Trials<'s> {
             ..self.settings.clone()
         };
         let begun = Instant::now();
-        let result = run(&system, &settings, self.control, &mut [])?;
+        let mut result = run(&system, &settings, self.control, &mut [])?;
         let seconds = begun.elapsed().as_secs_f64();
         self.interrupted |= result.outcome.stop.is_from_outside();
+        let subject = Subject {
+            scene: self.scene,
+            system: &system,
+            settings: &settings,
+            control: self.control,
+        };
+        attach(&mut result.figures, named_in(self.scene), subject)?;
         let exact = result.figures.run.method == "exact";
         let statistics = &result.outcome.statistics;
         let passes = (statistics.steps + statistics.evaluations) as f64;

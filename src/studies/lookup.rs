@@ -1,0 +1,257 @@
+//! Results of other studies than the run, by their addresses: `frequency.1`,
+//! `steady.mean_time`, `cam.follower.least_radius`, `kinematics.press.ram.speed.greatest`,
+//! `forces.press.drive.greatest`. They are found when they are asked for.
+
+use super::cam::{CamForce, Reserve, disc_cam};
+use super::steady::{self, Answer, steady_motion_within};
+use super::studied;
+use super::{Control, RunSettings};
+use crate::dynamics::model::Model;
+use crate::dynamics::record::{Figures, StudyFigure};
+use crate::dynamics::system::{Regime, System};
+use crate::fault::Fault;
+use crate::frontend::read::closest;
+use crate::frontend::scene::{
+    AccuracySpec, CAM_FIGURES, Expected, STEADY_FIGURES, StudyAddress, TypedScene,
+};
+use crate::kinematics::cam::DiscCam;
+use crate::units::quantities::FREQUENCY;
+use std::f64::consts::TAU;
+
+/// Share of the opening force that is left in contact; no result here depends on it.
+const RESERVE: f64 = 0.2;
+
+/// A scene and what was made of it.
+#[derive(Clone, Copy)]
+pub struct Subject<'s> {
+    /// The scene.
+    pub scene: &'s TypedScene,
+    /// The system made of it.
+    pub system: &'s System,
+    /// Settings of its run.
+    pub settings: &'s RunSettings,
+    /// How long the studies may take.
+    pub control: &'s Control<'s>,
+}
+
+/// Adds the results of studies that are named to the figures of a run.
+///
+/// # Errors
+/// There is no such result; a study cannot be made, or is not to be trusted.
+pub fn attach<'a>(
+    figures: &mut Figures,
+    addresses: impl IntoIterator<Item = &'a str>,
+    subject: Subject<'_>,
+) -> Result<(), Vec<Fault>> {
+    let mut motion = None;
+    for address in addresses {
+        if let Some(found) = find(address, subject, &mut motion)? {
+            figures.studies.insert(address.to_owned(), found);
+        }
+    }
+    Ok(())
+}
+
+/// The result of a study at an address; `None`: it is no address of a study.
+///
+/// # Errors
+/// As of [`attach`].
+pub fn figure(address: &str, subject: Subject<'_>) -> Result<Option<StudyFigure>, Vec<Fault>> {
+    find(address, subject, &mut None)
+}
+
+/// Addresses of studies that a scene names for its run: those of its accuracy, and what it
+/// expects of frequencies and cams. (Other commands judge what is expected of their studies.)
+pub fn named_in(scene: &TypedScene) -> Vec<&str> {
+    let accuracy = match &scene.run.accuracy {
+        Some(AccuracySpec::Figures(figures)) => figures.as_slice(),
+        Some(AccuracySpec::Share(_)) | None => &[],
+    };
+    let accuracy = accuracy.iter().map(|(figure, _)| figure.as_str());
+    let accuracy = accuracy.filter(|figure| StudyAddress::of(figure).is_some());
+    let expected = scene.expect.iter().filter_map(|one| match &one.what {
+        Expected::Figure { figure, .. } => Some(figure.as_str()),
+        Expected::Stops { .. } => None,
+    });
+    let expected = expected.filter(|figure| {
+        let address = StudyAddress::of(figure);
+        address.is_some_and(|address| address.is_of_run())
+    });
+    let mut all: Vec<&str> = accuracy.chain(expected).collect();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+/// True for addresses of results of studies.
+pub fn is_address(figure: &str) -> bool {
+    StudyAddress::of(figure).is_some()
+}
+
+/// Whether a model has the result of a study at an address; `None`: it is no address of a
+/// study.
+pub fn check(address: &str, model: &Model) -> Option<Result<(), Fault>> {
+    let unknown = |hint: String| {
+        let message = format!("there is no figure `{address}`");
+        Err(Fault::new("", message, hint))
+    };
+    Some(match StudyAddress::of(address)? {
+        StudyAddress::Linkage { .. } => studied::unknown(address, model)
+            .map_or(Ok(()), |(message, hint)| Err(Fault::new("", message, hint))),
+        StudyAddress::Steady { name } => {
+            let names = || STEADY_FIGURES.iter().map(|figure| figure.0);
+            match names().any(|known| known == name) {
+                true => Ok(()),
+                false => unknown(did_you_mean("steady.", closest(name, names()))),
+            }
+        }
+        StudyAddress::Cam { object, name } => {
+            let names = || CAM_FIGURES.iter().map(|figure| figure.0);
+            let known = model.objects.iter().any(|part| part.id == object);
+            match (known, names().any(|known| known == name)) {
+                (true, true) => Ok(()),
+                (false, _) => unknown(format!("there is no object `{object}`")),
+                (true, false) => {
+                    let owner = format!("cam.{object}.");
+                    unknown(did_you_mean(&owner, closest(name, names())))
+                }
+            }
+        }
+        StudyAddress::Frequency { number: 1.., .. } => Ok(()),
+        StudyAddress::Frequency { .. } => {
+            unknown("frequencies are counted from 1, the lowest: frequency.1".to_owned())
+        }
+    })
+}
+
+fn did_you_mean(owner: &str, close: Option<&str>) -> String {
+    close.map_or_else(String::new, |name| format!("did you mean `{owner}{name}`?"))
+}
+
+/// SI unit of the result at an address of a study; empty of pure numbers, and where the study
+/// alone knows it.
+pub fn unit(address: &str) -> &'static str {
+    match StudyAddress::of(address) {
+        Some(StudyAddress::Steady { name }) => unit_in(STEADY_FIGURES, name),
+        Some(StudyAddress::Cam { name, .. }) => unit_in(CAM_FIGURES, name),
+        Some(StudyAddress::Frequency { .. }) => FREQUENCY.si(),
+        Some(StudyAddress::Linkage { .. }) | None => "",
+    }
+}
+
+fn unit_in(figures: &[(&str, crate::units::Quantity)], name: &str) -> &'static str {
+    let found = figures.iter().find(|figure| figure.0 == name);
+    match found.map_or("1", |(_, quantity)| quantity.si()) {
+        "1" => "",
+        unit => unit,
+    }
+}
+
+fn find(
+    address: &str,
+    subject: Subject<'_>,
+    motion: &mut Option<Answer>,
+) -> Result<Option<StudyFigure>, Vec<Fault>> {
+    let model = subject.system.model();
+    match check(address, model) {
+        None => return Ok(None),
+        Some(Err(fault)) => return Err(vec![fault]),
+        Some(Ok(())) => {}
+    }
+    let Some(known) = StudyAddress::of(address) else {
+        return Ok(None);
+    };
+    let in_words = |message: String| vec![Fault::new("", format!("{address}: {message}"), "")];
+    let duration = subject.settings.duration;
+    let value = match known {
+        StudyAddress::Linkage {
+            study: "kinematics",
+            object,
+            name,
+        } => {
+            let found = studied::kinematics_of(model, object, duration).map_err(in_words)?;
+            found.figure(name)
+        }
+        StudyAddress::Linkage { object, name, .. } => {
+            let found = studied::forces_of(model, object, duration).map_err(in_words)?;
+            found.figure(name)
+        }
+        StudyAddress::Steady { .. } => {
+            let found = match motion {
+                Some(found) => found,
+                None => motion.insert(steady_motion(subject)?),
+            };
+            steady::figure(found, address)
+        }
+        StudyAddress::Cam { object, name } => {
+            let cam = disc_cam(subject.scene, model, object)?;
+            of_cam(&cam, model, object, name).map_err(in_words)?
+        }
+        StudyAddress::Frequency { open, number } => {
+            let regime = if open { Regime::Open } else { Regime::Engaged };
+            let all = subject.system.natural_frequencies(regime);
+            number
+                .checked_sub(1)
+                .and_then(|at| all.get(at))
+                .map(|rate| rate / TAU)
+        }
+    };
+    Ok(Some(StudyFigure {
+        value: value.filter(|value| value.is_finite()),
+        unit: unit(address).to_owned(),
+    }))
+}
+
+fn steady_motion(subject: Subject<'_>) -> Result<Answer, Vec<Fault>> {
+    let spec = subject.scene.steady.clone().unwrap_or_default();
+    let Subject {
+        system,
+        settings,
+        control,
+        ..
+    } = subject;
+    let found = steady_motion_within(system, settings, &spec, control)?;
+    match &found {
+        Answer::Rigid(answer) if !answer.is_trusted() => {
+            let message = "the steady motion is not to be trusted: its checks disagree";
+            let hint = "`dam steady` shows them";
+            Err(vec![Fault::new("steady", message, hint)])
+        }
+        Answer::Rigid(_) | Answer::Periodic(_) => Ok(found),
+    }
+}
+
+/// A result of a cam; those of forces are at the speed of the scene.
+fn of_cam(cam: &DiscCam, model: &Model, id: &str, name: &str) -> Result<Option<f64>, String> {
+    let radius = |concave: usize| {
+        let flanks = cam.geometry().flanks();
+        let radii = flanks
+            .into_iter()
+            .filter_map(|flank| cam.radii(flank)[concave]);
+        radii.map(|at| at.value).reduce(f64::min)
+    };
+    let forces = || {
+        let object = model.objects.iter().position(|part| part.id == id);
+        let object = object.ok_or_else(|| format!("there is no object `{id}`"))?;
+        let force = CamForce::new(model, object, cam, None)?;
+        Ok::<_, String>(force.figures(Reserve::Share(RESERVE)))
+    };
+    Ok(match name {
+        "base_radius" => Some(cam.geometry().base_radius),
+        "prime_radius" => Some(cam.geometry().prime_radius()),
+        "greatest_pressure_angle" => {
+            let angles = cam.pressure_angles().map(|at| at.value.abs());
+            Some(angles[0].max(angles[1]))
+        }
+        "least_radius" => radius(0),
+        "least_concave_radius" => radius(1),
+        "least_pitch_radius" => {
+            let roller = cam.geometry().roller();
+            roller.and_then(|_| cam.radii(0.0)[0]).map(|at| at.value)
+        }
+        "greatest_contact_force" => Some(forces()?.contact_force.value),
+        "greatest_torque" => Some(forces()?.torque.value),
+        "least_torque" => Some(forces()?.return_torque.value),
+        _ => None,
+    })
+}
