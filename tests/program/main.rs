@@ -16,3 +16,4 @@ mod reduce;
 mod scenarios;
 mod schema;
 mod steady;
+mod study_figures;

@@ -333,6 +333,12 @@ fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
         Some(StudyAddress::Frequency { number: 1.., .. }) => {
             return Some(About::Figure(address, q::FREQUENCY.into()));
         }
+        Some(StudyAddress::Frequency { .. }) => {
+            let fault = slot.refuse("unknown-figure", format!("there is no figure `{address}`"));
+            let hint = "frequencies are counted from 1, the lowest: `frequency.1`";
+            fault.hints.push(hint.to_owned());
+            return None;
+        }
         Some(StudyAddress::Cam { object, name }) if known.objects.contains_key(object) => {
             let found = CAM_FIGURES.iter().find(|figure| figure.0 == name);
             let quantity = found.map_or(q::NUMBER, |figure| figure.1);
