@@ -3092,8 +3092,8 @@ class Run(Tree):
     samples
         Number of equal sample intervals. Default: 1000.
     start
-        State at t = 0: `kinetostatic` (quiet), `static`, `on_law`, or explicit states by
-        object. Default: "kinetostatic".
+        State at t = 0: `kinetostatic` (quiet; of a law that repeats, as before t = 0),
+        `static`, `on_law`, or explicit states by object. Default: "kinetostatic".
     step
         Step of `rk4`; greatest step of the other methods (time in s, ms, µs, min or h)
     switch_rows

@@ -261,7 +261,8 @@ pub(crate) struct MapArgs {
     /// The parameter up the map; without it the map is a curve
     #[arg(long, value_name = "PATH=FROM:TO:COUNT")]
     pub(crate) y: Option<String>,
-    /// The figure shown; max|δ| of the last elastic object if not given
+    /// The figure shown, of the run or of another study (frequency.1, steady.mean_time,
+    /// cam.follower.least_radius); max|δ| of the last elastic object if not given
     #[arg(long, value_name = "FIGURE")]
     pub(crate) figure: Option<String>,
     /// One map for each value: rocker.masses=1,2. Lists that go together are separated by

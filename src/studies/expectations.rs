@@ -1,12 +1,11 @@
 //! Does a run give what its scene expects?
 
 use super::document::blank;
-use super::lookup;
 use super::run::RunResult;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::AddressError;
 use crate::fault::Fault;
-use crate::frontend::scene::{Allowed, Expectation, Expected};
+use crate::frontend::scene::{Allowed, Expectation, Expected, StudyAddress};
 use crate::units::shown;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -113,12 +112,9 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
             return None;
         };
         // How many switches there will be is not known before the run.
-        if figure.contains(".switch_times.") || !of_run(expectation) {
+        let of_study = StudyAddress::of(figure).is_some();
+        if figure.contains(".switch_times.") || of_study || !of_run(expectation) {
             return None;
-        }
-        if let Some(known) = lookup::check(figure, model) {
-            let path = format!("expect.{index}.figure");
-            return known.err().map(|fault| Fault { path, ..fault });
         }
         let Err(AddressError::Unknown { close }) = figures.value(figure) else {
             return None;

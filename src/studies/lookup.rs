@@ -12,7 +12,7 @@ use crate::dynamics::system::{Regime, System};
 use crate::fault::Fault;
 use crate::frontend::read::closest;
 use crate::frontend::scene::{
-    AccuracySpec, CAM_FIGURES, Expected, STEADY_FIGURES, StudyAddress, TypedScene,
+    AccuracySpec, CAM_FIGURES, Expectation, Expected, STEADY_FIGURES, StudyAddress, TypedScene,
 };
 use crate::kinematics::cam::DiscCam;
 use crate::units::quantities::FREQUENCY;
@@ -86,6 +86,23 @@ pub fn named_in(scene: &TypedScene) -> Vec<&str> {
 /// True for addresses of results of studies.
 pub fn is_address(figure: &str) -> bool {
     StudyAddress::of(figure).is_some()
+}
+
+/// Expectations of results that no study of this model has, without making it.
+pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault> {
+    let unknown = |(index, expectation): (usize, &Expectation)| {
+        let Expected::Figure { figure, .. } = &expectation.what else {
+            return None;
+        };
+        let path = format!("expect.{index}.figure");
+        let fault = check(figure, model)?.err()?;
+        Some(Fault { path, ..fault })
+    };
+    expectations
+        .iter()
+        .enumerate()
+        .filter_map(unknown)
+        .collect()
 }
 
 /// Whether a model has the result of a study at an address; `None`: it is no address of a

@@ -158,19 +158,6 @@ pub fn check_all(
     Ok(verdicts)
 }
 
-/// Expectations of figures that no study of this model has, without making it.
-pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault> {
-    let fault = |(index, expectation): (usize, &Expectation)| {
-        let Expected::Figure { figure, .. } = &expectation.what else {
-            return None;
-        };
-        let (message, hint) = unknown(figure, model)?;
-        let path = format!("expect.{index}.figure");
-        Some(Fault::new(path, message, hint))
-    };
-    expectations.iter().enumerate().filter_map(fault).collect()
-}
-
 /// Why a model has no figure at an address of kinematics or forces, with a hint; `None`: it has
 /// one, or the address is another.
 pub(super) fn unknown(figure: &str, model: &Model) -> Option<(String, String)> {
