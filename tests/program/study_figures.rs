@@ -179,8 +179,8 @@ fn cams_are_figures() {
     let figure = ["--figure", "cam.valve.least_radius"];
     let found = document(&["map", scene, "--x", x, figure[0], figure[1]]);
     let values = found["panels"][0]["values"].as_array().unwrap();
-    for (value, base) in values.iter().zip([0.015, 0.018, 0.021]) {
-        near(value, radius - base + base, 1e-9);
+    for (value, other) in values.iter().zip([0.015, 0.018, 0.021]) {
+        near(value, radius - base + other, 1e-9);
     }
 }
 
