@@ -3,9 +3,9 @@
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::studies::expectations::check;
+use dam::studies::lookup::unknown_figures;
 use dam::studies::run::run;
 use dam::studies::steady;
-use dam::studies::lookup::unknown_figures;
 use dam::studies::studied::check_all;
 use dam::studies::{Control, RunSettings};
 use dam::system::System;
