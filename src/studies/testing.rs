@@ -24,6 +24,7 @@ pub(crate) fn result_with(set: impl FnOnce(&mut ObjectFigures)) -> RunResult {
             )]),
             objects: BTreeMap::from([("rocker".to_owned(), rocker)]),
             run: RunSummary::default(),
+            studies: BTreeMap::new(),
             warnings: Vec::new(),
         },
         outcome: Outcome {
