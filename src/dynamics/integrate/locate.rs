@@ -59,7 +59,8 @@ impl Stretch<'_> {
         let sign = if watch.rising { 1.0 } else { -1.0 };
         let mut first = self.guard(&watch.guards[0], sign);
         let mut second = self.guard(&watch.guards[1], sign);
-        let touches = |own: &&Touching| own.component == watch.component && !watch.rising;
+        let touches =
+            |own: &&Touching| own.component == watch.component && own.rising == watch.rising;
         if let Some(touching) = self.touching.iter().find(touches) {
             touching.shift([&mut first, &mut second], degree);
         }

@@ -115,7 +115,7 @@ impl<D: Dynamics> Run<'_, D> {
         self.enter(time, y, (before, after), Some(watch), impact);
         self.resting.retain(|own| own.component != watch.component);
         self.release_touching();
-        self.find_touching(|component| component == watch.component);
+        self.find_touching(|own| !own.rising && own.component == watch.component);
         if let Err(stop) = result {
             return self.end(Stop::Physical(stop));
         }

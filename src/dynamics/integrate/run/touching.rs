@@ -3,7 +3,8 @@
 //! A contact that closes with neither depth nor speed, as one does that starts on its law
 //! or behind a massless point, has no sign yet that numbers could tell. It is closed and
 //! stays so until it is pressed beyond the tolerance, or comes apart beyond it. Otherwise
-//! the rounding of zero would open and close it without end.
+//! the rounding of zero would open and close it without end. One that a derivative opens at
+//! the start stays open in the same way.
 
 use super::Run;
 use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Resting};
@@ -21,17 +22,24 @@ const BETWEEN: f64 = 10.0;
 pub(in crate::dynamics::integrate) struct Touching {
     /// Component of the modes.
     pub(in crate::dynamics::integrate) component: usize,
-    /// Values that its two guards must fall below, less than zero by so much.
+    /// True where it is open and would close.
+    pub(in crate::dynamics::integrate) rising: bool,
+    /// Values by which its two guards must be on the other side of zero.
     pub(in crate::dynamics::integrate) floors: [f64; 2],
 }
 
 impl Touching {
-    /// Shifts the coefficients of its two guards, signed so that it comes apart where one
-    /// is above zero; `degree` is the last, which is the value at the end of the step.
+    /// Shifts the coefficients of its two guards, signed so that it comes apart where one is
+    /// above zero, and closes where both are; `degree` is the last, which is the value at
+    /// the end of the step.
     pub(in crate::dynamics::integrate) fn shift(&self, guards: [&mut [f64]; 2], degree: usize) {
         let ends = [guards[0][degree], guards[1][degree]];
-        let apart = (0..2).any(|index| ends[index] > self.floors[index]);
-        let factor = if apart { 1.0 } else { BETWEEN };
+        let beyond = [0, 1].map(|index| ends[index] > self.floors[index]);
+        let changed = match self.rising {
+            true => beyond == [true, true],
+            false => beyond != [false, false],
+        };
+        let factor = if changed { 1.0 } else { BETWEEN };
         for (guard, floor) in guards.into_iter().zip(self.floors) {
             guard.iter_mut().for_each(|c| *c -= factor * floor);
         }
@@ -39,19 +47,23 @@ impl Touching {
 }
 
 impl<D: Dynamics> Run<'_, D> {
-    /// Finds which contacts of those components just touch where the run stands.
-    pub(super) fn find_touching(&mut self, of: impl Fn(usize) -> bool) {
+    /// Finds which contacts just touch where the run stands, by those of their functions.
+    pub(super) fn find_touching(&mut self, of: impl Fn(&EventFunction) -> bool) {
         for function in &self.event_functions {
             let component = function.component;
             let known = self.touching.iter().any(|own| own.component == component);
-            if of(component) && !known && self.touches(function) {
+            if of(function) && !known && self.touches(function) {
                 let floors = function.guards.map(|guard| self.floor(&guard));
-                self.touching.push(Touching { component, floors });
+                self.touching.push(Touching {
+                    component,
+                    rising: function.rising,
+                    floors,
+                });
             }
         }
     }
 
-    /// Lets go of those that are pressed beyond the tolerance, or are open.
+    /// Lets go of those that are pressed, or apart, beyond the tolerance, or have changed.
     pub(super) fn release_touching(&mut self) {
         if self.touching.is_empty() {
             return;
@@ -60,10 +72,11 @@ impl<D: Dynamics> Run<'_, D> {
         touching.retain(|own| {
             let mut functions = self.event_functions.iter();
             functions.any(|f| {
-                let opens = f.component == own.component && !f.rising;
+                let same = f.component == own.component && f.rising == own.rising;
+                let sense = if f.rising { -1.0 } else { 1.0 };
                 // (Not by its rate: that of a massless point is no better than its place
                 // over its time constant.)
-                opens && self.depth(f) <= self.floor(&f.guards[0])
+                same && sense * self.depth(f) <= self.floor(&f.guards[0])
             })
         });
         self.touching = touching;
@@ -93,13 +106,13 @@ impl<D: Dynamics> Run<'_, D> {
         dynamics.undecided(self.from.time, &self.from.y, &modes, share)
     }
 
-    /// True of the opening of an elastic contact whose depth and its rate cannot be told
-    /// from zero.
+    /// True of a change of an elastic contact whose depth and its rate cannot be told from
+    /// zero.
     fn touches(&self, function: &EventFunction) -> bool {
         let dynamics = self.evaluator.dynamics;
         let [depth, _] = function.guards;
         let own = depth.signal < dynamics.coordinates() && dynamics.is_pair(function.component);
-        if function.rising || !own || dynamics.is_rigid_contact(function.component) {
+        if !own || dynamics.is_rigid_contact(function.component) {
             return false;
         }
         let rate = depth.displacement * self.from.signals[depth.signal][1];
