@@ -4,6 +4,11 @@
 //! `DAM_SCENES=N` draws as many (200), from `DAM_FIRST` on, and writes them
 //! into the folder `DAM_WRITE`; see `tests/generated/all`.
 
+#![expect(
+    clippy::print_stdout,
+    reason = "counts and differences are what is asked for"
+)]
+
 mod agreement;
 mod draw;
 mod scene;
