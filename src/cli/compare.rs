@@ -13,18 +13,16 @@ use crate::dynamics::integrate::Stop;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Quantity;
 use crate::fault::Fault;
-use crate::report::compare::{chart, findings};
+use crate::report::compare::{chart, document, findings};
 use crate::report::csv::{record_csv, table_csv};
 use crate::report::diagram::Diagram;
 use crate::report::findings::Source;
 use crate::studies::RunSettings;
 use crate::studies::compare::{ComparedRun, Comparison, compare};
-use crate::studies::judgement::{Judgement, checks};
 use crate::studies::limit::without_limit;
 use crate::studies::list::ValueList;
 use crate::studies::lookup;
 use crate::studies::order::{Limits, limits};
-use serde_json::{Value, json};
 
 const FILES: [&str; 3] = ["comparison.json", "comparison.csv", PAGE];
 
@@ -215,20 +213,6 @@ fn prepare_folder(
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let scene = &ready[0].scene().name;
     Ok(OutputFolder::asked(&args.out, scene, &names)?)
-}
-
-/// The document of a comparison.
-fn document(scene: &str, comparison: &Comparison) -> Value {
-    let runs = comparison.runs.iter();
-    let runs = runs.map(|run| {
-        let figures = &run.result.figures;
-        let (verdict, checks) = (Judgement::of(figures), checks(figures));
-        json!({ "value": run.label, "verdict": verdict, "checks": checks, "figures": figures })
-    });
-    json!({
-        "dam": 1, "scene": scene, "over": comparison.over, "table": comparison.table,
-        "runs": runs.collect::<Vec<_>>()
-    })
 }
 
 /// The files: figures, page, samples, curves over each other.

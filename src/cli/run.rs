@@ -20,9 +20,8 @@ use crate::report::findings::Source;
 use crate::report::machine::Machine;
 use crate::report::run::{RunReport, findings, switches_csv};
 use crate::studies::cam::disc_cams;
-use crate::studies::check::Check;
 use crate::studies::expectations::{Verdict, check, of_run};
-use crate::studies::judgement::{Judgement, checks};
+use crate::studies::judgement::Judged;
 use crate::studies::limit::without_limit;
 use crate::studies::order::Certificate;
 use crate::studies::run::{RunResult, run};
@@ -44,11 +43,7 @@ const FILES: [&str; 5] = [
 #[derive(Serialize)]
 struct Document<'a> {
     #[serde(flatten)]
-    figures: &'a Figures,
-    /// One of four, from the checks and from what the pairs did.
-    verdict: Judgement,
-    /// The checks that the run made of itself.
-    checks: Vec<Check>,
+    judged: Judged<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     spread: Option<&'a Spread>,
     #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
@@ -127,9 +122,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         check(&ready.scene().expect, &result)
     };
     let document = Document {
-        figures: &result.figures,
-        verdict: Judgement::of(&result.figures),
-        checks: checks(&result.figures),
+        judged: Judged::of(&result.figures),
         spread: spread.as_ref(),
         expect: &verdicts,
         diagnostics: doubts(&ready),

@@ -10,7 +10,23 @@ use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, verdict};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
+use crate::studies::judgement::{Judgement, checks};
 use crate::units::shown;
+use serde_json::{Value as Json, json};
+
+/// The document of a comparison: each run with its verdict and checks.
+pub fn document(scene: &str, comparison: &Comparison) -> Json {
+    let runs = comparison.runs.iter();
+    let runs = runs.map(|run| {
+        let figures = &run.result.figures;
+        let (verdict, checks) = (Judgement::of(figures), checks(figures));
+        json!({ "value": run.label, "verdict": verdict, "checks": checks, "figures": figures })
+    });
+    json!({
+        "dam": 1, "scene": scene, "over": comparison.over, "table": comparison.table,
+        "runs": runs.collect::<Vec<_>>()
+    })
+}
 
 /// Figures of an object in the words of a page.
 const WORDS: [(&str, &str); 14] = [

@@ -18,6 +18,29 @@ pub enum Judgement {
     NotToBeTrusted,
 }
 
+/// The figures of a run with its verdict and its checks: the document of a run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Judged<'f> {
+    /// The figures.
+    #[serde(flatten)]
+    pub figures: &'f Figures,
+    /// One of four, from the checks and from what the pairs did.
+    pub verdict: Judgement,
+    /// The checks that the run made of itself.
+    pub checks: Vec<Check>,
+}
+
+impl<'f> Judged<'f> {
+    /// The figures of a run, judged.
+    pub fn of(figures: &'f Figures) -> Self {
+        Self {
+            figures,
+            verdict: Judgement::of(figures),
+            checks: checks(figures),
+        }
+    }
+}
+
 impl Judgement {
     /// In words, with a capital.
     pub fn words(self) -> &'static str {

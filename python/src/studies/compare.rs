@@ -1,16 +1,16 @@
 //! Comparisons.
 
-use super::{Asked, plain, run};
+use super::{Asked, run};
 use crate::answer::{Columns, Figure, Told};
 use crate::work::Watch;
 use dam::ask::Judging;
 use dam::read::Node;
-use dam::report::compare::findings;
+use dam::report::compare::{document, findings};
 use dam::report::diagram::Diagram;
 use dam::report::findings::Findings;
 use dam::studies::compare::{Comparison, compare};
 use dam::{Error, Mechanism, Scene};
-use serde_json::{Value, json};
+use serde_json::Value;
 use std::sync::Arc;
 
 /// A comparison with the scene of its first run.
@@ -66,12 +66,7 @@ impl Compared {
 
 impl Told for Compared {
     fn document(&self) -> Result<Value, Error> {
-        let runs = self.comparison.runs.iter();
-        let runs = runs.map(|run| json!({ "value": run.label, "figures": run.result.figures }));
-        Ok(json!({
-            "dam": 1, "scene": self.first.name(), "over": self.comparison.over,
-            "table": plain(&self.comparison.table)?, "runs": runs.collect::<Vec<_>>()
-        }))
+        Ok(document(self.first.name(), &self.comparison))
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
