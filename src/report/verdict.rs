@@ -1,7 +1,7 @@
 //! The one-line verdict of a run: what became of the mechanism, and whether
 //! the numbers can be trusted. The two are never mixed up.
 
-use crate::dynamics::record::{Figures, PairFigures, Units};
+use crate::dynamics::record::{CreepFigures, Figures, PairFigures, Units};
 use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
 use crate::studies::judgement::{Ending, Judgement, checks, ending};
@@ -136,6 +136,14 @@ fn pairs(figures: &Figures, judgement: Judgement) -> Sentence {
     if !failing.is_empty() {
         return sentence(failing).words(missing);
     }
+    let creeping: Vec<Sentence> = figures
+        .objects
+        .iter()
+        .filter_map(|(id, object)| Some(creeps(id, object.creep?, units(figures, id))))
+        .collect();
+    if !creeping.is_empty() {
+        return sentence(creeping);
+    }
     let passing: u64 = pairs.iter().map(|(_, pair)| pair.separations).sum();
     let text = match (pairs.is_empty(), passing) {
         (true, _) => "No pair of this scene can open.".to_owned(),
@@ -167,6 +175,15 @@ fn complaint(id: &str, pair: &PairFigures, units: Units) -> Option<Sentence> {
             .words(" in all, the longest ")
             .quantity(pair.longest_separation, "s", 4)
     })
+}
+
+/// An object that regularised friction does not hold at rest.
+fn creeps(id: &str, creep: CreepFigures, units: Units) -> Sentence {
+    Sentence::from(format!("{id} creeps at "))
+        .quantity(creep.speed, &format!("{}/s", units.displacement), 4)
+        .words(" under ")
+        .quantity(creep.force, units.force, 4)
+        .words(" of friction; it would rest")
 }
 
 fn times(count: u64) -> String {

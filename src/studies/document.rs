@@ -131,6 +131,12 @@ pub(super) fn warnings_of(
     }
     for object in 0..model.objects.len() {
         warnings.extend(pair_warnings(model, object, recorded, run.time));
+        let part = &model.objects[object];
+        warnings.extend(recorded.figures[object].creep.map(|creep| Warning::Creeps {
+            object: part.id.clone(),
+            creep,
+            units: units(part.coordinate),
+        }));
     }
     warnings
 }
@@ -280,7 +286,7 @@ fn is_undamped(model: &Model, part: &ObjectPart) -> bool {
 }
 
 /// Units of an object's figures.
-fn units(coordinate: Coordinate) -> Units {
+pub(super) fn units(coordinate: Coordinate) -> Units {
     match coordinate {
         Coordinate::Turning => Units {
             displacement: "rad",

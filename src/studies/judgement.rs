@@ -12,7 +12,8 @@ pub enum Judgement {
     InWorkingOrder,
     /// A pair opens, or the mechanism stops.
     NotInWorkingOrder,
-    /// The run was too short, or was ended, before its working order could be judged.
+    /// The run was too short, or was ended, before its working order could be judged; or an
+    /// object creeps where dry friction would hold it.
     NotJudged,
     /// The computation failed, or failed a check of its own.
     NotToBeTrusted,
@@ -138,7 +139,9 @@ pub fn checks(figures: &Figures) -> Vec<Check> {
 
 fn pairs(figures: &Figures) -> Judgement {
     let pairs = figures.objects.values().filter_map(|one| one.pair.as_ref());
-    let found: Vec<Judgement> = pairs.map(Judgement::of_pair).collect();
+    let mut found: Vec<Judgement> = pairs.map(Judgement::of_pair).collect();
+    let creeping = figures.objects.values().filter(|one| one.creep.is_some());
+    found.extend(creeping.map(|_| Judgement::NotJudged));
     [Judgement::NotInWorkingOrder, Judgement::NotJudged]
         .into_iter()
         .find(|one| found.contains(one))

@@ -383,6 +383,9 @@ fn attempt(
     };
     choice.tell_changes(&changed.into_inner());
     let mut recorded = found.recorded;
+    for object in 0..recorded.figures.len() {
+        recorded.figures[object].creep = plausible::creep(system.model(), &recorded.record, object);
+    }
     let figures = recorded.figures.iter();
     let peaks: Vec<[f64; 3]> = figures
         .map(|own| [own.peak_speed, own.peak_acceleration, own.peak_reaction])

@@ -1,6 +1,7 @@
 //! What the user of a run should know beside its figures.
 
 use crate::dynamics::audit::EquationCheck;
+use crate::dynamics::record::{CreepFigures, Units};
 use crate::units::shown;
 use std::fmt;
 
@@ -68,6 +69,15 @@ pub enum Warning {
         /// The first time (s).
         time: f64,
     },
+    /// An object moves as slowly as a regularised friction makes it: it would rest.
+    Creeps {
+        /// The object.
+        object: String,
+        /// Its creep.
+        creep: CreepFigures,
+        /// Its units.
+        units: Units,
+    },
     /// Contact without damping that switches often: the motion is chaotic.
     Undetermined {
         /// The object.
@@ -89,6 +99,7 @@ impl Warning {
             | Self::WouldLiftOff { .. }
             | Self::Opens { .. }
             | Self::SwitchesUndetermined { .. }
+            | Self::Creeps { .. }
             | Self::Undetermined { .. } => false,
         }
     }
@@ -178,6 +189,23 @@ impl fmt::Display for Warning {
                  Compare with another method, or look at the damping: a pair that is damped \
                  this strongly opens too slowly to be told from one that stays",
                 shown(*time, 7)
+            ),
+            Self::Creeps {
+                object,
+                creep,
+                units,
+            } => write!(
+                f,
+                "{object} creeps at {} {}/s under {force} {unit} until {} s: regularised friction \
+                 bears {force} {unit} of up to {} {unit}. It would rest. From {} s on its \
+                 motion is not that of dry friction; a smaller width makes the creep slower",
+                shown(creep.speed, 4),
+                units.displacement,
+                shown(creep.until, 4),
+                shown(creep.limit, 4),
+                shown(creep.from, 4),
+                force = shown(creep.force, 4),
+                unit = units.force
             ),
             Self::Undetermined { object, switches } => write!(
                 f,

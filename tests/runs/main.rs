@@ -4,6 +4,7 @@ mod agreement;
 mod auto;
 mod bad_input;
 mod contact;
+mod creep;
 mod dead_positions;
 mod examples;
 mod expressions;

@@ -105,12 +105,15 @@ impl Figures {
             | "stop.max_indentation" => displacement.to_owned(),
             "peak_speed"
             | "final.speed"
+            | "creep.speed"
             | "pair.max_approach_speed"
             | "stop.max_approach_speed" => {
                 format!("{displacement}/s")
             }
             "peak_acceleration" => format!("{displacement}/s²"),
             "peak_reaction"
+            | "creep.force"
+            | "creep.limit"
             | "pair.max_contact_force"
             | "pair.margin"
             | "stop.max_contact_force" => units.force.to_owned(),
@@ -119,6 +122,8 @@ impl Figures {
             | "pair.longest_separation"
             | "pressing.time"
             | "time_at_rest"
+            | "creep.from"
+            | "creep.until"
             | "stop.contact_time" => "s".to_owned(),
             "friction_loss" | "pair.impacts.loss" | "stop.impacts.loss" => "J".to_owned(),
             "pair.impacts.max_impulse" | "stop.impacts.max_impulse" => {

@@ -76,11 +76,21 @@ pub enum Figure {
     StopMaxImpulse,
     /// Energy lost in them (J).
     StopImpactLoss,
+    /// φ̇ at the end of a creep under regularised friction.
+    CreepSpeed,
+    /// Force that the friction bears there.
+    CreepForce,
+    /// Force that it can bear.
+    CreepLimit,
+    /// Begin of the creep (s).
+    CreepFrom,
+    /// End of it (s).
+    CreepUntil,
 }
 
 impl Figure {
     /// All figures.
-    pub const ALL: [Self; 35] = [
+    pub const ALL: [Self; 40] = [
         Self::DeltaAbs,
         Self::DeltaMax,
         Self::DeltaMin,
@@ -116,6 +126,11 @@ impl Figure {
         Self::StopImpacts,
         Self::StopMaxImpulse,
         Self::StopImpactLoss,
+        Self::CreepSpeed,
+        Self::CreepForce,
+        Self::CreepLimit,
+        Self::CreepFrom,
+        Self::CreepUntil,
     ];
 
     /// Address within the object: `pair.max_lift`.
@@ -156,6 +171,11 @@ impl Figure {
             Self::StopImpacts => "stop.impacts.count",
             Self::StopMaxImpulse => "stop.impacts.max_impulse",
             Self::StopImpactLoss => "stop.impacts.loss",
+            Self::CreepSpeed => "creep.speed",
+            Self::CreepForce => "creep.force",
+            Self::CreepLimit => "creep.limit",
+            Self::CreepFrom => "creep.from",
+            Self::CreepUntil => "creep.until",
         }
     }
 }
@@ -194,6 +214,11 @@ impl ObjectFigures {
             Figure::StopImpacts => stop?.impacts?.count as f64,
             Figure::StopMaxImpulse => stop?.impacts?.max_impulse,
             Figure::StopImpactLoss => stop?.impacts?.loss,
+            Figure::CreepSpeed => self.creep?.speed,
+            Figure::CreepForce => self.creep?.force,
+            Figure::CreepLimit => self.creep?.limit,
+            Figure::CreepFrom => self.creep?.from,
+            Figure::CreepUntil => self.creep?.until,
             of_pair => return self.pair.as_ref()?.value(of_pair),
         })
     }
@@ -226,7 +251,7 @@ impl PairFigures {
 mod tests {
     use super::Figure;
     use crate::dynamics::record::{
-        Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
+        CreepFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
         PressingFigures, RunSummary, StopFigures,
     };
     use std::collections::{BTreeMap, BTreeSet};
@@ -284,6 +309,13 @@ mod tests {
                     loss: 32.0,
                 }),
                 switch_times: Vec::new(),
+            }),
+            creep: Some(CreepFigures {
+                speed: 35.0,
+                force: 36.0,
+                limit: 37.0,
+                from: 38.0,
+                until: 39.0,
             }),
         }
     }

@@ -85,6 +85,26 @@ pub struct ObjectFigures {
     /// The contact of a stop, which is an object part of its own, `valve.seat`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub stop: Option<StopFigures>,
+    /// The longest creep under a regularised friction below its limit; absent where there
+    /// is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub creep: Option<CreepFigures>,
+}
+
+/// A motion that hangs on a regularised friction below its limit: on dry friction the object
+/// would rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct CreepFigures {
+    /// φ̇ at its end.
+    pub speed: f64,
+    /// Force that the friction bears there, ≥ 0.
+    pub force: f64,
+    /// Force that it can bear, > 0.
+    pub limit: f64,
+    /// From here (s).
+    pub from: f64,
+    /// Up to here (s).
+    pub until: f64,
 }
 
 /// The greatest magnitude between two extremes; not a number where one of them is none.

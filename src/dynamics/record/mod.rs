@@ -36,8 +36,8 @@ pub use failure::Failure;
 pub use figure::Figure;
 pub(crate) use figured::Figured;
 pub use figures::{
-    EquationFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
-    PressingFigures, RunSummary, StopFigures, StudyFigure, Units, greatest_magnitude,
+    CreepFigures, EquationFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures,
+    PairFigures, PressingFigures, RunSummary, StopFigures, StudyFigure, Units, greatest_magnitude,
 };
 pub(crate) use log::{Course, Log, Stretch};
 pub use quantity::Quantity;

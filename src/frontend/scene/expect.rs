@@ -56,6 +56,11 @@ const OBJECT_FIGURES: &[Figure] = &[
     ("friction_loss", |_| q::MOMENT.into()),
     ("standstills", |_| q::NUMBER.into()),
     ("time_at_rest", |_| q::TIME.into()),
+    ("creep.speed", Measures::speed),
+    ("creep.force", Measures::force),
+    ("creep.limit", Measures::force),
+    ("creep.from", |_| q::TIME.into()),
+    ("creep.until", |_| q::TIME.into()),
 ];
 
 /// Figures of a stop, beside those of the mass that it stops.

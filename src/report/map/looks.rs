@@ -34,7 +34,7 @@ pub(super) fn hatching(verdict: Verdict) -> &'static str {
         Verdict::InWorkingOrder => "",
         Verdict::LiftOffDiesAway => "dam-dies",
         Verdict::LiftOff => "dam-lifts",
-        Verdict::LiftOffNotJudged => "dam-unjudged",
+        Verdict::LiftOffNotJudged | Verdict::CreepNotJudged => "dam-unjudged",
         Verdict::ThrownOff => "dam-thrown",
         Verdict::Resonance => "dam-resonance",
         Verdict::Stopped => "dam-stopped",

@@ -36,6 +36,11 @@ pub(super) fn meaning(verdict: Verdict) -> String {
              the drive or more."
                 .to_owned()
         }
+        Verdict::CreepNotJudged => {
+            "No pair opens, and an object creeps under regularised friction. Dry friction would \
+             hold it: a smaller width makes the creep slower."
+                .to_owned()
+        }
         Verdict::ThrownOff => format!(
             "A pair opens and the object leaves its law by more than {THROWN_OFF} times the \
              amplitude of the law."

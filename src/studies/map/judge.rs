@@ -6,6 +6,7 @@ use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::{Model, Start};
 use crate::dynamics::record::{ObjectFigures, PairFigures};
 use crate::dynamics::system::{Regime, System};
+use crate::studies::document::units;
 use crate::units::shown;
 use std::f64::consts::TAU;
 
@@ -48,6 +49,9 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
     if let Some(cause) = (0..objects).find_map(|object| resonates(evidence, object)) {
         return (Verdict::Resonance, cause);
     }
+    if let Some(cause) = (0..objects).find_map(|object| creeps(evidence, object)) {
+        return (Verdict::CreepNotJudged, cause);
+    }
     let cause = match evidence.rigid.margin {
         Some(margin) => format!(
             "no pair opens; rigid, the least contact force is {margin}",
@@ -56,6 +60,21 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
         None => "no pair opens".to_owned(),
     };
     (Verdict::InWorkingOrder, cause)
+}
+
+/// Where regularised friction lets an object creep.
+fn creeps(evidence: &Evidence<'_>, object: usize) -> Option<String> {
+    let creep = evidence.figures[object].creep?;
+    let part = &evidence.system.model().objects[object];
+    let units = units(part.coordinate);
+    Some(format!(
+        "{} creeps at {} {}/s under {} {} of friction; it would rest",
+        part.id,
+        shown(creep.speed, 4),
+        units.displacement,
+        shown(creep.force, 4),
+        units.force
+    ))
 }
 
 fn severity(verdict: Verdict) -> u8 {

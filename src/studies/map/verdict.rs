@@ -43,6 +43,9 @@ pub enum Verdict {
     /// Some pair opens, and the run has no window of steady figures in which to
     /// see whether it goes on.
     LiftOffNotJudged,
+    /// No pair opens, and an object creeps under regularised friction where dry friction
+    /// would hold it.
+    CreepNotJudged,
     /// Some pair opens and the object leaves its law by more than
     /// [`THROWN_OFF`] times the amplitude of the law.
     ThrownOff,
@@ -74,11 +77,12 @@ pub enum Family {
 
 impl Verdict {
     /// All verdicts, in the order of legends.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::InWorkingOrder,
         Self::LiftOffDiesAway,
         Self::LiftOff,
         Self::LiftOffNotJudged,
+        Self::CreepNotJudged,
         Self::ThrownOff,
         Self::Resonance,
         Self::Stopped,
@@ -93,6 +97,7 @@ impl Verdict {
             Self::LiftOffDiesAway => "lift_off_dies_away",
             Self::LiftOff => "lift_off",
             Self::LiftOffNotJudged => "lift_off_not_judged",
+            Self::CreepNotJudged => "creep_not_judged",
             Self::ThrownOff => "thrown_off",
             Self::Resonance => "resonance",
             Self::Stopped => "stopped",
@@ -113,6 +118,7 @@ impl Verdict {
             Self::LiftOffDiesAway => "lift-off that dies away",
             Self::LiftOff => "lift-off again and again",
             Self::LiftOffNotJudged => "lift-off, run too short to judge",
+            Self::CreepNotJudged => "creep, not judged",
             Self::ThrownOff => "thrown off",
             Self::Resonance => "resonance",
             Self::Stopped => "dead position",

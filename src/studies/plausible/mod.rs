@@ -1,6 +1,7 @@
 //! What a scene says that is likely not meant: right in form, without effect or
 //! without sense. Every finding is a warning in words, none is a fault.
 
+mod creep;
 mod loads;
 mod sizes;
 mod way;
@@ -8,6 +9,7 @@ mod way;
 use crate::dynamics::model::{Coordinate, Model, NodeMotion, ObjectPart};
 use crate::dynamics::record::{Quantity, Record};
 use crate::units::shown;
+pub(super) use creep::creep;
 use way::{Rotors, Stretch, ways};
 
 /// What is likely not meant in a model that is to run for `duration` seconds, as
@@ -45,9 +47,9 @@ pub fn warnings_after(model: &Model, record: &Record) -> Vec<String> {
     loads::never_entered_on_the_way(model, &travel)
 }
 
-/// True when [`warnings_after`] looks at the samples of a run: what a motor moves.
+/// True when [`warnings_after`] or the search for creep looks at the samples of a run.
 pub fn looks_at_samples(model: &Model) -> bool {
-    behind_motors(model).contains(&true)
+    behind_motors(model).contains(&true) || creep::may_creep(model)
 }
 
 /// For every node whether a motor moves it.
