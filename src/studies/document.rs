@@ -1,13 +1,14 @@
 //! The document of figures that a run gives, and what there is to say of it.
 
 use super::choice::Choice;
+use super::plausible::may_creep;
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::dynamics::integrate::{Outcome, Stop};
 use crate::dynamics::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart};
 use crate::dynamics::record::{
-    EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
-    PressingFigures, Recorded, RunSummary, StopFigures, Units,
+    CreepFigures, EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures,
+    ObjectFigures, PairFigures, PressingFigures, Recorded, RunSummary, StopFigures, Units,
 };
 use crate::units::shown;
 
@@ -234,6 +235,7 @@ pub(super) fn blank(model: &Model) -> Figures {
                 ..PairFigures::default()
             }),
             pressing: part.pressing.as_ref().map(|_| PressingFigures::default()),
+            creep: may_creep(model, index).then(CreepFigures::default),
             joints: rubs(model, part).then(JointFigures::default),
             ..ObjectFigures::default()
         })

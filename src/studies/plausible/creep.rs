@@ -31,9 +31,9 @@ const PASSING: f64 = 10.0;
 /// Two objects that slip by less than this share of their common speed are held together.
 const HELD: f64 = 0.01;
 
-/// True when a run of the model may creep: then its samples are looked at.
-pub(super) fn may_creep(model: &Model) -> bool {
-    (0..model.objects.len()).any(|object| !frictions(model, object).is_empty())
+/// True when an object may creep: then the samples of a run are looked at.
+pub(in crate::studies) fn may_creep(model: &Model, object: usize) -> bool {
+    !frictions(model, object).is_empty()
 }
 
 /// The longest creep of an object; `None`: it has none.

@@ -9,7 +9,7 @@ mod way;
 use crate::dynamics::model::{Coordinate, Model, NodeMotion, ObjectPart};
 use crate::dynamics::record::{Quantity, Record};
 use crate::units::shown;
-pub(super) use creep::creep;
+pub(super) use creep::{creep, may_creep};
 use way::{Rotors, Stretch, ways};
 
 /// What is likely not meant in a model that is to run for `duration` seconds, as
@@ -49,7 +49,8 @@ pub fn warnings_after(model: &Model, record: &Record) -> Vec<String> {
 
 /// True when [`warnings_after`] or the search for creep looks at the samples of a run.
 pub fn looks_at_samples(model: &Model) -> bool {
-    behind_motors(model).contains(&true) || creep::may_creep(model)
+    let mut objects = 0..model.objects.len();
+    behind_motors(model).contains(&true) || objects.any(|object| may_creep(model, object))
 }
 
 /// For every node whether a motor moves it.
