@@ -7,6 +7,7 @@ use crate::dynamics::model::{Model, NodeMotion};
 use crate::frontend::object::law::stroke_law;
 use crate::kinematics::motion::law::LawSpec;
 use crate::kinematics::motion::{DriveMotion, Law, LawName};
+use crate::studies::judgement::Judgement;
 use crate::studies::law::{ComparedLaw, Figure, LawResponse, lift_off, response};
 use crate::studies::run::RunResult;
 use crate::studies::{Control, RunSettings};
@@ -201,7 +202,7 @@ impl<P, R> Trial<'_, P, R> {
                     .get(&ready.model().objects[object].id);
                 let pair = figures.and_then(|figures| figures.pair.as_ref());
                 // A run that gave up (chatter, too many switches) is no working order.
-                Ok(!pair.and_then(|pair| pair.in_working_order).unwrap_or(false))
+                Ok(pair.map(Judgement::of_pair) != Some(Judgement::InWorkingOrder))
             });
             found.lift_off = Some(edge?);
         }

@@ -3,8 +3,10 @@
 use super::console;
 use super::failure::Failure;
 use super::output::{self, OutputFolder, ResultFile};
+use super::status::Status;
 use crate::report::findings::Findings;
 use crate::report::plot::Plot;
+use crate::studies::check::Check;
 use serde::Serialize;
 use serde_json::Value;
 
@@ -115,6 +117,14 @@ impl Answer<'_> {
             folder.tell_report();
         }
         Ok(())
+    }
+
+    /// The status by the checks that the findings show.
+    pub(crate) fn status(&self) -> Status {
+        match self.findings.checks().all(Check::passed) {
+            true => Status::Answered,
+            false => Status::NotTrusted,
+        }
     }
 
     /// Names of the files.

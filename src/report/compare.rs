@@ -1,14 +1,16 @@
 //! Several runs of one scene over each other: figures side by side, curves in one frame.
 
+use crate::dynamics::record::Figures;
 use crate::dynamics::record::Quantity;
 use crate::report::diagram::Diagram;
+use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
 use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
-use crate::report::verdict::{Sort, Verdict, verdict};
+use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
 use crate::studies::judgement::{Judgement, checks};
 use crate::units::shown;
@@ -115,9 +117,8 @@ fn label(comparison: &Comparison, run: &ComparedRun) -> String {
 
 /// How far the greatest deviation depends on what is compared, and whether a run is in doubt.
 fn answer(runs: &[ComparedRun]) -> Verdict {
-    let judged: Vec<Verdict> = runs
-        .iter()
-        .map(|run| verdict(&run.result.figures))
+    let judged: Vec<Judgement> = (runs.iter())
+        .map(|run| Judgement::of(&run.result.figures))
         .collect();
     let deviation = |run: &ComparedRun| {
         let all = run.result.figures.objects.iter();
@@ -138,63 +139,59 @@ fn answer(runs: &[ComparedRun]) -> Verdict {
         }
         _ => Sentence::from("No object deviates from its law."),
     };
-    let bad = |sort: Sort| judged.iter().filter(|one| one.sort == sort).count();
-    let (numerical, mechanism, unfinished) = (
-        bad(Sort::Numerical),
-        bad(Sort::Mechanism),
-        bad(Sort::Unfinished),
-    );
-    let (sort, text) = match (numerical, unfinished, mechanism) {
-        (0, 0, 0) => (
-            Sort::Good,
-            format!("All {} runs are in working order.", runs.len()),
-        ),
-        (0, 0, count) => (
-            Sort::Mechanism,
-            format!("{count} of {} runs are not in working order.", runs.len()),
-        ),
-        (0, count, _) => (
-            Sort::Unfinished,
-            format!(
-                "{count} of {} runs did not finish or are not judged.",
-                runs.len()
-            ),
-        ),
-        (count, ..) => (
-            Sort::Numerical,
-            format!(
-                "{count} of {} runs failed their own check and are not to be trusted.",
-                runs.len()
-            ),
-        ),
-    };
+    // The worst speaks for all.
+    let worst = [
+        Judgement::NotToBeTrusted,
+        Judgement::NotInWorkingOrder,
+        Judgement::NotJudged,
+        Judgement::InWorkingOrder,
+    ];
+    let count = |one: &Judgement| judged.iter().filter(|found| *found == one).count();
+    let all = runs.len();
+    let said = worst.iter().filter(|one| count(one) > 0);
+    let said = said.map(|one| match (count(one), one.words().to_lowercase()) {
+        (count, words) if count == all => format!("all {all} runs {words}"),
+        (count, words) => format!("{count} of {all} runs {words}"),
+    });
+    let text = said.collect::<Vec<_>>().join("; ");
+    let text = format!("{}.", capitalised(&text));
+    let first = worst.into_iter().find(|one| count(one) > 0);
+    let sort = first.map_or(Sort::Unfinished, Sort::from);
     Verdict::answer(sort, headline, text)
+}
+
+/// The first check that a run failed, or that it passed them all.
+fn checked(figures: &Figures) -> Cell {
+    let checks = checks(figures);
+    match checks.iter().find(|check| !check.passed()) {
+        Some(failed) => Cell {
+            good: Some(false),
+            ..format!("{}: {}", failed.name, judged(failed)).into()
+        },
+        None => format!("{} within their bounds", checks.len()).into(),
+    }
 }
 
 /// One row a run: verdict, method, effort.
 fn verdicts(comparison: &Comparison) -> Table {
     let row = |run: &ComparedRun| {
-        let judged = verdict(&run.result.figures);
-        let kind = match judged.sort {
-            Sort::Numerical => " (computation)",
-            _ => "",
-        };
+        let judgement = Judgement::of(&run.result.figures);
         let summary = &run.result.figures.run;
         vec![
             label(comparison, run).into(),
             Cell {
-                good: Some(judged.sort == Sort::Good),
-                ..format!("{}{kind}", judged.headline).into()
+                good: Some(judgement == Judgement::InWorkingOrder),
+                ..judgement.words().into()
             },
             summary.method.as_str().into(),
             summary.steps.to_string().into(),
             summary.evaluations.to_string().into(),
             summary.switches.to_string().into(),
-            Value::new(summary.energy_error, "", 2).into(),
+            checked(&run.result.figures),
         ]
     };
     let heads = ["run", "verdict", "method", ">steps", ">evaluations"];
-    let heads = heads.into_iter().chain([">switches", ">energy error"]);
+    let heads = heads.into_iter().chain([">switches", "checks"]);
     Table::new(heads).rows(comparison.runs.iter().map(row))
 }
 

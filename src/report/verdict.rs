@@ -32,6 +32,17 @@ pub struct Verdict {
     pub text: Sentence,
 }
 
+impl From<Judgement> for Sort {
+    fn from(judgement: Judgement) -> Self {
+        match judgement {
+            Judgement::InWorkingOrder => Self::Good,
+            Judgement::NotInWorkingOrder => Self::Mechanism,
+            Judgement::NotJudged => Self::Unfinished,
+            Judgement::NotToBeTrusted => Self::Numerical,
+        }
+    }
+}
+
 impl Verdict {
     /// An answer in a sentence: what it comes to, and what is to be added.
     pub(in crate::report) fn answer(
@@ -52,23 +63,15 @@ pub fn verdict(figures: &Figures) -> Verdict {
     let judgement = Judgement::of(figures);
     let ending = ending(figures);
     let failed_check = judgement == Judgement::NotToBeTrusted && ending != Ending::OfComputation;
-    if ending != Ending::Complete && !failed_check {
-        return stopped(figures, ending);
-    }
-    let sort = match judgement {
-        Judgement::InWorkingOrder => Sort::Good,
-        Judgement::NotInWorkingOrder => Sort::Mechanism,
-        Judgement::NotJudged => Sort::Unfinished,
-        Judgement::NotToBeTrusted => Sort::Numerical,
-    };
     let text = match judgement {
+        _ if ending != Ending::Complete && !failed_check => stopped(figures, ending),
         Judgement::NotToBeTrusted => failed(figures),
         Judgement::InWorkingOrder | Judgement::NotInWorkingOrder | Judgement::NotJudged => {
             pairs(figures, judgement)
         }
     };
     Verdict {
-        sort,
+        sort: judgement.into(),
         headline: judgement.words().into(),
         text,
     }
@@ -99,22 +102,17 @@ fn failed(figures: &Figures) -> Sentence {
 }
 
 /// A run that did not reach its end.
-fn stopped(figures: &Figures, ending: Ending) -> Verdict {
+fn stopped(figures: &Figures, ending: Ending) -> Sentence {
     let reason = figures.run.stopped_because.as_deref().unwrap_or("");
-    let ended = Sentence::from("The run ended at t = ").quantity(figures.run.time, "s", 6);
-    let text = match reason.trim_end() {
+    let what = match ending {
+        Ending::FromOutside | Ending::Complete => "The run is not finished: it ended",
+        Ending::OfComputation => "The computation stopped",
+        Ending::OfMechanism => "The mechanism stops",
+    };
+    let ended = Sentence::from(format!("{what} at t = ")).quantity(figures.run.time, "s", 6);
+    match reason.trim_end() {
         "" => ended.words("."),
         reason => ended.words(". ").sentence(Sentence::read(reason)),
-    };
-    let (sort, headline) = match ending {
-        Ending::FromOutside | Ending::Complete => (Sort::Unfinished, "Not finished"),
-        Ending::OfComputation => (Sort::Numerical, "The computation stopped"),
-        Ending::OfMechanism => (Sort::Mechanism, "The mechanism stops"),
-    };
-    Verdict {
-        sort,
-        headline: headline.into(),
-        text,
     }
 }
 

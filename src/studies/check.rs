@@ -33,6 +33,17 @@ impl Check {
     }
 }
 
+/// The greatest of some errors; one that is not a number is greater than all.
+pub fn worst(errors: impl Iterator<Item = f64>) -> f64 {
+    errors.fold(0.0, |worst, error| {
+        if error > worst || error.is_nan() {
+            error
+        } else {
+            worst
+        }
+    })
+}
+
 impl Serialize for Check {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut fields = serializer.serialize_struct("Check", 4)?;
@@ -46,7 +57,7 @@ impl Serialize for Check {
 
 #[cfg(test)]
 mod tests {
-    use super::Check;
+    use super::{Check, worst};
 
     #[test]
     fn a_value_beyond_its_bound_or_none_at_all_fails() {
@@ -61,6 +72,8 @@ mod tests {
             check.passed()
         };
         assert!(passed(0.0) && passed(1e-6) && passed(-1e-6));
+        assert!(worst([1.0, f64::NAN, 2.0].into_iter()).is_nan());
+        assert_eq!(worst([1.0, 3.0, 2.0].into_iter()), 3.0);
         assert!(!passed(2e-6) && !passed(-2e-6) && !passed(f64::NAN) && !passed(f64::INFINITY));
     }
 }

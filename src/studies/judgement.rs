@@ -66,8 +66,22 @@ impl Judgement {
             }
             Ending::OfMechanism => Self::NotInWorkingOrder,
             Ending::FromOutside => Self::NotJudged,
-            Ending::Complete => pairs(figures),
+            Ending::Complete => Self::of_objects(figures.objects.values()),
         }
+    }
+
+    /// The verdict on the objects of a complete run that passed its checks.
+    pub fn of_objects<'o>(objects: impl Iterator<Item = &'o ObjectFigures>) -> Self {
+        let of_object = |object: &ObjectFigures| {
+            let pair = object.pair.as_ref().map(Self::of_pair);
+            let creep = object.creep.as_ref().map(|_| Self::NotJudged);
+            [pair, creep]
+        };
+        let found: Vec<Self> = objects.flat_map(of_object).flatten().collect();
+        [Self::NotInWorkingOrder, Self::NotJudged]
+            .into_iter()
+            .find(|one| found.contains(one))
+            .unwrap_or(Self::InWorkingOrder)
     }
 
     /// The verdict on a pair by itself.
@@ -135,17 +149,6 @@ pub fn checks(figures: &Figures) -> Vec<Check> {
             bound: run.equations.bound,
         },
     ]
-}
-
-fn pairs(figures: &Figures) -> Judgement {
-    let pairs = figures.objects.values().filter_map(|one| one.pair.as_ref());
-    let mut found: Vec<Judgement> = pairs.map(Judgement::of_pair).collect();
-    let creeping = figures.objects.values().filter(|one| one.creep.is_some());
-    found.extend(creeping.map(|_| Judgement::NotJudged));
-    [Judgement::NotInWorkingOrder, Judgement::NotJudged]
-        .into_iter()
-        .find(|one| found.contains(one))
-        .unwrap_or(Judgement::InWorkingOrder)
 }
 
 fn is_finite(object: &ObjectFigures) -> bool {

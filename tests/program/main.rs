@@ -2,6 +2,7 @@
 
 mod bad_numbers;
 mod browser;
+mod checks;
 mod command_line;
 mod diagnostics;
 mod documents;

@@ -22,6 +22,7 @@ use crate::report::plot::Plot;
 use crate::report::steady::{
     Shown, periodic_findings, periodic_rows, rigid_findings, rigid_rows, wittenbauer,
 };
+use crate::studies::check::Check;
 use crate::studies::expectations::Verdict;
 use crate::studies::steady::{Answer, ROWS, check, steady_motion_within};
 use crate::units::{Quantity, quantities as q};
@@ -71,7 +72,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
         .map_err(|faults| Failure::from(ready.reading.places.diagnose(&faults)))?;
     let verdicts = verdicts(args, &ready, &answer);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
-    let document = document(&ready, &answer, &verdicts)?;
+    let document = document(&ready, &answer, (&answer.checks(), &verdicts))?;
     let source = Source::scene(input.text(), hash);
     let found = match &answer {
         Answer::Rigid(answer) => {
@@ -94,16 +95,12 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
             diagram: None,
         },
     };
-    tell((args, asker), found, folder.as_ref())?;
+    let status = tell((args, asker), found, folder.as_ref())?;
     if !args.quiet {
         expected::talk(&verdicts);
     }
-    let trusted = match &answer {
-        Answer::Rigid(answer) => answer.is_trusted(),
-        Answer::Periodic(answer) => answer.is_trusted(),
-    };
-    match trusted && expected::hold(&verdicts) {
-        true => Ok(Status::Answered),
+    match expected::hold(&verdicts) {
+        true => Ok(status),
         false => Ok(Status::NotTrusted),
     }
 }
@@ -163,7 +160,11 @@ fn verdicts(args: &SteadyArgs, ready: &Ready, answer: &Answer) -> Vec<Verdict> {
 }
 
 /// The JSON document of a scene's steady motion.
-fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Value, Failure> {
+fn document(
+    ready: &Ready,
+    answer: &Answer,
+    (checks, verdicts): (&[Check], &[Verdict]),
+) -> Result<Value, Failure> {
     #[derive(Serialize)]
     struct Document<'a> {
         dam: u32,
@@ -171,6 +172,9 @@ fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Valu
         hash: &'a str,
         #[serde(flatten)]
         answer: &'a Answer,
+        checks: &'a [Check],
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        warnings: Vec<String>,
         #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
         expect: &'a [Verdict],
         #[serde(skip_serializing_if = "Option::is_none")]
@@ -181,18 +185,20 @@ fn document(ready: &Ready, answer: &Answer, verdicts: &[Verdict]) -> Result<Valu
         scene: &ready.scene().name,
         hash: &ready.scene().hash,
         answer,
+        warnings: checks.iter().filter_map(Check::failure).collect(),
+        checks,
         expect: verdicts,
         diagnostics: doubts(ready),
     };
     Ok(serde_json::to_value(document).map_err(|error| error.to_string())?)
 }
 
-/// Prints the answer and writes its files.
+/// Prints the answer and writes its files: the status by its checks.
 fn tell(
     (args, asker): (&SteadyArgs, &dyn Asker),
     found: Found<'_>,
     folder: Option<&OutputFolder>,
-) -> Result<(), Failure> {
+) -> Result<Status, Failure> {
     let shown = match (args.form, &found.diagram) {
         (SteadyForm::Text, _) => Shape::Text,
         (SteadyForm::Csv, _) => Shape::File(FILES[1]),
@@ -213,7 +219,8 @@ fn tell(
         ],
         quiet: args.quiet,
     };
-    asker.deliver(&answer, folder, Shape::json_or(args.json, shown))
+    asker.deliver(&answer, folder, Shape::json_or(args.json, shown))?;
+    Ok(answer.status())
 }
 
 /// The source of a machine that is no scene.
@@ -225,6 +232,6 @@ fn machine_source<'a>(title: &str) -> Source<'a> {
 }
 
 /// The JSON document of a machine that is no scene.
-fn machine_document(title: &str, answer: &impl Serialize) -> Value {
-    json!({ "dam": 1, "machine": title, "rigid": answer })
+fn machine_document(title: &str, answer: &impl Serialize, checks: &[Check]) -> Value {
+    json!({ "dam": 1, "machine": title, "rigid": answer, "checks": checks })
 }

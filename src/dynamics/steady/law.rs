@@ -125,6 +125,8 @@ pub struct SteadyFigures {
     pub first_bracket: [f64; 2],
     /// |mean − ω_av|/ω_av reached.
     pub miss: f64,
+    /// Greatest miss that was asked for.
+    pub tolerance: f64,
     /// True when the miss is within what was asked.
     pub met: bool,
     /// Estimated relative error of the period (by quadrature, or by leaving

@@ -209,6 +209,7 @@ impl SteadyMotion {
             bracket: [0.0; 2],
             first_bracket: [0.0; 2],
             miss: 0.0,
+            tolerance: question.tolerance,
             met: true,
             period_error: Some(period.error / period.value),
             energy_ratio: level / (level + range),

@@ -115,6 +115,7 @@ impl TableMotion {
             bracket: level.bracket,
             first_bracket: level.first,
             miss: level.miss,
+            tolerance: question.tolerance,
             met: level.miss <= question.tolerance,
             period_error: None,
             energy_ratio: ratio,

@@ -13,6 +13,7 @@ pub(in crate::report) use text::width;
 
 use super::plot::{Plot, Plots};
 use super::verdict::Verdict;
+use crate::studies::check::Check;
 use std::fmt;
 
 /// All that a study has to say.
@@ -33,6 +34,24 @@ pub struct Findings<'a> {
 }
 
 impl Findings<'_> {
+    /// The checks that the figures show, with their bounds.
+    pub fn checks(&self) -> impl Iterator<Item = &Check> {
+        let items = self.sections.iter().flat_map(|section| &section.items);
+        items
+            .filter_map(|item| match item {
+                Item::Figures(figures) => Some(figures),
+                Item::Words(_)
+                | Item::Legend(_)
+                | Item::Notes(_)
+                | Item::Table(_)
+                | Item::Folded(..)
+                | Item::Charts(_)
+                | Item::Drawing(_) => None,
+            })
+            .flatten()
+            .filter_map(|figure| figure.check.as_ref())
+    }
+
     /// The first chart.
     pub fn first_chart(&self) -> Option<&Plot> {
         let mut items = self.sections.iter().flat_map(|section| &section.items);

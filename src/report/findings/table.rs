@@ -1,6 +1,7 @@
 //! Values, figures and tables of findings.
 
-use crate::report::quantity::{scale, with_unit};
+use crate::report::quantity::{scale, significant, with_unit};
+use crate::studies::check::Check;
 use crate::units::shown;
 
 /// A number in its unit, or words.
@@ -95,15 +96,32 @@ pub struct Figure {
     pub value: Value,
     /// Addition; may be empty.
     pub note: String,
+    /// Check that the figure shows, if it is one.
+    pub check: Option<Check>,
 }
 
 impl Figure {
+    /// A check with its bound.
+    pub fn check(check: &Check) -> Self {
+        Self::new(check.name, judged(check)).checked(check)
+    }
+
+    /// The figure as the one that shows a check.
+    #[must_use]
+    pub fn checked(self, check: &Check) -> Self {
+        Self {
+            check: Some(check.clone()),
+            ..self
+        }
+    }
+
     /// A figure without an addition.
     pub fn new(name: &str, value: impl Into<Value>) -> Self {
         Self {
             name: name.to_owned(),
             value: value.into(),
             note: String::new(),
+            check: None,
         }
     }
 
@@ -120,6 +138,16 @@ impl Figure {
             ..self
         }
     }
+}
+
+/// How far a check is off, and whether that is within its bound.
+pub(in crate::report) fn judged(check: &Check) -> String {
+    let judged = match check.passed() {
+        true => "within",
+        false => "BEYOND",
+    };
+    let [value, bound] = [check.value, check.bound].map(|number| significant(number, 2));
+    format!("{value}, {judged} its bound of {bound}")
 }
 
 /// A table with a head.

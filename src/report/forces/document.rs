@@ -41,14 +41,9 @@ pub fn document(report: &ForcesReport<'_>) -> Value {
             .as_ref()
             .map_or(Value::Null, |c| counterweight(c, study)),
     );
-    object.insert(
-        "checks".into(),
-        json!({
-            "power_balance": study.worst_balance(),
-            "influence_coefficients": study.worst_influence(),
-            "unique": study.solved().all(|(_, forces)| forces.solved.unique),
-        }),
-    );
+    object.insert("checks".into(), json!(study.checks()));
+    let unique = study.solved().all(|(_, forces)| forces.solved.unique);
+    object.insert("unique".into(), json!(unique));
     object.insert("warnings".into(), json!(report.warnings));
     object.insert("columns".into(), values(study));
     if let Some(found) = massless {

@@ -5,7 +5,8 @@ use super::charts::{groups, ratio_chart};
 use super::{ForcesReport, WIDE, drawing, value};
 use crate::kinematics::linkage::spec::{CouplingKind, LinkageSpec, PairSpec};
 use crate::report::csv::{Field, Rows};
-use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
+use crate::report::findings::table::judged;
+use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table};
 use crate::report::plot::{Plot, page::hodograph};
 use crate::report::quantity::{DIGITS, counted, significant};
 use crate::report::sentence::Sentence;
@@ -98,13 +99,19 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
         true => Sentence::from("No position has forces."),
     };
     let missing = study.missing();
-    let balance = study.worst_balance();
-    let mut text = format!("The balance of power closes to {}", significant(balance, 2));
+    let checks = study.checks();
+    let closes = checks.first().map_or(String::new(), judged);
+    let mut text = format!("The balance of power closes to {closes}");
     if missing > 0 {
         let of = study.rows.len();
         let _ = write!(text, "; {missing} of {of} positions have no forces");
     }
-    let sort = match (missing, balance < 1e-6) {
+    let failed = checks.iter().find(|check| !check.passed());
+    let headline = match &failed {
+        Some(_) => Sentence::from("Not to be trusted. ").sentence(headline),
+        None => headline,
+    };
+    let sort = match (missing, failed.is_none()) {
         (_, false) => Sort::Numerical,
         (0, _) => Sort::Good,
         _ => Sort::Mechanism,
@@ -219,16 +226,7 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
         );
         figures.push(Figure::new("… counterweighted", value(after, "N")).with(note));
     }
-    let mut check = |name: &str, to: f64| {
-        figures.push(Figure::new(
-            name,
-            format!("to {}", Value::new(to, "", 2).words()),
-        ));
-    };
-    check("power balance", study.worst_balance());
-    if study.several.is_none() {
-        check("influence coefficients", study.worst_influence());
-    }
+    figures.extend(study.checks().iter().map(Figure::check));
     figures
 }
 

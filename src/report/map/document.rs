@@ -22,6 +22,7 @@ pub fn document(study: &Study<'_>, result: &MapResult) -> Value {
                 "summary": summary,
                 "values": of(cells, &|cell| json!(cell.value)),
                 "verdicts": of(cells, &|cell| json!(cell.verdict)),
+                "judgements": of(cells, &|cell| json!(cell.verdict.judgement())),
                 "causes": of(cells, &|cell| json!(cell.cause)),
                 "determined": of(cells, &|cell| json!(cell.determined)),
                 "moved": of(cells, &|cell| json!(cell.moved)),

@@ -9,6 +9,7 @@ use crate::report::quantity::{significant, with_unit};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict as Answer};
 use crate::studies::axis::Axis;
+use crate::studies::judgement::Judgement;
 use crate::studies::map::{Cell, Extreme, MapResult, PanelSummary, Study, Verdict, summary};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -67,7 +68,11 @@ fn over(axis: &Axis) -> String {
 /// Between what the figure lies, how many cells are in order, and what is doubtful.
 fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Answer {
     let all: Vec<&Cell> = result.panels.iter().flatten().flatten().collect();
-    let count = |verdict: Verdict| all.iter().filter(|cell| cell.verdict == verdict).count();
+    let count = |judgement: Judgement| {
+        let cells = all.iter();
+        let same = cells.filter(|cell| cell.verdict.judgement() == Some(judgement));
+        same.count()
+    };
     let least = panels.iter().filter_map(|panel| panel.least.as_ref());
     let least = least.min_by(|a, b| a.value.total_cmp(&b.value));
     let greatest = panels.iter().filter_map(|panel| panel.greatest.as_ref());
@@ -81,14 +86,20 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
         None => format!("{} has no value anywhere.", study.figure).into(),
     };
     let (good, failed) = (
-        count(Verdict::InWorkingOrder),
-        count(Verdict::NumericalFailure),
+        count(Judgement::InWorkingOrder),
+        count(Judgement::NotToBeTrusted),
     );
+    let unjudged = count(Judgement::NotJudged);
     let undetermined: usize = panels.iter().map(|panel| panel.undetermined).sum();
     let missing: usize = panels.iter().map(|panel| panel.missing).sum();
     let mut text = format!("{good} of {} cells are in working order", all.len());
     for (count, what) in [
-        (failed, "could not be computed"),
+        (
+            count(Judgement::NotInWorkingOrder),
+            "are not in working order",
+        ),
+        (unjudged, "are not judged"),
+        (failed, "are not to be trusted"),
         (undetermined, "are not known to the digits asked for"),
         (missing, "are missing: the map was interrupted"),
     ] {
@@ -96,10 +107,11 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
             let _ = write!(text, "; {count} {what}");
         }
     }
-    let sort = match (failed + undetermined, missing, good < all.len()) {
+    let sort = match (failed + undetermined, missing, good + unjudged < all.len()) {
         (1.., ..) => Sort::Numerical,
         (_, 1.., _) => Sort::Unfinished,
         (.., true) => Sort::Mechanism,
+        _ if unjudged > 0 => Sort::Unfinished,
         _ => Sort::Good,
     };
     Answer::answer(sort, headline, text + ".")

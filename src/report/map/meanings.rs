@@ -41,8 +41,13 @@ pub(super) fn meaning(verdict: Verdict) -> String {
              hold it: a smaller width makes the creep slower."
                 .to_owned()
         }
+        Verdict::NotJudged => {
+            "No pair opens, and the run has no window of steady figures: give it three turns of \
+             the drive or more."
+                .to_owned()
+        }
         Verdict::ThrownOff => format!(
-            "A pair opens and the object leaves its law by more than {THROWN_OFF} times the \
+            "A pair opens in the window of steady figures and the object leaves its law by more than {THROWN_OFF} times the \
              amplitude of the law."
         ),
         Verdict::Resonance => format!(

@@ -2,11 +2,12 @@
 
 use crate::dynamics::model::UNTIL;
 use crate::dynamics::record::{
-    EnergyAudit, EquationFigures, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
+    EquationFigures, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
 };
+use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Figure, Table, Value};
 use crate::report::quantity::{DIGITS, significant, units, with_unit};
-use crate::studies::judgement::Judgement;
+use crate::studies::judgement::{Judgement, checks};
 
 fn value(value: f64, unit: &str) -> Cell {
     Value::new(value, unit, DIGITS).into()
@@ -194,12 +195,6 @@ pub(super) fn switches(rows: &[SwitchRow], figures: &Figures) -> Table {
 /// How the run went.
 pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
     let run = &figures.run;
-    let bound = EnergyAudit::bound(run.tolerance);
-    let judged = if run.energy_error <= bound {
-        "within"
-    } else {
-        "BEYOND"
-    };
     let end = match (&run.stopped, run.complete) {
         (_, true) => "complete".to_owned(),
         (Some(name), false) => format!("INCOMPLETE, {}", name.replace('_', " ")),
@@ -231,15 +226,9 @@ pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
     rows.extend([
         words("method", format!("{}: {}", run.method, run.why)),
         words("tolerance", tolerance(run)),
-        words(
-            "energy error",
-            format!(
-                "{}, {judged} its bound of {}",
-                significant(run.energy_error, 2),
-                significant(bound, 2)
-            ),
-        ),
-        words("equations of motion", equations(&run.equations)),
+    ]);
+    rows.extend(checked(figures));
+    rows.extend([
         words(
             "steps",
             format!("{} accepted, {} rejected", run.steps, run.rejected),
@@ -248,6 +237,19 @@ pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
         words("switches of pairs", run.switches.to_string()),
     ]);
     rows
+}
+
+/// The checks of a run; that all figures are finite is shown where one is not.
+fn checked(figures: &Figures) -> impl Iterator<Item = Figure> {
+    let equations = equations(&figures.run.equations);
+    checks(figures).into_iter().filter_map(move |check| {
+        let figure = match check.name {
+            "energy balance" => Figure::new("energy error", judged(&check)).checked(&check),
+            "equations of motion" => Figure::new(check.name, equations.clone()).checked(&check),
+            _ => Figure::check(&check),
+        };
+        (!check.passed() || check.bound > 0.0).then_some(figure)
+    })
 }
 
 /// The tolerance, with why it is this one where the scene does not say it.

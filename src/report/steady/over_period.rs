@@ -20,7 +20,8 @@ pub(super) fn sections<'a>(answer: &PeriodicAnswer) -> Vec<Section<'a>> {
         let missing = answer.over_period_missing.as_deref();
         let words = |why| format!("Works, extremes and events are not known: {why}.");
         let section = |why| Section::new(heading).words(words(why));
-        return missing.map(section).into_iter().collect();
+        let sections = missing.map(section).into_iter();
+        return sections.chain([checks(answer)]).collect();
     };
     let mut sections = vec![
         Section::new(heading).figures(works(found)),
@@ -28,12 +29,18 @@ pub(super) fn sections<'a>(answer: &PeriodicAnswer) -> Vec<Section<'a>> {
         Section::new("Extremes over a period").table(extremes(&found.objects)),
     ];
     sections.push(events(&found.events));
+    sections.push(checks(answer));
     sections
+}
+
+fn checks<'a>(answer: &PeriodicAnswer) -> Section<'a> {
+    let checks = answer.checks();
+    Section::new("Checks").figures(checks.iter().map(Figure::check).collect())
 }
 
 fn works(found: &OverPeriod) -> Vec<Figure> {
     let work = |name: &str, value: f64| Figure::number(name, value, "J", DIGITS);
-    let mut figures = vec![
+    vec![
         Figure::number("period", found.period, "s", DIGITS),
         work("work of prescribed drives", found.works.drives),
         work("work of loads, motors among them", found.works.loads),
@@ -43,20 +50,7 @@ fn works(found: &OverPeriod) -> Vec<Figure> {
         ),
         work("lost in impacts", found.works.impacts),
         Figure::new("integrated by", found.method.name()),
-    ];
-    figures.extend(found.checks.iter().map(|check| {
-        let judged = match check.passed() {
-            true => "within",
-            false => "BEYOND",
-        };
-        let words = format!(
-            "{}, {judged} its bound of {}",
-            significant(check.value, 2),
-            significant(check.bound, 2)
-        );
-        Figure::new(check.name, words)
-    }));
-    figures
+    ]
 }
 
 fn drives(drives: &[DriveWork]) -> Table {

@@ -4,10 +4,11 @@ use super::over_period;
 use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
 use crate::dynamics::steady::Extreme;
 use crate::report::csv::{Field, Rows};
+use crate::report::findings::table::judged;
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
 use crate::report::quantity::significant;
-use crate::report::verdict::{Sort, Verdict};
+use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::check::Check;
 use crate::studies::steady::{
     DriveFigures, DriveRow, LongRun, PartMotion, PeriodicAnswer, Stability,
@@ -65,18 +66,13 @@ fn figures(part: &PartMotion, cycle: f64) -> Vec<Figure> {
             part.multipliers.len() - LISTED
         );
     }
-    let back = format!(
-        "{} of its size, {} periods followed",
-        significant(part.miss, 2),
-        part.iterations
-    );
     vec![
         value("period", part.period, "s").with(turns),
         Figure::new("stability", stability),
         Figure::new("Floquet multipliers", multipliers),
         Figure::new("derivative by", part.how.as_str()),
         Figure::new("errors (±) by", part.checked_by.as_str()),
-        Figure::new("comes back to", back),
+        Figure::new("periods followed", part.iterations.to_string()),
         Figure::new("long run", long_run(&part.long_run, cycle)),
     ]
 }
@@ -235,8 +231,11 @@ fn verdict(answer: &PeriodicAnswer) -> Verdict {
             "A periodic motion was found that no small disturbance leaves.",
         )
     };
-    let miss = parts.iter().map(|part| part.miss).fold(0.0, f64::max);
-    let text = format!("It comes back to {} of its size.", significant(miss, 2));
+    let checks = answer.checks();
+    let text = match checks.iter().find(|check| !check.passed()) {
+        Some(failed) => format!("{}: {}.", capitalised(failed.name), judged(failed)),
+        None => format!("{} checks are within their bounds.", checks.len()),
+    };
     Verdict::answer(sort, headline.to_owned(), text)
 }
 

@@ -8,7 +8,8 @@ use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, T
 use crate::report::quantity::significant;
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict};
-use crate::studies::steady::Agreement;
+use crate::studies::check::Check;
+use crate::studies::steady::rigid_checks;
 
 /// A quantity to all the digits that say something.
 pub(super) fn value(name: &str, value: f64, unit: &str) -> Figure {
@@ -38,7 +39,7 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
     let text = speed(Sentence::from("From "), f.least_speed.value, "").words(" to ");
     let text = speed(text, f.greatest_speed.value, " rad/s").words(" about a mean of ");
     let text = speed(text, f.mean_speed, " rad/s").words(".");
-    let checks = shown.agreement.map(Agreement::checks).unwrap_or_default();
+    let checks = rigid_checks(f, shown.agreement);
     let failed = checks.iter().any(|check| !check.passed());
     let begun = match failed {
         true => "Not to be trusted: the speed",
@@ -79,7 +80,7 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
             flywheel(estimates),
             Section::new("Motion over a cycle").charts(Layout::Grid, "cycle", charts(shown)),
             diagram,
-            Section::new("Agreement").figures(agreement(shown)),
+            Section::new("Agreement").figures(agreement(shown, &checks)),
         ],
         source,
     }
@@ -127,31 +128,18 @@ fn figures(shown: &Shown<'_>) -> Vec<Figure> {
 }
 
 /// How the ways agree.
-fn agreement(shown: &Shown<'_>) -> Vec<Figure> {
-    let mut figures = Vec::new();
+fn agreement(shown: &Shown<'_>, checks: &[Check]) -> Vec<Figure> {
+    let mut figures: Vec<Figure> = checks.iter().map(Figure::check).collect();
     let mut add = |name: &str, text: String| figures.push(Figure::new(name, text));
     let short = |value: f64| significant(value, 2);
     if let Some(found) = shown.agreement {
-        if let Some(check) = found.equation {
-            let (speed, period) = (short(check.speed), short(check.period));
-            let text = format!("ω(Φ) {speed} off, period {period} off");
-            add("equation of motion over a cycle", text);
-        }
-        if let Some(apart) = found.cycle_map {
-            let text = format!("ω(φ) {} apart", short(apart));
-            add("cycle map and energy-mass method", text);
-        }
         let name = "simulation of the scene in time";
         if let Some(run) = found.simulation {
             let from = match run.disturbed {
                 0.0 => "from the steady motion".to_owned(),
-                by => format!("from a speed {} % off", significant(100.0 * by, 3)),
+                by => format!("from a speed {} % away", significant(100.0 * by, 3)),
             };
-            let off = short(run.speed);
-            add(
-                name,
-                format!("{} cycles {from}: ω {off} off at the end", run.cycles),
-            );
+            add(name, format!("{} cycles {from}", run.cycles));
         }
         if let Some(why) = &found.simulation_missing {
             add(name, format!("none: {why}"));
@@ -164,16 +152,11 @@ fn agreement(shown: &Shown<'_>) -> Vec<Figure> {
             short(halving.least_speed),
             short(halving.greatest_speed)
         );
-        add("with every second sample left out", text);
-    }
-    if let Some(error) = shown.figures.period_error {
-        let text = format!("{} relative", short(error));
-        add("estimated error of the period", text);
+        add("change with every second sample left out", text);
     }
     let f = shown.figures;
     let [low, high] = f.bracket.map(|end| significant(end, 12));
-    let (count, miss) = (f.iterations, short(f.miss));
-    let text = format!("{count} evaluations, mean {miss} off, E₀ in [{low}, {high}] J");
+    let text = format!("{} evaluations, E₀ in [{low}, {high}] J", f.iterations);
     add("iteration", text);
     figures
 }

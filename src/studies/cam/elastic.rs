@@ -7,6 +7,7 @@ use crate::exact::Asked;
 use crate::fault::Fault;
 use crate::studies::demand::Demand;
 use crate::studies::document::stop_in_words;
+use crate::studies::judgement::Judgement;
 use crate::studies::run::motion;
 use crate::studies::{Control, RunSettings};
 
@@ -68,8 +69,8 @@ pub fn steady_contact(
         }
     }
     let pair = found.recorded.figures[object].pair.as_ref();
-    let working = pair.and_then(|pair| pair.in_working_order).unwrap_or(false);
-    Ok(if working {
+    let judged = pair.map(Judgement::of_pair);
+    Ok(if judged == Some(Judgement::InWorkingOrder) {
         Steady::Closed
     } else {
         Steady::Opens

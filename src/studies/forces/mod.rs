@@ -36,8 +36,12 @@ use crate::kinematics::linkage::kinetostatics::{
     BAD_CONDITION, Convention, Indeterminate, Kinetostatics, Options,
 };
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind};
+use crate::studies::check::{Check, worst};
 use crate::units::shown;
 use row::Solver;
+
+/// Greatest share of the power, and of the transfer functions, by which checks may be off.
+const CHECKED: f64 = 1e-8;
 
 /// Settings of a study of forces.
 #[derive(Clone, Debug, PartialEq)]
@@ -196,14 +200,32 @@ impl ForceStudy {
     /// The greatest residual of the power balance over all positions.
     pub fn worst_balance(&self) -> f64 {
         let residuals = self.solved().map(|(_, forces)| forces.balance.residual);
-        residuals.fold(0.0, f64::max)
+        worst(residuals)
     }
 
     /// The greatest deviation of the influence coefficients from the transfer
     /// functions.
     pub fn worst_influence(&self) -> f64 {
         let errors = self.solved().map(|(_, forces)| forces.influence_error);
-        errors.fold(0.0, f64::max)
+        worst(errors)
+    }
+
+    /// The checks of the forces, with their bounds.
+    pub fn checks(&self) -> Vec<Check> {
+        let mut checks = vec![Check {
+            name: "power balance",
+            value: self.worst_balance(),
+            bound: CHECKED,
+        }];
+        // Of several inputs there are none.
+        if self.several.is_none() {
+            checks.push(Check {
+                name: "influence coefficients",
+                value: self.worst_influence(),
+                bound: CHECKED,
+            });
+        }
+        checks
     }
 
     /// Number of positions that have no forces where there should be some: where the reach
@@ -231,12 +253,7 @@ impl ForceStudy {
                 shown(BAD_CONDITION, 1)
             ));
         }
-        if self.worst_balance() > 1e-8 {
-            warnings.push(format!(
-                "the power balance is missed by {}: reactions are not to be trusted",
-                shown(self.worst_balance(), 2)
-            ));
-        }
+        warnings.extend(self.checks().iter().filter_map(Check::failure));
         let missing = self.missing();
         let ends = self.rows.len() - self.solved().count() - missing;
         if ends > 0 {

@@ -7,6 +7,7 @@ use crate::dynamics::model::{Model, Start};
 use crate::dynamics::record::{ObjectFigures, PairFigures};
 use crate::dynamics::system::{Regime, System};
 use crate::studies::document::units;
+use crate::studies::judgement::Judgement;
 use crate::units::shown;
 use std::f64::consts::TAU;
 
@@ -43,14 +44,21 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
     let opened = (0..objects)
         .filter_map(|object| opens(evidence, object))
         .max_by_key(|(verdict, _)| severity(*verdict));
-    if let Some(found) = opened {
+    let whole = Judgement::of_objects(evidence.figures.iter().copied());
+    if let Some(found) = opened.filter(|(verdict, _)| verdict.judgement() == Some(whole)) {
         return found;
+    }
+    if whole == Judgement::NotJudged {
+        return match (0..objects).find_map(|object| creeps(evidence, object)) {
+            Some(cause) => (Verdict::CreepNotJudged, cause),
+            None => {
+                let cause = "no pair opens; there is no window in which to see whether it goes on";
+                (Verdict::NotJudged, cause.to_owned())
+            }
+        };
     }
     if let Some(cause) = (0..objects).find_map(|object| resonates(evidence, object)) {
         return (Verdict::Resonance, cause);
-    }
-    if let Some(cause) = (0..objects).find_map(|object| creeps(evidence, object)) {
-        return (Verdict::CreepNotJudged, cause);
     }
     let cause = match evidence.rigid.margin {
         Some(margin) => format!(
@@ -83,7 +91,13 @@ fn severity(verdict: Verdict) -> u8 {
         Verdict::LiftOff => 3,
         Verdict::LiftOffNotJudged => 2,
         Verdict::LiftOffDiesAway => 1,
-        _ => 0,
+        Verdict::InWorkingOrder
+        | Verdict::NotJudged
+        | Verdict::CreepNotJudged
+        | Verdict::Resonance
+        | Verdict::Stopped
+        | Verdict::NumericalFailure
+        | Verdict::Refused => 0,
     }
 }
 
@@ -104,20 +118,27 @@ fn opens(evidence: &Evidence<'_>, object: usize) -> Option<(Verdict, String)> {
     }
     let greatest = greatest(figures);
     let amplitude = evidence.rigid.amplitude[object];
-    if let Some(amplitude) = amplitude.filter(|&amplitude| greatest > THROWN_OFF * amplitude) {
+    let thrown = amplitude.filter(|&amplitude| greatest > THROWN_OFF * amplitude);
+    let leaves = thrown.map(|amplitude| {
         let times = greatest / amplitude;
-        let cause = format!("{id} leaves its law by {times:.3} times the law's amplitude");
-        return Some((Verdict::ThrownOff, cause));
+        format!("leaves its law by {times:.3} times the law's amplitude")
+    });
+    let mut how = in_words(evidence, pair);
+    let judgement = Judgement::of_pair(pair);
+    if let Some(leaves) = leaves {
+        if judgement == Judgement::NotInWorkingOrder {
+            return Some((Verdict::ThrownOff, format!("{id} {leaves}")));
+        }
+        how = format!("{leaves} and {how}");
     }
-    let how = in_words(evidence, pair);
-    Some(match pair.in_working_order {
-        Some(false) => (Verdict::LiftOff, format!("{id} {how}")),
-        Some(true) => {
+    Some(match judgement {
+        Judgement::NotInWorkingOrder => (Verdict::LiftOff, format!("{id} {how}")),
+        Judgement::InWorkingOrder => {
             let last = pair.switch_times.last().copied().unwrap_or(0.0);
             let cause = format!("{id} {how}, not after {last} s", last = shown(last, 7));
             (Verdict::LiftOffDiesAway, cause)
         }
-        None => {
+        Judgement::NotJudged | Judgement::NotToBeTrusted => {
             let cause =
                 format!("{id} {how}; there is no window in which to see whether it goes on");
             (Verdict::LiftOffNotJudged, cause)

@@ -1,6 +1,7 @@
 //! Verdicts: what became of the mechanism at one point of a map, or why nothing
 //! can be said.
 
+use crate::studies::judgement::Judgement;
 use serde::{Deserialize, Serialize};
 
 /// Share of the amplitude of its law beyond which an object counts as thrown
@@ -46,8 +47,10 @@ pub enum Verdict {
     /// No pair opens, and an object creeps under regularised friction where dry friction
     /// would hold it.
     CreepNotJudged,
-    /// Some pair opens and the object leaves its law by more than
-    /// [`THROWN_OFF`] times the amplitude of the law.
+    /// No pair opens, and the run has no window of steady figures.
+    NotJudged,
+    /// Some pair opens within the window of steady figures, and the object leaves its law by
+    /// more than [`THROWN_OFF`] times the amplitude of the law.
     ThrownOff,
     /// Engaged motion, periodic, [`RESONANCE`] times beyond the quasi-static
     /// deflection, with a natural frequency near a harmonic of the drive.
@@ -77,12 +80,13 @@ pub enum Family {
 
 impl Verdict {
     /// All verdicts, in the order of legends.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::InWorkingOrder,
         Self::LiftOffDiesAway,
         Self::LiftOff,
         Self::LiftOffNotJudged,
         Self::CreepNotJudged,
+        Self::NotJudged,
         Self::ThrownOff,
         Self::Resonance,
         Self::Stopped,
@@ -98,6 +102,7 @@ impl Verdict {
             Self::LiftOff => "lift_off",
             Self::LiftOffNotJudged => "lift_off_not_judged",
             Self::CreepNotJudged => "creep_not_judged",
+            Self::NotJudged => "not_judged",
             Self::ThrownOff => "thrown_off",
             Self::Resonance => "resonance",
             Self::Stopped => "stopped",
@@ -119,11 +124,27 @@ impl Verdict {
             Self::LiftOff => "lift-off again and again",
             Self::LiftOffNotJudged => "lift-off, run too short to judge",
             Self::CreepNotJudged => "creep, not judged",
+            Self::NotJudged => "run too short to judge",
             Self::ThrownOff => "thrown off",
             Self::Resonance => "resonance",
             Self::Stopped => "dead position",
             Self::NumericalFailure => "computation failed",
             Self::Refused => "no such mechanism",
+        }
+    }
+
+    /// The verdict that `dam run` gives; `None` where there is no such mechanism.
+    pub fn judgement(self) -> Option<Judgement> {
+        match self {
+            Self::InWorkingOrder | Self::LiftOffDiesAway | Self::Resonance => {
+                Some(Judgement::InWorkingOrder)
+            }
+            Self::LiftOff | Self::ThrownOff | Self::Stopped => Some(Judgement::NotInWorkingOrder),
+            Self::LiftOffNotJudged | Self::NotJudged | Self::CreepNotJudged => {
+                Some(Judgement::NotJudged)
+            }
+            Self::NumericalFailure => Some(Judgement::NotToBeTrusted),
+            Self::Refused => None,
         }
     }
 

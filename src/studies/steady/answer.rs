@@ -41,6 +41,9 @@ pub struct Agreement {
     pub simulation: Option<Simulation>,
     /// Why there is no simulation.
     pub simulation_missing: Option<String>,
+    /// True when the simulation was begun and did not come to its end.
+    #[serde(skip)]
+    pub simulation_failed: bool,
 }
 
 /// Greatest relative difference between independent ways to the same motion.
@@ -48,39 +51,57 @@ const AGREED: f64 = 1e-6;
 
 impl Agreement {
     /// What was compared, with its bounds.
-    pub fn checks(&self) -> Vec<Judged> {
-        let equation = self.equation.map(|check| {
-            [
-                ("speed by the equation of motion over a cycle", check.speed),
-                ("period by the equation of motion", check.period),
-            ]
-        });
+    fn checks(&self) -> Vec<Judged> {
+        // An integration that stands still confirms nothing.
+        let equation = self.equation.map_or([f64::NAN; 2], |x| [x.speed, x.period]);
+        let names = [
+            "speed by the equation of motion over a cycle",
+            "period by the equation of motion",
+        ];
         let map = self
             .cycle_map
             .map(|apart| ("speed by the cycle map", apart));
-        let simulation = self
-            .simulation
-            .map(|run| ("speed by the simulation of the scene in time", run.speed));
-        let found = equation.into_iter().flatten().chain(map).chain(simulation);
-        found
-            .map(|(name, value)| Judged {
-                name,
-                value,
-                bound: AGREED,
-            })
-            .collect()
+        let simulation = self.simulation.map(|run| run.speed);
+        let simulation = simulation.or(self.simulation_failed.then_some(f64::NAN));
+        let simulation =
+            simulation.map(|speed| ("speed by the simulation of the scene in time", speed));
+        let found = names.into_iter().zip(equation).chain(map).chain(simulation);
+        found.map(|(name, value)| agreed(name, value)).collect()
     }
 }
 
+fn agreed(name: &'static str, value: f64) -> Judged {
+    let bound = AGREED;
+    Judged { name, value, bound }
+}
+
+/// The checks of a steady motion of a machine with rigid objects.
+pub fn rigid_checks(figures: &SteadyFigures, agreement: Option<&Agreement>) -> Vec<Judged> {
+    let mut checks = agreement.map(Agreement::checks).unwrap_or_default();
+    checks.push(Judged {
+        name: "mean speed asked for",
+        value: figures.miss,
+        bound: figures.tolerance.max(AGREED),
+    });
+    let period = figures.period_error;
+    checks.extend(period.map(|error| agreed("period by quadrature", error)));
+    checks
+}
+
 impl RigidAnswer {
-    /// True when the independent ways agree.
-    pub fn is_trusted(&self) -> bool {
-        self.agreement.checks().iter().all(Judged::passed)
+    /// The checks of the answer, with their bounds.
+    pub fn checks(&self) -> Vec<Judged> {
+        rigid_checks(&self.figures, Some(&self.agreement))
     }
 
-    /// Adds a warning for each comparison beyond its bound.
+    /// True when all checks are passed.
+    pub fn is_trusted(&self) -> bool {
+        self.checks().iter().all(Judged::passed)
+    }
+
+    /// Adds a warning for each check beyond its bound.
     pub fn judged(mut self) -> Self {
-        let checks = self.agreement.checks();
+        let checks = self.checks();
         let failures = checks.iter().filter_map(Judged::failure);
         self.figures.warnings.extend(failures);
         self
@@ -160,4 +181,44 @@ pub struct StartOf {
     pub displacement: Vec<f64>,
     /// φ̇ (rad/s or m/s).
     pub speed: Vec<f64>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Agreement, Simulation};
+    use crate::dynamics::steady::Check;
+
+    fn trusted(agreement: &Agreement) -> bool {
+        agreement.checks().iter().all(super::Judged::passed)
+    }
+
+    #[test]
+    fn ways_that_failed_are_not_agreement() {
+        let fine = Agreement {
+            equation: Some(Check {
+                speed: 1e-12,
+                period: -1e-12,
+            }),
+            ..Agreement::default()
+        };
+        assert!(trusted(&fine));
+        // The integration of the equation stands still on the way.
+        assert!(!trusted(&Agreement::default()));
+        // The simulation is begun and does not come to its end.
+        let failed = Agreement {
+            simulation_failed: true,
+            ..fine.clone()
+        };
+        assert!(!trusted(&failed));
+        let simulation = Simulation {
+            cycles: 5,
+            disturbed: 0.0,
+            speed: 1.7,
+        };
+        let off = Agreement {
+            simulation: Some(simulation),
+            ..fine
+        };
+        assert!(!trusted(&off));
+    }
 }

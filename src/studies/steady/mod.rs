@@ -29,7 +29,7 @@ pub use answer::DriveRow;
 pub use answer::Forces;
 pub use answer::Simulation;
 pub use answer::StartOf;
-pub use answer::{Agreement, RigidAnswer};
+pub use answer::{Agreement, RigidAnswer, rigid_checks};
 pub use expectations::{check, figure};
 pub use machine::{Machine, constant_speed, drive_of, is_elastic};
 pub use multipliers::{Multiplier, Stability};
@@ -41,6 +41,7 @@ use crate::dynamics::model::{Model, Node, NodeMotion};
 use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
+use crate::studies::check::Check;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
 
@@ -52,6 +53,16 @@ pub enum Answer {
     Rigid(Box<RigidAnswer>),
     /// Of elastic objects.
     Periodic(Box<PeriodicAnswer>),
+}
+
+impl Answer {
+    /// The checks of the answer, with their bounds.
+    pub fn checks(&self) -> Vec<Check> {
+        match self {
+            Self::Rigid(answer) => answer.checks(),
+            Self::Periodic(answer) => answer.checks(),
+        }
+    }
 }
 
 /// Finds the steady motion that a scene asks for.

@@ -18,10 +18,11 @@ pub enum Stability {
     Undecided,
 }
 
-/// Moduli of multipliers this near to 1 are 1.
+/// Moduli of multipliers this near to 1 are 1, where their errors are no greater.
 const UNIT: f64 = 1e-8;
 
-/// Errors up to this are those of a derivative by differences: within them a modulus is 1.
+/// Errors up to this are those of a derivative by differences: a modulus that is 1 within such
+/// an error counts as 1.
 const FINE: f64 = 1e-6;
 
 impl Stability {
@@ -39,13 +40,12 @@ impl Stability {
                 }
             })
         };
-        let greatest = multipliers.iter().map(|one| one.modulus);
-        let greatest = greatest.fold(0.0, f64::max);
         match (ends(-1.0), ends(1.0)) {
             (_, most) if most < 1.0 - UNIT => Self::Attracts,
             (least, _) if least > 1.0 + UNIT => Self::Repels,
-            _ if (greatest - 1.0).abs() <= UNIT => Self::Neutral,
-            (least, most) if most - least <= 2.0 * FINE => Self::Neutral,
+            (least, most) if (1.0 - most).abs().max((1.0 - least).abs()) <= 2.0 * FINE => {
+                Self::Neutral
+            }
             _ => Self::Undecided,
         }
     }
@@ -125,7 +125,10 @@ mod tests {
         assert_eq!(of(1.1, 0.2), Stability::Undecided);
         assert_eq!(of(1.1, 0.05), Stability::Repels);
         assert_eq!(of(1.0 + 1e-7, 5e-7), Stability::Neutral);
-        assert_eq!(of(1.0, 1e-3), Stability::Neutral);
+        // However near to 1: an error of 1e-3 leaves open whether disturbances grow.
+        assert_eq!(of(1.0, 1e-3), Stability::Undecided);
+        assert_eq!(of(1.0, f64::NAN), Stability::Undecided);
+        assert_eq!(of(1.0 - 1e-9, 1e-12), Stability::Neutral);
         assert_eq!(of(1.1, f64::NAN), Stability::Undecided);
         assert_eq!(of(0.5, f64::NAN), Stability::Undecided);
     }

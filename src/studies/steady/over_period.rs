@@ -106,7 +106,7 @@ const TOLERANCE: f64 = 1e-9;
 
 /// Greatest distance of the end of the period from its start, relative to the sizes of the
 /// state's entries; as much greater as a disturbance grows.
-const RETURN: f64 = 1e-6;
+pub(super) const RETURN: f64 = 1e-6;
 
 impl OverPeriod {
     /// Integrates a period from a state; `greatest`: modulus of a multiplier, at least 1.

@@ -4,8 +4,8 @@ use super::answer::DriveFigures;
 use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
 use super::multipliers::{self, Multiplier, Stability};
-use super::over_period::OverPeriod;
-use super::shooting::{Fixed, distance, shoot_near};
+use super::over_period::{OverPeriod, RETURN};
+use super::shooting::{CLOSED, Fixed, distance, shoot_near};
 use crate::dynamics::integrate::{Dynamics, Method};
 use crate::dynamics::model::Coordinate;
 use crate::dynamics::record::drive_cycle;
@@ -13,7 +13,7 @@ use crate::dynamics::system::System;
 use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
-use crate::studies::check::Check;
+use crate::studies::check::{Check, worst};
 use crate::studies::method::choose_general;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
@@ -45,8 +45,23 @@ pub struct PeriodicAnswer {
 
 impl PeriodicAnswer {
     /// The checks of the answer, with their bounds.
-    pub fn checks(&self) -> &[Check] {
-        self.over_period.as_ref().map_or(&[], |found| &found.checks)
+    pub fn checks(&self) -> Vec<Check> {
+        let returns = self.parts.iter().map(|part| part.miss);
+        let mut checks = vec![Check {
+            name: "return of the state after a period",
+            value: worst(returns),
+            bound: CLOSED,
+        }];
+        match &self.over_period {
+            Some(found) => checks.extend(found.checks.iter().cloned()),
+            // What cannot be integrated is confirmed by nothing.
+            None => checks.push(Check {
+                name: "return of the state by integration",
+                value: f64::NAN,
+                bound: RETURN,
+            }),
+        }
+        checks
     }
 
     /// True when all checks are passed.
@@ -360,4 +375,31 @@ fn lcm(a: usize, b: usize) -> usize {
 pub(super) fn state_names(system: &System) -> Vec<String> {
     let entries = 0..2 * system.coordinates();
     entries.map(|index| system.state_name(index)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::PeriodicAnswer;
+
+    #[test]
+    fn a_period_that_cannot_be_integrated_is_not_to_be_trusted() {
+        let answer = PeriodicAnswer {
+            cycle: 1.0,
+            turn: 1.0,
+            drive: None,
+            parts: Vec::new(),
+            state: Vec::new(),
+            state_names: Vec::new(),
+            over_period: None,
+            over_period_missing: Some("it stopped".to_owned()),
+        };
+        assert!(!answer.is_trusted());
+        let failures: Vec<_> = answer
+            .checks()
+            .iter()
+            .filter_map(|one| one.failure())
+            .collect();
+        assert_eq!(failures.len(), 1, "{failures:?}");
+        assert!(failures[0].contains("return of the state by integration"));
+    }
 }

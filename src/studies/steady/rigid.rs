@@ -61,7 +61,10 @@ pub(super) fn answer(
     let moment = answer.figures.balance.unwrap_or(0.0);
     match simulate(model, drive, &answer, [moment, added], control) {
         Ok(simulation) => answer.agreement.simulation = Some(simulation),
-        Err(why) => answer.agreement.simulation_missing = Some(why),
+        Err(missing) => {
+            answer.agreement.simulation_missing = Some(missing.why);
+            answer.agreement.simulation_failed = missing.failed;
+        }
     }
     Ok(answer.judged())
 }

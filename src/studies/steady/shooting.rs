@@ -14,7 +14,7 @@ const ROUNDS: u32 = 6;
 const SAME_STATE: f64 = 1e-6;
 /// Miss that is rounding, and the greatest that still is a periodic motion.
 const MISS_ROUNDING: f64 = 1e-14;
-const CLOSED: f64 = 1e-9;
+pub(super) const CLOSED: f64 = 1e-9;
 /// Greatest |a − b| relative to the scales.
 pub(super) fn distance(a: &[f64], b: &[f64], scales: &[f64]) -> f64 {
     let each = a.iter().zip(b).zip(scales);

@@ -17,6 +17,25 @@ const DISTURBED: f64 = 0.02;
 const LEFT: f64 = 1e-9;
 const TOLERANCE: f64 = 1e-12;
 
+/// Why there is no simulation.
+pub(super) struct Missing {
+    /// In words.
+    pub(super) why: String,
+    /// True when it was begun and failed.
+    pub(super) failed: bool,
+}
+
+impl Missing {
+    fn not_made(why: impl Into<String>) -> Self {
+        let (why, failed) = (why.into(), false);
+        Self { why, failed }
+    }
+
+    fn failed(why: String) -> Self {
+        Self { why, failed: true }
+    }
+}
+
 /// Simulates the scene with the drive freed, a moment and inertia added, for as
 /// many cycles as a disturbance needs to die away.
 ///
@@ -28,16 +47,17 @@ pub(super) fn simulate(
     answer: &RigidAnswer,
     added: [f64; 2],
     control: &Control<'_>,
-) -> Result<Simulation, String> {
+) -> Result<Simulation, Missing> {
     let drives = model.objects.iter().filter(|part| part.is_drive());
     if drives.count() > 1 {
-        return Err("the scene has other drives".to_owned());
+        return Err(Missing::not_made("the scene has other drives"));
     }
     let (cycles, disturbed) = match &answer.regime {
         Some(regime) if regime.attracts => {
             let needed = (LEFT.ln() / regime.multiplier.ln()).ceil();
             if needed > f64::from(CYCLES[1]) {
-                return Err(format!("a disturbance takes {needed} cycles to die away"));
+                let why = format!("a disturbance takes {needed} cycles to die away");
+                return Err(Missing::not_made(why));
             }
             ((needed as u32).max(CYCLES[0]), DISTURBED)
         }
@@ -46,9 +66,8 @@ pub(super) fn simulate(
     let start = answer.motion.speed(0.0);
     let model = freed(model, drive, 0.0, start * (1.0 + disturbed), added);
     let failed = |faults: Vec<crate::fault::Fault>| {
-        faults
-            .first()
-            .map_or_else(String::new, |fault| fault.message.clone())
+        let first = faults.first();
+        Missing::failed(first.map_or_else(String::new, |fault| fault.message.clone()))
     };
     let system = System::new(model).map_err(failed)?;
     let initial = system.initial_state().map_err(failed)?;
@@ -76,10 +95,13 @@ pub(super) fn simulate(
         &mut last,
     );
     if let (true, Some(spent)) = (outcome.stop.is_from_outside(), control.spent()) {
-        return Err(spent.to_string());
+        return Err(Missing::not_made(spent.to_string()));
     }
     if outcome.stop != Stop::Complete {
-        return Err(format!("it stopped at t = {} s", outcome.time));
+        return Err(Missing::failed(format!(
+            "it stopped at t = {} s",
+            outcome.time
+        )));
     }
     let coordinate = system.last_coordinate(drive).unwrap_or(0);
     let position = last.y[coordinate].rem_euclid(answer.cycle);

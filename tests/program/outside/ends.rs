@@ -122,7 +122,7 @@ fn kept(ending: Ending, args: &[&str], folder: Option<&std::path::Path>) -> serd
         {
             assert_eq!(document["run"]["stopped"], stopped, "{said}");
             if folder.is_some() {
-                assert!(out.contains("Not finished"), "{said}");
+                assert!(out.contains("Not judged"), "{said}");
             }
             return document;
         }
@@ -166,7 +166,7 @@ fn every_ending_keeps_what_was_computed() {
                 assert_eq!(moving.count(), objects.len(), "{method}: {run}");
                 if let Some(folder) = folder {
                     let page = std::fs::read_to_string(folder.join("report.html")).unwrap();
-                    assert!(page.contains("Not finished"));
+                    assert!(page.contains("Not judged"));
                     let rows = std::fs::read_to_string(folder.join("record.csv")).unwrap();
                     assert!(rows.lines().count() >= 2, "{rows}");
                 }
