@@ -84,6 +84,17 @@ impl Judgement {
             .unwrap_or(Self::InWorkingOrder)
     }
 
+    /// The verdict on a pair of a run: none where the run itself has none.
+    pub fn of_pair_in(figures: &Figures, pair: &PairFigures) -> Self {
+        match (Self::of(figures), ending(figures)) {
+            (Self::NotToBeTrusted, _) => Self::NotToBeTrusted,
+            (_, Ending::FromOutside) => Self::NotJudged,
+            (_, Ending::Complete | Ending::OfMechanism | Ending::OfComputation) => {
+                Self::of_pair(pair)
+            }
+        }
+    }
+
     /// The verdict on a pair by itself.
     pub fn of_pair(pair: &PairFigures) -> Self {
         match (pair.margin, pair.in_working_order) {

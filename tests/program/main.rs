@@ -18,3 +18,4 @@ mod scenarios;
 mod schema;
 mod steady;
 mod study_figures;
+mod verdicts;

@@ -82,7 +82,7 @@ pub(super) fn pairs(figures: &Figures) -> Table {
             ..value(pair.max_contact_force, units.force)
         };
         Some(vec![
-            order(pair, units),
+            order(Judgement::of_pair_in(figures, pair), pair, units),
             pair.separations.to_string().into(),
             pair.closures.to_string().into(),
             value(pair.separated_time, "s"),
@@ -95,13 +95,13 @@ pub(super) fn pairs(figures: &Figures) -> Table {
 }
 
 /// Whether a pair is in working order; of a rigid object, the least force that its motion needs.
-fn order(pair: &PairFigures, units: Units) -> Cell {
-    let judgement = Judgement::of_pair(pair);
+fn order(judgement: Judgement, pair: &PairFigures, units: Units) -> Cell {
     let (word, good) = match judgement {
         Judgement::InWorkingOrder => ("yes", Some(true)),
         Judgement::NotInWorkingOrder if pair.margin.is_some() => ("would lift off", Some(false)),
         Judgement::NotInWorkingOrder => ("NO", Some(false)),
-        Judgement::NotJudged | Judgement::NotToBeTrusted => ("not judged", None),
+        Judgement::NotJudged => ("not judged", None),
+        Judgement::NotToBeTrusted => ("not to be trusted", None),
     };
     match pair.margin {
         Some(margin) => {

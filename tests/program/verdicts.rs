@@ -1,0 +1,135 @@
+//! One verdict of four values: every output of a scene states the same one.
+
+use serde_json::Value;
+use std::process::{Command, Output};
+
+const ROCKER: &str = "scenarios/rocker/one_mass.json";
+
+/// Name in JSON, words in texts, sort on a page, exit status, and the scene with its settings.
+type Case = (&'static str, &'static str, &'static str, i32, [&'static str; 5]);
+
+const CASES: [Case; 4] = [
+    (
+        "in_working_order",
+        "In working order",
+        "good",
+        0,
+        [
+            "scenarios/rocker/ten_masses_closed.json",
+            "--set",
+            "run.duration=0.4",
+            "--set",
+            "run.samples=100",
+        ],
+    ),
+    (
+        "not_in_working_order",
+        "Not in working order",
+        "mechanism",
+        0,
+        [ROCKER, "--set", "run.duration=0.4", "--set", "run.samples=100"],
+    ),
+    (
+        "not_judged",
+        "Not judged",
+        "unfinished",
+        0,
+        [ROCKER, "--set", "run.duration=0.1", "--set", "run.samples=100"],
+    ),
+    (
+        "not_to_be_trusted",
+        "Not to be trusted",
+        "numerical",
+        1,
+        [ROCKER, "--set", "run.method=rk4", "--set", "run.step=0.0002"],
+    ),
+];
+
+const VALUES: [&str; 2] = ["6.2831", "6.2832"];
+const PARAMETER: &str = "shaft.motion.speed";
+
+fn dam(command: &str, scene: &[&str], more: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+        .arg(command)
+        .args(scene)
+        .args(more)
+        .arg("-q")
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap()
+}
+
+fn json_of(output: &Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn text(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).unwrap()
+}
+
+#[test]
+fn every_output_states_the_same_verdict() {
+    for (name, words, sort, code, scene) in CASES {
+        let run = dam("run", &scene, &[]);
+        assert_eq!(run.status.code(), Some(code), "{name}");
+        let headline = text(&run);
+        let headline = headline.lines().nth(1).unwrap();
+        assert!(headline.starts_with(&format!("{words}. ")), "{headline}");
+        let document = json_of(&dam("run", &scene, &["--json"]));
+        assert_eq!(document["verdict"], name);
+        let passed = |check: &Value| check["passed"] == true;
+        let checks = document["checks"].as_array().unwrap();
+        assert_eq!(checks.iter().all(passed), code == 0, "{name}");
+        // The table of pairs has the verdict of each pair.
+        let table = table_of_pairs(&text(&run));
+        let said = match name {
+            "in_working_order" => "yes",
+            "not_in_working_order" => "NO",
+            "not_judged" => "not judged",
+            _ => "not to be trusted",
+        };
+        assert!(table.contains(said), "{name}: {table}");
+
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        dam("run", &scene, &["--out", out.to_str().unwrap()]);
+        let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+        let answer = format!("class=\"verdict {sort}\"");
+        assert!(page.contains(&answer), "{name}: {answer}");
+        let saved = std::fs::read(out.join("summary.json")).unwrap();
+        let saved: Value = serde_json::from_slice(&saved).unwrap();
+        assert_eq!(saved["verdict"], name);
+    }
+}
+
+fn table_of_pairs(text: &str) -> String {
+    let mut lines = text.lines().skip_while(|line| !line.starts_with("Driving pairs"));
+    lines.nth(2).unwrap_or_default().to_owned()
+}
+
+#[test]
+fn comparisons_and_maps_state_the_verdicts_of_their_runs() {
+    for (name, words, _, code, scene) in CASES {
+        let speed = 10.0;
+        let [from, to] = VALUES.map(|value| value.parse::<f64>().unwrap() * speed);
+        let over = format!("{PARAMETER}={from},{to}");
+        let compared = dam("compare", &scene, &["--over", &over]);
+        assert_eq!(compared.status.code(), Some(code), "{name}");
+        let rows = text(&compared);
+        let rows = rows.lines().filter(|line| line.starts_with("  shaft.motion"));
+        let rows: Vec<&str> = rows.filter(|line| line.contains(words)).collect();
+        assert_eq!(rows.len(), 2, "{name}: {}", text(&compared));
+        let document = json_of(&dam("compare", &scene, &["--over", &over, "--json"]));
+        let axis = format!("{PARAMETER}={from}:{to}:2");
+        let map = json_of(&dam("map", &scene, &["--x", &axis, "--json"]));
+        let judgements = map["panels"][0]["judgements"].as_array().unwrap();
+        assert_eq!(judgements.len(), 2);
+        for (place, value) in [from, to].into_iter().enumerate() {
+            let value = format!("{PARAMETER}={value}");
+            let run = dam("run", &scene, &["--set", &value, "--json"]);
+            assert_eq!(json_of(&run)["verdict"], name);
+            assert_eq!(document["runs"][place]["verdict"], name);
+            assert_eq!(judgements[place], name);
+        }
+    }
+}
