@@ -6,7 +6,13 @@ use std::process::{Command, Output};
 const ROCKER: &str = "scenarios/rocker/one_mass.json";
 
 /// Name in JSON, words in texts, sort on a page, exit status, and the scene with its settings.
-type Case = (&'static str, &'static str, &'static str, i32, [&'static str; 5]);
+type Case = (
+    &'static str,
+    &'static str,
+    &'static str,
+    i32,
+    [&'static str; 5],
+);
 
 const CASES: [Case; 4] = [
     (
@@ -27,21 +33,39 @@ const CASES: [Case; 4] = [
         "Not in working order",
         "mechanism",
         0,
-        [ROCKER, "--set", "run.duration=0.4", "--set", "run.samples=100"],
+        [
+            ROCKER,
+            "--set",
+            "run.duration=0.4",
+            "--set",
+            "run.samples=100",
+        ],
     ),
     (
         "not_judged",
         "Not judged",
         "unfinished",
         0,
-        [ROCKER, "--set", "run.duration=0.1", "--set", "run.samples=100"],
+        [
+            ROCKER,
+            "--set",
+            "run.duration=0.1",
+            "--set",
+            "run.samples=100",
+        ],
     ),
     (
         "not_to_be_trusted",
         "Not to be trusted",
         "numerical",
         1,
-        [ROCKER, "--set", "run.method=rk4", "--set", "run.step=0.0002"],
+        [
+            ROCKER,
+            "--set",
+            "run.method=rk4",
+            "--set",
+            "run.step=0.0002",
+        ],
     ),
 ];
 
@@ -103,7 +127,9 @@ fn every_output_states_the_same_verdict() {
 }
 
 fn table_of_pairs(text: &str) -> String {
-    let mut lines = text.lines().skip_while(|line| !line.starts_with("Driving pairs"));
+    let mut lines = text
+        .lines()
+        .skip_while(|line| !line.starts_with("Driving pairs"));
     lines.nth(2).unwrap_or_default().to_owned()
 }
 
@@ -116,7 +142,9 @@ fn comparisons_and_maps_state_the_verdicts_of_their_runs() {
         let compared = dam("compare", &scene, &["--over", &over]);
         assert_eq!(compared.status.code(), Some(code), "{name}");
         let rows = text(&compared);
-        let rows = rows.lines().filter(|line| line.starts_with("  shaft.motion"));
+        let rows = rows
+            .lines()
+            .filter(|line| line.starts_with("  shaft.motion"));
         let rows: Vec<&str> = rows.filter(|line| line.contains(words)).collect();
         assert_eq!(rows.len(), 2, "{name}: {}", text(&compared));
         let document = json_of(&dam("compare", &scene, &["--over", &over, "--json"]));
