@@ -83,9 +83,12 @@ impl Frozen {
             return N::from(f64::NAN);
         };
         let found = match solver.resist(at, &asked, &options, forces) {
-            Ok(found) if !search || found.solutions == 1 => found,
-            Ok(_) => {
-                own.failure = Some(Obstacle::Several);
+            Ok(found) if !search || found.unique => found,
+            Ok(found) => {
+                own.failure = Some(match found.solutions {
+                    1 => Obstacle::Unproved,
+                    _ => Obstacle::Several,
+                });
                 return N::from(f64::NAN);
             }
             Err(failure) => {

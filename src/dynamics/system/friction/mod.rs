@@ -100,6 +100,8 @@ pub(super) enum Obstacle {
     Failed(ForceFailure),
     /// Several.
     Several,
+    /// One, which is not proved to be the only one.
+    Unproved,
 }
 
 /// Memory of one linkage's friction.

@@ -97,6 +97,13 @@ pub(super) fn stop_for(object: String, given: bool, failure: Obstacle) -> Physic
                  the friction that they cause in its joints (Painlevé)"
             ),
         ),
+        Obstacle::Unproved => (
+            "several_solutions",
+            format!(
+                "the motion of {object} is not determined: its joints are near self-locking, \
+                 where one acceleration was found and others are not excluded (Painlevé)"
+            ),
+        ),
         Obstacle::Failed(ForceFailure::DeadPosition { .. }) => (
             "self_locking",
             format!("{object} locks: the equations of its motion are singular here"),

@@ -29,6 +29,7 @@ mod equations;
 mod external;
 mod friction;
 mod indeterminate;
+mod injective;
 mod iteration;
 mod outputs;
 mod place;

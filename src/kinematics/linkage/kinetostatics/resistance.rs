@@ -16,7 +16,7 @@
 use super::external::Input;
 use super::positions::Positions;
 use super::sides::press;
-use super::solve::{ForceFailure, Options};
+use super::solve::{ForceFailure, Options, Solved};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
 
@@ -55,6 +55,8 @@ pub struct Resistance {
     pub acceleration: f64,
     /// Number of solutions found: where it is not 1 the motion is not determined.
     pub solutions: usize,
+    /// True: proved to be the only solution.
+    pub unique: bool,
 }
 
 impl Kinetostatics {
@@ -94,25 +96,26 @@ impl Kinetostatics {
             press(pressed, &mut w.terms);
         }
         self.drive_rows(w);
-        let solutions = self.balance_resistance(motion, options, w);
+        let solved = self.balance_resistance(motion, options, w);
         // Other questions to the same memory know nothing of inertias on outputs.
         w.carried.iter_mut().for_each(Vec::clear);
-        let solutions = solutions?;
+        let solved = solved?;
         let force = self.friction_on_input(w);
         Ok(Resistance {
             force,
             acceleration: w.acceleration,
-            solutions,
+            solutions: solved.solutions,
+            unique: solved.unique,
         })
     }
 
-    /// Solves for reactions, friction and z; the number of solutions.
+    /// Solves for reactions, friction and z.
     fn balance_resistance(
         &self,
         motion: &Resisted<'_>,
         options: &Options,
         w: &mut ForceWorkspace,
-    ) -> Result<usize, ForceFailure> {
+    ) -> Result<Solved, ForceFailure> {
         let (a, s) = (motion.free_acceleration, motion.mobility);
         let unit = self.drive_unit();
         let v2 = motion.speed * motion.speed;
@@ -142,7 +145,7 @@ impl Kinetostatics {
         let force = self.friction_on_input(w);
         w.acceleration = a + s * force;
         w.drive = inertia * w.acceleration + bias * v2 - others - force;
-        Ok(solved.solutions)
+        Ok(solved)
     }
 
     /// Inertia reduced to the input, and what it asks for at constant speed of

@@ -1,7 +1,7 @@
 //! Is the solution the only one? A proof where friction is moderate, a search
 //! where it is strong.
 
-use super::friction::Law;
+use super::friction::{Law, Term};
 use super::iteration::{Convergence, Method};
 use super::workspace::ForceWorkspace;
 use crate::math::order::Total;
@@ -72,15 +72,19 @@ impl ForceWorkspace {
     }
 
     /// Looks for all solutions, from all signs of the corners and from far
-    /// away; each as its τ. Allocates: meant for the few positions where the
-    /// proof fails.
-    pub(super) fn search(&mut self, course: &mut Convergence) -> Vec<Vec<f64>> {
+    /// away; each as its τ. True: there are no others, since without friction of pins the
+    /// signs of the corners leave one system of linear equations each. Allocates: meant for
+    /// the few positions where the proof fails.
+    pub(super) fn search(&mut self, course: &mut Convergence) -> (Vec<Vec<f64>>, bool) {
         let mut found: Vec<Vec<f64>> = Vec::new();
         self.without_friction();
         let scale = self.scale();
-        for pattern in 0..1usize << (2 * self.guides().min(GUIDES)) {
+        let free = self.guides();
+        let is_guide = |term: &Term| matches!(term.law, Law::Guide(_));
+        let mut complete = free <= GUIDES && self.terms.iter().all(is_guide);
+        for pattern in 0..1usize << (2 * free.min(GUIDES)) {
             self.without_friction();
-            self.follow_signs(pattern, course);
+            complete &= self.follow_signs(pattern, course);
             self.collect(course, &mut found);
         }
         let mut state = 0x9e37_79b9_7f4a_7c15_u64;
@@ -96,14 +100,12 @@ impl ForceWorkspace {
             }
         }
         found.sort_by_cached_key(|friction| Total(size(friction)));
-        found
+        (found, complete)
     }
 
     /// Number of guides with friction whose corners may press on either side.
     fn guides(&self) -> usize {
-        let is_guide = |term: &&super::friction::Term| {
-            matches!(term.law, Law::Guide(_)) && term.pressed.is_none()
-        };
+        let is_guide = |term: &&Term| matches!(term.law, Law::Guide(_)) && term.pressed.is_none();
         self.terms.iter().filter(is_guide).count()
     }
 
@@ -124,8 +126,9 @@ impl ForceWorkspace {
     }
 
     /// Friction of the guides for given signs of their corners' forces, pins
-    /// left without friction: the start that belongs to these signs.
-    fn follow_signs(&mut self, pattern: usize, course: &mut Convergence) {
+    /// left without friction: the start that belongs to these signs. False: it is not
+    /// determined.
+    fn follow_signs(&mut self, pattern: usize, course: &mut Convergence) -> bool {
         course.iterations += 1;
         let m = self.columns;
         self.small.clear(m);
@@ -160,10 +163,12 @@ impl ForceWorkspace {
                 }
             }
         }
-        if self.small.factorise() {
+        let determined = self.small.factorise();
+        if determined {
             self.small.solve(&mut self.next, 1);
             self.friction.copy_from_slice(&self.next);
         }
+        determined
     }
 }
 

@@ -285,10 +285,15 @@ impl Kinetostatics {
         if !finite {
             return Err(ForceFailure::NotFinite);
         }
-        let unique = convergence.method == Method::None || (found && w.is_contraction());
+        let mut unique = convergence.method == Method::None || (found && w.is_contraction());
         let mut solutions = usize::from(found);
         if !unique && (options.search || !found) {
-            solutions = self.search_others(found, &mut convergence, w);
+            let injective = w.is_injective();
+            let mut complete = false;
+            if !(found && injective) {
+                (solutions, complete) = self.search_others(found, &mut convergence, w);
+            }
+            unique = solutions == 1 && (injective || complete);
         }
         if solutions == 0 {
             w.without_friction();
@@ -309,22 +314,24 @@ impl Kinetostatics {
     }
 
     /// All solutions; the one found first stays, or the one with the least
-    /// friction is taken. Returns their number.
+    /// friction is taken. Returns their number, and whether there can be no others.
     fn search_others(
         &self,
         found: bool,
         convergence: &mut Convergence,
         w: &mut ForceWorkspace,
-    ) -> usize {
+    ) -> (usize, bool) {
         let mut kept = found.then(|| w.friction.clone());
         let mut course = *convergence;
-        let all = w.search(&mut course);
+        let (all, complete) = w.search(&mut course);
         convergence.iterations = course.iterations;
         if kept.is_none() && !all.is_empty() {
             convergence.method = Method::Search;
             kept = all.first().cloned();
         }
-        let Some(kept) = kept else { return 0 };
+        let Some(kept) = kept else {
+            return (0, complete);
+        };
         let mut count = 1;
         for other in &all {
             w.friction.copy_from_slice(other);
@@ -339,6 +346,6 @@ impl Kinetostatics {
         }
         w.friction.copy_from_slice(&kept);
         w.react();
-        count
+        (count, complete)
     }
 }

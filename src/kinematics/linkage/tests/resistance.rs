@@ -6,7 +6,7 @@ use super::kinetostatics::with_friction;
 use super::random::{FORMS, linkage};
 use super::support::interior;
 use crate::kinematics::linkage::kinetostatics::{
-    ForceWorkspace, InputMotion, Kinetostatics, Options, Outcome, Resisted, Reversals,
+    ForceWorkspace, InputMotion, Kinetostatics, Options, Outcome, Resistance, Resisted, Reversals,
 };
 use crate::kinematics::linkage::spec::{OutputKind, OutputSpec};
 use crate::kinematics::linkage::{Linkage, Workspace};
@@ -53,7 +53,8 @@ impl Rubbing {
         })
     }
 
-    /// T and q̈ for a₀, s, speed, and the force and inertia on the output.
+    /// T and q̈ for a₀, s, speed, and the force and inertia on the output; `None`: not proved
+    /// to be the only solution.
     fn resist(&mut self, q: f64, asked: [f64; 5]) -> Option<[f64; 2]> {
         self.resist_pressed(q, asked, None)
     }
@@ -65,6 +66,17 @@ impl Rubbing {
         [a, s, speed, load, inertia]: [f64; 5],
         pressed: Option<u64>,
     ) -> Option<[f64; 2]> {
+        let found = self.found(q, [a, s, speed, load, inertia], pressed)?;
+        found.unique.then_some([found.force, found.acceleration])
+    }
+
+    /// All that is found.
+    fn found(
+        &mut self,
+        q: f64,
+        [a, s, speed, load, inertia]: [f64; 5],
+        pressed: Option<u64>,
+    ) -> Option<Resistance> {
         self.linkage.solve(q, 2, &mut self.at).ok()?;
         let segment = self.reversals.breaks.locate(self.q, 1.0);
         let motion = Resisted {
@@ -83,8 +95,7 @@ impl Rubbing {
             ..Options::default()
         };
         let found = self.solver.resist(&self.at, &motion, &options, &mut self.w);
-        let found = found.ok().filter(|found| found.solutions == 1)?;
-        Some([found.force, found.acceleration])
+        found.ok()
     }
 }
 
@@ -92,15 +103,45 @@ fn near(a: f64, b: f64, limit: f64, size: f64) -> bool {
     (a - b).abs() <= limit * size.max(a.abs()).max(b.abs()).max(1e-9)
 }
 
-/// The same draws each time. Near self-locking the search may miss one of two solutions: with
-/// the seed 6960580253111925945, 3 dyads, the place 0.9081551394523408 and s = 0.123 the
-/// implicit equation and the given motion find different ones, each as the only one.
+/// The same draws each time.
 fn same_draws() -> ProptestConfig {
     ProptestConfig {
         cases: 60,
         rng_seed: RngSeed::Fixed(7),
         ..ProptestConfig::default()
     }
+}
+
+/// Near self-locking the search finds one of two solutions: the implicit equation and the
+/// motion that it gives lead to different ones. Neither is called the only one.
+#[test]
+fn one_solution_of_two_is_not_called_the_only_one() {
+    let mut rubbing = Rubbing::new(6960580253111925945, 3, 0.9081551394523408, 0.05).unwrap();
+    let q = rubbing.q;
+    let mut contradictions = 0;
+    for load in (-20..=20).map(f64::from) {
+        for inertia in [0.0, 0.25, 0.5, 1.0, 1.5, 2.0] {
+            let reduced = rubbing.linkage.reduced(&rubbing.at).inertia[0];
+            let rates = rubbing.linkage.output(0, &rubbing.at);
+            let s = 0.123f64.min(1.0 / (reduced + inertia * rates.first * rates.first));
+            let Some(found) = rubbing.found(q, [1.3, s, SPEED, load, inertia], None) else {
+                continue;
+            };
+            let rates = rubbing.linkage.output(0, &rubbing.at);
+            let moving = rates.first * found.acceleration + rates.second * SPEED * SPEED;
+            let given = [found.acceleration, 0.0, SPEED, load - inertia * moving, 0.0];
+            let Some(other) = rubbing.found(q, given, None) else {
+                continue;
+            };
+            let agree = near(found.force, other.force, 1e-8, 0.0);
+            contradictions += usize::from(!agree && found.solutions == 1 && other.solutions == 1);
+            assert!(
+                agree || !(found.unique && other.unique),
+                "{found:?} {other:?}"
+            );
+        }
+    }
+    assert!(contradictions > 0, "the case is lost");
 }
 
 proptest! {
@@ -157,9 +198,10 @@ proptest! {
     #[test]
     fn the_implicit_equation_is_solved(
         seed: u64, dyads in 1usize..4, part in 0.05f64..0.95, inertia in 0.0f64..2.0,
-        load in -20.0f64..20.0, s in 0.0f64..0.3,
+        load in -20.0f64..20.0, s in 0.0f64..0.3, strong: bool,
     ) {
-        let Some(mut rubbing) = Rubbing::new(seed, dyads, part, 0.05) else { return Ok(()) };
+        let friction = if strong { 0.3 } else { 0.05 };
+        let Some(mut rubbing) = Rubbing::new(seed, dyads, part, friction) else { return Ok(()) };
         let q = rubbing.q;
         // No more than the linkage and what hangs on it allow.
         let reduced = rubbing.linkage.reduced(&rubbing.at).inertia[0];
