@@ -4,6 +4,7 @@ use super::console;
 use super::failure::Failure;
 use super::output::{self, OutputFolder, ResultFile};
 use super::status::Status;
+use crate::dynamics::model::{Model, UNTIL};
 use crate::report::findings::Findings;
 use crate::report::plot::Plot;
 use crate::studies::check::Check;
@@ -71,6 +72,22 @@ impl<'a> Content<'a> {
     pub(crate) fn made(make: impl Fn() -> String + 'a) -> Self {
         Self::Made(Box::new(make))
     }
+}
+
+/// Adds a warning to the findings and to the document.
+pub(crate) fn warn(findings: &mut Findings<'_>, document: &mut Value, warning: Option<String>) {
+    let Some(warning) = warning else { return };
+    match &mut document["warnings"] {
+        Value::Array(warnings) => warnings.push(warning.as_str().into()),
+        none => *none = Value::from(vec![warning.as_str()]),
+    }
+    findings.warnings.push(warning);
+}
+
+/// What a study that is no run says of a condition that ends runs.
+pub(crate) fn ignores_until(model: &Model) -> Option<String> {
+    let ends = model.conditions.iter().any(|one| one.name == UNTIL);
+    ends.then(|| "`run.until` has no effect here: it ends `dam run` alone".to_owned())
 }
 
 /// Form in which an answer is shown.

@@ -23,6 +23,7 @@ use crate::studies::limit::without_limit;
 use crate::studies::list::ValueList;
 use crate::studies::lookup;
 use crate::studies::order::{Limits, limits};
+use crate::studies::rigid::Rigid;
 
 const FILES: [&str; 3] = ["comparison.json", "comparison.csv", PAGE];
 
@@ -76,10 +77,21 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         Some(_) => files(model, &comparison)?,
         None => Vec::new(),
     };
+    let label = Rigid::label(model, &["dam run"]);
+    let rigid = args.figure.iter().filter(|figure| lookup::is_rigid(figure));
+    let rigid: Vec<&str> = rigid.map(String::as_str).collect();
+    let label = label.filter(|_| !rigid.is_empty());
+    let what = match rigid.as_slice() {
+        [one] => format!("{one} is"),
+        several => format!("{} are", several.join(", ")),
+    };
+    warnings.extend(label.as_ref().map(|label| label.words(&what)));
     let told = warnings.clone();
+    let mut shown = findings(&scene, &comparison, &diagram, warnings, source);
+    shown.label(label.as_ref(), &what);
     let answer = Answer {
         command: "compare",
-        findings: &findings(&scene, &comparison, &diagram, warnings, source),
+        findings: &shown,
         document: Document::made(|| Warned {
             document: document(&scene, &comparison),
             warnings: &told,

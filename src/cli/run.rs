@@ -11,6 +11,7 @@ use super::progress::Progress;
 use super::status::Status;
 use crate::ask::Judging;
 use crate::dynamics::integrate::{Sink, Stop};
+use crate::dynamics::model::Model;
 use crate::dynamics::record::Figures;
 use crate::frontend::scene::Expected;
 use crate::report::accuracy;
@@ -24,6 +25,7 @@ use crate::studies::expectations::{Verdict, check, of_run};
 use crate::studies::judgement::Judged;
 use crate::studies::limit::without_limit;
 use crate::studies::order::Certificate;
+use crate::studies::rigid::elastic;
 use crate::studies::run::{RunResult, run};
 use crate::studies::spread::{Spread, spread};
 use crate::studies::{RunSettings, lookup, plausible};
@@ -91,10 +93,11 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let control = asker.budget();
     let begun = Instant::now();
     let mut settings = ready.settings.clone();
+    let files = folder.is_some() || asker.wants_files();
     if let Some(columns) = args.record {
+        unused(columns, files, ready.system.model())?;
         settings.masses = columns == Columns::All;
     }
-    let files = folder.is_some() || asker.wants_files();
     settings.closeups = files;
     if !files && !plausible::looks_at_samples(ready.system.model()) {
         // The record goes into files only.
@@ -170,6 +173,18 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         }
     }
     Ok(status(&result, &verdicts))
+}
+
+/// Refuses columns that no record has.
+fn unused(columns: Columns, files: bool, model: &Model) -> Result<(), Failure> {
+    let why = match columns {
+        _ if !files => "--record has no effect: the record is a file of --out",
+        Columns::All if elastic(model).is_empty() => {
+            "--record all has no effect: no object has masses of its own"
+        }
+        Columns::All | Columns::Objects => return Ok(()),
+    };
+    Err(Failure::Other(why.to_owned()))
 }
 
 /// Warns of figures that the scene expects and that have no limit with the number of masses.

@@ -88,6 +88,15 @@ pub fn is_address(figure: &str) -> bool {
     StudyAddress::of(figure).is_some()
 }
 
+/// True for addresses of results of studies that take every object for rigid.
+pub fn is_rigid(figure: &str) -> bool {
+    match StudyAddress::of(figure) {
+        Some(StudyAddress::Linkage { .. } | StudyAddress::Cam { .. }) => true,
+        // The steady motion of elastic objects is one of them.
+        Some(StudyAddress::Steady { .. } | StudyAddress::Frequency { .. }) | None => false,
+    }
+}
+
 /// Expectations of results that no study of this model has, without making it.
 pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault> {
     let unknown = |(index, expectation): (usize, &Expectation)| {

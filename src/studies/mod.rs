@@ -30,6 +30,7 @@ pub(crate) mod offer;
 pub mod order;
 pub mod plausible;
 pub mod reduce;
+pub mod rigid;
 pub mod run;
 mod settings;
 pub mod spread;

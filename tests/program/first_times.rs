@@ -164,6 +164,26 @@ fn first_times_are_expected_compared_and_mapped() {
     assert_eq!(row["unit"], "s");
     near(&row["values"][0], wanted, 1e-12);
     near(&row["values"][1], wanted / 2f64.sqrt(), 1e-12);
+    let figure = "run.first_times.half";
+    let axis = "rocker.stiffness=10000:20000:2";
+    let found = document("map", &scene, &["--x", axis, "--figure", figure]);
+    let values = &found["panels"][0]["values"];
+    near(&values[0], wanted, 1e-12);
+    near(&values[1], wanted / 2f64.sqrt(), 1e-12);
+    let accuracy = format!("{figure}=1 %");
+    let found = document("run", &scene, &["--accuracy", &accuracy]);
+    let accuracy = &found["accuracy"][figure];
+    near(&accuracy["value"], wanted, 1e-9);
+    assert_eq!(accuracy["unit"], "s");
+    // One mass in place of a continuum: the error is stated, and it is that of the model.
+    assert_eq!(accuracy["holds"], false, "{accuracy}");
+    let limit = accuracy["limit"].as_f64().unwrap();
+    let off = accuracy["error"].as_f64().unwrap();
+    assert!(
+        (limit - wanted).abs() <= off && off < 0.3 * wanted,
+        "{accuracy}"
+    );
+    near(&accuracy["shares"]["integration"], 0.0, 1e-9);
 }
 
 #[test]

@@ -21,16 +21,16 @@ pub(crate) struct CamArgs {
     /// Greatest pressure angle while it moves inwards [default: the same]
     #[arg(long, value_name = "ANGLE")]
     pub(crate) return_pressure_angle: Option<String>,
-    /// Greatest radius of the roller by the least radius of curvature of its path
-    #[arg(long, value_name = "SHARE", default_value_t = 0.7)]
-    pub(crate) roller_factor: f64,
+    /// Greatest radius of the roller by the least radius of curvature of its path [default: 0.7]
+    #[arg(long, value_name = "SHARE")]
+    pub(crate) roller_factor: Option<f64>,
     /// Least radius of curvature of a profile under a flat face [default: 0]
     #[arg(long, value_name = "LENGTH")]
     pub(crate) least_radius: Option<String>,
     /// What is to be left in contact: a share of the greatest force that would open it without the
-    /// spring (0.2), or a force ("50 N")
-    #[arg(long, value_name = "SHARE|FORCE", default_value = "0.2")]
-    pub(crate) reserve: String,
+    /// spring (0.2), or a force ("50 N") [default: 0.2]
+    #[arg(long, value_name = "SHARE|FORCE")]
+    pub(crate) reserve: Option<String>,
     /// Find by runs of the dynamic model at which speed the pair opens (some 20 runs)
     #[arg(long)]
     pub(crate) lift_off: bool,

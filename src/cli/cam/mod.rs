@@ -45,6 +45,14 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     let force_or_why = force.as_ref().map_err(String::as_str);
     let mut found =
         figures(&cam, &asked.question, force_or_why).map_err(|faults| told(&faults, "--"))?;
+    let closed = found
+        .force
+        .as_ref()
+        .and_then(|force| force.closing.as_ref());
+    if args.reserve.is_some() && closed.is_none() {
+        let why = "--reserve has no effect: no force keeps this contact closed";
+        return Err(Failure::Other(why.to_owned()));
+    }
     let mut status = Status::Answered;
     let _keeping = args.lift_off.then(|| asker.keep());
     if args.lift_off {

@@ -28,6 +28,19 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<Asked, Failure> {
         upper: Some((FRAC_PI_2, false)),
         not_zero: false,
     };
+    let roller = cam.geometry().roller().is_some();
+    let refuse = |given: bool, why: &str| match given {
+        true => Err(Failure::Other(why.to_owned())),
+        false => Ok(()),
+    };
+    refuse(
+        args.roller_factor.is_some() && !roller,
+        "--roller-factor has no effect: the follower has a flat face and no roller",
+    )?;
+    refuse(
+        args.least_radius.is_some() && roller,
+        "--least-radius has no effect: the follower has a roller and no flat face",
+    )?;
     let outward = quantity("--pressure-angle", &args.pressure_angle, q::ANGLE, angle)?;
     let inward = quantity(
         "--return-pressure-angle",
@@ -47,9 +60,9 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<Asked, Failure> {
                 outward,
                 inward: inward.unwrap_or(outward),
             },
-            roller_factor: args.roller_factor,
+            roller_factor: args.roller_factor.unwrap_or(0.7),
             least_radius: least.unwrap_or(0.0),
-            reserve: reserve(&args.reserve)?,
+            reserve: reserve(args.reserve.as_deref().unwrap_or("0.2"))?,
         },
         speed: quantity("--speed", &args.speed, q::ANGULAR_SPEED, Bounds::NOT_ZERO)?,
         tolerance: tolerance.unwrap_or(1e-6),

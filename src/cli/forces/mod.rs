@@ -2,7 +2,7 @@
 
 mod question;
 
-use crate::cli::answer::{Answer, Content, PAGE, Shown, picture};
+use crate::cli::answer::{Answer, Content, PAGE, Shown, ignores_until, picture, warn};
 use crate::cli::args::{ConventionName, ForcesArgs};
 use crate::cli::asker::Asker;
 use crate::cli::console;
@@ -22,7 +22,10 @@ use crate::studies::forces::{
     study,
 };
 use crate::studies::kinematics::{linkage_of, several_of};
+use crate::studies::rigid::Rigid;
 use crate::studies::studied::{POSITIONS, check_forces};
+
+use serde_json::json;
 
 const FILES: [&str; 5] = [
     "forces.csv",
@@ -72,10 +75,18 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
             Content::made(move || picture(chart.as_ref())),
         ));
     }
+    // Loads over time, and those of a record, come from a run.
+    let of_run = args.record.is_some() || found.course.has_loads();
+    let label = Rigid::label(model, &["dam run"]).filter(|_| !of_run);
+    let mut shown = findings(&report, Source::scene(input.text(), report.hash));
+    shown.label(label.as_ref(), "the forces are");
+    let mut written = document(&report);
+    written["rigid"] = json!(label);
+    warn(&mut shown, &mut written, ignores_until(model));
     let answer = Answer {
         command: "forces",
-        findings: &findings(&report, Source::scene(input.text(), report.hash)),
-        document: expected::beside(document(&report), &verdicts).into(),
+        findings: &shown,
+        document: expected::beside(written, &verdicts).into(),
         files,
         quiet: args.scene.quiet,
     };
@@ -112,6 +123,11 @@ fn of_several(
     ready: &Ready,
     body: &MultiLinkageBody,
 ) -> Result<Solved, Failure> {
+    let pairs = &body.linkage.spec().linkage.pairs;
+    if args.frictionless && pairs.iter().all(|pair| pair.friction == 0.0) {
+        let why = "--frictionless has no effect: no pair has friction";
+        return Err(Failure::Other(why.to_owned()));
+    }
     let asked = question::of_several(args, ready, body)?;
     let object = ready.system.model().objects[body.object].id.clone();
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
@@ -125,6 +141,21 @@ fn of_several(
         massless: None,
         motion: motion.unwrap_or_default(),
     })
+}
+
+/// Refuses what changes nothing of the forces.
+fn unused(args: &ForcesArgs, friction: bool, course: &Course) -> Result<(), Failure> {
+    let moves = matches!(course, Course::Even { speed, .. } if *speed != 0.0);
+    let why = match (args.frictionless, args.direction.is_some()) {
+        (true, _) if !friction => "--frictionless has no effect: no pair has friction",
+        (true, true) => "--direction has no effect beside --frictionless",
+        (_, true) if !friction => "--direction has no effect: no pair has friction",
+        (_, true) if moves => {
+            "--direction has no effect: it is that of the speed; --speed 0 lets the input rest"
+        }
+        _ => return Ok(()),
+    };
+    Err(Failure::Other(why.to_owned()))
 }
 
 fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
@@ -143,6 +174,7 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
         return Err(Failure::Other(message));
     }
     let (course, motion) = question::course(args, ready, body)?;
+    unused(args, solver.has_friction(), &course)?;
     let rests = matches!(course, Course::Even { speed, acceleration, .. } if speed == 0.0 && acceleration == 0.0);
     if rests && solver.has_friction() && !args.frictionless && args.direction.is_none() {
         return Err(Failure::Other(format!(

@@ -3,7 +3,7 @@
 
 pub(super) mod several;
 
-use super::answer::{Answer, Content, PAGE, Shown};
+use super::answer::{Answer, Content, PAGE, Shown, ignores_until, warn};
 use super::args::{CourseArgs, KinematicsArgs};
 use super::asker::Asker;
 use super::expected;
@@ -23,9 +23,11 @@ use crate::studies::kinematics::{
     Asked, AskedSeveral, Kinematics, Over, Question, Subject, kinematics, several_kinematics,
     several_of, whole_travel,
 };
+use crate::studies::rigid::Rigid;
 use crate::studies::studied::{POSITIONS, check_kinematics};
 use crate::units::quantities as q;
 use crate::units::with_common_unit;
+use serde_json::json;
 
 const FILES: [&str; 4] = ["kinematics.csv", "kinematics.json", "mechanism.svg", PAGE];
 
@@ -71,10 +73,16 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
         let why = "the linkage cannot be assembled at that place";
         return Err(why.to_owned().into());
     }
+    let label = Rigid::label(model, &["dam run"]);
+    let mut shown = findings(name, &found, Source::scene(input.text(), hash));
+    shown.label(label.as_ref(), "positions, speeds and accelerations are");
+    let mut written = document(name, hash, &found);
+    written["rigid"] = json!(label);
+    warn(&mut shown, &mut written, ignores_until(model));
     let answer = Answer {
         command: "kinematics",
-        findings: &findings(name, &found, Source::scene(input.text(), hash)),
-        document: expected::beside(document(name, hash, &found), &verdicts).into(),
+        findings: &shown,
+        document: expected::beside(written, &verdicts).into(),
         files: vec![
             (FILES[0].into(), Content::made(|| rows(&found).csv())),
             (FILES[1].into(), Content::Document),

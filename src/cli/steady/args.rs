@@ -53,6 +53,7 @@ pub(crate) struct MachineArgs {
         long,
         value_name = "EXPRESSION",
         requires = "inertia",
+        conflicts_with_all = ["scene", "table"],
         allow_hyphen_values = true
     )]
     pub(crate) work: Option<String>,
@@ -61,7 +62,7 @@ pub(crate) struct MachineArgs {
         long,
         value_name = "EXPRESSION",
         requires = "inertia",
-        conflicts_with = "work",
+        conflicts_with_all = ["scene", "table", "work"],
         allow_hyphen_values = true
     )]
     pub(crate) moment: Option<String>,

@@ -1,7 +1,7 @@
 //! Machines that are no scene: tables and expressions.
 
 use super::args::SteadyArgs;
-use super::{Found, asked, folder, machine_document, machine_source, tell};
+use super::{Found, RIGID_REPEATS, asked, folder, machine_document, machine_source, tell};
 use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
 use crate::cli::status::Status;
@@ -18,6 +18,10 @@ use std::path::Path;
 const LARGEST: u64 = 65 << 20;
 
 pub(super) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Failure> {
+    if args.question.periods.is_some() {
+        let why = format!("--periods has no effect: {RIGID_REPEATS}");
+        return Err(Failure::Other(why));
+    }
     let mut spec = SteadySpec::default();
     asked(&args.question, &mut spec)?;
     let Some(mean_speed) = spec.mean_speed else {

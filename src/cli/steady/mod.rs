@@ -3,7 +3,7 @@
 pub(crate) mod args;
 mod machine;
 
-use super::answer::{self, Content, PAGE, Shown as Shape};
+use super::answer::{self, Content, PAGE, Shown as Shape, ignores_until, warn};
 use super::asker::Asker;
 use super::console;
 use super::expected;
@@ -24,6 +24,7 @@ use crate::report::steady::{
 };
 use crate::studies::check::Check;
 use crate::studies::expectations::Verdict;
+use crate::studies::rigid::Rigid;
 use crate::studies::steady::{Answer, ROWS, check, steady_motion_within};
 use crate::units::{Quantity, quantities as q};
 use args::{MeanChoice, QuestionArgs, SteadyArgs, SteadyForm};
@@ -31,6 +32,9 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 const FILES: [&str; 3] = ["steady.json", "steady.csv", PAGE];
+
+/// Why no number of cycles is asked for.
+const RIGID_REPEATS: &str = "a machine with rigid objects repeats after one cycle";
 
 /// Size of the diagram (pixels).
 const PICTURE: (f64, f64) = (900.0, 560.0);
@@ -70,11 +74,15 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     asked(&args.question, &mut spec)?;
     let answer = steady_motion_within(&ready.system, &ready.settings, &spec, asker.budget())
         .map_err(|faults| Failure::from(ready.reading.places.diagnose(&faults)))?;
+    unused(&args.question, &spec, &answer)?;
     let verdicts = verdicts(args, &ready, &answer);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
-    let document = document(&ready, &answer, (&answer.checks(), &verdicts))?;
+    let rigid = matches!(answer, Answer::Rigid(_));
+    let label = Rigid::label(ready.system.model(), &["dam run"]).filter(|_| rigid);
+    let mut document = document(&ready, &answer, (&answer.checks(), &verdicts))?;
+    document["rigid_label"] = json!(label);
     let source = Source::scene(input.text(), hash);
-    let found = match &answer {
+    let mut found = match &answer {
         Answer::Rigid(answer) => {
             let shown = Shown {
                 title: name,
@@ -95,6 +103,9 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
             diagram: None,
         },
     };
+    found.findings.label(label.as_ref(), "the steady motion is");
+    let until = ignores_until(ready.system.model());
+    warn(&mut found.findings, &mut found.document, until);
     let status = tell((args, asker), found, folder.as_ref())?;
     if !args.quiet {
         expected::talk(&verdicts);
@@ -137,6 +148,23 @@ fn asked(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Failure> {
         None => spec.mean,
     };
     Ok(())
+}
+
+/// Refuses what changes nothing of this answer.
+fn unused(args: &QuestionArgs, spec: &SteadySpec, answer: &Answer) -> Result<(), Failure> {
+    let refuse = |given: bool, option: &str, why: &str| match given {
+        true => Err(Failure::Other(format!("{option} has no effect: {why}"))),
+        false => Ok(()),
+    };
+    let [mean, periods] = [args.mean.is_some(), args.periods.is_some()];
+    let decided = "no mean speed is asked for, the scene decides it";
+    match answer {
+        Answer::Rigid(answer) => {
+            refuse(periods, "--periods", RIGID_REPEATS)?;
+            refuse(mean && answer.regime.is_some(), "--mean", decided)
+        }
+        Answer::Periodic(_) => refuse(mean && spec.mean_speed.is_none(), "--mean", decided),
+    }
 }
 
 fn folder(args: &SteadyArgs, name: &str) -> Result<Option<OutputFolder>, Failure> {

@@ -12,8 +12,9 @@ pub use table::{Cell, Column, Figure, Row, Table, Value};
 pub(in crate::report) use text::width;
 
 use super::plot::{Plot, Plots};
-use super::verdict::Verdict;
+use super::verdict::{Verdict, capitalised};
 use crate::studies::check::Check;
+use crate::studies::rigid::Rigid;
 use std::fmt;
 
 /// All that a study has to say.
@@ -50,6 +51,14 @@ impl Findings<'_> {
             })
             .flatten()
             .filter_map(|figure| figure.check.as_ref())
+    }
+
+    /// Labels the whole as computed without the elasticity of objects.
+    pub fn label(&mut self, label: Option<&Rigid>, what: &str) {
+        if let Some(label) = label {
+            let words = capitalised(&label.words(what)) + ".";
+            self.sections.insert(0, Section::default().words(words));
+        }
     }
 
     /// The first chart.

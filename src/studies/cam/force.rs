@@ -1,12 +1,13 @@
 //! Contact force, lift-off and closing spring of a cam in a scene.
 
 use super::reduction::Reduction;
-use crate::dynamics::model::{Closure, Coordinate, Model, NodeMotion};
+use crate::dynamics::model::{Closure, Coordinate, Model};
 use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
 use crate::kinematics::cam::search::greatest_over;
 use crate::kinematics::cam::{At, DiscCam, Surface};
 use crate::studies::law::LiftOff;
+use crate::studies::rigid::{Rigid, elastic};
 use crate::units::shown;
 use serde::Serialize;
 
@@ -225,11 +226,11 @@ impl<'m> CamForce<'m> {
         let forced = self.reduction.pair().closure == Closure::Force;
         let mut notes = self.reduction.notes.clone();
         if !self.rigid.is_empty() {
-            notes.push(format!(
-                "rigid: the forces are computed without the elasticity of {}; `dam run` and \
-                 `dam cam --lift-off` include it",
-                self.rigid.join(", ")
-            ));
+            let label = Rigid {
+                without: self.rigid.clone(),
+                included_by: vec!["dam run", "dam cam --lift-off"],
+            };
+            notes.push(label.words("the forces are"));
         }
         if self.cam.geometry().surface == Surface::Groove && forced {
             notes.push("a groove needs no closing force".to_owned());
@@ -255,16 +256,6 @@ impl<'m> CamForce<'m> {
             notes,
         }
     }
-}
-
-/// The objects with masses on springs.
-fn elastic(model: &Model) -> Vec<String> {
-    let is_mass = |&node: &usize| matches!(model.nodes[node].motion, NodeMotion::Mass { .. });
-    let elastic = model
-        .objects
-        .iter()
-        .filter(|part| part.nodes.iter().any(is_mass));
-    elastic.map(|part| part.id.clone()).collect()
 }
 
 /// The least rate that keeps contact without a reserve, in words.

@@ -46,7 +46,7 @@ pub struct FigureAccuracy {
     /// Where the figure leads as the model is refined.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
-    /// Why it has no limit, or is not determined.
+    /// Why it has no limit, is not determined, or is not judged relative to itself.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }
@@ -143,7 +143,9 @@ impl Certificate {
             shares.spread = Some(moved);
             *error += moved;
             let relative = *error / figure.value.abs();
-            figure.relative = Some(relative).filter(|share| share.is_finite());
+            // None before: the figure is zero within the resolution of the run.
+            figure.relative = figure.relative.and(Some(relative));
+            figure.relative = figure.relative.filter(|share| share.is_finite());
             figure.holds = *error <= figure.asked;
         }
         self

@@ -7,6 +7,7 @@ use super::certificate::{
 use super::row::{Course, Families, Family};
 use super::trial::{Trial, Trials, coordinates};
 use crate::dynamics::builder::spec::Level;
+use crate::frontend::scene::Accuracy;
 use crate::math::order::Total;
 
 pub(in crate::studies) fn value(trial: &Trial, asked: &Asked) -> f64 {
@@ -209,6 +210,10 @@ impl Judge<'_> {
     }
 }
 
+/// A figure is resolved from so many errors of the integration on: those of the runs that it is
+/// compared with count too.
+const RESOLVED: f64 = 10.0;
+
 fn figure_accuracy(chosen: &Trial, asked: &Asked, course: &Course) -> FigureAccuracy {
     let value = value(chosen, asked);
     let integration = chosen.integration_of(&asked.figure);
@@ -221,9 +226,17 @@ fn figure_accuracy(chosen: &Trial, asked: &Asked, course: &Course) -> FigureAccu
         Course::NoLimit(why) => (Certainty::NoLimit, None, Some(why.clone())),
         Course::Open(scatter) => (Certainty::NotDetermined, None, Some(undetermined(*scatter))),
     };
-    let bound = match course {
-        Course::Counts(_) => 0.0,
-        _ => asked.accuracy.bound(limit.unwrap_or(value)),
+    let size = limit.unwrap_or(value);
+    // No error is relative to zero, nor to what the run does not resolve.
+    let resolution = RESOLVED * integration;
+    let unresolved = size.abs() <= resolution;
+    let (bound, why) = match (course, asked.accuracy) {
+        (Course::Counts(_), _) => (0.0, why),
+        (_, Accuracy::Share(_)) if unresolved && error.is_some() => (
+            resolution,
+            Some("zero within the resolution of the run".to_owned()),
+        ),
+        _ => (asked.accuracy.bound(size), why),
     };
     FigureAccuracy {
         value,
@@ -231,7 +244,7 @@ fn figure_accuracy(chosen: &Trial, asked: &Asked, course: &Course) -> FigureAccu
         error,
         relative: error
             .map(|error| error / value.abs())
-            .filter(|share| share.is_finite()),
+            .filter(|share| share.is_finite() && !unresolved),
         asked: bound,
         holds: error.is_some_and(|error| error <= bound),
         kind,

@@ -301,6 +301,29 @@ pub(super) fn part_near(
     unstable.ok_or_else(|| reasons.join("; "))
 }
 
+/// What has no effect where the motions of all drives are prescribed.
+fn unused(spec: &SteadySpec) -> Result<(), Vec<Fault>> {
+    let given = [
+        (spec.mean_speed.is_some(), "mean_speed"),
+        (spec.fluctuation.is_some(), "fluctuation"),
+        (spec.balance, "balance"),
+    ];
+    let fault = |(_, name): &(bool, &str)| {
+        let message = format!("`{name}` has no effect: the motions of the drives are prescribed");
+        let hint = "leave it out, or give the drive a `motor` in place of its motion";
+        Fault::new(format!("steady.{name}"), message, hint)
+    };
+    let faults: Vec<Fault> = given
+        .iter()
+        .filter(|(given, _)| *given)
+        .map(fault)
+        .collect();
+    match faults.is_empty() {
+        true => Ok(()),
+        false => Err(faults),
+    }
+}
+
 /// The periodic motion of an elastic scene behind prescribed drives.
 ///
 /// # Errors
@@ -320,6 +343,7 @@ pub(super) fn answer(
             "a drive with a constant `speed`",
         )]
     })?;
+    unused(spec)?;
     let rhythms = Rhythms::of_all(system.model(), TAU / once);
     // Where no common angle is known the one asked for is taken at its word.
     let cycle = rhythms.cycle(spec.cycle).unwrap_or(spec.cycle);
