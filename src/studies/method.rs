@@ -221,6 +221,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         breaks: system.breaks_passed(duration),
         expands: system.expands(),
         corners: system.has_corners(),
+        joint_friction: system.has_friction_of_several(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration,

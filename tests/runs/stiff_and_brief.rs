@@ -87,6 +87,37 @@ fn a_motion_that_becomes_stiff_goes_on_by_another_method() {
     );
 }
 
+/// A damper of 20 kN·m·s that acts from 1 s on, and two clutches in series.
+#[test]
+fn late_dampers_and_clutches_in_series_take_few_steps() {
+    let late = json!({ "dam": 1, "name": "Late", "objects": { "d": { "kind": "drive",
+        "motor": { "inertia": 1, "speed": 3, "torque": { "constant": 4 } },
+        "loads": { "c": { "expression": "-(t<1 ? 0 : 20000)*phi_dot" } } } },
+        "run": { "duration": 3, "tolerance": 1e-8 } });
+    let mut series = clutch();
+    let slip = "tanh((over_phi_dot - phi_dot)/0.01)";
+    series["objects"]["c"] = json!({ "kind": "drive",
+        "motor": { "inertia": 0.6, "speed": 0, "torque": { "constant": 0 } },
+        "loads": { "e": { "expression": format!("(t<0.5 ? 0 : 40)*{slip}"), "over": "b" } } });
+    series["objects"]["b"]["loads"]["e"] =
+        json!({ "expression": format!("(t<0.5 ? 0 : 40)*{slip}"), "over": "c" });
+    for scene in [late, series] {
+        let found = run(&scene);
+        assert!(found.is_trusted(), "{:?}", found.warnings);
+        let best = by(&scene, "radau");
+        let [own, least] = [&found, &best].map(|found| found.figures.run.evaluations);
+        assert!(
+            found.figures.run.steps < 400 && own < 6 * least,
+            "{own} {least}"
+        );
+        let end = |found: &RunResult| {
+            let objects = found.figures.objects.values();
+            objects.map(|one| one.end.displacement).sum::<f64>()
+        };
+        assert_relative_eq!(end(&found), end(&best), max_relative = 1e-7);
+    }
+}
+
 #[test]
 fn a_motion_that_does_not_become_stiff_stays_with_its_method() {
     let mut scene = clutch();

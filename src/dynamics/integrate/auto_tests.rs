@@ -48,6 +48,7 @@ fn situation(tolerance: f64, duration: f64) -> Situation {
         breaks: 0.0,
         expands: true,
         corners: false,
+        joint_friction: false,
         tolerance,
         coordinates: 1,
         duration,
@@ -199,6 +200,26 @@ fn errors_add_up_so_that_a_finer_tolerance_is_aimed_at() {
             "{why}"
         );
     }
+}
+
+#[test]
+fn joint_friction_of_several_inputs_keeps_implicit_methods_away() {
+    let of = |joint_friction: bool, fastest: f64| {
+        let chosen = choose(&Situation {
+            fastest,
+            turning: 40.0,
+            vibrations: vec![stays(40.0)],
+            expands: false,
+            joint_friction,
+            ..situation(1e-9, 1.5)
+        });
+        chosen.method
+    };
+    let moderate = 1e4;
+    assert_eq!(of(false, moderate), Method::Radau);
+    assert_eq!(of(true, moderate), Method::Dop853);
+    // What is stiff beyond that still needs one.
+    assert_eq!(of(true, 1e7), Method::Radau);
 }
 
 #[test]

@@ -42,6 +42,11 @@ impl System {
         loads.any(|load| matches!(load.law, LoadLaw::SpeedTable(_)))
     }
 
+    /// True when joints of a linkage of several inputs have friction.
+    pub fn has_friction_of_several(&self) -> bool {
+        self.frozen.several.is_some()
+    }
+
     /// About how many breaks of laws and loads are passed in a time (s): those over
     /// time, and those over the displacement of rotors that turn at their nominal
     /// speed; among them the changes of the sides on which blocks with friction press.

@@ -53,11 +53,12 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
     }
 }
 
-/// Doubt about the reference is a warning, in every form of the answer.
+/// Doubt about the reference and cautions are warnings, in every form of the answer.
 fn warnings(study: &Study) -> Vec<String> {
     let doubt = study.doubt.iter();
     let sentence = |doubt: &Doubt| format!("{}.", capitalised(&doubt.sentence()));
-    doubt.map(sentence).collect()
+    let cautions = study.cautions.iter().cloned();
+    doubt.map(sentence).chain(cautions).collect()
 }
 
 fn answer(study: &Study) -> Answer {

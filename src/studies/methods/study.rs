@@ -95,6 +95,9 @@ pub struct Study {
     /// there is no reference, nothing is judged, and nothing is recommended.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub doubt: Option<Doubt>,
+    /// What is known of single methods on such a scene, beside what was measured.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub cautions: Vec<String>,
     /// Where there is no reference: how far the finest points are apart.
     pub mutual_distances: Vec<Distance>,
     /// Lines, one a method.
@@ -177,9 +180,18 @@ pub fn study(
         mutual_distances: unknown.distances,
         recommendation: recommendation(&methods, plan.accuracy, unknown.doubt.as_ref()),
         doubt: unknown.doubt,
+        cautions: cautions(system),
         methods,
         models: None,
     })
+}
+
+/// What is known of methods beforehand: what a short run need not show.
+fn cautions(system: &System) -> Vec<String> {
+    let friction = system.has_friction_of_several();
+    let caution = "With joint friction of a linkage of several inputs radau is slow near singular \
+                   positions, and rodas5p may not finish. There dop853 is faster.";
+    friction.then(|| caution.to_owned()).into_iter().collect()
 }
 
 /// Recommendation; none where the reference is in doubt.

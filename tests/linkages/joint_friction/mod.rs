@@ -10,6 +10,7 @@ mod groups;
 mod loose;
 mod methods;
 mod motions;
+mod near_singular;
 mod reference;
 mod scenes;
 mod several;
