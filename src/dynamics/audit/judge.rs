@@ -17,7 +17,7 @@ const LEAST: f64 = 1e-7;
 const OF_STATE: f64 = 10.0;
 
 /// Roundings of a term.
-const ROUNDINGS: f64 = 256.0 * f64::EPSILON;
+pub(super) const ROUNDINGS: f64 = 256.0 * f64::EPSILON;
 
 /// The fastest rate of what is elastic (1/s).
 pub(crate) fn fastest_rate(model: &Model) -> f64 {
@@ -73,8 +73,8 @@ pub(super) struct Scales {
 pub(super) struct Judge<'s> {
     pub(super) system: &'s System,
     pub(super) mechanics: Mechanics<'s>,
-    scratch: Scratch,
-    asked: Asked,
+    pub(super) scratch: Scratch,
+    pub(super) asked: Asked,
     pub(super) scales: Scales,
     pub(super) found: EquationCheck,
     /// Names of nodes.
@@ -290,6 +290,7 @@ impl<'s> Judge<'s> {
             }
         }
         self.judge_contacts(look);
+        self.judge_sums(look);
         let time = look.windows[0].middle();
         for (node, best) in best.iter().enumerate() {
             let on_driver = self.mechanics.coordinate[node].is_none();
@@ -557,9 +558,9 @@ impl<'s> Judge<'s> {
         }
         for reduced in &self.system.model().reduced {
             let id = &self.system.model().objects[reduced.object].id;
-            found
-                .unchecked
-                .push(format!("{id}: its output, the sum of its modes"));
+            found.unchecked.push(format!(
+                "{id}: the displacement of its output, the sum of its modes"
+            ));
         }
         found.unchecked.dedup();
         found
@@ -571,7 +572,7 @@ impl Window {
         self.times[self.times.len() - 1] - self.times[0]
     }
 
-    fn middle(&self) -> f64 {
+    pub(super) fn middle(&self) -> f64 {
         0.5 * (self.times[self.times.len() - 1] + self.times[0])
     }
 }

@@ -119,6 +119,8 @@ pub(crate) struct Looks {
     pub(super) turns: Vec<Turn>,
     /// Switches met.
     pub(super) switches: usize,
+    /// When the run ended, and when it was to end (s).
+    pub(super) end: [f64; 2],
 }
 
 /// A number drawn by a seed (SplitMix64).
@@ -215,6 +217,7 @@ impl Looker {
         closed: bool,
         state: &mut dyn FnMut(f64, &mut [f64]),
     ) {
+        self.found.end = [until, self.duration];
         // (Of a stretch that is hardly longer than rounding of the time nothing is known.)
         if self.instants > 0 && until - from > BRIEFEST * until.abs() {
             self.draw_stretch([from, until], modes, closed, state);

@@ -5,16 +5,19 @@
 //! laws that are written a second time ([`crate::dynamics::stated`], [`mechanics`],
 //! [`contact`]), and the equations of motion are put to the test ([`judge`]): over a short
 //! time a momentum changes by the integral of the forces; contacts press and do not pull;
-//! at a switch ([`turns`]) nothing jumps but what an impact lets jump.
+//! at a switch ([`turns`]) nothing jumps but what an impact lets jump; laws are continuous
+//! ([`joints`]), and sums of modes move by the speed that is shown ([`sums`]).
 //!
 //! A defect is measured by the terms of its own equation that are there, and bounded by the
 //! tolerance and the rounding of these terms.
 
 mod check;
 mod contact;
+mod joints;
 mod judge;
 mod look;
 mod mechanics;
+mod sums;
 mod turns;
 
 pub use check::EquationCheck;
@@ -40,6 +43,8 @@ pub(crate) fn check(
     let mut judge = Judge::new(system, asked);
     judge.see_peaks(peaks);
     judge.judge_instants(looks);
+    judge.judge_joints();
+    judge.judge_end(looks);
     for turn in &looks.turns {
         turns::judge(&mut judge, turn);
     }
