@@ -4,6 +4,7 @@ use super::judge::Judge;
 use super::look::Looks;
 use crate::dynamics::model::{Node, NodeMotion};
 use crate::kinematics::breaks::Breaks;
+use crate::units::shown;
 
 /// Most places of a law that are looked at.
 const PLACES: i64 = 64;
@@ -19,18 +20,14 @@ impl Judge<'_> {
     pub(super) fn judge_joints(&mut self) {
         let model = self.system.model();
         for (index, node) in model.nodes.iter().enumerate() {
-            let jump = jump_of(node);
-            let Some((place, jump)) = jump.filter(|&(_, jump)| jump > 0.0) else {
+            let Some(jump) = jump_of(node).filter(|jump| jump.height > 0.0) else {
                 continue;
             };
-            let greatest = self.scales.motion[index][0].max(f64::MIN_POSITIVE);
-            let place = (place, &*self.names[index]);
-            (self.found).see(
-                jump / greatest,
-                JUMP,
-                place,
-                "displacement at a joint of the law",
-            );
+            let greatest = self.scales.motion[index][0].max(jump.size);
+            let at = shown(jump.place, 7);
+            let name = format!("{} (where its law is at {at})", self.names[index]);
+            let what = "displacement at a joint of the law";
+            (self.found).see(jump.height / greatest, JUMP, (0.0, &name), what);
         }
     }
 
@@ -44,14 +41,21 @@ impl Judge<'_> {
     }
 }
 
-/// The greatest jump of the displacement of a node between the formulas of its own law, and
-/// where it is: on the axis of the law.
-fn jump_of(node: &Node) -> Option<(f64, f64)> {
+/// A jump of a law between two of its formulas.
+struct Jump {
+    /// On the axis of the law.
+    place: f64,
+    height: f64,
+    /// The greatest displacement on either side.
+    size: f64,
+}
+
+/// The greatest jump of the displacement of a node between the formulas of its own law.
+fn jump_of(node: &Node) -> Option<Jump> {
     match &node.motion {
         NodeMotion::Prescribed { motion, .. } => {
-            greatest_jump(&motion.breaks(), &|segment, time| {
-                motion.jet(segment, time).value
-            })
+            let value = |segment: i64, time: f64| motion.jet(segment, time).value;
+            greatest_jump(&motion.breaks(), &value)
         }
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
             let position = &law.position;
@@ -62,15 +66,19 @@ fn jump_of(node: &Node) -> Option<(f64, f64)> {
     }
 }
 
-fn greatest_jump(breaks: &Breaks, value: &dyn Fn(i64, f64) -> f64) -> Option<(f64, f64)> {
+fn greatest_jump(breaks: &Breaks, value: &dyn Fn(i64, f64) -> f64) -> Option<Jump> {
     let count = (breaks.points.len() as i64).min(PLACES);
     let jumps = (0..count).map(|segment| {
         let (_, place) = breaks.edges(segment);
-        (
+        let (before, after) = (value(segment, place), value(segment + 1, place));
+        Jump {
             place,
-            (value(segment + 1, place) - value(segment, place)).abs(),
-        )
+            height: (after - before).abs(),
+            size: before.abs().max(after.abs()),
+        }
     });
-    // (A jump that is no number stays the greatest.)
-    jumps.reduce(|one, other| if one.1 >= other.1 { one } else { other })
+    jumps.reduce(|one, other| match one.height >= other.height {
+        true => one,
+        false => other,
+    })
 }
