@@ -180,7 +180,7 @@ fn it_is_mapped() {
         r#""masses": 1, "stiffness": 900, "damping_capacity": 0.2, "pair": { "closure": "force" },
             "loads": { "closing": { "constant": -40 } }"#,
     );
-    let document = document(&objects, r#""duration": 3"#, registry());
+    let document = document(&objects, r#""duration": 8"#, registry());
     let question = Question {
         overrides: Vec::new(),
         x: Axis::parse("wheel.inertia=0.02:0.9:4").unwrap(),
