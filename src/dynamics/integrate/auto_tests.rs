@@ -217,7 +217,11 @@ fn joint_friction_of_several_inputs_keeps_implicit_methods_away() {
     };
     let moderate = 1e4;
     assert_eq!(of(false, moderate), Method::Radau);
-    assert_eq!(of(true, moderate), Method::Dop853);
+    let explicit = of(true, moderate);
+    assert!(
+        matches!(explicit, Method::Dopri5 | Method::Dop853),
+        "{explicit:?}"
+    );
     // What is stiff beyond that still needs one.
     assert_eq!(of(true, 1e7), Method::Radau);
 }
