@@ -12,7 +12,7 @@ const STEPS: f64 = 1024.0;
 pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
     let (start, span) = (run.from.time, run.target - run.from.time);
     let step = run.settings.step.unwrap_or(span / STEPS);
-    let step = step.min(run.narrow_step());
+    let step = step.min(run.narrow_step()).min(run.given_longest);
     // A whole number of steps; a rest below a millionth of one is rounding.
     let count = (span / step - 1e-6).ceil().max(run.fewest_steps());
     let step = span / count;

@@ -51,7 +51,7 @@ impl<D: Dynamics> Run<'_, D> {
     pub(super) fn longest_step(&self) -> f64 {
         let modes = self.evaluator.modes.borrow();
         let own = self.evaluator.dynamics.longest_step(&modes);
-        let own = own.min(self.narrow_step());
+        let own = own.min(self.narrow_step()).min(self.given_longest);
         self.settings.step.map_or(own, |step| step.min(own))
     }
 

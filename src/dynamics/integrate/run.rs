@@ -1,5 +1,6 @@
 //! One run: what happens at every accepted step, whatever the method.
 
+mod given_signals;
 mod narrowing;
 mod probing;
 mod switching;
@@ -106,6 +107,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     pub(super) changing: Changing,
     /// Stretches in which steps must be short.
     narrow: Narrowing,
+    /// Longest step whose polynomial follows the given signals, until the next switch (s).
+    pub(super) given_longest: f64,
     /// Memory of the own method of Taylor series.
     pub(super) series: Series,
 }
@@ -153,6 +156,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             radau: None,
             changing: Changing::new(&[]),
             narrow: Narrowing::default(),
+            given_longest: f64::INFINITY,
             series: Series::default(),
         }
     }
@@ -243,6 +247,12 @@ impl<'a, D: Dynamics> Run<'a, D> {
                 self.earliest()
             }
         };
+        // (A series knows its own error in them; a fixed step is what was asked for.)
+        let own = matches!(given, Given::Series(..)) || !self.takes_again();
+        if let (None, false, Some(shorter)) = (edge, own, self.misses_given_signal()) {
+            self.given_longest = shorter;
+            return self.take_again(shorter);
+        }
         let found = self.probe_before(found);
         let found = match given {
             Given::Nothing => self.look_again(found),
@@ -254,9 +264,16 @@ impl<'a, D: Dynamics> Run<'a, D> {
             && self.is_to_draw_in(found.s)
         {
             self.drawn_in += 1;
-            self.steps -= 1;
-            self.rejected += 1;
-            return Verdict::Again(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
+            return self.take_again(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
+        }
+        if let (Some(found), None, false) = (found, edge, own)
+            && found.s > 0.0
+            && self.drawn_in < MOST_DRAWN_IN
+            && let Some(watch) = self.event_functions.get(found.watch)
+            && self.is_misplaced(watch, found.s)
+        {
+            self.drawn_in += 1;
+            return self.take_again(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
         }
         self.drawn_in = 0;
         match (found, edge) {
@@ -271,6 +288,32 @@ impl<'a, D: Dynamics> Run<'a, D> {
                 _ => self.end_at(&edge),
             },
         }
+    }
+
+    /// True where a step can be taken anew with another length.
+    fn takes_again(&self) -> bool {
+        match self.settings.method {
+            Method::Dopri5
+            | Method::Dop853
+            | Method::Taylor
+            | Method::Rodas5p
+            | Method::Radau
+            | Method::Exact => true,
+            Method::Rk4 => self.evaluator.dynamics.coordinates() == 0,
+            Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => false,
+        }
+    }
+
+    /// The step is taken anew with a length (s).
+    fn take_again(&mut self, length: f64) -> Verdict {
+        if self.evaluator.dynamics.coordinates() == 0 {
+            self.given_longest = length;
+        }
+        self.evaluator.take_not_finite();
+        self.steps -= 1;
+        self.rejected += 1;
+        self.pace.last_length = Some(length);
+        Verdict::Again(length)
     }
 
     /// True when a switch at a place of the step is to be located more closely, on

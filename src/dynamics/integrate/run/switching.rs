@@ -151,6 +151,7 @@ impl<D: Dynamics> Run<'_, D> {
         impact: Option<(&Impact, &[f64])>,
     ) {
         self.fresh = true;
+        self.given_longest = f64::INFINITY;
         self.forget_trial();
         *self.evaluator.modes.borrow_mut() = after.clone();
         self.evaluator
