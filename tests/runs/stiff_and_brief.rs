@@ -264,3 +264,64 @@ fn fine_chains_that_strike_are_certified_at_the_first_attempt() {
         assert_eq!(figure(&found, "rocker.pair.separations"), 60.0);
     }
 }
+
+/// A follower that its cam throws off, behind a drive whose speed goes up and down.
+fn thrown() -> Value {
+    json!({ "dam": 1, "name": "Thrown", "objects": {
+        "a": { "kind": "drive", "motion": {
+            "expression": "264*t + 0.3155*sin(604*t)*cos(264*t)" } },
+        "c": { "kind": "slider", "input": "a", "inertia": 0.1832, "masses": 1,
+            "stiffness": 29280, "damping": 8.137,
+            "position": { "cam": { "lift": 0.2478, "rise": "100 deg", "dwell": "40 deg",
+                "return": "120 deg", "law": "4-5-6-7" } },
+            "pair": { "closure": "force", "law": "hunt_crossley" },
+            "loads": { "closing": { "constant": -187.5, "mass": "last" } } } },
+        "run": { "duration": 0.11, "start": "on_law", "tolerance": 1e-9, "samples": 65 } })
+}
+
+#[test]
+fn what_flies_keeps_to_its_parabola_whatever_the_drive_does_meanwhile() {
+    let fall = 187.5 / 0.1832;
+    for method in ["dop853", "dopri5", "rodas5p", "radau", "taylor"] {
+        let found = by(&thrown(), method);
+        assert!(found.is_trusted(), "{method}: {:?}", found.warnings);
+        let times = &found.record.times;
+        let column = |quantity: Quantity| {
+            let mut columns = found.record.columns.iter();
+            let own = columns.find(|own| own.object == "c" && own.quantity == quantity);
+            &own.expect("a column").values
+        };
+        let (way, speed) = (column(Quantity::Displacement), column(Quantity::Speed));
+        let begin = times.iter().position(|time| *time > 0.005).expect("a row");
+        let last = times.len() - 1;
+        let flight = times[last] - times[begin];
+        assert!(flight > 0.1);
+        assert_relative_eq!(
+            speed[last],
+            speed[begin] - fall * flight,
+            max_relative = 1e-6
+        );
+        let landing = way[begin] + (speed[begin] - 0.5 * fall * flight) * flight;
+        assert_relative_eq!(way[last], landing, max_relative = 1e-6);
+    }
+}
+
+#[test]
+fn works_behind_a_table_over_time_are_summed_between_its_points() {
+    let points = [0.0, -0.048, 0.01, 0.035, 0.142, 0.162, 0.003, 0.153];
+    let table: Vec<[f64; 2]> = (0..8)
+        .map(|k| [0.25 * f64::from(k), points[k as usize]])
+        .collect();
+    let scene = json!({ "dam": 1, "name": "Table", "objects": {
+        "a": { "kind": "drive", "motion": { "table": table } },
+        "c": { "kind": "slider", "input": "a", "inertia": 0.1086, "masses": 0,
+            "position": { "ratio": 1.77 },
+            "pair": { "closure": "force", "contact": { "restitution": 0.5585 } },
+            "loads": { "closing": { "constant": -1.438, "mass": "last" } } } },
+        "run": { "duration": 1.75, "tolerance": 1e-9, "samples": 64 } });
+    for method in ["dop853", "dopri5", "rodas5p", "radau"] {
+        let found = by(&scene, method);
+        let error = found.audit.error();
+        assert!(error < 1e-12 && found.is_trusted(), "{method}: {error}");
+    }
+}

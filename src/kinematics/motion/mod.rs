@@ -193,10 +193,10 @@ impl DriveMotion {
             Self::Written(written) => written.jet(segment, time),
             Self::Table(spline) => {
                 let (first, last) = spline.ends();
-                match segment {
-                    i64::MIN..=0 => continued(spline, first, time),
-                    1 => spline.jet(time),
-                    2.. => continued(spline, last, time),
+                match usize::try_from(segment) {
+                    Err(_) | Ok(0) => continued(spline, first, time),
+                    Ok(number) if number < spline.knots().len() => spline.jet_of(number - 1, time),
+                    Ok(_) => continued(spline, last, time),
                 }
             }
         }
@@ -233,8 +233,8 @@ impl DriveMotion {
         }
     }
 
-    /// Times at which any derivative jumps, ascending: [`Self::breaks`], and
-    /// the points of a table; of a plan that repeats, those of its first cycle.
+    /// Times at which any derivative jumps, ascending: [`Self::breaks`]; of a plan that repeats,
+    /// those of its first cycle.
     pub fn joints(&self) -> Vec<f64> {
         match self {
             Self::Constant { .. } | Self::Accelerated { .. } => Vec::new(),
@@ -271,10 +271,8 @@ impl DriveMotion {
             Self::Plan(cycle) => return cycle.breaks().clone(),
             Self::Written(written) => return written.breaks().clone(),
             Self::LawRunUp(run_up) => run_up.breaks(),
-            Self::Table(spline) => {
-                let (first, last) = spline.ends();
-                vec![first, last]
-            }
+            // (Beside a point the formula of one interval is wrong by the cube of the distance.)
+            Self::Table(spline) => spline.knots().to_vec(),
         };
         Breaks {
             points,

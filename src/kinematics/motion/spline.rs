@@ -106,7 +106,11 @@ impl Spline {
             x
         };
         let inner = &self.knots[1..self.knots.len() - 1];
-        let interval = inner.partition_point(|&knot| knot <= x);
+        self.jet_of(inner.partition_point(|&knot| knot <= x), x)
+    }
+
+    /// Value and derivatives at `x` by the cubic of an interval, also beyond its ends.
+    pub fn jet_of(&self, interval: usize, x: f64) -> Jet {
         let t = x - self.knots[interval];
         let [y, b, c, d] = self.coefficients[interval];
         Jet {

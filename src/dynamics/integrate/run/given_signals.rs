@@ -58,10 +58,7 @@ impl<D: Dynamics> Run<'_, D> {
     /// of the signal over the step.
     fn missed_by(&self, signal: usize, s: f64) -> Option<(f64, f64)> {
         let step = self.output.step(1.0);
-        let [exact, _] = self
-            .evaluator
-            .dynamics
-            .given_signal(signal, step.time(s))?;
+        let [exact, _] = self.evaluator.dynamics.given_signal(signal, step.time(s))?;
         let row = step.differences(signal);
         let [low, high] = row
             .iter()
