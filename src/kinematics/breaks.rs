@@ -47,7 +47,7 @@ impl Breaks {
         }
         let below = |edge: f64| if sense >= 0.0 { edge <= x } else { edge < x };
         match self.period {
-            None => self.points.iter().filter(|&&edge| below(edge)).count() as i64,
+            None => self.points.partition_point(|&edge| below(edge)) as i64,
             Some(period) => {
                 // Beyond 10¹² turns an angle has no digits left for its place in
                 // the turn: stay in range, and come to an end.

@@ -39,8 +39,6 @@ pub(crate) struct Figured<'s> {
     continues: bool,
     /// Ends of the parts of the present step between kinks of the powers.
     kinks: Vec<f64>,
-    /// Times at which a derivative of a prescribed motion jumps, ascending (s).
-    joint_times: Vec<f64>,
     failure: Option<Failure>,
     /// Powers at the places of the present step, energies at its end.
     powers: [Power; 7],
@@ -90,7 +88,6 @@ impl<'s> Figured<'s> {
             looks: Looks::default(),
             continues: false,
             kinks: Vec::new(),
-            joint_times: works::joint_times(system),
             failure: None,
             powers: [Power::default(); 7],
             energy: Energy::default(),
