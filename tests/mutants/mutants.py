@@ -7,6 +7,8 @@
     mutants.py run [FOLDER]    runs the scenes, and those of a folder besides, with each mutant
                                and writes results.tsv
 
+equivalent.tsv says of mutants that nothing finds why no figure of a run can change by them.
+
 All mutants are in one program: each place asks for the number in the environment variable
 DAM_MUTANT. The sources are restored after the build, whatever happens.
 """
