@@ -45,7 +45,7 @@ impl Scene {
     ///
     /// ```
     /// # use dam::prelude::*;
-    /// let scene = Scene::read("scenarios/rocker/two_masses.json")?.duration(0.1);
+    /// let scene = Scene::read("scenarios/rocker/two_masses.json")?;
     /// let map = scene
     ///     .map(Axis::linear("rocker.inertia", 0.05, 1.0, 3))
     ///     .up(Axis::log("rocker.stiffness", 1e6, 1e8, 2))
