@@ -182,7 +182,7 @@ def ask(program: Path, scene: Scene, folder: Path) -> None:
         scene.chart = chosen[0]
         drawn = stand_alone([chosen[1]], rules, f"{chosen[0]} of {scene.name}")
         (folder / f"{scene.stem}-chart.svg").write_text(drawn, encoding="utf-8")
-    elif "stop" not in scene.headline:
+    elif "stop" not in scene.headline + scene.answer:
         raise RuntimeError(f"{scene.command}: none of the charts {asked[1]}")
 
 
