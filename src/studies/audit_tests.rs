@@ -170,3 +170,33 @@ fn a_rise_that_is_stepped_over_is_found() {
     let check = audit::check(&system, &found.recorded.looks, asked, &[]);
     assert!(!check.is_kept(), "{check:?}");
 }
+
+#[test]
+fn a_run_that_ends_late_and_one_whose_states_drift_are_found() {
+    let modes = String::from_utf8(CAM.to_vec())
+        .unwrap()
+        .replace(r#""masses": 2"#, r#""modes": 2"#);
+    for text in [CAM, modes.as_bytes()] {
+        let (model, settings) = lowered(text);
+        let system = System::new(model).unwrap();
+        let settings = RunSettings {
+            method: Some(Method::Dop853),
+            tolerance: 1e-9,
+            ..settings
+        };
+        let control = Control::default();
+        let found = motion(&system, &settings, Demand::EVERYTHING, &control, &mut []).unwrap();
+        let asked = Asked {
+            tolerance: 1e-9,
+            recorded: true,
+            closed: false,
+        };
+        let check = |looks| audit::check(&system, &looks, asked, &[]);
+        let looks = &found.recorded.looks;
+        assert!(check(looks.clone()).is_kept());
+        let late = check(looks.clone().late(1e-9));
+        assert!(!late.is_kept());
+        assert_eq!(late.what, "end");
+        assert!(!check(looks.clone().moved(0, 0.01)).is_kept());
+    }
+}

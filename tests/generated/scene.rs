@@ -51,6 +51,16 @@ pub(crate) struct Drawn {
 
 /// The scene of a number, in these units, with its objects named in one order or the other.
 pub(crate) fn draw(number: u64, units: Units, reversed: bool) -> Drawn {
+    let names = if reversed {
+        ["z", "y", "a"]
+    } else {
+        ["a", "b", "c"]
+    };
+    draw_named(number, units, names)
+}
+
+/// The same with names for its drive, for another drive, and for what is driven.
+pub(crate) fn draw_named(number: u64, units: Units, names: [&str; 3]) -> Drawn {
     let all = (MOTIONS.len() * BODIES.len()) as u64;
     // Every pair of kinds comes once in so many scenes.
     let place = (number * 77) % all;
@@ -76,11 +86,6 @@ pub(crate) fn draw(number: u64, units: Units, reversed: bool) -> Drawn {
     let start = match body {
         10 | 11 => "on_law",
         _ => maker.draw.one_of(&["kinetostatic", "on_law", "on_law"]),
-    };
-    let names = if reversed {
-        ["z", "y", "a"]
-    } else {
-        ["a", "b", "c"]
     };
     let mut objects = serde_json::Map::new();
     objects.insert(names[0].to_owned(), drive);

@@ -1,15 +1,21 @@
 //! The same motion written in other ways: in other units, with its objects in another order,
-//! through a rigid object more, and in two runs.
+//! through a rigid object more, in two runs, and with another machine in its scene.
 
 use super::agreement::{Answer, answer, difference, numbers};
 use super::draw::Units;
-use super::scene::{BODIES, Drawn, MOTIONS, draw};
+use super::scene::{BODIES, Drawn, MOTIONS, draw, draw_named};
 use dam::integrate::Method;
 use dam::prelude::{Quantity, RunResult};
 use serde_json::{Value, json};
 
 /// What the same motion may differ by, as a share of the scale of a figure.
 const SAME: f64 = 1e-6;
+
+/// The same beside another machine: its steps and switches are those of both.
+const SAME_BESIDE: f64 = 1e-5;
+
+/// Names of the other machine.
+const BESIDE: [&str; 3] = ["u", "v", "w"];
 
 /// Other units of time and inertia.
 const OTHER: Units = Units {
@@ -90,6 +96,23 @@ fn lengthened(scene: &Value) -> Value {
     scene
 }
 
+/// The scene with the machine of the next number beside its own.
+fn beside(scene: &Value, number: u64) -> Value {
+    let mut scene = scene.clone();
+    let mut other = draw_named(number + 1, Units::SI, BESIDE).scene;
+    let more = other["objects"].as_object_mut().expect("objects");
+    let objects = scene["objects"].as_object_mut().expect("objects");
+    objects.append(more);
+    scene
+}
+
+/// A result without the machine beside.
+fn without_beside(mut result: RunResult) -> RunResult {
+    let is_own = |id: &str| !BESIDE.contains(&id.split('.').next().unwrap_or_default());
+    result.figures.objects.retain(|id, _| is_own(id));
+    result
+}
+
 /// The second part of a run that is split at a sample, from the state that the first part came
 /// to; `None` where a state cannot be given: something but a chain moves by itself.
 fn second_part(drawn: &Drawn, whole: &RunResult, sample: usize) -> Option<Value> {
@@ -143,16 +166,17 @@ fn shift(text: &str, time: f64) -> String {
 /// Differences found, by what was done.
 #[derive(Default)]
 struct Found {
-    compared: [u32; 5],
+    compared: [u32; 6],
     differ: Vec<String>,
 }
 
-const WAYS: [&str; 5] = [
+const WAYS: [&str; 6] = [
     "similar",
     "other order",
     "texts",
     "a rigid shaft more",
     "two runs",
+    "another machine beside",
 ];
 
 fn compare(number: u64, found: &mut Found) {
@@ -170,7 +194,8 @@ fn compare(number: u64, found: &mut Found) {
         };
         found.compared[way] += 1;
         let (share, address) = difference(own, &other);
-        if !(share <= SAME) {
+        let same = if way == 5 { SAME_BESIDE } else { SAME };
+        if !(share <= same) {
             let kinds = format!("{} before {}", MOTIONS[drawn.motion], BODIES[drawn.body]);
             let way = WAYS[way];
             found.differ.push(format!(
@@ -195,6 +220,8 @@ fn compare(number: u64, found: &mut Found) {
         longer.map(|other| translated(other, Units::SI, &[])),
         &own,
     );
+    let both = run(&beside(&drawn.scene, number));
+    see(5, both.map(without_beside), &own);
     let sample = 1 + (number % 62) as usize;
     if let Some(second) = second_part(&drawn, &own, sample).and_then(|scene| run(&scene)) {
         // Only where it ends is the same.

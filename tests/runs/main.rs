@@ -23,6 +23,7 @@ mod reduce;
 mod reference_rocker;
 mod scoreboard;
 mod short_steps;
+mod side_by_side;
 mod starts_of_laws;
 mod stiff_and_brief;
 mod tolerance;

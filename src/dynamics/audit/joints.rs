@@ -10,7 +10,7 @@ use crate::units::shown;
 const PLACES: i64 = 64;
 
 /// Jump that is allowed, as a share of the greatest displacement.
-const JUMP: f64 = 1e-8;
+const JUMP: f64 = 1e-6;
 
 /// Share of the time by which a run may end late: rounding.
 const LATE: f64 = 1e-12;
@@ -20,9 +20,13 @@ impl Judge<'_> {
     pub(super) fn judge_joints(&mut self) {
         let model = self.system.model();
         for (index, node) in model.nodes.iter().enumerate() {
-            let Some(jump) = jump_of(node).filter(|jump| jump.height > 0.0) else {
+            let Some(jump) = jump_of(node).filter(|jump| jump.height != 0.0) else {
                 continue;
             };
+            // (Of a node that was not seen to move, the run tells no size.)
+            if self.scales.motion[index][0] == 0.0 && !jump.height.is_nan() {
+                continue;
+            }
             let greatest = self.scales.motion[index][0].max(jump.size);
             let at = shown(jump.place, 7);
             let name = format!("{} (where its law is at {at})", self.names[index]);
@@ -77,8 +81,24 @@ fn greatest_jump(breaks: &Breaks, value: &dyn Fn(i64, f64) -> f64) -> Option<Jum
             size: before.abs().max(after.abs()),
         }
     });
-    jumps.reduce(|one, other| match one.height >= other.height {
-        true => one,
-        false => other,
-    })
+    // (What is not a number is greater than any.)
+    jumps.max_by(|one, other| one.height.total_cmp(&other.height))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_greatest_jump_is_found_and_what_is_no_number_is_greater() {
+        let breaks = Breaks {
+            points: vec![1.0, 2.0, 3.0],
+            ..Breaks::default()
+        };
+        let steps = |segment: i64, _: f64| [0.0, 1e-3, 1e-3, 0.5][segment as usize];
+        let jump = greatest_jump(&breaks, &steps).unwrap();
+        assert_eq!([jump.place, jump.height, jump.size], [3.0, 0.499, 0.5]);
+        let none = |segment: i64, _: f64| [0.0, f64::NAN, 1e-3, 0.5][segment as usize];
+        assert!(greatest_jump(&breaks, &none).unwrap().height.is_nan());
+    }
 }

@@ -19,6 +19,13 @@ const OF_STATE: f64 = 10.0;
 /// Roundings of a term.
 pub(super) const ROUNDINGS: f64 = 256.0 * f64::EPSILON;
 
+/// Keeps the defect that is less against its bound; one that is no number gives way.
+pub(super) fn keep_less(best: &mut Option<(f64, f64)>, (defect, bound): (f64, f64)) {
+    if best.is_none_or(|(d, b)| !(d * bound <= defect * b)) {
+        *best = Some((defect, bound));
+    }
+}
+
 /// The fastest rate of what is elastic (1/s).
 pub(crate) fn fastest_rate(model: &Model) -> f64 {
     let mut stiff = vec![[0.0; 2]; model.nodes.len()];
@@ -280,9 +287,7 @@ impl<'s> Judge<'s> {
                     continue;
                 };
                 let bound = self.allowed(node, length);
-                if best.is_none_or(|(d, b)| !(d * bound <= defect * b)) {
-                    *best = Some((defect, bound));
-                }
+                keep_less(best, (defect, bound));
                 open |= best.is_some_and(|(d, b)| !(d <= b));
             }
             if !open {

@@ -348,3 +348,22 @@ impl Looker {
         self.found
     }
 }
+
+#[cfg(test)]
+impl Looks {
+    /// The same of a run that ended late by a share of its time.
+    pub(crate) fn late(mut self, share: f64) -> Self {
+        self.end[0] = self.end[1] * (1.0 + share);
+        self
+    }
+
+    /// The same of a run in which an entry of the state grows by `rate` (1/s) beside what it was.
+    pub(crate) fn moved(mut self, entry: usize, rate: f64) -> Self {
+        for window in self.looks.iter_mut().flat_map(|look| &mut look.windows) {
+            for (time, state) in window.times.iter().zip(&mut window.states) {
+                state[entry] += rate * time;
+            }
+        }
+        self
+    }
+}

@@ -1,6 +1,6 @@
 //! What is shown of a sum of modes: it moves by the speed that is shown of it.
 
-use super::judge::{Judge, ROUNDINGS};
+use super::judge::{Judge, ROUNDINGS, keep_less};
 use super::look::{Look, WEIGHTS, Window};
 use crate::dynamics::system::ObjectState;
 
@@ -29,9 +29,7 @@ impl Judge<'_> {
                 }
                 let rounding = ROUNDINGS * size / window.length() / greatest;
                 let own = ((rate - mean).abs() / greatest, self.bound() + rounding);
-                if best.is_none_or(|(d, b)| !(d * own.1 <= own.0 * b)) {
-                    *best = Some(own);
-                }
+                keep_less(best, own);
             }
         }
         let time = look.windows[0].middle();

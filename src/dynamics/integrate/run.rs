@@ -109,6 +109,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     narrow: Narrowing,
     /// Longest step whose polynomial follows the given signals, until the next switch (s).
     pub(super) given_longest: f64,
+    /// Steps taken with it.
+    given_steps: u32,
     /// Memory of the own method of Taylor series.
     pub(super) series: Series,
 }
@@ -157,6 +159,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             changing: Changing::new(&[]),
             narrow: Narrowing::default(),
             given_longest: f64::INFINITY,
+            given_steps: 0,
             series: Series::default(),
         }
     }
@@ -250,7 +253,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         // (A series knows its own error in them; a fixed step is what was asked for.)
         let own = matches!(given, Given::Series(..)) || !self.takes_again();
         if let (None, false, Some(shorter)) = (edge, own, self.misses_given_signal()) {
-            self.given_longest = shorter;
+            self.shorten(shorter);
             return self.take_again(shorter);
         }
         let found = self.probe_before(found);
@@ -281,6 +284,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             (None, None) => match self.pass() {
                 Verdict::Continue if self.is_to_slow_down() => Verdict::Restart,
                 Verdict::Continue if self.is_to_change() => Verdict::Restart,
+                Verdict::Continue if self.is_to_lengthen() => Verdict::Restart,
                 verdict => verdict,
             },
             (None, Some(edge)) => match self.pass() {
@@ -307,7 +311,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// The step is taken anew with a length (s).
     fn take_again(&mut self, length: f64) -> Verdict {
         if self.evaluator.dynamics.coordinates() == 0 {
-            self.given_longest = length;
+            self.shorten(length);
         }
         self.evaluator.take_not_finite();
         self.steps -= 1;

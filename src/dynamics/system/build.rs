@@ -41,6 +41,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
         builder.refuse_massless();
     }
     if builder.faults.is_empty() {
+        builder.frozen.rigid_given = builder.frozen.find_rigid_given();
         Ok(builder.frozen)
     } else {
         Err(builder.faults)

@@ -45,6 +45,11 @@ const TURNED: f64 = 0.01;
 /// motion of the laws turns by a radian, taken as a whole: its pieces turn some times faster.
 const LONGEST_HELD: f64 = 0.1;
 
+/// Longest step where something follows a prescribed drive rigidly, in the time in which its
+/// usual motion turns by a radian: works and figures of it count, and the coordinates, whose
+/// error sets the step, may be at rest or of another machine.
+const LONGEST_GIVEN: f64 = 0.5;
+
 impl Dynamics for System {
     type Scratch = Scratch;
 
@@ -285,9 +290,13 @@ impl Dynamics for System {
     }
 
     fn longest_step(&self, modes: &Modes) -> f64 {
+        let given = match self.frozen.rigid_given.is_empty() {
+            true => f64::INFINITY,
+            false => LONGEST_GIVEN * self.laws_sampled().given_time,
+        };
         match self.frozen.impacts && self.frozen.holds_any(&modes.0) {
-            true => LONGEST_HELD * super::scales::quickest(self.laws_sampled()),
-            false => f64::INFINITY,
+            true => given.min(LONGEST_HELD * super::scales::quickest(self.laws_sampled())),
+            false => given,
         }
     }
 

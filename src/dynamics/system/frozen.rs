@@ -29,6 +29,8 @@ pub(super) struct Frozen {
     pub(super) coordinate: Vec<Option<usize>>,
     /// Steps of the forward pass, drivers before driven.
     pub(super) steps: Vec<Step>,
+    /// Nodes that follow prescribed drives by laws alone.
+    pub(super) rigid_given: Vec<usize>,
     /// Chains that are systems of their own behind a prescribed drive.
     pub(super) branches: Vec<Branch>,
     /// The steps that the right-hand side needs besides the branches.

@@ -21,6 +21,7 @@ mod forest;
 mod frequencies;
 mod friction;
 mod frozen;
+mod given;
 mod growth;
 mod hertz;
 mod impacts;

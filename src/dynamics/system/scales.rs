@@ -11,6 +11,7 @@
 
 use super::constraints::ConstraintValues;
 use super::frozen::{Chain, Frozen, FrozenLaw, Step};
+use super::given::Motion;
 use super::loads::FrozenLoad;
 use super::multi::MultiWork;
 use super::passes::{Extent, Work};
@@ -122,6 +123,7 @@ fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
         slopes,
         gradients,
         linkages,
+        given_time: _,
     } = sampled;
     let mut carried: Vec<f64> = frozen
         .constant_force
@@ -281,6 +283,9 @@ pub(crate) struct Sampled {
     gradients: Vec<Vec<f64>>,
     /// Force magnitudes that each linkage takes at its input.
     linkages: Vec<f64>,
+    /// The least time (s) in which what follows prescribed drives rigidly turns by a radian of
+    /// its usual motion.
+    pub(super) given_time: f64,
 }
 
 /// The least time in which a sampled motion turns by a radian of its fastest change (s);
@@ -310,6 +315,9 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
     let memory = frozen.linkage_memory();
     let mut multi: Vec<MultiWork<f64>> = frozen.multi.iter().map(MultiWork::new).collect();
     let mut motion = vec![[0.0; 3]; frozen.inertia.len()];
+    let mut given: Vec<(usize, Motion)> = (frozen.rigid_given.iter())
+        .map(|&node| (node, Motion::default()))
+        .collect();
     for sample in 0..=SAMPLES {
         let share = sample as f64 / SAMPLES as f64;
         for step in &frozen.steps {
@@ -353,6 +361,9 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
                 .magnitude(motion[frozen.linkages[index].node]);
             linkages[index] = linkages[index].max(force);
         }
+        for (node, seen) in &mut given {
+            seen.see(&motion[*node]);
+        }
         for (range, at) in ranges.iter_mut().zip(&motion) {
             // NaN, outside the reach of a law, is passed over by `max`.
             range.displacement = range.displacement.max(at[0].abs());
@@ -365,6 +376,9 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
         slopes,
         gradients,
         linkages,
+        given_time: (given.into_iter())
+            .map(|(_, seen)| seen.time())
+            .fold(f64::INFINITY, f64::min),
     }
 }
 

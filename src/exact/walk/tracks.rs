@@ -70,7 +70,10 @@ impl<'a> Tracks<'a> {
     /// over a prescribed displacement.
     pub(super) fn follows(&self, system: &System, component: usize) -> bool {
         let tracks = &system.model().tracks;
-        let over_time = |track: usize| tracks[track].source == TrackSource::Time;
+        // (Beyond the tracks come the branches of what is integrated beside.)
+        let over_time = |track: usize| {
+            (tracks.get(track)).is_some_and(|track| track.source == TrackSource::Time)
+        };
         let prescribed = |follower: &Follower<'_>| follower.component == component;
         let track = component.checked_sub(self.pairs);
         track.is_some_and(over_time) || self.followers.iter().any(prescribed)

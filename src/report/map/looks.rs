@@ -10,7 +10,14 @@ pub(super) fn ground(verdict: Verdict) -> &'static str {
         Verdict::NumericalFailure => colours::NUMERICAL_FAILURE,
         Verdict::Stopped => colours::STOPPED,
         Verdict::Refused => colours::REFUSED,
-        _ => colours::WITHOUT_VALUE,
+        Verdict::InWorkingOrder
+        | Verdict::LiftOffDiesAway
+        | Verdict::LiftOff
+        | Verdict::LiftOffNotJudged
+        | Verdict::CreepNotJudged
+        | Verdict::NotJudged
+        | Verdict::ThrownOff
+        | Verdict::Resonance => colours::WITHOUT_VALUE,
     }
 }
 
@@ -21,10 +28,12 @@ pub(super) fn plain(verdict: Verdict) -> &'static str {
         Verdict::InWorkingOrder => colours::IN_WORKING_ORDER,
         Verdict::LiftOffDiesAway => colours::LIFT_OFF_DIES_AWAY,
         Verdict::LiftOff => colours::LIFT_OFF,
-        Verdict::LiftOffNotJudged | Verdict::NotJudged => colours::LIFT_OFF_NOT_JUDGED,
+        Verdict::LiftOffNotJudged | Verdict::NotJudged | Verdict::CreepNotJudged => {
+            colours::LIFT_OFF_NOT_JUDGED
+        }
         Verdict::ThrownOff => colours::THROWN_OFF,
         Verdict::Resonance => colours::RESONANCE,
-        other => ground(other),
+        Verdict::Stopped | Verdict::NumericalFailure | Verdict::Refused => ground(verdict),
     }
 }
 

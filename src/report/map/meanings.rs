@@ -47,8 +47,8 @@ pub(super) fn meaning(verdict: Verdict) -> String {
                 .to_owned()
         }
         Verdict::ThrownOff => format!(
-            "A pair opens in the window of steady figures and the object leaves its law by more than {THROWN_OFF} times the \
-             amplitude of the law."
+            "A pair opens in the window of steady figures and the object leaves its law by more \
+             than {THROWN_OFF} times the amplitude of the law."
         ),
         Verdict::Resonance => format!(
             "No pair opens, and over the last cycle the deviation is at least {RESONANCE} times \

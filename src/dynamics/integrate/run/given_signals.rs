@@ -22,7 +22,36 @@ const ORDER: f64 = 6.0;
 const SHORTEST: f64 = 0.2;
 const LONGEST: f64 = 0.8;
 
+/// Steps after which a longer one is tried, and how many times as long it may be.
+const TRIED: u32 = 16;
+const LONGER: f64 = 4.0;
+
+/// Shortest step that is still shortened, in roundings of the time.
+const SHORT: f64 = 4096.0 * f64::EPSILON;
+
 impl<D: Dynamics> Run<'_, D> {
+    /// Steps are no longer than that (s), until longer ones are tried.
+    pub(super) fn shorten(&mut self, length: f64) {
+        self.given_longest = length;
+        self.given_steps = 0;
+    }
+
+    /// True when steps have been short for a while and longer ones are to be tried: a motion
+    /// may be steep for a moment alone. The step that was taken is behind the run.
+    pub(super) fn is_to_lengthen(&mut self) -> bool {
+        if self.given_longest.is_infinite() {
+            return false;
+        }
+        self.given_steps += 1;
+        if self.given_steps < TRIED {
+            return false;
+        }
+        let length = self.from.time - self.to.time;
+        let binds = LONGER * length > self.given_longest;
+        self.shorten(LONGER * self.given_longest);
+        binds
+    }
+
     /// The length (s) of a shorter step, where the polynomial of this one misses a given signal.
     pub(super) fn misses_given_signal(&self) -> Option<f64> {
         let greatest = PLACES
@@ -32,7 +61,8 @@ impl<D: Dynamics> Run<'_, D> {
             .fold(0.0, f64::max);
         let step = self.output.step(1.0);
         let factor = (0.9 * greatest.powf(-1.0 / ORDER)).clamp(SHORTEST, LONGEST);
-        (greatest > 1.0).then_some(factor * step.length)
+        let may_shorten = step.length > SHORT * step.time(1.0).abs();
+        (greatest > 1.0 && may_shorten).then_some(factor * step.length)
     }
 
     /// True when a switch at a place of the step is one of given signals, which its polynomial
