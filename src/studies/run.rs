@@ -16,7 +16,7 @@ use crate::dynamics::integrate::{
 use crate::dynamics::model::UNTIL;
 use crate::dynamics::record::{
     EnergyAudit, EquationFigures, Figures, Record, Recorded, Recorder, RecorderSettings,
-    RunSummary, Tee, choose_window, drive_cycle,
+    RunSummary, Tee, choose_window, drive_cycle, judge_confirmed,
 };
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
@@ -390,16 +390,15 @@ fn attempt(
     let peaks: Vec<[f64; 3]> = figures
         .map(|own| [own.peak_speed, own.peak_acceleration, own.peak_reaction])
         .collect();
-    let equations = audit::check(
-        system,
-        &recorded.looks,
-        audit::Asked {
-            tolerance: settings.tolerance,
-            recorded: !light,
-            closed: whole,
-        },
-        &peaks,
-    );
+    let asked = audit::Asked {
+        tolerance: settings.tolerance,
+        recorded: !light,
+        closed: whole,
+    };
+    let mut equations = audit::check(system, &recorded.looks, asked, &peaks);
+    if !light {
+        judge_confirmed(&mut equations, &recorded, system.model(), asked.bound());
+    }
     Ok(Motion {
         equations,
         outcome: stopped_at_failure(found.outcome, &mut recorded),

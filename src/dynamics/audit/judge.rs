@@ -99,6 +99,13 @@ pub(crate) struct Asked {
     pub(crate) closed: bool,
 }
 
+impl Asked {
+    /// A bound on a share of terms.
+    pub(crate) fn bound(&self) -> f64 {
+        TOLERANCES * self.tolerance + LEAST
+    }
+}
+
 impl<'s> Judge<'s> {
     pub(super) fn new(system: &'s System, asked: Asked) -> Self {
         let model = system.model();
@@ -165,7 +172,7 @@ impl<'s> Judge<'s> {
 
     /// A bound on a share of terms.
     pub(super) fn bound(&self) -> f64 {
-        TOLERANCES * self.asked.tolerance + LEAST
+        self.asked.bound()
     }
 
     /// Looks at a state, and takes it into the scales.

@@ -3,11 +3,13 @@
 mod finish;
 mod stretch;
 
+use super::confirmed::Confirmed;
 use super::failure::Failure;
 use super::observer::Observer;
 use super::pairs::PairTracker;
 use super::rows::{Rows, is_finite};
 use super::settings::RecorderSettings;
+use super::tally::CLAIMS;
 use super::watch::Watch;
 use super::{Interval, SwitchRow};
 use crate::dynamics::audit::{Looker, fastest_rate};
@@ -33,7 +35,7 @@ const STRAIGHT: f64 = 1e-3;
 /// Takes the samples of a run and the switches of its pairs; makes the record and the
 /// figures of all that was gathered.
 pub(crate) struct Log<'s> {
-    observer: Observer<'s>,
+    pub(super) observer: Observer<'s>,
     settings: RecorderSettings,
     rows: Rows,
     pairs: Vec<PairTracker>,
@@ -48,6 +50,9 @@ pub(crate) struct Log<'s> {
     /// Times and rows of what were the extremes of figures.
     peaks: Vec<(f64, Vec<f64>)>,
     failure: Option<Failure>,
+    /// Greatest values that were seen a second time, by object; whether they are.
+    pub(super) confirmed: Vec<Option<Confirmed>>,
+    pub(super) confirms: bool,
     /// Draws what the check of the run looks at.
     looker: Looker,
     watch: Watch,
@@ -85,6 +90,8 @@ impl<'s> Log<'s> {
             budget: 0,
             peaks: Vec::new(),
             failure: None,
+            confirmed: vec![None; model.objects.len() * CLAIMS],
+            confirms: settings.checked && settings.listing,
             watch: Watch::new(model),
             looker: match settings.checked {
                 true => {

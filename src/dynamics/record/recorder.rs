@@ -1,5 +1,6 @@
 //! The listener that turns an integration into a record and figures.
 
+use super::confirmed::Confirmed;
 use super::failure::Failure;
 
 use super::figured::Figured;
@@ -29,6 +30,8 @@ pub struct Recorded {
     /// a state that was. Nothing from that step on is in the figures, the audit
     /// and the record.
     pub failure: Option<Failure>,
+    /// Greatest values that closed forms told, seen a second time.
+    pub(crate) confirmed: Vec<Confirmed>,
     /// States at instants drawn at random, for the check of the run.
     pub(crate) looks: Looks,
     /// The first time of each condition of the model, by its name; `None`: it did not hold.

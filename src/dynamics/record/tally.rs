@@ -88,7 +88,67 @@ pub(crate) struct Tally {
     last: ObjectState,
 }
 
+/// Greatest values of an object that closed forms tell.
+pub(super) const CLAIMS: usize = 6;
+
+/// A greatest value, and when it is met.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Claim {
+    pub(super) signal: Signal,
+    pub(super) sense: Sense,
+    pub(super) value: f64,
+    pub(super) time: f64,
+}
+
+/// Of what a claim is the greatest value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sense {
+    /// The signal itself.
+    Greatest,
+    /// The signal turned round.
+    Least,
+    /// Its magnitude.
+    Magnitude,
+}
+
+impl Claim {
+    /// The value of a signal as the claim has it.
+    pub(super) fn of(&self, value: f64) -> f64 {
+        match self.sense {
+            Sense::Greatest => value,
+            Sense::Least => -value,
+            Sense::Magnitude => value.abs(),
+        }
+    }
+}
+
 impl Tally {
+    /// The greatest values so far, with their instants. (A clearance is greatest in the middle
+    /// of a gap, at an instant that nobody asks for.)
+    pub(super) fn claims(&self) -> [Option<Claim>; CLAIMS] {
+        let claim = |peak: Peak, signal: Signal, sense: Sense| {
+            let known = peak.value > f64::NEG_INFINITY;
+            known.then_some(Claim {
+                signal,
+                sense,
+                value: peak.value,
+                time: peak.time,
+            })
+        };
+        let magnitude = |k: usize| claim(self.peaks[k], MAGNITUDES[k], Sense::Magnitude);
+        let deviation = self.deviation.as_ref();
+        let greatest = |own: &Deviation| claim(own.greatest, Signal::Deviation, Sense::Greatest);
+        let least = |own: &Deviation| claim(own.least, Signal::Deviation, Sense::Least);
+        [
+            magnitude(0),
+            magnitude(1),
+            magnitude(2),
+            magnitude(3),
+            deviation.and_then(greatest),
+            deviation.and_then(least),
+        ]
+    }
+
     /// A tally for object `object` of the system; `window`: that of the margins.
     pub(crate) fn new(system: &System, object: usize, window: Option<[f64; 2]>) -> Self {
         let part = &system.model().objects[object];

@@ -327,11 +327,16 @@ impl Listener for Joint<'_> {
         let coupled = self.beside.iter().flat_map(|beside| &beside.coupled);
         let coupled = coupled.map(|own| &own.tally);
         let times = trees.chain(carried).chain(coupled).flat_map(Tally::times);
-        let stretch = Stretch {
+        let mut stretch = Stretch {
             span,
             modes,
             course: Course::Known(&mut |time, y| motion.state(time, y)),
         };
+        for (own, part) in self.trees.iter().zip(&self.route.parts.trees) {
+            for (tally, &object) in own.iter().zip(&part.objects) {
+                self.log.confirm(object, tally, &mut stretch);
+            }
+        }
         self.log.keep(times, stretch);
     }
 

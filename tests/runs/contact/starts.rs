@@ -30,19 +30,19 @@ fn contacts(scale: f64) -> [(&'static str, String); 3] {
     ]
 }
 
-/// A lever that starts on its law, pressed on it by a force at its last mass, with all
+/// A lever that starts as told, pressed on its law by a force at its last mass, with all
 /// times `scale` times as long.
-fn lever(masses: usize, contact: &str, scale: f64) -> String {
+fn lever(masses: usize, contact: &str, scale: f64, start: &str) -> String {
     let mut text = String::new();
     write!(
         text,
-        r#"{{ "dam": 1, "name": "Start on the law", "objects": {{
+        r#"{{ "dam": 1, "name": "Start", "objects": {{
             "cam": {{ "kind": "drive", "motion": {{ "fixed": 0 }} }},
             "lever": {{ "kind": "rocker", "input": "cam", "position": {{ "ratio": 0.69 }},
                 "inertia": 0.074, "stiffness": {:e}, "masses": {masses}, "damping_capacity": 0.2,
                 "pair": {{ "closure": "force", "contact": {contact} }},
                 "loads": {{ "h": {{ "constant": {:e} }} }} }} }},
-            "run": {{ "duration": {:e}, "start": "on_law", "tolerance": 1e-8 }} }}"#,
+            "run": {{ "duration": {:e}, "start": {start}, "tolerance": 1e-8 }} }}"#,
         3600.0 / scale.powi(2),
         -14.0 / scale.powi(2),
         0.01 * scale
@@ -57,7 +57,7 @@ fn a_start_on_the_law_is_decided_by_derivatives() {
     for scale in [1e-3, 1.0, 1e6] {
         for (name, contact) in contacts(scale) {
             for masses in [1, 2, 5, 8] {
-                let text = lever(masses, &contact, scale);
+                let text = lever(masses, &contact, scale, r#""on_law""#);
                 let mut deflections = Vec::new();
                 for method in methods {
                     let result = run_text(&text, Some(method));
@@ -72,6 +72,61 @@ fn a_start_on_the_law_is_decided_by_derivatives() {
                 for (deflection, what) in &deflections {
                     let off = (deflection - reference).abs();
                     assert!(off <= 1e-5 * reference, "{what}: {deflection}, {reference}");
+                }
+            }
+        }
+    }
+}
+
+/// From its equilibrium it does not move, whatever the method and the unit of time.
+#[test]
+fn a_start_in_equilibrium_stays_there() {
+    for scale in [1e-3, 1.0, 1e6] {
+        for (name, contact) in contacts(scale) {
+            for (masses, start) in [(1, "static"), (2, "kinetostatic"), (8, "static")] {
+                let text = lever(masses, &contact, scale, &format!(r#""{start}""#));
+                for method in [Method::Radau, Method::Taylor, Method::Dop853] {
+                    let result = run_text(&text, Some(method));
+                    let own = &result.figures.objects["lever"];
+                    let pair = own.pair.as_ref().unwrap();
+                    let what = format!("{name}, {masses} masses, {method:?}, times {scale}");
+                    assert_eq!([pair.separations, pair.closures], [0, 0], "{what}");
+                    // ω is some 200 rad/s.
+                    let sway = own.delta_max - own.delta_min;
+                    assert!(own.delta_abs > 0.003, "{what}: {}", own.delta_abs);
+                    assert!(sway < 1e-6 * own.delta_abs, "{what}: {sway}");
+                }
+            }
+        }
+    }
+}
+
+/// From a state off its law it falls onto its contact, at the same instant by all methods.
+#[test]
+fn a_start_off_the_law_comes_to_the_contact() {
+    for scale in [1e-3, 1.0, 1e6] {
+        for (name, contact) in contacts(scale) {
+            for masses in [1, 2, 5] {
+                let (off, at_rest) = (vec![0.001; masses], vec![0.0; masses]);
+                let start = format!(
+                    r#"{{ "lever": {{ "displacement": {off:?}, "speed": {at_rest:?} }} }}"#
+                );
+                let text = lever(masses, &contact, scale, &start);
+                let mut first = None;
+                for method in [Method::Radau, Method::Taylor, Method::Dop853] {
+                    let result = run_text(&text, Some(method));
+                    let own = &result.figures.objects["lever"];
+                    let pair = own.pair.as_ref().unwrap();
+                    let what = format!("{name}, {masses} masses, {method:?}, times {scale}");
+                    assert_eq!(pair.closures, 1, "{what}: {:?}", pair.switch_times);
+                    let here = [pair.switch_times[0], own.delta_abs];
+                    let there = *first.get_or_insert(here);
+                    for (here, there) in here.into_iter().zip(there) {
+                        assert!(
+                            (here - there).abs() <= 1e-5 * there,
+                            "{what}: {here}, {there}"
+                        );
+                    }
                 }
             }
         }

@@ -70,6 +70,7 @@ impl Log<'_> {
                 self.rows.push_closeup(time, &values);
             }
         }
+        let confirmed = self.confirmed(tallies);
         let margins = self.margins(tallies, &mut figures);
         self.separations.sort_by(|a, b| {
             a.from
@@ -93,6 +94,7 @@ impl Log<'_> {
             figures,
             audit,
             margins,
+            confirmed,
             failure: self.failure,
             looks: self.looker.finish(),
             first_times: self.watch.finish(),
