@@ -7,6 +7,7 @@ use super::{Control, RunSettings};
 use crate::dynamics::audit::{self, Asked};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
+use crate::dynamics::record::judge_confirmed;
 use crate::dynamics::system::System;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{BuiltIn, Document, Overrides};
@@ -198,5 +199,27 @@ fn a_run_that_ends_late_and_one_whose_states_drift_are_found() {
         assert!(!late.is_kept());
         assert_eq!(late.what, "end");
         assert!(!check(looks.clone().moved(0, 0.01)).is_kept());
+    }
+}
+
+#[test]
+fn a_greatest_value_that_its_state_does_not_show_is_found() {
+    let (model, settings) = lowered(CAM);
+    let system = System::new(model).unwrap();
+    let settings = RunSettings {
+        method: Some(Method::Exact),
+        ..settings
+    };
+    let control = Control::default();
+    let found = motion(&system, &settings, Demand::EVERYTHING, &control, &mut []).unwrap();
+    assert!(found.equations.is_kept(), "{}", found.equations);
+    let count = found.recorded.confirmed.len();
+    assert!(count >= 5, "{count}");
+    for one in 0..count {
+        let mut recorded = found.recorded.clone();
+        recorded.confirmed[one] = recorded.confirmed[one].off(1e-4);
+        let mut check = found.equations.clone();
+        judge_confirmed(&mut check, &recorded, system.model(), 1e-6);
+        assert!(!check.is_kept(), "{one}");
     }
 }

@@ -16,7 +16,7 @@ fn root() -> PathBuf {
 }
 
 /// All scenes, `group/name.json`, ascending.
-fn scenes() -> Vec<PathBuf> {
+pub(crate) fn scenes() -> Vec<PathBuf> {
     let mut found = Vec::new();
     for group in std::fs::read_dir(root().join("scenarios")).unwrap() {
         let group = group.unwrap().path();

@@ -68,6 +68,15 @@ impl Log<'_> {
     }
 }
 
+#[cfg(test)]
+impl Confirmed {
+    /// The same where the state shows something else, by a share.
+    pub(crate) fn off(mut self, share: f64) -> Self {
+        self.seen *= 1.0 + share;
+        self
+    }
+}
+
 /// Puts greatest values to the test; `bound` is what is allowed as a share of them.
 pub(crate) fn judge_confirmed(
     check: &mut EquationCheck,

@@ -7,7 +7,7 @@ use super::values::Values;
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;
 use crate::report::plot::palette::{SHADES, STYLE, shade};
-use crate::report::plot::{Entry, Plot, STRIP, coordinate, document, legend_rows};
+use crate::report::plot::{Entry, Plot, STRIP, coordinate, document, legend_rows, width_of};
 use crate::report::quantity::{escape, shortened};
 use crate::studies::map::{MapResult, Study, Verdict};
 use std::collections::BTreeMap;
@@ -24,6 +24,8 @@ const KEY: f64 = 744.0;
 /// Longest title of a panel on a page (characters).
 const MOST_OF_HEAD: usize = 80;
 const LINE: f64 = 15.0;
+/// Between two labels of the bar of colours (pixels).
+const LABEL_GAP: f64 = 4.0;
 /// Size of the plot of a map that is steered.
 #[cfg(feature = "studio")]
 const STEERED: [f64; 2] = [340.0, 270.0];
@@ -247,8 +249,10 @@ fn bar_of_colours(values: &Values, [left, top, width, height]: [f64; 4]) -> Stri
         );
     }
     out.push_str("</g>\n");
-    for (value, label) in values.levels((width / 80.0) as usize) {
-        let x = coordinate(left + values.share(value) * width);
+    let levels = values.levels((width / 80.0) as usize).into_iter();
+    let levels = levels.map(|(value, label)| (left + values.share(value) * width, label));
+    for (place, label) in apart(levels) {
+        let x = coordinate(place);
         let _ = writeln!(
             out,
             "<path class=\"axis\" d=\"M{x} {}v4\"/><text x=\"{x}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
@@ -265,6 +269,21 @@ fn bar_of_colours(values: &Values, [left, top, width, height]: [f64; 4]) -> Stri
         escape(&values.name(&last_name(values.figure())))
     );
     out
+}
+
+/// The labels, from the left, that do not lie upon another: levels of a scale by powers may
+/// be close together.
+fn apart(labels: impl Iterator<Item = (f64, String)>) -> Vec<(f64, String)> {
+    let mut free = f64::NEG_INFINITY;
+    let mut kept = Vec::new();
+    for (place, label) in labels {
+        let half = 0.5 * width_of(&label);
+        if place - half >= free {
+            free = place + half + LABEL_GAP;
+            kept.push((place, label));
+        }
+    }
+    kept
 }
 
 /// `delta_max` of `rocker.delta_max`: the bar has little room.
@@ -327,4 +346,18 @@ fn sample(verdict: Verdict, map: bool) -> String {
         false => plain(verdict).to_owned(),
     };
     swatch(&ground, hatching(verdict))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_of_the_bar_do_not_lie_upon_each_other() {
+        let labels = [(0.0, "50 mrad"), (42.0, "100 mrad"), (70.0, "200 mrad")];
+        let labels = labels.map(|(place, label)| (place, label.to_owned()));
+        let kept = apart(labels.into_iter());
+        let kept: Vec<&str> = kept.iter().map(|(_, label)| &**label).collect();
+        assert_eq!(kept, ["50 mrad", "200 mrad"]);
+    }
 }

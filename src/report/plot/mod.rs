@@ -226,7 +226,7 @@ pub(in crate::report) fn fits(width: f64, font_size: f64) -> usize {
 }
 
 /// Width of a text at the size of labels (pixels), rather too much than too little.
-fn width_of(text: &str) -> f64 {
+pub(in crate::report) fn width_of(text: &str) -> f64 {
     6.8 * text.chars().filter(|c| !is_combining(*c)).count() as f64
 }
 
