@@ -210,7 +210,7 @@ fn causes(study: &Study<'_>, result: &MapResult) -> Table {
     let told = |cell: &Cell| {
         matches!(
             cell.verdict,
-            Verdict::NumericalFailure | Verdict::Refused | Verdict::Stopped
+            Verdict::NotFinished | Verdict::NumericalFailure | Verdict::Refused | Verdict::Stopped
         ) || cell.determined == Some(false)
     };
     let mut table = Table::new(["panel", "where", "verdict", "~cause"]);
