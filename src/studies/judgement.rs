@@ -86,6 +86,17 @@ impl Judgement {
         }
     }
 
+    /// What is left of a verdict of a study that leaves something out, as the elasticity of
+    /// objects: it certifies nothing.
+    #[must_use]
+    pub fn uncertified(self) -> Self {
+        match self {
+            Self::InWorkingOrder | Self::NotJudged => Self::NotJudged,
+            Self::NotInWorkingOrder => Self::NotInWorkingOrder,
+            Self::NotToBeTrusted => Self::NotToBeTrusted,
+        }
+    }
+
     /// The verdict on the objects of a complete run that passed its checks.
     pub fn of_objects<'o>(objects: impl Iterator<Item = &'o ObjectFigures>) -> Self {
         let of_object = |object: &ObjectFigures| {
