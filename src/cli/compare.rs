@@ -24,6 +24,7 @@ use crate::studies::list::ValueList;
 use crate::studies::lookup;
 use crate::studies::order::{Limits, limits};
 use crate::studies::rigid::Rigid;
+use serde_json::{Value, json};
 
 const FILES: [&str; 3] = ["comparison.json", "comparison.csv", PAGE];
 
@@ -93,7 +94,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         command: "compare",
         findings: &shown,
         document: Document::made(|| Warned {
-            document: document(&scene, &comparison),
+            document: labelled(document(&scene, &comparison), label.as_ref()),
             warnings: &told,
         }),
         files,
@@ -104,6 +105,12 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         Shown::json_or(args.scene.json, Shown::Text),
     )?;
     Ok(status(&comparison))
+}
+
+/// A document with the label of results that take elastic objects for rigid.
+fn labelled(mut document: Value, label: Option<&Rigid>) -> Value {
+    document["rigid"] = json!(label);
+    document
 }
 
 /// Results that are asked for besides are those of other studies.
