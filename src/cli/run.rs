@@ -121,6 +121,8 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         let certificate = ready.certificate.take();
         ready.certificate = certificate.map(|found| found.with_spread(spread));
     }
+    let shortfalls = ready.shortfalls();
+    result.figures.warnings.extend(shortfalls.iter().cloned());
     // Another mechanism than the scene's has no expectations.
     let changed = !args.scene.set.is_empty();
     let verdicts = if changed {
@@ -177,7 +179,10 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
             folder.tell_report();
         }
     }
-    Ok(status(&result, &verdicts))
+    Ok(match (status(&result, &verdicts), shortfalls.is_empty()) {
+        (Status::Answered, false) => Status::NotTrusted,
+        (status, _) => status,
+    })
 }
 
 /// Refuses columns that no record has.

@@ -1,5 +1,6 @@
 //! The program and what it reads, prints and writes; the scenarios and the documents.
 
+mod accuracy;
 mod bad_numbers;
 mod browser;
 mod checks;

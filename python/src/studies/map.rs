@@ -245,7 +245,8 @@ impl Told for Mapped {
                 hashed: "the study",
                 ..Source::scene(self.scene.json(), &study.hash)
             };
-            Ok(to(&findings(study, &self.result, &[], Vec::new(), source)))
+            let warnings = study.shortfalls.clone();
+            Ok(to(&findings(study, &self.result, &[], warnings, source)))
         })
     }
 }
