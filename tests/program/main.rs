@@ -21,4 +21,5 @@ mod scenarios;
 mod schema;
 mod steady;
 mod study_figures;
+mod study_verdicts;
 mod verdicts;
