@@ -117,7 +117,7 @@ class Scene:
         tuple[int, int],
         tuple[str, str],
         str,
-        list[tuple[str, str, bool | None]],
+        list[tuple[str, str, bool | None, str | None]],
         list[str],
     ]: ...
     def map_plan(
@@ -132,7 +132,7 @@ class Scene:
         digits: int,
         first: int,
         last: int,
-    ) -> list[tuple[float | None, str, str, float | None, bool | None]]: ...
+    ) -> list[tuple[float | None, str, str, float | None, bool | None, str | None]]: ...
     def methods(
         self,
         accuracy: float | None,

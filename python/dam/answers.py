@@ -292,6 +292,20 @@ class Answer:
         return Verdict(_sort(sort), headline, text)
 
     @property
+    def judgement(self) -> str | None:
+        """The verdict, one of four: `in_working_order`, `not_in_working_order`, `not_judged`,
+        `not_to_be_trusted`; `None` where nothing is judged."""
+        found = self.document.get("verdict")
+        return found if isinstance(found, str) else None
+
+    @property
+    def rigid(self) -> dict[str, Json] | None:
+        """The label of a result that takes elastic objects for rigid: these (`without`), and the
+        commands that include their elasticity (`included_by`)."""
+        found = self.document.get("rigid")
+        return found if isinstance(found, dict) else None
+
+    @property
     def warnings(self) -> list[str]:
         """What should be known beside the figures, a line each."""
         return self._found.warnings()
@@ -405,7 +419,7 @@ class Map(Answer):
         shape: tuple[int, int],
         figure: tuple[str, str],
         hash: str,
-        verdicts: Sequence[tuple[str, str, bool | None]],
+        verdicts: Sequence[tuple[str, str, bool | None, str | None]],
         panels: Sequence[str],
     ) -> None:
         super().__init__(answer)
@@ -462,15 +476,21 @@ class Map(Answer):
     @property
     def verdicts(self) -> list[str]:
         """Verdicts, row by row, panel by panel: `in_working_order`, `lift_off`, …"""
-        return [verdict for verdict, _, _ in self._verdicts]
+        return [verdict for verdict, _, _, _ in self._verdicts]
+
+    @property
+    def judgements(self) -> list[str | None]:
+        """For each cell the verdict that its run gives, one of four (see `Answer.judgement`);
+        `None` where there is no such mechanism."""
+        return [judgement for _, _, _, judgement in self._verdicts]
 
     @property
     def causes(self) -> list[str]:
         """Causes of the verdicts, row by row."""
-        return [cause for _, cause, _ in self._verdicts]
+        return [cause for _, cause, _, _ in self._verdicts]
 
     def to_xarray(self) -> xarray.Dataset:
-        """One data set: value, verdict and cause over the parameters."""
+        """One data set: value, verdict, cause and judgement over the parameters."""
         import numpy
         import xarray
 
@@ -488,6 +508,7 @@ class Map(Answer):
             "value": (over, numpy.array(self.values).reshape(shape), {"units": self.unit}),
             "verdict": (over, numpy.array(self.verdicts, dtype=text).reshape(shape)),
             "cause": (over, numpy.array(self.causes, dtype=text).reshape(shape)),
+            "judgement": (over, numpy.array(self.judgements, dtype=text).reshape(shape)),
         }
         attributes = {"figure": self.figure, "hash": self.hash}
         return xarray.Dataset(variables, coordinates, attributes)

@@ -76,7 +76,7 @@ def map(
     progress: Progress | None = None,
 ) -> xarray.Dataset:
     """A map like that of `Scene.map`, with the same values bit for bit: a data set with value,
-    verdict and cause over the parameters.
+    verdict, cause and judgement over the parameters.
 
     Parameters
     ----------
@@ -118,6 +118,7 @@ def map(
         "value": (names, column(0, float), {"units": figure_of[1]}),
         "verdict": (names, column(1, object)),
         "cause": (names, column(2, object)),
+        "judgement": (names, column(5, object)),
     }
     return xarray.Dataset(variables, coordinates, {"figure": figure_of[0], "hash": hash})
 
@@ -218,7 +219,7 @@ def _runs(
     return (time.perf_counter() - begun, rows)
 
 
-_CELL = ("value", "verdict", "cause", "moved", "determined")
+_CELL = ("value", "verdict", "cause", "moved", "determined", "judgement")
 _RUN = ("figures", "verdict", "cause")
 
 
@@ -250,6 +251,8 @@ class _Store:
             if file.name.startswith("."):
                 continue
             table = pyarrow.parquet.read_table(str(file)).to_pydict()
+            if not all(name in table for name in self.names):
+                continue  # of an earlier version, which kept less
             first = int(file.name.partition("-")[0])
             for place, row in enumerate(zip(*(table[name] for name in self.names))):
                 rows[first + place] = tuple(row)

@@ -129,7 +129,11 @@ fn words(verdict: Verdict) -> Words {
         Sort::Numerical => "numerical",
         Sort::Unfinished => "unfinished",
     };
-    (sort, verdict.headline.to_string(), verdict.text.to_string())
+    (
+        sort,
+        verdict.headline.to_string(),
+        verdict.said().to_string(),
+    )
 }
 
 #[pymethods]

@@ -538,7 +538,7 @@ type MapAnswer = (
     (usize, usize),
     (String, String),
     String,
-    Vec<(String, String, Option<bool>)>,
+    Vec<map::ToldVerdict>,
     Vec<String>,
 );
 

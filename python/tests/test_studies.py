@@ -24,6 +24,9 @@ def test_a_map_is_runs_at_its_points(rocker: dam.Scene) -> None:
     assert found.values[0, 0] == pytest.approx(alone.figures["rocker.delta_max"], rel=1e-9)
     assert found.verdicts[:2] == ["not_judged", "lift_off_not_judged"]
     assert len(found.causes) == 6
+    # The verdict of a cell is that of the run at its values.
+    assert found.judgements[:2] == ["not_judged", "not_judged"]
+    assert found.judgements[0] == alone.judgement and found.rigid is None
     one = scene.map(x, y, figure="rocker.delta_max", threads=1)
     assert (one.values == found.values).all() and one.hash == found.hash
     assert "svg" in found.page() and "rocker" in found.text()
@@ -37,6 +40,44 @@ def test_a_map_as_a_data_set(rocker: dam.Scene) -> None:
     assert both["verdict"].shape == (3, 2) and both["value"].attrs["units"] == "rad"
     curve = scene.map("rocker.inertia=0.05:0.1:2").to_xarray()
     assert curve["value"].dims == ("rocker.inertia",) and curve["cause"].shape == (2,)
+    assert list(curve["judgement"].to_numpy()) == ["not_judged", "not_judged"]
+
+
+def test_a_budget_that_is_spent_is_not_judged(rocker: dam.Scene) -> None:
+    scene = rocker.set("run.max_switches", 5)
+    found = scene.map("rocker.inertia=0.1:0.11:2")
+    assert found.verdicts == ["not_finished"] * 2
+    assert found.judgements == ["not_judged"] * 2
+    run = scene.set("rocker.inertia", 0.1).run()
+    assert run.judgement == "not_judged" and run.verdict is not None
+    assert run.verdict.sort == "unfinished"
+    refused = scene.map("rocker.inertia=-0.05:0.05:2")
+    assert refused.judgements[0] is None
+
+
+def test_results_without_elasticity_are_labelled(scenarios: Path) -> None:
+    follower = dam.load(scenarios / "cams" / "eccentric_jump.json")
+    spring = dam.load(scenarios / "joint_friction" / "stick_slip.json")
+    crank = dam.load(scenarios / "kinetostatics" / "slider_crank.json")
+    cell = follower.map("follower.stiffness=1e6:2e6:2", figure="cam.follower.base_radius")
+    labelled = [
+        (follower.cam(reserve=0.0), "follower", "not_judged"),
+        (spring.kinematics(), "spring", "not_judged"),
+        (spring.forces(), "spring", "not_judged"),
+        (cell, "follower", None),
+    ]
+    for found, id, judgement in labelled:
+        label = found.rigid
+        assert label is not None and label["without"] == [id]
+        assert label["included_by"] in (["dam run"], ["dam run", "dam cam --lift-off"])
+        assert found.judgement == judgement
+        assert f"without the elasticity of {id}" in " ".join(found.text().split())
+    for whole in (crank.kinematics(), crank.forces()):
+        assert whole.rigid is None and whole.judgement == "in_working_order"
+        assert "In working order." in whole.text()
+    steady = dam.load(scenarios / "steady" / "press_motor.json").steady()
+    assert steady.judgement == "in_working_order" and steady.rigid is None
+    assert isinstance(steady.document["rigid_motion"], dict)
 
 
 def test_progress_rises_to_one(rocker: dam.Scene) -> None:

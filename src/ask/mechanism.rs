@@ -103,7 +103,15 @@ impl Mechanism {
         let mut found = found.map_err(|faults| self.diagnose(&faults))?;
         let named = lookup::named_in(self.scene());
         self.attach(&mut found.figures, named, control)?;
+        found.figures.warnings.extend(self.shortfalls());
         Ok(found)
+    }
+
+    /// What is wrong with each figure that does not hold the accuracy that the scene asks for.
+    pub fn shortfalls(&self) -> Vec<String> {
+        let asked = self.scene().run.accuracy.is_some();
+        let certificate = self.certificate.as_ref().filter(|_| asked);
+        certificate.map_or_else(Vec::new, Certificate::shortfalls)
     }
 
     /// Adds the results of studies that are named, `frequency.1`, to the figures of a run.

@@ -9,6 +9,7 @@ use super::interrupt;
 use super::output::OutputFolder;
 use super::run::run_with_progress;
 use super::status::Status;
+use crate::ask::Judging;
 use crate::dynamics::integrate::Stop;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Quantity;
@@ -24,6 +25,7 @@ use crate::studies::list::ValueList;
 use crate::studies::lookup;
 use crate::studies::order::{Limits, limits};
 use crate::studies::rigid::Rigid;
+use serde_json::{Value, json};
 
 const FILES: [&str; 3] = ["comparison.json", "comparison.csv", PAGE];
 
@@ -58,6 +60,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         let mut found = found?;
         let named = args.figure.iter().map(String::as_str);
         ready.attach(&mut found.figures, named, interrupt::budget())?;
+        found.figures.warnings.extend(ready.shortfalls());
         Ok(found)
     })?;
     if let Some(limits) = limits_of(&input, &over, &comparison)? {
@@ -93,7 +96,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         command: "compare",
         findings: &shown,
         document: Document::made(|| Warned {
-            document: document(&scene, &comparison),
+            document: labelled(document(&scene, &comparison), label.as_ref()),
             warnings: &told,
         }),
         files,
@@ -103,7 +106,17 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         folder.as_ref(),
         Shown::json_or(args.scene.json, Shown::Text),
     )?;
-    Ok(status(&comparison))
+    let accurate = ready.iter().all(|ready| ready.shortfalls().is_empty());
+    Ok(match (status(&comparison), accurate) {
+        (Status::Answered, false) => Status::NotTrusted,
+        (status, _) => status,
+    })
+}
+
+/// A document with the label of results that take elastic objects for rigid.
+fn labelled(mut document: Value, label: Option<&Rigid>) -> Value {
+    document["rigid"] = json!(label);
+    document
 }
 
 /// Results that are asked for besides are those of other studies.
@@ -200,7 +213,7 @@ fn parse_over(over: &str) -> Result<ValueList, Failure> {
 
 fn prepare_all(input: &Input<'_>, over: &ValueList) -> Result<Vec<Ready>, Failure> {
     over.settings()
-        .map(|setting| input.prepare(&[setting]))
+        .map(|setting| input.prepare_judging(&[setting], Judging::Asked))
         .collect()
 }
 

@@ -65,7 +65,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let whole = folder.as_ref().filter(|_| result.complete);
     let command = command_of(args);
     // (A scene that is only whole with the values of the map says nothing.)
-    let warnings = input.prepare(&[]).map_or(Vec::new(), |ready| {
+    let mut warnings = input.prepare(&[]).map_or(Vec::new(), |ready| {
         let (scene, model) = (ready.scene(), ready.system.model());
         without_limit(scene, model, [study.figure.as_str()], None)
     });
@@ -73,6 +73,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
         hashed: "the study",
         ..Source::scene(input.text(), &study.hash)
     };
+    warnings.extend(study.shortfalls.iter().cloned());
     let told = warnings.clone();
     let answer = Answer {
         command: "map",
@@ -93,7 +94,10 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
             files => super::console::talk(&format!("{kept} cells of {files} files")),
         }
     }
-    Ok(status(&result))
+    Ok(match (status(&result), study.shortfalls.is_empty()) {
+        (Status::Answered, false) => Status::NotTrusted,
+        (status, _) => status,
+    })
 }
 
 /// Works out some cells and prints them.

@@ -25,7 +25,7 @@ use crate::studies::expectations::{Verdict, check, of_run};
 use crate::studies::judgement::Judged;
 use crate::studies::limit::without_limit;
 use crate::studies::order::Certificate;
-use crate::studies::rigid::elastic;
+use crate::studies::rigid::{Rigid, elastic};
 use crate::studies::run::{RunResult, run};
 use crate::studies::spread::{Spread, spread};
 use crate::studies::{RunSettings, lookup, plausible};
@@ -48,6 +48,9 @@ struct Document<'a> {
     judged: Judged<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     spread: Option<&'a Spread>,
+    /// The label of results in `studies` that take elastic objects for rigid.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    rigid: Option<&'a Rigid>,
     #[serde(skip_serializing_if = "<[Verdict]>::is_empty")]
     expect: &'a [Verdict],
     /// Doubts about the scene's text, with its places.
@@ -105,6 +108,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     }
     let mut result = run_with_progress((&ready, asker), &settings, quiet)?;
     warn_of_no_limit(&ready, &mut result.figures);
+    let rigid = warn_of_rigid(ready.system.model(), &mut result.figures);
     let seconds = begun.elapsed().as_secs_f64();
     let spread = if args.spread {
         let found = spread(&ready.system, &ready.settings, &result, control)
@@ -117,6 +121,8 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         let certificate = ready.certificate.take();
         ready.certificate = certificate.map(|found| found.with_spread(spread));
     }
+    let shortfalls = ready.shortfalls();
+    result.figures.warnings.extend(shortfalls.iter().cloned());
     // Another mechanism than the scene's has no expectations.
     let changed = !args.scene.set.is_empty();
     let verdicts = if changed {
@@ -127,6 +133,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let document = Document {
         judged: Judged::of(&result.figures),
         spread: spread.as_ref(),
+        rigid: rigid.as_ref(),
         expect: &verdicts,
         diagnostics: doubts(&ready),
     };
@@ -172,7 +179,10 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
             folder.tell_report();
         }
     }
-    Ok(status(&result, &verdicts))
+    Ok(match (status(&result, &verdicts), shortfalls.is_empty()) {
+        (Status::Answered, false) => Status::NotTrusted,
+        (status, _) => status,
+    })
 }
 
 /// Refuses columns that no record has.
@@ -196,6 +206,21 @@ fn warn_of_no_limit(ready: &Ready, figures: &mut Figures) {
     });
     let told = without_limit(scene, ready.system.model(), asked, Some(figures));
     figures.warnings.extend(told);
+}
+
+/// Warns of results of other studies that take elastic objects for rigid; their label.
+fn warn_of_rigid(model: &Model, figures: &mut Figures) -> Option<Rigid> {
+    let studies = figures.studies.keys();
+    let found: Vec<&str> = (studies.map(String::as_str))
+        .filter(|address| lookup::is_rigid(address))
+        .collect();
+    let label = Rigid::label(model, &["dam run"]).filter(|_| !found.is_empty())?;
+    let what = match found.as_slice() {
+        [one] => format!("{one} is"),
+        several => format!("{} are", several.join(", ")),
+    };
+    figures.warnings.push(label.words(&what));
+    Some(label)
 }
 
 /// Doubts about the scene's text, if any, as JSON.

@@ -26,6 +26,8 @@ pub enum Sort {
 pub struct Verdict {
     /// Sort of news.
     pub sort: Sort,
+    /// One of four, where a mechanism or its computation is judged.
+    pub judgement: Option<Judgement>,
     /// Two or three words: `In working order`.
     pub headline: Sentence,
     /// The sentence that follows.
@@ -52,9 +54,47 @@ impl Verdict {
     ) -> Self {
         Self {
             sort,
+            judgement: None,
             headline: headline.into(),
             text: text.into(),
         }
+    }
+
+    /// An answer that judges, in a sentence, and what is to be added.
+    pub(in crate::report) fn judged(
+        judgement: Judgement,
+        headline: impl Into<Sentence>,
+        text: impl Into<Sentence>,
+    ) -> Self {
+        Self {
+            judgement: Some(judgement),
+            ..Self::answer(judgement.into(), headline, text)
+        }
+    }
+
+    /// Takes back what is certified although something is left out.
+    pub(in crate::report) fn uncertify(&mut self) {
+        if let Some(judgement) = &mut self.judgement {
+            *judgement = judgement.uncertified();
+            self.sort = (*judgement).into();
+        }
+    }
+
+    /// The sentence that follows the headline, with the verdict in words where neither states
+    /// it.
+    pub fn said(&self) -> Sentence {
+        let words = self.judgement.map_or("", Judgement::words);
+        let text = self.text.to_string();
+        let stated = format!("{} {text}", self.headline).to_lowercase();
+        if stated.contains(&words.to_lowercase()) {
+            return self.text.clone();
+        }
+        let before = match text.trim_end() {
+            "" => "",
+            ended if ended.ends_with('.') => " ",
+            _ => ". ",
+        };
+        self.text.clone().words(format!("{before}{words}."))
     }
 }
 
@@ -70,11 +110,7 @@ pub fn verdict(figures: &Figures) -> Verdict {
             pairs(figures, judgement)
         }
     };
-    Verdict {
-        sort: judgement.into(),
-        headline: judgement.words().into(),
-        text,
-    }
+    Verdict::judged(judgement, judgement.words(), text)
 }
 
 /// The first check that a run failed.

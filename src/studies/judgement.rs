@@ -55,10 +55,26 @@ impl Judgement {
 
     /// The verdict of a run with these figures.
     pub fn of(figures: &Figures) -> Self {
-        let ending = ending(figures);
+        let made = Made {
+            ending: ending(figures),
+            time: figures.run.time,
+            checks: &checks(figures),
+        };
+        Self::of_run(made, figures.objects.values())
+    }
+
+    /// The verdict on a run, be it one by itself or that of a cell of a map.
+    pub fn of_run<'o>(made: Made<'_>, objects: impl Iterator<Item = &'o ObjectFigures>) -> Self {
         // What stops at its very start, as by self-locking, leaves nothing to check.
-        let at_start = ending == Ending::OfMechanism && figures.run.time <= 0.0;
-        let checked = at_start || checks(figures).iter().all(Check::passed);
+        let at_start = made.ending == Ending::OfMechanism && made.time <= 0.0;
+        let checks = if at_start { &[] } else { made.checks };
+        Self::decide(made.ending, checks, || Self::of_objects(objects))
+    }
+
+    /// The one rule by which every result is judged: how its computation ended and its checks
+    /// come before what it says of the mechanism.
+    pub fn decide(ending: Ending, checks: &[Check], mechanism: impl FnOnce() -> Self) -> Self {
+        let checked = checks.iter().all(Check::passed);
         match ending {
             Ending::OfComputation => Self::NotToBeTrusted,
             Ending::Complete | Ending::FromOutside | Ending::OfMechanism if !checked => {
@@ -66,7 +82,18 @@ impl Judgement {
             }
             Ending::OfMechanism => Self::NotInWorkingOrder,
             Ending::FromOutside => Self::NotJudged,
-            Ending::Complete => Self::of_objects(figures.objects.values()),
+            Ending::Complete => mechanism(),
+        }
+    }
+
+    /// What is left of a verdict of a study that leaves something out, as the elasticity of
+    /// objects: it certifies nothing.
+    #[must_use]
+    pub fn uncertified(self) -> Self {
+        match self {
+            Self::InWorkingOrder | Self::NotJudged => Self::NotJudged,
+            Self::NotInWorkingOrder => Self::NotInWorkingOrder,
+            Self::NotToBeTrusted => Self::NotToBeTrusted,
         }
     }
 
@@ -107,6 +134,17 @@ impl Judgement {
     }
 }
 
+/// How a run was made, for its verdict.
+#[derive(Clone, Copy, Debug)]
+pub struct Made<'c> {
+    /// How it ended.
+    pub ending: Ending,
+    /// Time that it got to (s).
+    pub time: f64,
+    /// The checks that it made of itself.
+    pub checks: &'c [Check],
+}
+
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
@@ -120,46 +158,82 @@ pub enum Ending {
     OfMechanism,
 }
 
+impl Ending {
+    /// How a run ended that stopped for a reason of this short name.
+    pub(in crate::studies) fn named(stopped: &str) -> Self {
+        match stopped {
+            "complete" => Self::Complete,
+            // A budget that is spent says nothing of what was computed until then.
+            "interrupted" | "wall_clock" | "too_many_steps" | "too_many_switches"
+            | "not_explored" => Self::FromOutside,
+            "not_finite" | "step_floor" | "method" | "" => Self::OfComputation,
+            _ => Self::OfMechanism,
+        }
+    }
+}
+
 /// How the run of these figures ended.
 pub fn ending(figures: &Figures) -> Ending {
-    if figures.run.complete {
-        return Ending::Complete;
+    match figures.run.complete {
+        true => Ending::Complete,
+        false => Ending::named(figures.run.stopped.as_deref().unwrap_or("")),
     }
-    match figures.run.stopped.as_deref().unwrap_or("") {
-        "interrupted" | "wall_clock" | "too_many_steps" | "not_explored" => Ending::FromOutside,
-        "not_finite" | "step_floor" | "too_many_switches" | "method" | "" => Ending::OfComputation,
-        _ => Ending::OfMechanism,
-    }
+}
+
+/// What the checks of a run look at beside the figures of its objects.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::studies) struct Errors {
+    /// Error of the energy balance.
+    pub(in crate::studies) energy: f64,
+    /// Tolerance of the run.
+    pub(in crate::studies) tolerance: f64,
+    /// Greatest defect of the equations of motion, and its bound.
+    pub(in crate::studies) equations: [f64; 2],
 }
 
 /// The checks that a run makes of itself, with their bounds.
 pub fn checks(figures: &Figures) -> Vec<Check> {
     let run = &figures.run;
-    // Accelerations grow without bound towards a dead-centre position that ends a run.
-    let unknown = match ending(figures) {
-        Ending::OfMechanism => 0,
-        Ending::Complete | Ending::FromOutside | Ending::OfComputation => {
-            let all = figures.objects.values();
-            all.filter(|one| !is_finite(one)).count()
-        }
+    let errors = Errors {
+        energy: run.energy_error,
+        tolerance: run.tolerance,
+        equations: [run.equations.defect, run.equations.bound],
     };
-    vec![
-        Check {
-            name: "count of objects with a figure that is not a finite number",
-            value: unknown as f64,
-            bound: 0.0,
-        },
-        Check {
-            name: "energy balance",
-            value: run.energy_error,
-            bound: EnergyAudit::bound(run.tolerance),
-        },
-        Check {
-            name: "equations of motion",
-            value: run.equations.defect,
-            bound: run.equations.bound,
-        },
-    ]
+    errors.checks(ending(figures), figures.objects.values())
+}
+
+impl Errors {
+    /// The checks of a run that ended so, with the figures of these objects.
+    pub(in crate::studies) fn checks<'o>(
+        &self,
+        ending: Ending,
+        objects: impl Iterator<Item = &'o ObjectFigures>,
+    ) -> Vec<Check> {
+        // Accelerations grow without bound towards a dead-centre position that ends a run.
+        let unknown = match ending {
+            Ending::OfMechanism => 0,
+            Ending::Complete | Ending::FromOutside | Ending::OfComputation => {
+                objects.filter(|one| !is_finite(one)).count()
+            }
+        };
+        vec![
+            Check {
+                name: "count of objects with a figure that is not a finite number",
+                value: unknown as f64,
+                bound: 0.0,
+            },
+            Check {
+                name: "energy balance",
+                value: self.energy,
+                bound: EnergyAudit::bound(self.tolerance),
+            },
+            Check {
+                name: "equations of motion",
+                value: self.equations[0],
+                bound: self.equations[1],
+            },
+        ]
+    }
 }
 
 fn is_finite(object: &ObjectFigures) -> bool {

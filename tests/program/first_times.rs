@@ -171,7 +171,9 @@ fn first_times_are_expected_compared_and_mapped() {
     near(&values[0], wanted, 1e-12);
     near(&values[1], wanted / 2f64.sqrt(), 1e-12);
     let accuracy = format!("{figure}=1 %");
-    let found = document("run", &scene, &["--accuracy", &accuracy]);
+    let output = dam("run", &scene, &["--accuracy", &accuracy, "--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
     let accuracy = &found["accuracy"][figure];
     near(&accuracy["value"], wanted, 1e-9);
     assert_eq!(accuracy["unit"], "s");

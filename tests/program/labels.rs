@@ -57,6 +57,30 @@ fn results_without_elastic_objects_are_labelled_rigid() {
         assert!(document.contains(&label) || document.contains("\"included_by\":[\"dam run\"]"));
         assert!(document.contains(&format!("[\"{id}\"]")) || document.contains(&label));
     }
+    // Every document that has a label has it by the same name.
+    let map = [
+        "map",
+        FOLLOWER,
+        "--x",
+        "follower.stiffness=1e6:2e6:2",
+        "--figure",
+        "cam.follower.greatest_pressure_angle",
+    ];
+    let said = text(&map);
+    let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        said.contains("greatest_pressure_angle is computed without the elasticity of follower; "),
+        "{said}"
+    );
+    assert!(page(&map).contains("computed without the elasticity of follower"));
+    for command in commands.iter().map(|one| one.0).chain([&map[..]]) {
+        let label = &json_of(command)["rigid"];
+        assert_eq!(label["included_by"][0], "dam run", "{command:?}");
+        assert_eq!(label["without"].as_array().unwrap().len(), 1, "{command:?}");
+    }
+    // The same over masses: rigid at the first value only.
+    let masses = [&map[..3], &["follower.masses=0:2:3"], &map[4..]].concat();
+    assert_eq!(json_of(&masses)["rigid"]["without"][0], "follower");
     // Nothing elastic, or nothing rigid: no label.
     let crank = "scenarios/kinetostatics/slider_crank.json";
     for command in [&["kinematics", crank][..], &["forces", crank], &follower] {
@@ -69,6 +93,25 @@ fn results_without_elastic_objects_are_labelled_rigid() {
             "{command:?}"
         );
     }
+}
+
+#[test]
+fn a_run_labels_its_results_of_rigid_studies() {
+    let text = std::fs::read_to_string(format!("{}/{FOLLOWER}", env!("CARGO_MANIFEST_DIR")));
+    let mut scene: Value = serde_json::from_str(&text.unwrap()).unwrap();
+    let expected = |figure: &str| serde_json::json!([{ "figure": figure, "at_least": 0 }]);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.json");
+    let mut label = |figure: &str| {
+        scene["expect"] = expected(figure);
+        std::fs::write(&path, scene.to_string()).unwrap();
+        json_of(&["run", path.to_str().unwrap()])
+    };
+    let found = label("cam.follower.greatest_contact_force");
+    assert_eq!(found["rigid"]["without"][0], "follower");
+    let words = "cam.follower.greatest_contact_force is computed without the elasticity";
+    assert!(found["warnings"].to_string().contains(words), "{found}");
+    assert!(label("follower.delta_abs")["rigid"].is_null());
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The program and what it reads, prints and writes; the scenarios and the documents.
 
+mod accuracy;
 mod bad_numbers;
 mod browser;
 mod checks;
@@ -22,4 +23,5 @@ mod scenarios;
 mod schema;
 mod steady;
 mod study_figures;
+mod study_verdicts;
 mod verdicts;

@@ -45,7 +45,7 @@ const SINE: [&str; 6] = [
 fn expressions_and_tables_answer_as_documents() {
     let found = document(&[&SINE[..], &["--json"]].concat());
     near(
-        &found["rigid"]["figures"]["energy_at_start"],
+        &found["rigid_motion"]["figures"]["energy_at_start"],
         103.342_352_430_808_92,
     );
     let folder = tempfile::tempdir().unwrap();
@@ -66,8 +66,11 @@ fn expressions_and_tables_answer_as_documents() {
         "--mean",
         "angle",
     ]);
-    near(&found["rigid"]["energy_at_start"], 101.133_075_096_338_74);
-    assert!(found["rigid"]["halving"]["period"].is_number());
+    near(
+        &found["rigid_motion"]["energy_at_start"],
+        101.133_075_096_338_74,
+    );
+    assert!(found["rigid_motion"]["halving"]["period"].is_number());
 }
 
 #[test]
@@ -81,7 +84,7 @@ fn a_scene_keeps_its_expectations_and_writes_its_files() {
     assert!(talk.contains("expectations: 8 of 8 hold"), "{talk}");
     let file = |name: &str| std::fs::read_to_string(Path::new(&out).join(name)).unwrap();
     let summary: Value = serde_json::from_str(&file("steady.json")).unwrap();
-    near(&summary["rigid"]["figures"]["means"]["time"], 200.0);
+    near(&summary["rigid_motion"]["figures"]["means"]["time"], 200.0);
     assert_eq!(file("steady.csv").lines().count(), 362);
     let report = file("report.html");
     for word in ["Energy-mass diagram", "ω_max", "O₂", "Agreement"] {

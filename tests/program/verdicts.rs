@@ -161,3 +161,39 @@ fn comparisons_and_maps_state_the_verdicts_of_their_runs() {
         }
     }
 }
+
+/// Nothing wrong was found of a run that spent its budget; it does not answer either.
+#[test]
+fn a_run_that_spent_its_budget_is_not_judged_in_any_output() {
+    for method in ["exact", "dop853"] {
+        let method = format!("run.method={method}");
+        let scene = [
+            "scenarios/rocker/two_masses.json",
+            "--set",
+            "run.max_switches=5",
+            "--set",
+            &method,
+        ];
+        let run = dam("run", &scene, &[]);
+        assert_eq!(run.status.code(), Some(1));
+        let headline = "Not judged. The run is not finished: it ended at t = ";
+        assert!(text(&run).contains(headline), "{}", text(&run));
+        let document = json_of(&dam("run", &scene, &["--json"]));
+        assert_eq!(document["verdict"], "not_judged");
+        assert_eq!(document["run"]["stopped"], "too_many_switches");
+        let over = format!("{PARAMETER}=62.831,62.832");
+        let compared = json_of(&dam("compare", &scene, &["--over", &over, "--json"]));
+        let axis = format!("{PARAMETER}=62.831:62.832:2");
+        let map = json_of(&dam("map", &scene, &["--x", &axis, "--json"]));
+        let panel = &map["panels"][0];
+        for place in 0..2 {
+            assert_eq!(compared["runs"][place]["verdict"], "not_judged");
+            assert_eq!(panel["judgements"][place], "not_judged");
+            assert_eq!(panel["verdicts"][place], "not_finished");
+            assert!(panel["values"][place].is_null());
+        }
+        let said = text(&dam("map", &scene, &["--x", &axis]));
+        assert!(said.contains("2 are not judged."), "{said}");
+        assert!(!said.contains("not to be trusted"), "{said}");
+    }
+}

@@ -238,12 +238,7 @@ fn what_is_no_answer_about_the_mechanism_is_not_mixed_with_one() {
             question(&settings, "rocker.inertia=0.05:0.1:2", None),
         );
         assert_eq!(found[0].verdict, Verdict::InWorkingOrder);
-        assert_eq!(
-            found[1].verdict,
-            Verdict::NumericalFailure,
-            "{:?}",
-            found[1]
-        );
+        assert_eq!(found[1].verdict, Verdict::NotFinished, "{:?}", found[1]);
         assert_eq!(
             (found[1].value, found[1].verdict.family()),
             (None, Family::Computation)

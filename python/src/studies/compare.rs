@@ -37,7 +37,7 @@ pub(crate) fn ask(
         let (value, at) = values.next().unwrap_or_else(|| (label.into(), 0));
         let scene = Scene::clone(&scene).set(address, value);
         let budget = watch.budget();
-        let ready = Mechanism::of_within(scene.decode()?, Judging::Needed, &budget)?;
+        let ready = Mechanism::of_within(scene.decode()?, Judging::Asked, &budget)?;
         let part = (f64::from(at) / count, f64::from(at + 1) / count);
         let result = run::within(&ready, watch, part)?;
         let scene = Arc::new(scene);

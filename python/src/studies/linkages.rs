@@ -7,6 +7,7 @@ use dam::report::findings::Findings;
 use dam::report::{forces as forces_report, kinematics as kinematics_report};
 use dam::studies::forces::{Course, ForceStudy};
 use dam::studies::kinematics::{Kinematics, Question, even_motion, linkage_of, several_of};
+use dam::studies::rigid::Rigid;
 use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
 use std::sync::Arc;
@@ -35,17 +36,27 @@ impl Moved {
     pub(crate) fn columns(&self) -> Columns {
         super::columns(&kinematics_report::rows(&self.found))
     }
+
+    fn label(&self) -> Option<Rigid> {
+        Rigid::label(self.asked.ready.model(), &["dam run"])
+    }
 }
 
 impl Told for Moved {
     fn document(&self) -> Result<Value, Error> {
         let (name, hash) = (self.asked.name(), self.asked.hash());
-        Ok(kinematics_report::document(name, hash, &self.found))
+        let mut document = kinematics_report::document(name, hash, &self.found);
+        let label = self.label();
+        self.tell(|findings| findings.judge(&mut document, label.as_ref()))?;
+        Ok(document)
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
         let (name, source) = (self.asked.name(), self.asked.source());
-        Ok(to(&kinematics_report::findings(name, &self.found, source)))
+        let mut findings = kinematics_report::findings(name, &self.found, source);
+        let what = "positions, speeds and accelerations are";
+        findings.label(self.label().as_ref(), what);
+        Ok(to(&findings))
     }
 }
 
@@ -106,6 +117,12 @@ impl Carried {
         super::columns(&forces_report::rows(&self.found))
     }
 
+    /// Loads over time come from a run.
+    fn label(&self) -> Option<Rigid> {
+        let label = Rigid::label(self.asked.ready.model(), &["dam run"]);
+        label.filter(|_| !self.found.course.has_loads())
+    }
+
     fn report(&self) -> forces_report::ForcesReport<'_> {
         forces_report::ForcesReport {
             study: &self.found,
@@ -121,13 +138,15 @@ impl Carried {
 
 impl Told for Carried {
     fn document(&self) -> Result<Value, Error> {
-        Ok(forces_report::document(&self.report()))
+        let mut document = forces_report::document(&self.report());
+        let label = self.label();
+        self.tell(|findings| findings.judge(&mut document, label.as_ref()))?;
+        Ok(document)
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
-        Ok(to(&forces_report::findings(
-            &self.report(),
-            self.asked.source(),
-        )))
+        let mut findings = forces_report::findings(&self.report(), self.asked.source());
+        findings.label(self.label().as_ref(), "the forces are");
+        Ok(to(&findings))
     }
 }

@@ -121,8 +121,19 @@ pub(crate) fn plan(scene: &Scene, wanted: Wanted) -> Result<Planned, Error> {
     })
 }
 
-/// A cell: value, verdict, cause, how far it moves, whether it is determined.
-pub(crate) type ToldCell = (Option<f64>, String, String, Option<f64>, Option<bool>);
+/// A cell: value, verdict, cause, how far it moves, whether it is determined, the verdict that a
+/// run gives.
+pub(crate) type ToldCell = (
+    Option<f64>,
+    String,
+    String,
+    Option<f64>,
+    Option<bool>,
+    Option<String>,
+);
+
+/// Verdict, cause, whether the value is determined, the verdict that a run gives.
+pub(crate) type ToldVerdict = (String, String, Option<bool>, Option<String>);
 
 /// Works out some cells of a map, counted row by row.
 ///
@@ -150,14 +161,14 @@ pub(crate) fn cells(
 }
 
 fn told(cell: &Cell) -> ToldCell {
-    let verdict = super::plain(&cell.verdict).unwrap_or_default();
-    let verdict = verdict.as_str().unwrap_or_default().to_owned();
+    let judgement = super::plain(&cell.verdict.judgement()).unwrap_or_default();
     (
         cell.value,
-        verdict,
+        cell.verdict.name().to_owned(),
         cell.cause.clone(),
         cell.moved,
         cell.determined,
+        judgement.as_str().map(str::to_owned),
     )
 }
 
@@ -194,12 +205,13 @@ impl Listener for Counter<'_> {
 }
 
 impl Mapped {
-    /// Verdict and cause of every cell, and whether its value is determined.
-    pub(crate) fn verdicts(&self) -> Vec<(String, String, Option<bool>)> {
+    /// Verdict and cause of every cell, whether its value is determined, and the verdict that a
+    /// run gives.
+    pub(crate) fn verdicts(&self) -> Vec<ToldVerdict> {
         let cells = self.result.panels.iter().flatten().flatten();
         let told = cells.map(|cell: &Cell| {
-            let (_, verdict, cause, _, determined) = told(cell);
-            (verdict, cause, determined)
+            let (_, verdict, cause, _, determined, judgement) = told(cell);
+            (verdict, cause, determined, judgement)
         });
         told.collect()
     }
@@ -233,7 +245,8 @@ impl Told for Mapped {
                 hashed: "the study",
                 ..Source::scene(self.scene.json(), &study.hash)
             };
-            Ok(to(&findings(study, &self.result, &[], Vec::new(), source)))
+            let warnings = study.shortfalls.clone();
+            Ok(to(&findings(study, &self.result, &[], warnings, source)))
         })
     }
 }

@@ -68,7 +68,8 @@ pub(crate) fn within(
     };
     let sinks: &mut [&mut dyn Sink] = &mut [&mut teller];
     let found = run(&ready.system, &ready.settings, &watch.budget(), sinks);
-    let result = found.map_err(|faults| Error::from(ready.reading.places.diagnose(&faults)))?;
+    let mut result = found.map_err(|faults| Error::from(ready.reading.places.diagnose(&faults)))?;
+    result.figures.warnings.extend(ready.shortfalls());
     match watch.budget().is_interrupted() {
         true => Err(interrupted("the run")),
         false => Ok(result),

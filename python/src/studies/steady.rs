@@ -58,16 +58,26 @@ impl Told for Steady {
         document["dam"] = json!(1);
         document["scene"] = json!(self.asked.name());
         document["hash"] = json!(self.asked.hash());
+        let label = self.found.label(self.asked.ready.model());
+        self.tell(|findings| findings.judge(&mut document, label.as_ref()))?;
         Ok(document)
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {
         let source = self.asked.source();
+        let label = self.found.label(self.asked.ready.model());
+        let labelled = |mut findings: Findings<'_>| {
+            findings.label(label.as_ref(), "the steady motion is");
+            findings.leave_open(self.found.unjudged(self.asked.ready.model()));
+            to(&findings)
+        };
         Ok(match &self.found {
             Answer::Rigid(found) => self.shown(found, &found.motion.rows(ROWS), |shown| {
-                to(&rigid_findings(shown, source))
+                labelled(rigid_findings(shown, source))
             }),
-            Answer::Periodic(found) => to(&periodic_findings(self.asked.name(), found, source)),
+            Answer::Periodic(found) => {
+                labelled(periodic_findings(self.asked.name(), found, source))
+            }
         })
     }
 }

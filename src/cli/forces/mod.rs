@@ -25,8 +25,6 @@ use crate::studies::kinematics::{linkage_of, several_of};
 use crate::studies::rigid::Rigid;
 use crate::studies::studied::{POSITIONS, check_forces};
 
-use serde_json::json;
-
 const FILES: [&str; 5] = [
     "forces.csv",
     "forces.json",
@@ -81,7 +79,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     let mut shown = findings(&report, Source::scene(input.text(), report.hash));
     shown.label(label.as_ref(), "the forces are");
     let mut written = document(&report);
-    written["rigid"] = json!(label);
+    shown.judge(&mut written, label.as_ref());
     warn(&mut shown, &mut written, ignores_until(model));
     let answer = Answer {
         command: "forces",

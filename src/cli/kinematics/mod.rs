@@ -27,7 +27,6 @@ use crate::studies::rigid::Rigid;
 use crate::studies::studied::{POSITIONS, check_kinematics};
 use crate::units::quantities as q;
 use crate::units::with_common_unit;
-use serde_json::json;
 
 const FILES: [&str; 4] = ["kinematics.csv", "kinematics.json", "mechanism.svg", PAGE];
 
@@ -77,7 +76,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     let mut shown = findings(name, &found, Source::scene(input.text(), hash));
     shown.label(label.as_ref(), "positions, speeds and accelerations are");
     let mut written = document(name, hash, &found);
-    written["rigid"] = json!(label);
+    shown.judge(&mut written, label.as_ref());
     warn(&mut shown, &mut written, ignores_until(model));
     let answer = Answer {
         command: "kinematics",

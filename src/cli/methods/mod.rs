@@ -23,7 +23,9 @@ use crate::report::plot::Plot;
 use crate::studies::RunSettings;
 use crate::studies::axis::Axis;
 use crate::studies::methods::sweep::{Sweep, sweep};
-use crate::studies::methods::{Models, Now, Plan, Study, all_methods, models, study};
+use crate::studies::methods::{
+    Models, Now, Plan, Study, all_methods, is_exact, is_fixed_step, models, study,
+};
 use crate::studies::order::USUAL_SHARE;
 use bar::PointBar;
 use std::time::Duration;
@@ -199,6 +201,7 @@ fn plan(args: &MethodsArgs, ready: &Ready, models: Option<&Models>) -> Result<Pl
         let named = named?;
         plan.methods.retain(|method| named.contains(method));
     }
+    unused(args, &plan.methods)?;
     if !args.tolerances.is_empty() {
         plan.tolerances.clone_from(&args.tolerances);
         plan.tolerances.sort_by(|a, b| b.total_cmp(a));
@@ -211,6 +214,20 @@ fn plan(args: &MethodsArgs, ready: &Ready, models: Option<&Models>) -> Result<Pl
         plan.steps = Some(steps);
     }
     Ok(plan)
+}
+
+/// Refuses settings that none of the methods takes.
+fn unused(args: &MethodsArgs, methods: &[Method]) -> Result<(), Failure> {
+    let fixed = methods.iter().any(|&method| is_fixed_step(method));
+    let controlled = |method: &Method| !is_fixed_step(*method) && !is_exact(*method);
+    let why = match (args.steps.is_empty(), args.tolerances.is_empty()) {
+        (false, _) if !fixed => "--steps has no effect: no method of fixed step is tried",
+        (_, false) if !methods.iter().any(controlled) => {
+            "--tolerances has no effect: no method that controls its step is tried"
+        }
+        _ => return Ok(()),
+    };
+    Err(Failure::Other(why.to_owned()))
 }
 
 fn method(name: &str) -> Result<Method, Failure> {

@@ -24,7 +24,6 @@ use crate::report::steady::{
 };
 use crate::studies::check::Check;
 use crate::studies::expectations::Verdict;
-use crate::studies::rigid::Rigid;
 use crate::studies::steady::{Answer, ROWS, check, steady_motion_within};
 use crate::units::{Quantity, quantities as q};
 use args::{MeanChoice, QuestionArgs, SteadyArgs, SteadyForm};
@@ -49,9 +48,11 @@ struct Found<'a> {
 }
 
 impl<'a> Found<'a> {
-    fn rigid(shown: &Shown<'_>, document: Value, source: Source<'a>) -> Self {
+    fn rigid(shown: &Shown<'_>, mut document: Value, source: Source<'a>) -> Self {
+        let findings = rigid_findings(shown, source);
+        findings.judge(&mut document, None);
         Self {
-            findings: rigid_findings(shown, source),
+            findings,
             document,
             rows: rigid_rows(shown),
             diagram: Some(wittenbauer(shown)),
@@ -77,10 +78,8 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     unused(&args.question, &spec, &answer)?;
     let verdicts = verdicts(args, &ready, &answer);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
-    let rigid = matches!(answer, Answer::Rigid(_));
-    let label = Rigid::label(ready.system.model(), &["dam run"]).filter(|_| rigid);
-    let mut document = document(&ready, &answer, (&answer.checks(), &verdicts))?;
-    document["rigid_label"] = json!(label);
+    let label = answer.label(ready.system.model());
+    let document = document(&ready, &answer, (&answer.checks(), &verdicts))?;
     let source = Source::scene(input.text(), hash);
     let mut found = match &answer {
         Answer::Rigid(answer) => {
@@ -104,6 +103,9 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
         },
     };
     found.findings.label(label.as_ref(), "the steady motion is");
+    let unjudged = answer.unjudged(ready.system.model());
+    found.findings.leave_open(unjudged);
+    found.findings.judge(&mut found.document, label.as_ref());
     let until = ignores_until(ready.system.model());
     warn(&mut found.findings, &mut found.document, until);
     let status = tell((args, asker), found, folder.as_ref())?;
@@ -261,5 +263,5 @@ fn machine_source<'a>(title: &str) -> Source<'a> {
 
 /// The JSON document of a machine that is no scene.
 fn machine_document(title: &str, answer: &impl Serialize, checks: &[Check]) -> Value {
-    json!({ "dam": 1, "machine": title, "rigid": answer, "checks": checks })
+    json!({ "dam": 1, "machine": title, "rigid_motion": answer, "checks": checks })
 }

@@ -11,8 +11,9 @@ use crate::report::findings::{Findings, Item, Layout, Section, Source};
 use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
 use crate::report::plot::Plots;
 use crate::report::sentence::Sentence;
-use crate::report::verdict::{Sort, Verdict, capitalised};
+use crate::report::verdict::{Verdict, capitalised};
 use crate::studies::cam::{CamFigures, CamForce};
+use crate::studies::judgement::{Ending, Judgement};
 use serde_json::{Value, json};
 
 /// How long a turn is played at normal speed (s).
@@ -52,12 +53,29 @@ impl CamReport<'_> {
             "dam": 1,
             "scene": self.name,
             "hash": hash,
+            "verdict": self.judgement(),
+            "rigid": self.figures.rigid(),
             "object": self.id,
             "cam": self.figures,
             "curves": self.curves.iter().map(curve).collect::<Vec<_>>(),
             "tolerance": self.tolerance,
         })
     }
+
+    /// The verdict: its shape and its contact are as asked.
+    pub fn judgement(&self) -> Judgement {
+        Judgement::decide(Ending::Complete, &[], || match grave(self.figures).len() {
+            0 => self.figures.contact(),
+            _ => Judgement::NotInWorkingOrder,
+        })
+    }
+}
+
+/// What keeps the cam from being sound.
+fn grave(figures: &CamFigures) -> Vec<String> {
+    let all = remarks(figures).into_iter();
+    all.filter_map(|(grave, text)| grave.then_some(text))
+        .collect()
 }
 
 /// The cam turning, its figures, its diagrams.
@@ -101,31 +119,26 @@ pub fn findings<'a>(report: &CamReport<'a>, mut source: Source<'a>) -> Findings<
 }
 
 fn verdict(report: &CamReport<'_>) -> Verdict {
-    let grave: Vec<String> = remarks(report.figures)
-        .into_iter()
-        .filter_map(|(grave, text)| grave.then_some(text))
-        .collect();
-    match grave.first() {
-        None => Verdict {
-            sort: Sort::Good,
-            headline: match &report.figures.force {
-                Some(force) if !force.rigid.is_empty() => {
-                    "The cam is sound for a rigid follower.".into()
-                }
-                _ => "The cam is sound.".into(),
-            },
-            text: "No undercut, no corner; pressure angle, face and closing force are as asked."
-                .into(),
-        },
-        Some(first) => Verdict {
-            sort: Sort::Mechanism,
-            headline: Sentence::read(&(capitalised(first) + ".")),
-            text: match grave.len() {
-                1 => Sentence::default(),
-                count => format!("And {} more, listed below.", count - 1).into(),
-            },
-        },
-    }
+    let (judgement, grave) = (report.judgement(), grave(report.figures));
+    let Some(first) = grave.first() else {
+        let rigid = report.figures.rigid().is_some();
+        let headline = match rigid && judgement == Judgement::NotJudged {
+            true => "The cam is sound for a rigid follower.",
+            false => "The cam is sound.",
+        };
+        let text = match report.figures.force {
+            Some(_) => {
+                "No undercut, no corner; pressure angle, face and closing force are as asked."
+            }
+            None => "No undercut, no corner; pressure angle and face are as asked.",
+        };
+        return Verdict::judged(judgement, headline, text);
+    };
+    let text = match grave.len() {
+        1 => Sentence::default(),
+        count => format!("And {} more, listed below.", count - 1).into(),
+    };
+    Verdict::judged(judgement, Sentence::read(&(capitalised(first) + ".")), text)
 }
 
 /// The drawing with its controls.

@@ -4,6 +4,7 @@ use super::words::{angle_at, degrees, length};
 use crate::kinematics::cam::Finding;
 use crate::report::quantity::with_unit;
 use crate::studies::cam::CamFigures;
+use crate::studies::judgement::Judgement;
 
 /// Remarks that a designer must know, the grave ones (`true`) first.
 pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
@@ -39,6 +40,10 @@ pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
                 with_unit(answer.reserve, force.unit, 6)
             );
             list.push((true, text));
+        }
+        if force.elastic_contact() == Judgement::NotInWorkingOrder {
+            let text = "the elastic follower lifts off at this speed";
+            list.push((true, text.to_owned()));
         }
         list.extend(
             force

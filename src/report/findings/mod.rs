@@ -14,7 +14,9 @@ pub(in crate::report) use text::width;
 use super::plot::{Plot, Plots};
 use super::verdict::{Verdict, capitalised};
 use crate::studies::check::Check;
+use crate::studies::judgement::Judgement;
 use crate::studies::rigid::Rigid;
+use serde_json::json;
 use std::fmt;
 
 /// All that a study has to say.
@@ -53,12 +55,35 @@ impl Findings<'_> {
             .filter_map(|figure| figure.check.as_ref())
     }
 
+    /// The verdict, one of four, where something is judged.
+    pub fn judgement(&self) -> Option<Judgement> {
+        self.answer.as_ref().and_then(|answer| answer.judgement)
+    }
+
+    /// Adds the verdict and the label of a result without elastic objects to a document of
+    /// these findings: `verdict`, `rigid`.
+    pub fn judge(&self, document: &mut serde_json::Value, label: Option<&Rigid>) {
+        if let Some(judgement) = self.judgement() {
+            document["verdict"] = json!(judgement);
+        }
+        document["rigid"] = json!(label);
+    }
+
     /// Labels the whole as computed without the elasticity of objects.
     pub fn label(&mut self, label: Option<&Rigid>, what: &str) {
         if let Some(label) = label {
-            let words = capitalised(&label.words(what)) + ".";
-            self.sections.insert(0, Section::default().words(words));
+            self.leave_open(Some(label.words(what)));
         }
+    }
+
+    /// States what is not judged, so that nothing is certified.
+    pub fn leave_open(&mut self, unjudged: Option<String>) {
+        let Some(words) = unjudged else { return };
+        if let Some(answer) = &mut self.answer {
+            answer.uncertify();
+        }
+        let words = capitalised(&words) + ".";
+        self.sections.insert(0, Section::default().words(words));
     }
 
     /// The first chart.

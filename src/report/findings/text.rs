@@ -12,7 +12,7 @@ impl Findings<'_> {
             false => format!("{}: {}\n", self.title, typed(&self.subtitle)),
         };
         if let Some(answer) = &self.answer {
-            let sentence = format!("{} {}", answer.headline, answer.text);
+            let sentence = format!("{} {}", answer.headline, answer.said());
             let _ = writeln!(text, "{}", typed(sentence.trim()));
         }
         for section in &self.sections {

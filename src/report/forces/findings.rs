@@ -10,8 +10,9 @@ use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, T
 use crate::report::plot::{Plot, page::hodograph};
 use crate::report::quantity::{DIGITS, counted, significant};
 use crate::report::sentence::Sentence;
-use crate::report::verdict::{Sort, Verdict};
+use crate::report::verdict::Verdict;
 use crate::studies::forces::{Extreme, Extremes, ForceStudy};
+use crate::studies::judgement::Judgement;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -106,17 +107,12 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
         let of = study.rows.len();
         let _ = write!(text, "; {missing} of {of} positions have no forces");
     }
-    let failed = checks.iter().find(|check| !check.passed());
-    let headline = match &failed {
-        Some(_) => Sentence::from("Not to be trusted. ").sentence(headline),
-        None => headline,
+    let judgement = study.judgement();
+    let headline = match judgement {
+        Judgement::NotToBeTrusted => Sentence::from("Not to be trusted. ").sentence(headline),
+        Judgement::InWorkingOrder | Judgement::NotInWorkingOrder | Judgement::NotJudged => headline,
     };
-    let sort = match (missing, failed.is_none()) {
-        (_, false) => Sort::Numerical,
-        (0, _) => Sort::Good,
-        _ => Sort::Mechanism,
-    };
-    Verdict::answer(sort, headline, text + ".")
+    Verdict::judged(judgement, headline, text + ".")
 }
 
 fn hodographs(study: &ForceStudy) -> Vec<Plot> {

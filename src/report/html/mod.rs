@@ -64,7 +64,7 @@ pub(in crate::report) fn verdict_banner(verdict: &Verdict) -> String {
     format!(
         "<p class=\"verdict {class}\"><span class=\"sort\">{sort}</span><b>{}</b> {}</p>\n",
         verdict.headline.html(),
-        verdict.text.html()
+        verdict.said().html()
     )
 }
 

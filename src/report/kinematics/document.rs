@@ -44,6 +44,7 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
         "stopped": found.stopped.as_ref().map(|stop| json!({
             "at": stop.at, "input": stop.input, "because": stop.cause,
         })),
+        "checks": found.checks(),
         "warnings": found.warnings,
         "columns": columns,
     });

@@ -6,7 +6,7 @@ use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
 use crate::report::quantity::{DIGITS, counted, significant, with_unit};
 use crate::report::sentence::Sentence;
-use crate::report::verdict::{Sort, Verdict};
+use crate::report::verdict::Verdict;
 use crate::studies::kinematics::{
     AnyLinkage, Column, Equilibrium, Extremes, Kinematics, Quantity, Stroke,
 };
@@ -58,7 +58,7 @@ fn answer(found: &Kinematics) -> Verdict {
         let text = Sentence::from("Input ")
             .sentence(input_said(found, stop.input))
             .words(format!(": {}", stop.cause));
-        return Verdict::answer(Sort::Mechanism, headline, text);
+        return Verdict::judged(found.judgement(), headline, text);
     }
     let stroke = |stroke: &Stroke| {
         let size = stroke.ends[1].1 - stroke.ends[0].1;
@@ -75,7 +75,7 @@ fn answer(found: &Kinematics) -> Verdict {
         1 => "It can be put together at this position.".to_owned(),
         count => format!("It goes through all {count} positions."),
     };
-    Verdict::answer(Sort::Good, headline, text)
+    Verdict::judged(found.judgement(), headline, text)
 }
 
 fn structure<'a>(found: &Kinematics) -> Section<'a> {

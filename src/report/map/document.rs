@@ -35,6 +35,7 @@ pub fn document(study: &Study<'_>, result: &MapResult) -> Value {
         "scene": study.scene,
         "hash": study.hash,
         "figure": study.figure,
+        "rigid": study.rigid,
         "unit": study.unit,
         "x": axis(&study.x, &study.parameter_units[0]),
         "y": study.y.as_ref().map(|y| axis(y, &study.parameter_units[1])),

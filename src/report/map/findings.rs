@@ -44,14 +44,17 @@ pub fn findings<'a>(
         Section::new("Causes").table(causes(study, result)),
     ];
     sections.retain(|section| !section.is_empty());
-    Findings {
+    let mut findings = Findings {
         title: study.scene.clone(),
         subtitle: format!("{} over {over}", study.figure),
         answer: Some(answer(study, result, &summed)),
         warnings,
         sections,
         source,
-    }
+    };
+    let what = format!("{} is", study.figure);
+    findings.label(study.rigid.as_ref(), &what);
+    findings
 }
 
 fn over(axis: &Axis) -> String {
@@ -210,7 +213,7 @@ fn causes(study: &Study<'_>, result: &MapResult) -> Table {
     let told = |cell: &Cell| {
         matches!(
             cell.verdict,
-            Verdict::NumericalFailure | Verdict::Refused | Verdict::Stopped
+            Verdict::NotFinished | Verdict::NumericalFailure | Verdict::Refused | Verdict::Stopped
         ) || cell.determined == Some(false)
     };
     let mut table = Table::new(["panel", "where", "verdict", "~cause"]);

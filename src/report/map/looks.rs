@@ -17,7 +17,8 @@ pub(super) fn ground(verdict: Verdict) -> &'static str {
         | Verdict::CreepNotJudged
         | Verdict::NotJudged
         | Verdict::ThrownOff
-        | Verdict::Resonance => colours::WITHOUT_VALUE,
+        | Verdict::Resonance
+        | Verdict::NotFinished => colours::WITHOUT_VALUE,
     }
 }
 
@@ -28,9 +29,10 @@ pub(super) fn plain(verdict: Verdict) -> &'static str {
         Verdict::InWorkingOrder => colours::IN_WORKING_ORDER,
         Verdict::LiftOffDiesAway => colours::LIFT_OFF_DIES_AWAY,
         Verdict::LiftOff => colours::LIFT_OFF,
-        Verdict::LiftOffNotJudged | Verdict::NotJudged | Verdict::CreepNotJudged => {
-            colours::LIFT_OFF_NOT_JUDGED
-        }
+        Verdict::LiftOffNotJudged
+        | Verdict::NotJudged
+        | Verdict::CreepNotJudged
+        | Verdict::NotFinished => colours::LIFT_OFF_NOT_JUDGED,
         Verdict::ThrownOff => colours::THROWN_OFF,
         Verdict::Resonance => colours::RESONANCE,
         Verdict::Stopped | Verdict::NumericalFailure | Verdict::Refused => ground(verdict),
@@ -43,7 +45,10 @@ pub(super) fn hatching(verdict: Verdict) -> &'static str {
         Verdict::InWorkingOrder => "",
         Verdict::LiftOffDiesAway => "dam-dies",
         Verdict::LiftOff => "dam-lifts",
-        Verdict::LiftOffNotJudged | Verdict::NotJudged | Verdict::CreepNotJudged => "dam-unjudged",
+        Verdict::LiftOffNotJudged
+        | Verdict::NotJudged
+        | Verdict::CreepNotJudged
+        | Verdict::NotFinished => "dam-unjudged",
         Verdict::ThrownOff => "dam-thrown",
         Verdict::Resonance => "dam-resonance",
         Verdict::Stopped => "dam-stopped",

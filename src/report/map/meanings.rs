@@ -58,13 +58,16 @@ pub(super) fn meaning(verdict: Verdict) -> String {
             100.0 * STEADY
         ),
         Verdict::Stopped => "The mechanism reaches a dead position.".to_owned(),
-        Verdict::NumericalFailure => format!(
-            "The computation failed: the method gave up, a number was not finite, the energies do \
-             not balance, or more than {MOST_STEPS} steps or the switches allowed were needed (no other \
-             method is tried then). It says nothing about the mechanism. Cells whose motion \
-             between switches is known in closed form, and whose figure needs no record, are \
-             not audited: dam run audits such a scene."
+        Verdict::NotFinished => format!(
+            "More than {MOST_STEPS} steps, or more switches than `run.max_switches` allows, were \
+             needed. Nothing wrong was found up to there, and the cell has no value."
         ),
+        Verdict::NumericalFailure => "The computation failed: the method gave up, a number was \
+             not finite, the energies do not balance or the equations of motion are not kept. It \
+             says nothing about the mechanism. Cells whose motion between switches is known in \
+             closed form, and whose figure needs no record, are not audited: dam run audits such \
+             a scene."
+            .to_owned(),
         Verdict::Refused => "The scene is refused at these values.".to_owned(),
     }
 }

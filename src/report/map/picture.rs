@@ -339,7 +339,7 @@ fn entries(study: &Study<'_>, result: &MapResult) -> Vec<Entry> {
 fn sample(verdict: Verdict, map: bool) -> String {
     let without_value = matches!(
         verdict,
-        Verdict::Stopped | Verdict::NumericalFailure | Verdict::Refused
+        Verdict::Stopped | Verdict::NotFinished | Verdict::NumericalFailure | Verdict::Refused
     );
     let ground = match map && !without_value {
         true => shade(SHADES * 6 / 10),

@@ -9,6 +9,7 @@ use crate::report::html::mechanism;
 use crate::report::quantity::{significant, with_unit};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
+use crate::studies::judgement::Judgement;
 use crate::studies::methods::{
     Doubt, GROWN, MethodLine, ModelError, Point, Reference, Study, Verdict,
 };
@@ -74,12 +75,18 @@ fn answer(study: &Study) -> Answer {
         true => "",
         false => " INTERRUPTED: points that were not run are missing.",
     };
-    let text = capitalised(&study.recommendation.text);
-    Answer::answer(
-        sort,
-        headline,
-        Sentence::read(&format!("{text}.{interrupted}")),
-    )
+    let mut text = capitalised(&study.recommendation.text);
+    if study.verdict == Judgement::NotJudged {
+        text.push_str(". The mechanism is not judged");
+    }
+    Answer {
+        judgement: Some(study.verdict),
+        ..Answer::answer(
+            sort,
+            headline,
+            Sentence::read(&format!("{text}.{interrupted}")),
+        )
+    }
 }
 
 /// The methods that no line stands for.

@@ -8,6 +8,7 @@ use crate::report::findings::{Cell, Findings, Layout, Section, Source, Table};
 use crate::report::html::mechanism;
 use crate::report::quantity::{significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer};
+use crate::studies::judgement::Judgement;
 use crate::studies::methods::Verdict;
 use crate::studies::methods::sweep::{Slice, Standing, Sweep};
 
@@ -93,7 +94,16 @@ fn answer(sweep: &Sweep) -> Answer {
             format!("At all {count} values: {}.", everywhere.join(", ")),
         ),
     };
-    Answer::answer(sort, headline, text + interrupted)
+    let (sort, judged) = match sweep.verdict {
+        Judgement::NotToBeTrusted => (Sort::Numerical, ""),
+        Judgement::NotJudged | Judgement::InWorkingOrder | Judgement::NotInWorkingOrder => {
+            (sort, " The mechanism is not judged.")
+        }
+    };
+    Answer {
+        judgement: Some(sweep.verdict),
+        ..Answer::answer(sort, headline, text + judged + interrupted)
+    }
 }
 
 /// A value of the axis for reading.

@@ -8,8 +8,9 @@ use crate::report::findings::table::judged;
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
 use crate::report::quantity::significant;
-use crate::report::verdict::{Sort, Verdict, capitalised};
+use crate::report::verdict::{Verdict, capitalised};
 use crate::studies::check::Check;
+use crate::studies::judgement::Judgement;
 use crate::studies::steady::{
     DriveFigures, DriveRow, LongRun, PartMotion, PeriodicAnswer, Stability,
 };
@@ -208,35 +209,27 @@ pub fn periodic_findings<'a>(
 }
 
 fn verdict(answer: &PeriodicAnswer) -> Verdict {
-    let parts = &answer.parts;
-    let any = |stability| parts.iter().any(|part| part.stability == stability);
-    let (sort, headline) = if !answer.is_trusted() {
-        (
-            Sort::Numerical,
-            "A periodic motion was found that is not to be trusted.",
-        )
-    } else if any(Stability::Repels) {
-        (
-            Sort::Mechanism,
-            "A periodic motion was found that repels its neighbours.",
-        )
-    } else if any(Stability::Undecided) {
-        (
-            Sort::Unfinished,
-            "A periodic motion was found. Whether small disturbances leave it is not decided.",
-        )
-    } else {
-        (
-            Sort::Good,
-            "A periodic motion was found that no small disturbance leaves.",
-        )
+    let any = |stability| answer.parts.iter().any(|part| part.stability == stability);
+    let judgement = answer.judgement();
+    let headline = match judgement {
+        Judgement::NotToBeTrusted => "A periodic motion was found that is not to be trusted.",
+        Judgement::InWorkingOrder => {
+            "A periodic motion was found that no small disturbance leaves."
+        }
+        Judgement::NotInWorkingOrder | Judgement::NotJudged if any(Stability::Repels) => {
+            "A periodic motion was found that repels its neighbours."
+        }
+        Judgement::NotInWorkingOrder => "A periodic motion was found in which a pair opens.",
+        Judgement::NotJudged => {
+            "A periodic motion was found. Whether small disturbances leave it is not decided."
+        }
     };
     let checks = answer.checks();
     let text = match checks.iter().find(|check| !check.passed()) {
         Some(failed) => format!("{}: {}.", capitalised(failed.name), judged(failed)),
         None => format!("{} checks are within their bounds.", checks.len()),
     };
-    Verdict::answer(sort, headline.to_owned(), text)
+    Verdict::judged(judgement, headline.to_owned(), text)
 }
 
 /// The multipliers in the unit circle.

@@ -7,9 +7,9 @@ use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::quantity::significant;
 use crate::report::sentence::Sentence;
-use crate::report::verdict::{Sort, Verdict};
+use crate::report::verdict::Verdict;
 use crate::studies::check::Check;
-use crate::studies::steady::rigid_checks;
+use crate::studies::steady::{rigid_checks, rigid_judgement};
 
 /// A quantity to all the digits that say something.
 pub(super) fn value(name: &str, value: f64, unit: &str) -> Figure {
@@ -49,11 +49,7 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
         "{begun} fluctuates by δ = {}.",
         significant(f.fluctuation, 4)
     );
-    let sort = match (failed, f.warnings.is_empty()) {
-        (true, _) => Sort::Numerical,
-        (false, true) => Sort::Good,
-        (false, false) => Sort::Mechanism,
-    };
+    let judgement = rigid_judgement(f, shown.regime, &checks);
     let flywheel = |make: fn(&Flywheel) -> Section<'static>| {
         shown.flywheel.map_or_else(Section::default, make)
     };
@@ -72,7 +68,7 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
     Findings {
         title: shown.title.to_owned(),
         subtitle: "steady motion".to_owned(),
-        answer: Some(Verdict::answer(sort, headline, text)),
+        answer: Some(Verdict::judged(judgement, headline, text)),
         warnings: f.warnings.clone(),
         sections: vec![
             Section::new("Figures").figures(figures(shown)),

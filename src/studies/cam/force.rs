@@ -6,8 +6,9 @@ use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
 use crate::kinematics::cam::search::greatest_over;
 use crate::kinematics::cam::{At, DiscCam, Surface};
+use crate::studies::judgement::Judgement;
 use crate::studies::law::LiftOff;
-use crate::studies::rigid::{Rigid, elastic};
+use crate::studies::rigid::Rigid;
 use crate::units::shown;
 use serde::Serialize;
 
@@ -57,14 +58,36 @@ pub struct ForceFigures {
     /// With the follower's elasticity: the speed (rad/s of the drive) at which the pair opens in
     /// the last cycle of a run; null unless it was looked for.
     pub elastic: Option<LiftOff>,
-    /// Elastic objects of the scene; these figures take them as rigid.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub rigid: Vec<String>,
+    /// Label of the figures where objects of the scene are elastic: they take them as rigid.
+    pub rigid: Option<Rigid>,
     /// Notes on what is left out.
     pub notes: Vec<String>,
 }
 
+/// Share to which the speed of an elastic lift-off is known.
+const SEARCHED: f64 = 1e-3;
+
 impl ForceFigures {
+    /// The verdict on the contact, which is closed where everything is rigid: elastic objects
+    /// are judged by the search for the speed at which theirs opens.
+    pub fn elastic_contact(&self) -> Judgement {
+        let speed = self.speed.abs();
+        match (&self.rigid, self.elastic) {
+            (None, _) => Judgement::InWorkingOrder,
+            (Some(_), Some(LiftOff::At(opens))) if speed <= opens * (1.0 - SEARCHED) => {
+                Judgement::InWorkingOrder
+            }
+            (Some(_), Some(LiftOff::At(opens))) if speed >= opens * (1.0 + SEARCHED) => {
+                Judgement::NotInWorkingOrder
+            }
+            (Some(_), Some(LiftOff::Above(closed))) if speed <= closed => Judgement::InWorkingOrder,
+            (Some(_), Some(LiftOff::Below(open))) if speed >= open => Judgement::NotInWorkingOrder,
+            (Some(_), Some(LiftOff::At(_) | LiftOff::Above(_) | LiftOff::Below(_)) | None) => {
+                Judgement::NotJudged
+            }
+        }
+    }
+
     /// False when some force grew beyond all numbers.
     pub(super) fn is_finite(&self) -> bool {
         let mut all = vec![self.speed, self.margin.value, self.greatest.value];
@@ -103,8 +126,8 @@ pub struct CamForce<'m> {
     reduction: Reduction<'m>,
     speed: f64,
     unit: &'static str,
-    /// Elastic objects of the scene, all taken as rigid here.
-    rigid: Vec<String>,
+    /// Label where objects of the scene are elastic: all are taken as rigid here.
+    rigid: Option<Rigid>,
 }
 
 /// Points of the boundary of the region of springs.
@@ -134,7 +157,7 @@ impl<'m> CamForce<'m> {
             cam,
             reduction,
             speed,
-            rigid: elastic(model),
+            rigid: Rigid::label(model, &["dam run", "dam cam --lift-off"]),
             unit: match model.objects[object].coordinate {
                 Coordinate::Turning => "N m",
                 Coordinate::Sliding => "N",
@@ -225,13 +248,11 @@ impl<'m> CamForce<'m> {
         let (spring, speed) = (self.reduction.spring, self.speed);
         let forced = self.reduction.pair().closure == Closure::Force;
         let mut notes = self.reduction.notes.clone();
-        if !self.rigid.is_empty() {
-            let label = Rigid {
-                without: self.rigid.clone(),
-                included_by: vec!["dam run", "dam cam --lift-off"],
-            };
-            notes.push(label.words("the forces are"));
-        }
+        notes.extend(
+            self.rigid
+                .as_ref()
+                .map(|label| label.words("the forces are")),
+        );
         if self.cam.geometry().surface == Surface::Groove && forced {
             notes.push("a groove needs no closing force".to_owned());
         }

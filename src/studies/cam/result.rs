@@ -5,6 +5,8 @@ use crate::fault::Fault;
 use crate::kinematics::cam::search::greatest;
 use crate::kinematics::cam::sizing::{BaseRange, BestOffset, PressureLimits, RollerLimits};
 use crate::kinematics::cam::{At, Contact, DiscCam, Finding, Guide};
+use crate::studies::judgement::Judgement;
+use crate::studies::rigid::Rigid;
 use serde::Serialize;
 
 /// Question about a cam.
@@ -115,6 +117,19 @@ pub struct CamFigures {
     pub force: Option<ForceFigures>,
     /// Why there is none.
     pub force_missing: Option<String>,
+}
+
+impl CamFigures {
+    /// The verdict on a cam whose shape is sound: its contact decides.
+    pub fn contact(&self) -> Judgement {
+        let force = self.force.as_ref();
+        force.map_or(Judgement::NotJudged, ForceFigures::elastic_contact)
+    }
+
+    /// The label of the forces, where objects of the scene are elastic.
+    pub fn rigid(&self) -> Option<&Rigid> {
+        self.force.as_ref()?.rigid.as_ref()
+    }
 }
 
 /// Works out everything that is asked of a cam.

@@ -33,10 +33,11 @@ pub use zones::{Zone, ZoneKind};
 
 use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{
-    BAD_CONDITION, Convention, Indeterminate, Kinetostatics, Options,
+    BAD_CONDITION, Convention, ForceFailure, Indeterminate, Kinetostatics, Options,
 };
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind};
 use crate::studies::check::{Check, worst};
+use crate::studies::judgement::{Ending, Judgement};
 use crate::units::shown;
 use row::Solver;
 
@@ -225,7 +226,24 @@ impl ForceStudy {
                 bound: CHECKED,
             });
         }
+        let unknown = |row: &&Row| {
+            let none = row.forces.as_ref().err();
+            none.is_some_and(|why| *why == Trouble::Failure(ForceFailure::NotFinite))
+        };
+        checks.push(Check {
+            name: "count of positions whose forces are not finite numbers",
+            value: self.rows.iter().filter(unknown).count() as f64,
+            bound: 0.0,
+        });
         checks
+    }
+
+    /// The verdict: the forces are known at all positions, and their checks hold.
+    pub fn judgement(&self) -> Judgement {
+        Judgement::decide(Ending::Complete, &self.checks(), || match self.missing() {
+            0 => Judgement::InWorkingOrder,
+            _ => Judgement::NotInWorkingOrder,
+        })
     }
 
     /// Number of positions that have no forces where there should be some: where the reach

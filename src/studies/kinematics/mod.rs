@@ -28,6 +28,8 @@ use crate::dynamics::model::{Coordinate, Model};
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
 use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::kinematics::linkage::{Linkage, Structure};
+use crate::studies::check::Check;
+use crate::studies::judgement::{Ending, Judgement};
 
 /// Positions, speeds and accelerations of the linkage that a question names, of one input or
 /// of several.
@@ -111,6 +113,39 @@ pub struct Kinematics {
     pub warnings: Vec<String>,
 }
 
+impl Kinematics {
+    /// The checks of the quantities: they are known at every position.
+    pub fn checks(&self) -> Vec<Check> {
+        // Towards the position that stops it they grow without bound.
+        let counted = |name, count: usize| Check {
+            name,
+            value: if self.stopped.is_some() { 0 } else { count } as f64,
+            bound: 0.0,
+        };
+        let columns = self.columns.iter();
+        let undetermined = columns.clone().filter(|column| column.undetermined > 0);
+        vec![
+            counted(
+                "count of quantities that are not determined somewhere",
+                undetermined.count(),
+            ),
+            counted(
+                "count of quantities beyond all numbers",
+                columns.filter(|column| column.is_lost()).count(),
+            ),
+        ]
+    }
+
+    /// The verdict: it goes through all positions, and its quantities are known there.
+    pub fn judgement(&self) -> Judgement {
+        let ending = match self.stopped {
+            Some(_) => Ending::OfMechanism,
+            None => Ending::Complete,
+        };
+        Judgement::decide(ending, &self.checks(), || Judgement::InWorkingOrder)
+    }
+}
+
 /// Singular positions over two inputs, the others held: where the determinant of a group
 /// vanishes, speeds and forces grow without bound.
 #[derive(Clone, Debug, PartialEq)]
@@ -186,6 +221,12 @@ impl Column {
     /// `links.rod.P.speed_x`; of several inputs `links.rod.first_transfer.left`.
     pub fn name(&self) -> String {
         columns::name(&self.owner, self.quantity, self.by.as_deref())
+    }
+
+    /// True where it grows beyond what can be written as a number.
+    fn is_lost(&self) -> bool {
+        let missing = self.values.iter().filter(|value| !value.is_finite());
+        !self.quantity.passes_infinity() && missing.count() > self.undetermined
     }
 }
 

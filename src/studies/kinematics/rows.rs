@@ -199,11 +199,7 @@ pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
             shown(DETERMINED, 1)
         ));
     }
-    let lost = |column: &&Column| {
-        let missing = column.values.iter().filter(|value| !value.is_finite());
-        !column.quantity.passes_infinity() && missing.count() > column.undetermined
-    };
-    if let Some(names) = named(columns.iter().filter(lost)) {
+    if let Some(names) = named(columns.iter().filter(|column| column.is_lost())) {
         warnings.push(format!(
             "{names} grow beyond all numbers: the speed is too great"
         ));

@@ -1,5 +1,6 @@
 //! One point of a map.
 
+use super::ends::failed;
 use super::figure::{read, scale, wanted};
 use super::judge::{self, Begun, Evidence, judge};
 use super::rigid::RigidMotion;
@@ -7,7 +8,7 @@ use super::scenes::{Kept, Scenes};
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::dynamics::audit::{SEED, draw};
-use crate::dynamics::integrate::{Method, Stop};
+use crate::dynamics::integrate::Method;
 use crate::dynamics::record::{Quantity, Record, drive_cycle};
 use crate::dynamics::system::System;
 use crate::exact::{Asked, KeptLaws};
@@ -15,10 +16,8 @@ use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::TypedScene;
 use crate::studies::demand::Demand;
-use crate::studies::document::{spoiling, stop_in_words};
 use crate::studies::run::{Motion, motion};
 use crate::studies::spread::{CHANGE, changed_loads};
-use crate::studies::warning::Warning;
 use crate::studies::{Control, RunSettings, lookup};
 use crate::units::shown;
 use std::cell::RefCell;
@@ -251,27 +250,10 @@ impl Task<'_> {
         Ok(value.filter(|value| value.is_finite()))
     }
 
-    /// The cell of a run that stopped or is not to be trusted.
+    /// The cell of a run that did not come to its end or is not to be trusted.
     fn failed(&self, found: &Motion) -> Option<Cell> {
-        let method = &found.choice.name;
-        let because = || stop_in_words(&found.outcome.stop).1;
-        let time = found.outcome.time;
-        if let Stop::Physical(_) = &found.outcome.stop {
-            let cause = format!("stops at {time} s: {}", because(), time = shown(time, 7));
-            return Some(Cell::without_value(Verdict::Stopped, cause));
-        }
-        if !found.is_complete() {
-            let cause = format!(
-                "{method} gave up at {time} s: {}",
-                because(),
-                time = shown(time, 7)
-            );
-            return Some(Cell::without_value(Verdict::NumericalFailure, cause));
-        }
-        let open = || Warning::of_equations(&found.equations);
-        let warning = spoiling(&found.recorded, self.settings).or_else(open)?;
-        let cause = format!("{method}: {warning}");
-        Some(Cell::without_value(Verdict::NumericalFailure, cause))
+        let (verdict, cause) = failed(self.system.model(), self.settings, found)?;
+        Some(Cell::without_value(verdict, cause))
     }
 
     /// Greatest |δ| of an object over the cycle before the last and over the last one.

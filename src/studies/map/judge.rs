@@ -44,7 +44,7 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
     let opened = (0..objects)
         .filter_map(|object| opens(evidence, object))
         .max_by_key(|(verdict, _)| severity(*verdict));
-    let whole = Judgement::of_objects(evidence.figures.iter().copied());
+    let whole = Judgement::of_objects(reported(evidence.system.model(), &evidence.figures));
     if let Some(found) = opened.filter(|(verdict, _)| verdict.judgement() == Some(whole)) {
         return found;
     }
@@ -68,6 +68,16 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
         None => "no pair opens".to_owned(),
     };
     (Verdict::InWorkingOrder, cause)
+}
+
+/// The figures of the objects by which a run is judged: the inner parts of modes are none.
+pub(super) fn reported<'f>(
+    model: &Model,
+    figures: &[&'f ObjectFigures],
+) -> impl Iterator<Item = &'f ObjectFigures> {
+    let all = model.objects.iter().zip(figures);
+    all.filter(|(part, _)| part.is_reported())
+        .map(|(_, figures)| *figures)
 }
 
 /// Where regularised friction lets an object creep.
@@ -96,6 +106,7 @@ fn severity(verdict: Verdict) -> u8 {
         | Verdict::CreepNotJudged
         | Verdict::Resonance
         | Verdict::Stopped
+        | Verdict::NotFinished
         | Verdict::NumericalFailure
         | Verdict::Refused => 0,
     }

@@ -1,7 +1,7 @@
 //! The level of the elastic objects of a map that leave theirs open: one for all its points.
 
 use crate::dynamics::builder::spec::Level;
-use crate::frontend::scene::{AccuracySpec, Elastic, Levels, Reading, TypedScene};
+use crate::frontend::scene::{Accuracy, AccuracySpec, Elastic, Levels, Reading, TypedScene};
 use crate::studies::order::{USUAL, choose, finer};
 use crate::studies::{Control, RunSettings};
 
@@ -30,6 +30,22 @@ pub(super) fn levels(points: impl Iterator<Item = Reading>, figure: &str) -> Lev
         }
     }
     found
+}
+
+/// What is wrong with a figure that does not hold the accuracy that a scene asks for.
+/// `None`: nothing, or none is asked for.
+pub(super) fn shortfall(mut scene: TypedScene, figure: &str) -> Option<String> {
+    let accuracy = match scene.run.accuracy.as_ref()? {
+        AccuracySpec::Share(share) => Accuracy::Share(*share),
+        AccuracySpec::Figures(figures) => figures.iter().find(|(asked, _)| asked == figure)?.1,
+    };
+    let asked = AccuracySpec::Figures(vec![(figure.to_owned(), accuracy)]);
+    scene.run.accuracy = Some(asked);
+    // Its cells are integrated as the scene says.
+    scene.run.tolerance_given = true;
+    let settings = RunSettings::of(&scene).ok()?;
+    let chosen = choose(&mut scene, &settings, &Control::default()).ok()?;
+    chosen.certificate.accuracy.get(figure)?.shortfall(figure)
 }
 
 /// Twice the masses of every object that has masses; false where that is too many.

@@ -8,6 +8,7 @@
 //! are the same for any number of threads and in any order.
 
 mod cell;
+mod ends;
 mod figure;
 mod grid;
 pub mod journal;

@@ -1,7 +1,7 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
 use super::figure::{check_figure, default_figure, nothing_elastic, unit};
-use super::levels::levels;
+use super::levels::{levels, shortfall};
 use super::panels::Panels;
 use crate::dynamics::system::System;
 use crate::frontend::diagnostics::Diagnostics;
@@ -9,6 +9,8 @@ use crate::frontend::lower::lower;
 use crate::frontend::scene::{Catalogue, Document, Levels, Overrides, Reading, Variation};
 use crate::studies::RunSettings;
 use crate::studies::axis::Axis;
+use crate::studies::lookup::is_rigid;
+use crate::studies::rigid::Rigid;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 use std::fmt::Write as _;
@@ -73,6 +75,11 @@ pub struct Study<'a> {
     /// Levels chosen for objects that leave theirs open: the finest that the figure needs
     /// at the corners and in the middle of the panels.
     pub levels: Levels,
+    /// The label of a figure of another study, which takes elastic objects for rigid.
+    pub rigid: Option<Rigid>,
+    /// Points at which the figure does not hold the accuracy that the scene asks for: of those
+    /// that are tried beforehand.
+    pub shortfalls: Vec<String>,
 }
 
 /// Why a question makes no sense.
@@ -116,6 +123,8 @@ impl<'a> Study<'a> {
             digits: question.digits,
             hash: String::new(),
             levels: Levels::new(),
+            rigid: None,
+            shortfalls: Vec::new(),
         };
         let mut hashes = Vec::new();
         for panel in 0..study.panels.panels.len() {
@@ -131,7 +140,37 @@ impl<'a> Study<'a> {
         study.document = study.document.clone().with_levels(study.levels.clone());
         study.bare = study.bare.clone().with_levels(study.levels.clone());
         study.hash = study.digest(&hashes);
+        study.rigid = study.label();
+        study.shortfalls = study.inaccurate();
         Ok(study)
+    }
+
+    /// The points, of those that are tried beforehand, at which the figure does not hold the
+    /// accuracy that the scene asks for.
+    fn inaccurate(&self) -> Vec<String> {
+        let panels = 0..self.panels.panels.len();
+        let all = panels.flat_map(|panel| self.points().map(|cell| (panel, cell)));
+        let mut points: Vec<(usize, usize)> = all.collect();
+        points.sort_unstable();
+        points.dedup();
+        let found = points.into_iter().filter_map(|(panel, cell)| {
+            let (reading, _) = self.try_cell(panel, cell).ok()?;
+            let what = shortfall(reading.scene, &self.figure)?;
+            Some(format!("{}: {what}", self.settings(panel, cell).join(", ")))
+        });
+        found.collect()
+    }
+
+    /// The label of the figure, where objects are elastic at any of the points that are tried
+    /// beforehand.
+    fn label(&self) -> Option<Rigid> {
+        let panels = 0..self.panels.panels.len();
+        let all = panels.flat_map(|panel| self.points().map(|cell| (panel, cell)));
+        let mut all = all.filter_map(|(panel, cell)| self.try_cell(panel, cell).ok());
+        match is_rigid(&self.figure) {
+            true => all.find_map(|(_, system)| Rigid::label(system.model(), &["dam run"])),
+            false => None,
+        }
     }
 
     /// Cells of a panel that are tried beforehand: its corners and its middle.

@@ -57,10 +57,13 @@ pub enum Verdict {
     Resonance,
     /// The mechanism cannot go on: a dead position.
     Stopped,
+    /// The budget of steps or switches was spent before the end of the run. Nothing
+    /// wrong was found up to there.
+    NotFinished,
     /// The computation failed: the method gave up, a number was not finite, the
-    /// energies do not balance, or the budget of steps or switches was spent (no
-    /// other method is tried then). The energies of a cell that is propagated in
-    /// closed form for its figure alone are not added up: `dam run` does it.
+    /// energies do not balance or the equations of motion are not kept. The energies
+    /// of a cell that is propagated in closed form for its figure alone are not
+    /// added up: `dam run` does it.
     NumericalFailure,
     /// There is no such mechanism: the scene is refused at these values.
     Refused,
@@ -80,7 +83,7 @@ pub enum Family {
 
 impl Verdict {
     /// All verdicts, in the order of legends.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::InWorkingOrder,
         Self::LiftOffDiesAway,
         Self::LiftOff,
@@ -90,6 +93,7 @@ impl Verdict {
         Self::ThrownOff,
         Self::Resonance,
         Self::Stopped,
+        Self::NotFinished,
         Self::NumericalFailure,
         Self::Refused,
     ];
@@ -106,6 +110,7 @@ impl Verdict {
             Self::ThrownOff => "thrown_off",
             Self::Resonance => "resonance",
             Self::Stopped => "stopped",
+            Self::NotFinished => "not_finished",
             Self::NumericalFailure => "numerical_failure",
             Self::Refused => "refused",
         }
@@ -128,6 +133,7 @@ impl Verdict {
             Self::ThrownOff => "thrown off",
             Self::Resonance => "resonance",
             Self::Stopped => "dead position",
+            Self::NotFinished => "run not finished",
             Self::NumericalFailure => "computation failed",
             Self::Refused => "no such mechanism",
         }
@@ -140,7 +146,7 @@ impl Verdict {
                 Some(Judgement::InWorkingOrder)
             }
             Self::LiftOff | Self::ThrownOff | Self::Stopped => Some(Judgement::NotInWorkingOrder),
-            Self::LiftOffNotJudged | Self::NotJudged | Self::CreepNotJudged => {
+            Self::LiftOffNotJudged | Self::NotJudged | Self::CreepNotJudged | Self::NotFinished => {
                 Some(Judgement::NotJudged)
             }
             Self::NumericalFailure => Some(Judgement::NotToBeTrusted),
@@ -151,9 +157,17 @@ impl Verdict {
     /// Family of the verdict.
     pub fn family(self) -> Family {
         match self {
-            Self::NumericalFailure => Family::Computation,
+            Self::NotFinished | Self::NumericalFailure => Family::Computation,
             Self::Refused => Family::Scene,
-            _ => Family::Mechanism,
+            Self::InWorkingOrder
+            | Self::LiftOffDiesAway
+            | Self::LiftOff
+            | Self::LiftOffNotJudged
+            | Self::CreepNotJudged
+            | Self::NotJudged
+            | Self::ThrownOff
+            | Self::Resonance
+            | Self::Stopped => Family::Mechanism,
         }
     }
 }

@@ -15,6 +15,7 @@ use super::verdict::{Verdict, judge};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
+use crate::studies::judgement::{Ending, Judgement as Working};
 use crate::studies::run::ended;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
@@ -83,6 +84,8 @@ pub struct Study {
     pub accuracy: f64,
     /// False when interrupted: what is there was done until then.
     pub complete: bool,
+    /// The verdict: a doubt about the reference takes all trust; the mechanism is not judged.
+    pub verdict: Working,
     /// Simulated time (s).
     pub duration: f64,
     /// Samples of δ in a run.
@@ -173,6 +176,7 @@ pub fn study(
         hash: settings.hash.clone(),
         accuracy: plan.accuracy,
         complete,
+        verdict: working(complete, unknown.doubt.is_some()),
         duration: settings.duration,
         samples: settings.samples,
         fastest_rate: spectrum.fastest,
@@ -184,6 +188,16 @@ pub fn study(
         methods,
         models: None,
     })
+}
+
+/// The verdict of a study of methods, which says nothing of the mechanism.
+pub(super) fn working(complete: bool, doubted: bool) -> Working {
+    let ending = match (doubted, complete) {
+        (true, _) => Ending::OfComputation,
+        (false, false) => Ending::FromOutside,
+        (false, true) => Ending::Complete,
+    };
+    Working::decide(ending, &[], || Working::NotJudged)
 }
 
 /// What is known of methods beforehand: what a short run need not show.

@@ -3,11 +3,12 @@
 use super::line::MethodLine;
 use super::setting::{first_step, is_fixed_step};
 use super::stability::Spectrum;
-use super::study::{Now, Plan, Study, start, study};
+use super::study::{Now, Plan, Study, start, study, working};
 use super::verdict::Verdict;
 use crate::dynamics::integrate::{Dynamics, Method};
 use crate::dynamics::system::System;
 use crate::studies::axis::Axis;
+use crate::studies::judgement::Judgement as Working;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
 
@@ -30,6 +31,8 @@ pub struct Sweep {
     pub axis: Axis,
     /// False when interrupted.
     pub complete: bool,
+    /// The verdict: a doubt about a reference takes all trust; the mechanism is not judged.
+    pub verdict: Working,
     /// The step at which methods of fixed step are judged over the whole axis (s).
     pub fixed_step: Option<f64>,
     /// Slices, one a value.
@@ -119,6 +122,7 @@ pub fn sweep<E>(
         dam: 1,
         axis: axis.clone(),
         complete: true,
+        verdict: Working::NotJudged,
         fixed_step: None,
         slices: Vec::new(),
     };
@@ -144,6 +148,7 @@ pub fn sweep<E>(
             break;
         }
     }
+    found.verdict = working(found.complete, found.is_doubted());
     Ok(found)
 }
 

@@ -3,6 +3,7 @@
 
 use crate::dynamics::builder::spec::Level;
 use crate::studies::spread::Spread;
+use crate::units::shown;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -116,7 +117,36 @@ pub struct Certificate {
     pub tried: Vec<Tried>,
 }
 
+impl FigureAccuracy {
+    /// What is wrong, where the figure does not hold the accuracy that is asked for.
+    pub fn shortfall(&self, figure: &str) -> Option<String> {
+        let unit = match self.unit.as_str() {
+            "" => String::new(),
+            unit => format!(" {unit}"),
+        };
+        let asked = format!("{figure} does not hold the accuracy asked for");
+        let words = match (self.error, &self.why) {
+            (Some(error), _) => format!(
+                "{asked}: it may be off by {}{unit}, and {}{unit} is allowed",
+                shown(error, 2),
+                shown(self.asked, 2)
+            ),
+            (None, Some(why)) => format!("{asked}: {why}"),
+            (None, None) => format!("{asked}: its error is not known"),
+        };
+        (!self.holds).then_some(words)
+    }
+}
+
 impl Certificate {
+    /// What is wrong with each figure that does not hold the accuracy that is asked for.
+    pub fn shortfalls(&self) -> Vec<String> {
+        let figures = self.accuracy.iter();
+        figures
+            .filter_map(|(figure, found)| found.shortfall(figure))
+            .collect()
+    }
+
     /// The same, with how far rounding alone moves each figure (loads and gaps changed by one
     /// part in 10¹⁰, the tolerance halved) in its error. A figure that is gone by it is not
     /// determined.

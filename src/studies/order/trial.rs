@@ -9,6 +9,7 @@ use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Elastic, Levels, TypedScene};
+use crate::studies::judgement::{Ending, ending};
 use crate::studies::lookup::{Subject, attach, named_in};
 use crate::studies::run::run;
 use crate::studies::{Control, RunSettings};
@@ -161,10 +162,12 @@ impl<'s> Trials<'s> {
         let statistics = &result.outcome.statistics;
         let passes = (statistics.steps + statistics.evaluations) as f64;
         // A mechanism that stops by itself has perfectly good figures.
-        let doubt = match (result.is_trusted(), result.outcome.stop.is_from_outside()) {
-            (true, false) => None,
-            (_, true) => result.figures.run.stopped_because.clone(),
-            (false, false) => Some("its figures are in doubt".to_owned()),
+        let doubt = match (ending(&result.figures), result.is_trusted()) {
+            (Ending::FromOutside, _) => result.figures.run.stopped_because.clone(),
+            (Ending::Complete | Ending::OfMechanism, true) => None,
+            (Ending::Complete | Ending::OfMechanism | Ending::OfComputation, _) => {
+                Some("its figures are in doubt".to_owned())
+            }
         };
         let left_out = match exact && doubt.is_none() {
             true => self.left_out(system.model(), levels),

@@ -4,6 +4,7 @@ use crate::dynamics::steady::cycle_map::Regime;
 use crate::dynamics::steady::flywheel::Flywheel;
 use crate::dynamics::steady::{Check, Extreme, Means, SteadyFigures, SteadyMotion};
 use crate::studies::check::Check as Judged;
+use crate::studies::judgement::{Ending, Judgement};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -88,6 +89,22 @@ pub fn rigid_checks(figures: &SteadyFigures, agreement: Option<&Agreement>) -> V
     checks
 }
 
+/// The verdict on a steady motion of a machine with rigid objects: it holds its speed where
+/// it does not come almost to rest, and where small disturbances die away.
+pub fn rigid_judgement(
+    figures: &SteadyFigures,
+    regime: Option<&Regime>,
+    checks: &[Judged],
+) -> Judgement {
+    let repels = regime.is_some_and(|regime| !regime.attracts);
+    Judgement::decide(Ending::Complete, checks, || {
+        match figures.warnings.is_empty() && !repels {
+            true => Judgement::InWorkingOrder,
+            false => Judgement::NotInWorkingOrder,
+        }
+    })
+}
+
 impl RigidAnswer {
     /// The checks of the answer, with their bounds.
     pub fn checks(&self) -> Vec<Judged> {
@@ -97,6 +114,11 @@ impl RigidAnswer {
     /// True when all checks are passed.
     pub fn is_trusted(&self) -> bool {
         self.checks().iter().all(Judged::passed)
+    }
+
+    /// The verdict: see [`rigid_judgement`].
+    pub fn judgement(&self) -> Judgement {
+        rigid_judgement(&self.figures, self.regime.as_ref(), &self.checks())
     }
 
     /// Adds a warning for each check beyond its bound.

@@ -29,7 +29,7 @@ pub use answer::DriveRow;
 pub use answer::Forces;
 pub use answer::Simulation;
 pub use answer::StartOf;
-pub use answer::{Agreement, RigidAnswer, rigid_checks};
+pub use answer::{Agreement, RigidAnswer, rigid_checks, rigid_judgement};
 pub use expectations::{check, figure};
 pub use machine::{Machine, constant_speed, drive_of, is_elastic};
 pub use multipliers::{Multiplier, Stability};
@@ -42,6 +42,8 @@ use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
 use crate::studies::check::Check;
+use crate::studies::document::can_open;
+use crate::studies::rigid::Rigid as RigidLabel;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
 
@@ -50,12 +52,36 @@ use serde::Serialize;
 #[serde(rename_all = "snake_case")]
 pub enum Answer {
     /// Of a machine with rigid objects.
+    #[serde(rename = "rigid_motion")]
     Rigid(Box<RigidAnswer>),
     /// Of elastic objects.
     Periodic(Box<PeriodicAnswer>),
 }
 
 impl Answer {
+    /// The label of a motion of rigid objects where some of the model are elastic.
+    pub fn label(&self, model: &Model) -> Option<RigidLabel> {
+        match self {
+            Self::Rigid(_) => RigidLabel::label(model, &["dam run"]),
+            Self::Periodic(_) => None,
+        }
+    }
+
+    /// What a motion of rigid objects does not say of a model: whether their pairs would open.
+    pub fn unjudged(&self, model: &Model) -> Option<String> {
+        let parts = model.objects.iter();
+        let pairs = parts.filter(|part| can_open(model, part));
+        let ids: Vec<&str> = pairs.map(|part| part.id.as_str()).collect();
+        match self {
+            Self::Rigid(_) if !ids.is_empty() => {
+                let of = ids.join(", ");
+                let words = format!("whether the pair of {of} opens is judged by `dam run` alone");
+                Some(words)
+            }
+            Self::Rigid(_) | Self::Periodic(_) => None,
+        }
+    }
+
     /// The checks of the answer, with their bounds.
     pub fn checks(&self) -> Vec<Check> {
         match self {

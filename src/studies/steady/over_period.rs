@@ -17,6 +17,7 @@ use crate::dynamics::system::System;
 use crate::math::polynomial::Step;
 use crate::math::quadrature::rule;
 use crate::studies::check::Check;
+use crate::studies::judgement::Judgement;
 use serde::Serialize;
 
 /// What happens over a period.
@@ -36,6 +37,9 @@ pub struct OverPeriod {
     pub events: Vec<Event>,
     /// Checks with their bounds.
     pub checks: Vec<Check>,
+    /// The verdict on the pairs: whether one opens over the period.
+    #[serde(skip)]
+    pub pairs: Judgement,
 }
 
 /// Work of a drive over a period.
@@ -148,6 +152,7 @@ impl OverPeriod {
             },
             drives: works.into_iter().map(|own| own.of).collect(),
             objects: extremes(system, &recorded),
+            pairs: Judgement::of_objects(reported(system, &recorded)),
             events: recorded
                 .record
                 .switches
@@ -156,6 +161,15 @@ impl OverPeriod {
                 .collect(),
         })
     }
+}
+
+fn reported<'r>(
+    system: &System,
+    recorded: &'r Recorded,
+) -> impl Iterator<Item = &'r ObjectFigures> {
+    let all = system.model().objects.iter().zip(&recorded.figures);
+    all.filter(|(part, _)| part.is_reported())
+        .map(|(_, figures)| figures)
 }
 
 /// A state whose drives have turned on by a period, with them back where they were.
@@ -179,7 +193,8 @@ fn settings(method: Method, period: f64) -> RecorderSettings {
         switch_rows: false,
         masses: false,
         closeups: false,
-        window: None,
+        // The whole period is steady.
+        window: Some([0.0, period]),
         long_steps: matches!(method, Method::Taylor | Method::Radau),
         implicit: matches!(method, Method::Radau | Method::Rodas5p),
         tolerance: TOLERANCE,

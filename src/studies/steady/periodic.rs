@@ -14,6 +14,7 @@ use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
 use crate::studies::check::{Check, worst};
+use crate::studies::judgement::{Ending, Judgement};
 use crate::studies::method::choose_general;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
@@ -62,6 +63,19 @@ impl PeriodicAnswer {
             }),
         }
         checks
+    }
+
+    /// The verdict: small disturbances leave the motion, or a pair opens over the period.
+    pub fn judgement(&self) -> Judgement {
+        let any = |stability| self.parts.iter().any(|part| part.stability == stability);
+        Judgement::decide(Ending::Complete, &self.checks(), || {
+            let pairs = self.over_period.as_ref().map(|found| found.pairs);
+            match pairs.unwrap_or(Judgement::NotJudged) {
+                _ if any(Stability::Repels) => Judgement::NotInWorkingOrder,
+                Judgement::InWorkingOrder if any(Stability::Undecided) => Judgement::NotJudged,
+                pairs => pairs,
+            }
+        })
     }
 
     /// True when all checks are passed.

@@ -482,12 +482,12 @@ fn a_flywheel_is_sized_for_a_table() {
         "approximations/0/inertia",
         "approximations/2/inertia",
     ] {
-        let pointer = format!("/rigid/flywheel/{figure}");
+        let pointer = format!("/rigid_motion/flywheel/{figure}");
         let [one, other] = [&table.stdout, &functions.stdout].map(|found| of(found, &pointer));
         approx::assert_relative_eq!(one, other, max_relative = 1e-4);
     }
     approx::assert_relative_eq!(
-        of(&table.stdout, "/rigid/flywheel/fluctuation_with"),
+        of(&table.stdout, "/rigid_motion/flywheel/fluctuation_with"),
         0.01,
         max_relative = 1e-9
     );
