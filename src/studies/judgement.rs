@@ -1,6 +1,7 @@
 //! The verdict of a run: one of four, from its checks and from what its pairs did.
 
 use super::check::Check;
+use crate::dynamics::integrate::PhysicalStop;
 use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures};
 use serde::Serialize;
 
@@ -61,11 +62,13 @@ impl Judgement {
         let checked = at_start || checks(figures).iter().all(Check::passed);
         match ending {
             Ending::OfComputation => Self::NotToBeTrusted,
-            Ending::Complete | Ending::FromOutside | Ending::OfMechanism if !checked => {
+            Ending::Complete | Ending::FromOutside | Ending::OfScene | Ending::OfMechanism
+                if !checked =>
+            {
                 Self::NotToBeTrusted
             }
             Ending::OfMechanism => Self::NotInWorkingOrder,
-            Ending::FromOutside => Self::NotJudged,
+            Ending::FromOutside | Ending::OfScene => Self::NotJudged,
             Ending::Complete => Self::of_objects(figures.objects.values()),
         }
     }
@@ -88,7 +91,7 @@ impl Judgement {
     pub fn of_pair_in(figures: &Figures, pair: &PairFigures) -> Self {
         match (Self::of(figures), ending(figures)) {
             (Self::NotToBeTrusted, _) => Self::NotToBeTrusted,
-            (_, Ending::FromOutside) => Self::NotJudged,
+            (_, Ending::FromOutside | Ending::OfScene) => Self::NotJudged,
             (_, Ending::Complete | Ending::OfMechanism | Ending::OfComputation) => {
                 Self::of_pair(pair)
             }
@@ -116,6 +119,8 @@ pub enum Ending {
     FromOutside,
     /// By a failure of the computation.
     OfComputation,
+    /// By a law of the scene that has no value from there on.
+    OfScene,
     /// By the mechanism: a dead-centre position, the end of a range.
     OfMechanism,
 }
@@ -128,6 +133,7 @@ pub fn ending(figures: &Figures) -> Ending {
     match figures.run.stopped.as_deref().unwrap_or("") {
         "interrupted" | "wall_clock" | "too_many_steps" | "not_explored" => Ending::FromOutside,
         "not_finite" | "step_floor" | "too_many_switches" | "method" | "" => Ending::OfComputation,
+        PhysicalStop::NO_VALUE => Ending::OfScene,
         _ => Ending::OfMechanism,
     }
 }
@@ -135,9 +141,10 @@ pub fn ending(figures: &Figures) -> Ending {
 /// The checks that a run makes of itself, with their bounds.
 pub fn checks(figures: &Figures) -> Vec<Check> {
     let run = &figures.run;
-    // Accelerations grow without bound towards a dead-centre position that ends a run.
+    // Accelerations grow without bound towards a dead-centre position, or a pole, that ends a
+    // run.
     let unknown = match ending(figures) {
-        Ending::OfMechanism => 0,
+        Ending::OfMechanism | Ending::OfScene => 0,
         Ending::Complete | Ending::FromOutside | Ending::OfComputation => {
             let all = figures.objects.values();
             all.filter(|one| !is_finite(one)).count()

@@ -27,3 +27,4 @@ mod side_by_side;
 mod starts_of_laws;
 mod stiff_and_brief;
 mod tolerance;
+mod undefined_loads;

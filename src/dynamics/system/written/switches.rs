@@ -17,9 +17,9 @@ use crate::units::shown;
 const TURNED_BACK: f64 = 1e-9;
 
 /// The variables of a load along a step.
-struct Along<'a> {
-    written: &'a Written,
-    step: &'a Step<'a>,
+pub(super) struct Along<'a> {
+    pub(super) written: &'a Written,
+    pub(super) step: &'a Step<'a>,
 }
 
 impl Stretch for Along<'_> {
