@@ -17,6 +17,7 @@ mod methods;
 mod order;
 mod order_table;
 mod ports;
+mod position_tables;
 mod random_scenes;
 mod read_scene;
 mod reduce;
