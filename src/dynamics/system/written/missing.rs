@@ -20,6 +20,8 @@ const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 const NARROW: f64 = 1e-12;
 /// Most stretches of a step that are bounded to locate one.
 const STRETCHES: usize = 400;
+/// Room for stretches that wait, as many as a step can be halved, and some.
+const DEPTH: usize = 48;
 /// A pole is compared at so many narrow stretches from it …
 const NEAR: f64 = 32.0;
 /// … with so many times farther away, …
@@ -44,9 +46,11 @@ impl Written {
     /// The first place of a step, up to `end`, towards which it grows without bound.
     fn pole(&self, along: &Along<'_>, modes: &[i64], end: f64) -> Option<f64> {
         let still = Moving::number(0.0);
-        let mut waiting = vec![[0.0, end]];
+        // (Each halving leaves one stretch that waits.)
+        let (mut waiting, mut count) = ([[0.0, end]; DEPTH], 1);
         for _ in 0..STRETCHES {
-            let [from, to] = waiting.pop()?;
+            count = usize::checked_sub(count, 1)?;
+            let [from, to] = waiting[count];
             let mut bounds = [still; VARIABLES];
             along.over(from, to, &mut bounds);
             if !self.is_unbounded(&bounds, modes) {
@@ -59,8 +63,9 @@ impl Written {
                 continue;
             }
             let middle = 0.5 * (from + to);
-            waiting.push([middle, to]);
-            waiting.push([from, middle]);
+            waiting[count] = [middle, to];
+            waiting[count + 1] = [from, middle];
+            count += 2;
         }
         None
     }
