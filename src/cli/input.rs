@@ -1,7 +1,7 @@
 //! From a scene's file to a system.
 
 use super::failure::Failure;
-use super::interrupt;
+use super::interrupt::{self, Stage};
 use crate::ask::Judging;
 use crate::budget::Budget;
 use crate::cli::args::scene::SceneArgs;
@@ -93,7 +93,10 @@ impl<'a> Input<'a> {
         judging: Judging,
     ) -> Result<Ready, Failure> {
         let reading = self.decode(further)?;
-        Ok(Ready::of_within(reading, judging, &self.budget)?)
+        interrupt::enter(Stage::Preparing);
+        let ready = Ready::of_within(reading, judging, &self.budget)?;
+        interrupt::enter(Stage::Answering);
+        Ok(ready)
     }
 }
 

@@ -25,6 +25,41 @@ static BUDGET: OnceLock<Budget<'static>> = OnceLock::new();
 /// Set once the answer is on its way to standard output: the time limit is then kept.
 static ANSWERING: AtomicBool = AtomicBool::new(false);
 
+/// What the command is about, for a time limit that ends it with nothing to keep.
+static STAGE: Mutex<Stage> = Mutex::new(Stage::Reading);
+
+/// What a command is about before it has anything to keep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stage {
+    /// The scene is read.
+    Reading,
+    /// The model is made, and judged where that is asked for.
+    Preparing,
+    /// A method is chosen, and a start is found.
+    Starting,
+    /// The question is answered.
+    Answering,
+}
+
+impl Stage {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Reading => "while the scene was read",
+            Self::Preparing => "while the model was prepared",
+            Self::Starting => {
+                "while a method was chosen and the start of the motion was found; `run.method` \
+                 names one, \"start\": \"on_law\" needs no search"
+            }
+            Self::Answering => "while the question was answered",
+        }
+    }
+}
+
+/// Says what the command is about from now on.
+pub(crate) fn enter(stage: Stage) {
+    *STAGE.lock().unwrap_or_else(PoisonError::into_inner) = stage;
+}
+
 /// Says that the answer is there and being written.
 pub(crate) fn answering() {
     ANSWERING.store(true, Ordering::Relaxed);
@@ -64,9 +99,11 @@ pub(crate) fn start(limit: Option<Duration>, json: bool) {
                 return;
             }
             end_if_nothing_is_kept(|| {
+                let stage = *STAGE.lock().unwrap_or_else(PoisonError::into_inner);
                 let over = Failure::Output(format!(
-                    "the time limit of {} s was over before there was a result",
-                    limit.as_secs_f64()
+                    "the time limit of {} s was over before there was a result, {}",
+                    limit.as_secs_f64(),
+                    stage.words()
                 ));
                 super::report(&over, json);
                 Status::NotTrusted.code()

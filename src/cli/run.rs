@@ -6,6 +6,7 @@ use super::asker::Asker;
 use super::console;
 use super::failure::Failure;
 use super::input::Ready;
+use super::interrupt::{self, Stage};
 use super::output::OutputFolder;
 use super::progress::Progress;
 use super::status::Status;
@@ -235,6 +236,7 @@ pub(crate) fn run_with_progress(
     settings: &RunSettings,
     quiet: bool,
 ) -> Result<RunResult, Failure> {
+    interrupt::enter(Stage::Starting);
     let mut progress = Progress::new(&ready.scene().name, settings.duration, quiet, asker);
     let mut sinks: [&mut dyn Sink; 1] = [&mut progress];
     let result = run(&ready.system, settings, asker.budget(), &mut sinks);

@@ -53,11 +53,16 @@ impl Breaks {
                 // the turn: stay in range, and come to an end.
                 let turns = ((x - self.points[0]) / period).floor();
                 let turn = turns.clamp(-1e12, 1e12) as i64;
-                let first = (turn - 1) * count as i64;
-                let last = first + 3 * count as i64;
-                (first..last)
-                    .find(|&segment| !below(self.edge(segment + 1)))
-                    .unwrap_or(last)
+                let mut first = (turn - 1) * count as i64;
+                let mut last = first + 3 * count as i64;
+                while first < last {
+                    let middle = first + (last - first) / 2;
+                    match below(self.edge(middle + 1)) {
+                        true => first = middle + 1,
+                        false => last = middle,
+                    }
+                }
+                first
             }
         }
     }

@@ -105,6 +105,10 @@ pub fn verdict(figures: &Figures) -> Verdict {
     let failed_check = judgement == Judgement::NotToBeTrusted && ending != Ending::OfComputation;
     let text = match judgement {
         _ if ending != Ending::Complete && !failed_check => stopped(figures, ending),
+        Judgement::NotToBeTrusted if ending == Ending::OfScene => {
+            let ended = stopped(figures, ending);
+            ended.words(". ").sentence(failed(figures))
+        }
         Judgement::NotToBeTrusted => failed(figures),
         Judgement::InWorkingOrder | Judgement::NotInWorkingOrder | Judgement::NotJudged => {
             pairs(figures, judgement)
@@ -143,6 +147,7 @@ fn stopped(figures: &Figures, ending: Ending) -> Sentence {
     let what = match ending {
         Ending::FromOutside | Ending::Complete => "The run is not finished: it ended",
         Ending::OfComputation => "The computation stopped",
+        Ending::OfScene => "The run ends",
         Ending::OfMechanism => "The mechanism stops",
     };
     let ended = Sentence::from(format!("{what} at t = ")).quantity(figures.run.time, "s", 6);

@@ -1,6 +1,7 @@
 //! The verdict of a run: one of four, from its checks and from what its pairs did.
 
 use super::check::Check;
+use crate::dynamics::integrate::PhysicalStop;
 use crate::dynamics::record::{EnergyAudit, Figures, ObjectFigures, PairFigures};
 use serde::Serialize;
 
@@ -77,11 +78,13 @@ impl Judgement {
         let checked = checks.iter().all(Check::passed);
         match ending {
             Ending::OfComputation => Self::NotToBeTrusted,
-            Ending::Complete | Ending::FromOutside | Ending::OfMechanism if !checked => {
+            Ending::Complete | Ending::FromOutside | Ending::OfScene | Ending::OfMechanism
+                if !checked =>
+            {
                 Self::NotToBeTrusted
             }
             Ending::OfMechanism => Self::NotInWorkingOrder,
-            Ending::FromOutside => Self::NotJudged,
+            Ending::FromOutside | Ending::OfScene => Self::NotJudged,
             Ending::Complete => mechanism(),
         }
     }
@@ -115,7 +118,7 @@ impl Judgement {
     pub fn of_pair_in(figures: &Figures, pair: &PairFigures) -> Self {
         match (Self::of(figures), ending(figures)) {
             (Self::NotToBeTrusted, _) => Self::NotToBeTrusted,
-            (_, Ending::FromOutside) => Self::NotJudged,
+            (_, Ending::FromOutside | Ending::OfScene) => Self::NotJudged,
             (_, Ending::Complete | Ending::OfMechanism | Ending::OfComputation) => {
                 Self::of_pair(pair)
             }
@@ -154,6 +157,8 @@ pub enum Ending {
     FromOutside,
     /// By a failure of the computation.
     OfComputation,
+    /// By a law of the scene that has no value from there on.
+    OfScene,
     /// By the mechanism: a dead-centre position, the end of a range.
     OfMechanism,
 }
@@ -167,6 +172,7 @@ impl Ending {
             "interrupted" | "wall_clock" | "too_many_steps" | "too_many_switches"
             | "not_explored" => Self::FromOutside,
             "not_finite" | "step_floor" | "method" | "" => Self::OfComputation,
+            PhysicalStop::NO_VALUE => Self::OfScene,
             _ => Self::OfMechanism,
         }
     }
@@ -209,9 +215,10 @@ impl Errors {
         ending: Ending,
         objects: impl Iterator<Item = &'o ObjectFigures>,
     ) -> Vec<Check> {
-        // Accelerations grow without bound towards a dead-centre position that ends a run.
+        // Accelerations grow without bound towards a dead-centre position, or a pole, that ends
+        // a run.
         let unknown = match ending {
-            Ending::OfMechanism => 0,
+            Ending::OfMechanism | Ending::OfScene => 0,
             Ending::Complete | Ending::FromOutside | Ending::OfComputation => {
                 objects.filter(|one| !is_finite(one)).count()
             }

@@ -174,6 +174,9 @@ fn loads_without_a_value_are_refused() {
         ("1/0", "no finite value"),
         ("0/0", "no finite value"),
         ("(-2)^0.5", "no finite value"),
+        ("sqrt(5*pi-driver_phi)", "no finite value at t = 0.25 s"),
+        ("1/(driver_phi-5*pi)", "no finite value at t = 0.25 s"),
+        ("log(0.3-t)-20*phi", "no finite value at t = 0.3 s"),
         (
             "sqrt(phi-10)",
             "no finite value at t = 0 where every object is on its law",
@@ -188,6 +191,28 @@ fn loads_without_a_value_are_refused() {
     // Beyond the end of the run they may do as they like.
     sound(&with_load("1/(t-0.75)"));
     sound(&with_load("t<0.2 ? log(0.3-t) : 0"));
+}
+
+/// What only the motion tells ends the run, as a dead-centre position does.
+#[test]
+fn a_run_ends_where_a_load_has_no_value() {
+    let text = with_load("sqrt(0.3-phi)");
+    let output = run(text.as_bytes(), &["--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    let document: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(document["verdict"], "not_judged");
+    assert_eq!(document["run"]["stopped"], "no_value");
+    let because = document["run"]["stopped_because"].as_str().unwrap();
+    for words in ["rocker.loads.x", "sqrt(0.3-phi)", "at t = 0.0", "phi = 0.3"] {
+        assert!(because.contains(words), "{words}: {because}");
+    }
+    let expected = text.replace(
+        r#""run": {"#,
+        r#""expect": [{ "stops": "no_value", "time": 0.0102, "within": 0.001 }], "run": {"#,
+    );
+    let output = run(expected.as_bytes(), &[]);
+    let error = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{error}");
 }
 
 #[test]

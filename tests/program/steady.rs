@@ -156,3 +156,16 @@ fn a_motor_that_stalls_behind_elastic_objects_is_refused_with_the_reason() {
         );
     }
 }
+
+/// Little inertia and a low mean speed: the equation of motion confirms what is found, though
+/// the machine almost stops.
+#[test]
+fn a_machine_that_almost_stops_is_confirmed_and_warned_of() {
+    for speed in ["12 rad/s", "13 rad/s", "18 rad/s"] {
+        let set = format!("drive.motion.speed=\"{speed}\"");
+        let scene = "scenarios/kinetostatics/slotted_lever.json";
+        let found = document(&[scene, "--json", "--set", &set]);
+        let text = found.to_string();
+        assert_eq!(text.contains("almost stops"), speed != "18 rad/s", "{text}");
+    }
+}

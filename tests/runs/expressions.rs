@@ -117,6 +117,40 @@ fn every_jump_and_kink_is_located() {
     }
 }
 
+/// A load that begins where its condition is zero with its rate: what it does just behind
+/// does not depend on the unit of time.
+#[test]
+fn conditions_that_begin_at_zero_know_no_unit_of_time() {
+    for unit in [1e-8, 1e-4, 1.0, 1e3] {
+        // A rotor, J = 2, that turns at 1 rad per unit, and 10 N m·s² per unit squared.
+        let (half, push) = (0.5 * unit, 10.0 / (unit * unit));
+        for (condition, speed) in [
+            // On for half a unit.
+            (format!("t*t*({half:e} - t) > 0"), 1.0 + 0.5 * 5.0),
+            (format!("t^3*({half:e} - t) > 0"), 1.0 + 0.5 * 5.0),
+            // Always on.
+            ("1 - cos(phi) > 0".to_owned(), 1.0 + 5.0),
+            ("phi - sin(phi) > 0".to_owned(), 1.0 + 5.0),
+            // Never.
+            ("cos(phi) > 1".to_owned(), 1.0),
+        ] {
+            for method in ["dop853", "radau", "taylor"] {
+                let text = format!(
+                    r#"{{ "dam": 1, "name": "rotor", "objects": {{ "rotor": {{ "kind": "drive",
+                        "motor": {{ "inertia": 2, "speed": {:e},
+                            "torque": {{ "expression": "{condition} ? {push:e} : 0" }} }} }} }},
+                        "run": {{ "duration": {unit:e}, "tolerance": 1e-9, "method": "{method}" }} }}"#,
+                    1.0 / unit
+                );
+                let run = run(&text);
+                assert!(run.is_complete(), "{text}");
+                let found = run.figures.value("rotor.final.speed").unwrap() * unit;
+                assert_relative_eq!(found, speed, max_relative = 1e-10);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_jump_that_holds_the_motion_is_told() {
     let text = r#"{ "dam": 1, "name": "x", "objects": { "rotor": { "kind": "drive",

@@ -24,6 +24,13 @@ pub(crate) const DRIVER: [(&str, usize); 2] = [("driver_phi", 3), ("driver_phi_d
 /// Names of the motion of another object.
 pub(crate) const OVER: [(&str, usize); 2] = [("over_phi", 5), ("over_phi_dot", 6)];
 
+/// The name by which a message calls a variable.
+pub(crate) fn variable_name(index: usize) -> &'static str {
+    let all = OWN.iter().chain(&DRIVER).chain(&OVER);
+    let mut named = all.filter(|(_, own)| *own == index);
+    named.next().map_or("", |(name, _)| name)
+}
+
 /// Indices of the own motion among the variables.
 const PHI: usize = 1;
 const PHI_DOT: usize = 2;

@@ -167,6 +167,8 @@ impl Output {
                 }
             }
             row[degree] = told_gain(row[degree], a[0], b[0]);
+            // Over a short step the rounding of displacements would drown the speed.
+            row[degree - 1] = row[degree] - self.length / degree as f64 * b[1];
         }
     }
 

@@ -128,6 +128,11 @@ pub struct PhysicalStop {
     pub message: String,
 }
 
+impl PhysicalStop {
+    /// Name of the stop at which a law of the scene has no finite value.
+    pub const NO_VALUE: &str = "no_value";
+}
+
 /// A switching second-order system.
 pub trait Dynamics: Sync {
     /// Working memory of one evaluation; one per thread.
@@ -360,9 +365,50 @@ pub trait Dynamics: Sync {
         Vec::new()
     }
 
-    /// Why the evaluation made last gave no numbers, where the mechanism itself is
-    /// the reason. Default: it never is.
-    fn obstacle(&self, _scratch: &Self::Scratch) -> Option<PhysicalStop> {
+    /// Why the evaluation made last, at `time`, gave no numbers, where the mechanism itself
+    /// or a law of the scene is the reason. Default: it never is.
+    fn obstacle(
+        &self,
+        _time: f64,
+        _modes: &Modes,
+        _scratch: &Self::Scratch,
+    ) -> Option<PhysicalStop> {
+        None
+    }
+
+    /// True where a law of the scene may end with the motion, or have no derivatives at the
+    /// edge of a piece. Default: false.
+    fn has_edges(&self) -> bool {
+        false
+    }
+
+    /// The end of the run, where a law of the scene grows without bound within `reach` (s) of
+    /// a state. Default: none does.
+    fn pole_near(
+        &self,
+        [_time, _reach]: [f64; 2],
+        _y: &[f64],
+        _dy: &[f64],
+        _modes: &Modes,
+        _scratch: &mut Self::Scratch,
+    ) -> Option<PhysicalStop> {
+        None
+    }
+
+    /// The end of the run, where a law of the scene grows without bound on a step, up to
+    /// the place `end` of it. Default: none does.
+    fn pole_on(&self, _step: &Step<'_>, _modes: &Modes, _end: f64) -> Option<PhysicalStop> {
+        None
+    }
+
+    /// The end of the run, where every motion is given and a law of the scene has no value at
+    /// `time`. Default: all have.
+    fn given_end(
+        &self,
+        _time: f64,
+        _modes: &Modes,
+        _scratch: &mut Self::Scratch,
+    ) -> Option<PhysicalStop> {
         None
     }
 

@@ -35,7 +35,7 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
         self.evaluations.set(self.evaluations.get() + 1);
         if let Some(index) = dy.iter().position(|entry| !entry.is_finite()) {
             self.not_finite.set(self.not_finite.get().or(Some(index)));
-            if let Some(obstacle) = self.dynamics.obstacle(&scratch) {
+            if let Some(obstacle) = self.dynamics.obstacle(time, &modes, &scratch) {
                 self.obstacle.replace(Some(obstacle));
             }
         }
@@ -108,6 +108,20 @@ impl<'a, D: Dynamics> Evaluator<'a, D> {
         let modes = self.modes.borrow();
         let mut scratch = self.scratch.borrow_mut();
         self.dynamics.probe(probe, time, y, &modes, &mut scratch)
+    }
+
+    /// See [`Dynamics::pole_near`].
+    pub(super) fn pole_near(&self, span: [f64; 2], y: &[f64], dy: &[f64]) -> Option<PhysicalStop> {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.dynamics.pole_near(span, y, dy, &modes, &mut scratch)
+    }
+
+    /// See [`Dynamics::given_end`].
+    pub(super) fn given_end(&self, time: f64) -> Option<PhysicalStop> {
+        let modes = self.modes.borrow();
+        let mut scratch = self.scratch.borrow_mut();
+        self.dynamics.given_end(time, &modes, &mut scratch)
     }
 
     /// Evaluations so far.

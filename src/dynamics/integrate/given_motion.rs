@@ -27,8 +27,30 @@ pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
             true => start + taken * step,
             false => run.target,
         };
-        if run.accept(time, &[], &[], None) != Verdict::Continue {
+        if ends_within(run, time) || run.accept(time, &[], &[], None) != Verdict::Continue {
             return;
         }
     }
+}
+
+/// Ends a run at the time, up to `until`, from which on a law of the scene has no value.
+fn ends_within<D: Dynamics>(run: &mut Run<'_, D>, until: f64) -> bool {
+    let Some(mut found) = run.evaluator.given_end(until) else {
+        return false;
+    };
+    let [mut before, mut at] = [run.from.time, until];
+    loop {
+        let middle = 0.5 * (before + at);
+        if middle <= before || middle >= at {
+            break;
+        }
+        match run.evaluator.given_end(middle) {
+            Some(stop) => (at, found) = (middle, stop),
+            None => before = middle,
+        }
+    }
+    if run.accept(before, &[], &[], None) == Verdict::Continue {
+        run.end(Stop::Physical(found));
+    }
+    true
 }

@@ -1,5 +1,6 @@
 //! One run: what happens at every accepted step, whatever the method.
 
+mod edges;
 mod given_signals;
 mod narrowing;
 mod probing;
@@ -107,6 +108,8 @@ pub(super) struct Run<'a, D: Dynamics> {
     pub(super) changing: Changing,
     /// Stretches in which steps must be short.
     narrow: Narrowing,
+    /// Edges of pieces of laws passed by a short step: how many, and since when (s).
+    edges: (u32, f64),
     /// Longest step whose polynomial follows the given signals, until the next switch (s).
     pub(super) given_longest: f64,
     /// Steps taken with it.
@@ -158,6 +161,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             radau: None,
             changing: Changing::new(&[]),
             narrow: Narrowing::default(),
+            edges: (0, 0.0),
             given_longest: f64::INFINITY,
             given_steps: 0,
             series: Series::default(),
@@ -263,6 +267,9 @@ impl<'a, D: Dynamics> Run<'a, D> {
         };
         // Trial points beyond a switch may leave the domain; that is no failure.
         self.evaluator.take_not_finite();
+        if let Some(pole) = self.pole_on_step(found.map_or(1.0, |found| found.s)) {
+            return self.end(Stop::Physical(pole));
+        }
         if let (Some(found), None, Given::Polynomial(..)) = (found, edge, given)
             && self.is_to_draw_in(found.s)
         {

@@ -34,6 +34,12 @@ impl<D: Dynamics> Run<'_, D> {
     /// A method gives up with `stop`; if the right-hand side gave no numbers,
     /// that is the reason.
     pub(super) fn end_with_reason(&mut self, stop: Stop) -> Verdict {
+        if self.passes_edge() {
+            return Verdict::Restart;
+        }
+        if let Some(pole) = self.pole_ahead() {
+            return self.end(Stop::Physical(pole));
+        }
         if let Some(obstacle) = self.evaluator.take_obstacle() {
             return self.end(Stop::Physical(obstacle));
         }

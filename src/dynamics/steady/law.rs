@@ -257,6 +257,14 @@ pub(super) fn find(family: &impl Family, question: &Question) -> Result<Level, R
 /// Below this share of the greatest, the least kinetic energy is a warning.
 const ALMOST_STOPS: f64 = 1e-9;
 
+impl SteadyFigures {
+    /// True where the machine almost stops: errors of an energy weigh there by what the
+    /// greatest is above the least.
+    pub fn almost_stops(&self) -> bool {
+        self.energy_ratio < ALMOST_STOPS
+    }
+}
+
 /// Warnings about a motion.
 pub(super) fn warnings(
     ratio: f64,

@@ -42,7 +42,7 @@ pub struct Row {
 /// Errors of closure of an integration of the equation of motion over a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Check {
-    /// ω(Φ)/ω(0) − 1.
+    /// Ratio of the greatest speeds that are found onward and back from the least, − 1.
     pub speed: f64,
     /// Time for the cycle over the period, − 1.
     pub period: f64,
@@ -288,23 +288,56 @@ impl SteadyMotion {
             .sum()
     }
 
-    /// Integrates J·φ̈ + J′·φ̇²/2 = M over one cycle from (0, ω(0)); `None` when
-    /// the integration stands still on the way.
+    /// Integrates J·φ̈ + J′·φ̇²/2 = M over one cycle, from the least speed onward and back to
+    /// the greatest; `None` when the integration stands still on the way.
+    ///
+    /// (Towards a speed near zero every error grows by the ratio of the speeds; away from it
+    /// none does.)
     pub fn check(&self) -> Option<Check> {
-        let start = self.speed(0.0);
-        let mut state = [start, 0.0];
-        for panel in self.profile.panels() {
-            let mut rates = |position: f64, [speed, _]: &[f64; 2]| {
-                let point = panel.at(position);
+        let [least, greatest] = [&self.figures.least_speed, &self.figures.greatest_speed];
+        let cycle = self.profile.cycle();
+        let onward = (greatest.at - least.at).rem_euclid(cycle);
+        let before = self.followed(least.at, onward, 1.0)?;
+        let behind = self.followed(greatest.at, cycle - onward, -1.0)?;
+        Some(Check {
+            speed: before[0] / behind[0] - 1.0,
+            period: (before[1] + behind[1]) / self.figures.period - 1.0,
+        })
+    }
+
+    /// Speed at the end of a way of `length` and time for it, by the equation of motion from
+    /// its other end; `sense` −1: the way is gone from its end to `from`.
+    fn followed(&self, from: f64, length: f64, sense: f64) -> Option<[f64; 2]> {
+        let mut way = self.way(from, length);
+        if sense < 0.0 {
+            way.reverse();
+        }
+        let mut state: Option<[f64; 2]> = None;
+        for (panel, [low, high]) in way {
+            let begin = if sense > 0.0 { low } else { high };
+            let mut own = state.unwrap_or([speed(panel, self.level, begin - panel.from), 0.0]);
+            let mut rates = |gone: f64, [speed, _]: &[f64; 2]| {
+                let point = panel.at(begin + sense * gone);
                 let braking = 0.5 * point.inertia_slope * speed * speed;
                 let rate = (point.moment - braking) / (point.inertia * speed);
-                (*speed > 0.0).then_some([rate, 1.0 / speed])
+                (*speed > 0.0).then_some([sense * rate, 1.0 / speed])
             };
-            follow(&mut rates, [panel.from, panel.to], &mut state, 1e-13).ok()?;
+            follow(&mut rates, [0.0, high - low], &mut own, 1e-13).ok()?;
+            state = Some(own);
         }
-        Some(Check {
-            speed: state[0] / start - 1.0,
-            period: state[1] / self.figures.period - 1.0,
-        })
+        state.or_else(|| Some([self.speed(from), 0.0]))
+    }
+
+    /// The parts of panels on a way, which may lead over the end of the cycle.
+    fn way(&self, from: f64, length: f64) -> Vec<(&Panel, [f64; 2])> {
+        let (cycle, panels) = (self.profile.cycle(), self.profile.panels());
+        let turns = [0.0, cycle].into_iter();
+        let parts = turns.flat_map(|turn| {
+            panels.iter().map(move |panel| {
+                let low = panel.from.max(from - turn);
+                (panel, [low, panel.to.min(from + length - turn)])
+            })
+        });
+        parts.filter(|(_, [low, high])| low < high).collect()
     }
 }

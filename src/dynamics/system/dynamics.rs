@@ -324,9 +324,47 @@ impl Dynamics for System {
         self.frozen.undecided_guards(time, y, &modes.0, &errors)
     }
 
-    fn obstacle(&self, scratch: &Scratch) -> Option<PhysicalStop> {
-        let friction = self.friction_obstacle(&scratch.work);
-        friction.or_else(|| self.singular_obstacle(&scratch.work))
+    fn obstacle(&self, time: f64, modes: &Modes, scratch: &Scratch) -> Option<PhysicalStop> {
+        let work = &scratch.work;
+        self.without_value(time, &modes.0, work)
+            .or_else(|| self.friction_obstacle(work))
+            .or_else(|| self.singular_obstacle(work))
+    }
+
+    fn has_edges(&self) -> bool {
+        self.frozen.written().next().is_some()
+    }
+
+    fn pole_near(
+        &self,
+        span: [f64; 2],
+        y: &[f64],
+        dy: &[f64],
+        modes: &Modes,
+        scratch: &mut Scratch,
+    ) -> Option<PhysicalStop> {
+        if !self.may_meet_poles() {
+            return None;
+        }
+        let work = &mut scratch.work;
+        let accelerations = &dy[self.frozen.coordinates..];
+        self.frozen
+            .motion(span[0], y, &modes.0, Extent::Needed, work);
+        self.frozen.known_accelerations(accelerations, work);
+        self.at_pole(span, &modes.0, work)
+    }
+
+    fn pole_on(&self, step: &Step<'_>, modes: &Modes, end: f64) -> Option<PhysicalStop> {
+        self.poles_on(step, &modes.0, end)
+    }
+
+    fn given_end(&self, time: f64, modes: &Modes, scratch: &mut Scratch) -> Option<PhysicalStop> {
+        if !self.has_edges() {
+            return None;
+        }
+        let work = &mut scratch.work;
+        self.frozen.motion(time, &[], &modes.0, Extent::Full, work);
+        self.without_value(time, &modes.0, work)
     }
 
     fn singularities(&self, modes: &Modes, out: &mut Vec<Singularity>) {

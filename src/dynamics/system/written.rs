@@ -1,13 +1,14 @@
 //! Loads that are written as expressions: their force along a motion, and which of
 //! their smooth pieces is in force.
 
+mod missing;
 mod switches;
 
 use super::frozen::Frozen;
 use super::passes::Work;
 use super::taylor::HIGHEST;
 use crate::dynamics::model::{LoadVariable, NodeIndex, WrittenLoad};
-use crate::math::expression::{Expression, Ordered, VARIABLES};
+use crate::math::expression::{Expression, OPEN, Ordered, VARIABLES};
 use crate::math::quantity::Quantity;
 use std::sync::Arc;
 
@@ -34,7 +35,7 @@ pub(super) enum Input {
     /// It does not count.
     Unused,
     Time,
-    /// φ of a node, with the signal that it is where a guard looks at it.
+    /// φ of a node, with the signal that it is where a guard or a pole is looked for.
     Displacement {
         node: usize,
         signal: usize,
@@ -60,15 +61,16 @@ impl Written {
     /// Puts a load into the layout; signals are given to what its guards look at.
     pub(super) fn new(load: &WrittenLoad, node: NodeIndex, frozen: &mut Frozen) -> Self {
         let program = load.expression.program().clone();
-        let guarded = |variable| {
+        let poles = missing::may_have_poles(&program);
+        let watched = |variable| {
             let mut guards = program.guards.iter();
-            guards.any(|guard| guard.code.reads(variable))
+            poles || guards.any(|guard| guard.code.reads(variable))
         };
         let mut inputs = Vec::new();
         for (variable, source) in load.variables.iter().enumerate() {
             let mut place = |node: usize| {
                 let node = frozen.internal[node];
-                let signal = match guarded(variable) {
+                let signal = match watched(variable) {
                     true => frozen.signal(node),
                     false => usize::MAX,
                 };
@@ -102,8 +104,13 @@ impl Written {
     #[inline]
     pub(super) fn force<N: Quantity>(&self, time: N, modes: &[i64], work: &Work<N>) -> N {
         let values = self.values(time, &work.displacement, &work.speed);
-        let modes = |guard: u16| modes[self.component + usize::from(guard)];
-        let value = self.expression.program().value.evaluate(&values, &modes);
+        let code = &self.expression.program().value;
+        let own = |guard: u16| modes[self.component + usize::from(guard)];
+        let mut value = code.evaluate(&values, &own);
+        if !value.value().is_finite() {
+            // Beyond its edge a piece may have no value: the next one has.
+            value = code.evaluate(&values, &|_| OPEN);
+        }
         value.scale(self.factor)
     }
 

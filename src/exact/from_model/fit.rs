@@ -175,7 +175,9 @@ fn attempt(
     }
     let (mut size, mut speed, mut span) = (0.0f64, 0.0f64, 0.0f64);
     let values = TABLES.places.map(|place| {
-        let now = course.at(formulas, depth, time + place * length);
+        // Beyond its end a formula may have no value.
+        let at = (time + place * length).min(formulas.until);
+        let now = course.at(formulas, depth, at);
         (speed, span) = (speed.max(now.speed.abs()), span.max(now.span));
         let (value, own) = match target {
             Target::Displacement => (now.value, now.span),
@@ -184,6 +186,9 @@ fn attempt(
         size = size.max(own);
         value
     });
+    if values.iter().any(|value| !value.is_finite()) {
+        return Trial::Long;
+    }
     size = size.max(NOTHING);
     if target == Target::Acceleration && course.is_written() {
         // What changes neither speed nor displacement within their rounding is rounding.

@@ -21,7 +21,7 @@ mod rhythm;
 mod tests;
 
 pub(crate) use fit::{Target, fit};
-pub(crate) use prescribed::{PrescribedMotion, within};
+pub(crate) use prescribed::{PrescribedMotion, straight, within};
 pub use rest::Rest;
 pub(crate) use rhythm::Rhythm;
 

@@ -21,7 +21,6 @@ pub(crate) struct Stage {
     pub(super) position: Position,
     pub(super) lever: f64,
     breaks: Breaks,
-    joints: Breaks,
 }
 
 impl Stage {
@@ -31,7 +30,6 @@ impl Stage {
             position: position.clone(),
             lever,
             breaks: position.breaks(),
-            joints: position.joints(),
         }
     }
 }
@@ -263,8 +261,8 @@ impl PrescribedMotion {
             limits: Vec::with_capacity(self.stages.len()),
         };
         for stage in &self.stages {
-            let limits = self.around(&stage.joints, &formulas, time);
-            // Any place between two joints tells the segment.
+            let limits = self.around(&stage.breaks, &formulas, time);
+            // Any place between two breaks tells the segment.
             let inside = within(limits);
             formulas.segments.push(stage.breaks.locate(inside, 1.0));
             formulas.limits.push(limits);

@@ -8,12 +8,17 @@ use crate::exact::Parts;
 use crate::exact::from_model::{PrescribedMotion, Target, fit, within};
 use crate::kinematics::breaks::Breaks;
 
+/// Pieces of a motion that are looked through at once: a walk that may be ended looks at the
+/// others when it gets there.
+const AT_ONCE: u32 = 256;
+
 /// A track over a prescribed displacement.
 struct Follower<'a> {
     course: &'a PrescribedMotion,
     breaks: &'a Breaks,
     component: usize,
-    /// Time of the next change, and its segment; +∞: not before the end.
+    /// Time of the next change, and its segment, or time from which on the next change is to
+    /// be looked for, and the present segment; +∞: not before the end.
     next: (f64, i64),
 }
 
@@ -99,7 +104,9 @@ impl<'a> Tracks<'a> {
         }
         for follower in &mut self.followers {
             if follower.next.0 <= now {
-                changes.push((follower.component, follower.next.1));
+                if modes.0[follower.component] != follower.next.1 {
+                    changes.push((follower.component, follower.next.1));
+                }
                 follower.look(follower.next.0, self.end);
             }
         }
@@ -108,13 +115,16 @@ impl<'a> Tracks<'a> {
 }
 
 impl Follower<'_> {
-    /// Finds the next change after `time`, up to `end`.
+    /// Finds the next change after `time`, up to `end`, or how far there is none.
     fn look(&mut self, mut time: f64, end: f64) {
         self.next = (f64::INFINITY, 0);
         let held = self
             .course
             .around(self.breaks, &self.course.formulas(time), time);
-        while time < end {
+        for _ in 0..AT_ONCE {
+            if !(time < end) {
+                return;
+            }
             let turn = self.course.turn(time).min(end);
             let axis = Some(self.breaks);
             let found = fit(
@@ -133,6 +143,9 @@ impl Follower<'_> {
                 self.next = (time, self.breaks.locate(inside, 1.0));
                 return;
             }
+        }
+        if time < end {
+            self.next = (time, self.breaks.locate(within(held), 1.0));
         }
     }
 }

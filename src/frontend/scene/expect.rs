@@ -9,13 +9,14 @@ use crate::frontend::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean,
 use crate::units::{Quantity, quantities as q};
 
 /// Reasons for which a run may be expected to stop.
-const STOPS: [&str; 12] = [
+const STOPS: [&str; 13] = [
     "dead_position",
     "end_of_travel",
     "jammed",
     "not_explored",
     "self_locking",
     "several_solutions",
+    "no_value",
     "not_finite",
     "step_floor",
     "too_many_switches",

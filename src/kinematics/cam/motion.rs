@@ -257,13 +257,13 @@ impl Piece {
 /// The pieces between `from` and `to`, at every place where a derivative jumps.
 /// `None`: too many.
 fn pieces(position: &Position, from: f64, to: f64, lobes: f64) -> Option<Vec<Piece>> {
-    let (breaks, joints) = (position.breaks(), position.joints());
+    let breaks = position.breaks();
     let mut edges = vec![from];
     let span = to - from;
-    if !joints.is_empty() {
-        let (mut segment, mut steps) = (joints.locate(from, 1.0), 0);
+    if !breaks.is_empty() {
+        let (mut segment, mut steps) = (breaks.locate(from, 1.0), 0);
         loop {
-            let edge = joints.edges(segment).1;
+            let edge = breaks.edges(segment).1;
             if edge.is_nan() || edge >= to - 1e-12 * span {
                 break;
             }

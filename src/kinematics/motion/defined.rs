@@ -170,13 +170,13 @@ impl Piece<'_> {
 #[cfg(test)]
 mod tests {
     use super::WrittenMotion;
-    use crate::math::expression::Expression;
+    use crate::math::expression::{Expression, MOST};
 
     fn undefined(text: &str, end: f64) -> Option<f64> {
         let expression = Expression::new(text, &["t"]).unwrap();
-        WrittenMotion::of_load(&expression, 1.0)
-            .unwrap()
-            .undefined(end)
+        let (motion, whole) = WrittenMotion::of(expression.program(), text, 1.0, MOST);
+        assert!(whole, "{text}");
+        motion.undefined(end)
     }
 
     #[test]

@@ -65,12 +65,6 @@ impl WrittenMotion {
         (motion, whole)
     }
 
-    /// A load over the time alone, in the same pieces; `None` where these are too many.
-    pub fn of_load(expression: &Expression, factor: f64) -> Option<Self> {
-        let (function, whole) = Self::of(expression.program(), expression.text(), factor, MOST);
-        whole.then_some(function)
-    }
-
     /// Bounds of the value between two times, by the formula of `segment`.
     pub(super) fn bounds(&self, segment: i64, from: f64, to: f64) -> Interval {
         let time = Moving {

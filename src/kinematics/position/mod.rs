@@ -193,32 +193,11 @@ impl Position {
     /// Breaks: where the formula changes.
     pub fn breaks(&self) -> Breaks {
         match self {
-            Self::Table(table) => table.breaks(),
+            Self::Table(table) => table.breaks().clone(),
             Self::Cam(cam) => cam.breaks().clone(),
             Self::Plan(cycle) => cycle.breaks().clone(),
             Self::Custom(function) => function.breaks(),
             _ => Breaks::NONE,
-        }
-    }
-
-    /// Joints: where any derivative jumps, that is [`Self::breaks`] and the points of a
-    /// table.
-    pub fn joints(&self) -> Breaks {
-        let Self::Table(table) = self else {
-            return self.breaks();
-        };
-        let knots = table.knots();
-        let (first, last) = table.ends();
-        if table.is_periodic() {
-            Breaks {
-                points: knots[..knots.len() - 1].to_vec(),
-                period: Some(last - first),
-            }
-        } else {
-            Breaks {
-                points: knots.to_vec(),
-                period: None,
-            }
         }
     }
 

@@ -6,13 +6,15 @@ use crate::kinematics::motion::Spline;
 use crate::math::jet::Jet;
 
 /// A smooth curve through points (φ, U): a cubic spline whose U, U′ and U″ are
-/// continuous; U‴ jumps at the points. No break points are needed at them.
+/// continuous; U‴ jumps at the points, which are break points: a step over one is off by the
+/// cube of the distance, which no method of high order foresees.
 ///
 /// A periodic table repeats for ever. A clamped one goes on straight, with its
-/// end slopes, beyond its ends; there U″ jumps, so those are break points.
+/// end slopes, beyond its ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     spline: Spline,
+    breaks: Breaks,
 }
 
 impl Table {
@@ -49,30 +51,39 @@ impl Table {
             faults.add("table.points", message, "space the points more evenly");
         }
         faults.check()?;
-        Ok(Self { spline })
+        let knots = spline.knots();
+        let breaks = match spline.is_periodic() {
+            true => Breaks {
+                points: knots[..knots.len() - 1].to_vec(),
+                period: Some(knots[knots.len() - 1] - knots[0]),
+            },
+            false => Breaks {
+                points: knots.to_vec(),
+                period: None,
+            },
+        };
+        Ok(Self { spline, breaks })
     }
 
     /// U and its derivatives at `phi` by the formula of `segment`.
     pub fn jet(&self, segment: i64, phi: f64) -> Jet {
+        let (piece, shift) = self.breaks.piece(segment);
+        if self.spline.is_periodic() {
+            return self.spline.jet_of(piece, phi - shift);
+        }
         let (first, last) = self.spline.ends();
-        match segment {
-            _ if self.spline.is_periodic() => self.spline.jet(phi),
-            1 => self.spline.jet(phi),
-            i64::MIN..=0 => straight(self.spline.jet(first), phi - first),
-            2.. => straight(self.spline.jet(last), phi - last),
+        match piece.checked_sub(1) {
+            None => straight(self.spline.jet(first), phi - first),
+            Some(interval) if interval + 1 < self.spline.knots().len() => {
+                self.spline.jet_of(interval, phi)
+            }
+            Some(_) => straight(self.spline.jet(last), phi - last),
         }
     }
 
-    /// The ends of a clamped table.
-    pub fn breaks(&self) -> Breaks {
-        if self.spline.is_periodic() {
-            return Breaks::NONE;
-        }
-        let (first, last) = self.spline.ends();
-        Breaks {
-            points: vec![first, last],
-            period: None,
-        }
+    /// The points.
+    pub fn breaks(&self) -> &Breaks {
+        &self.breaks
     }
 
     /// First and last φ of the points.
@@ -108,7 +119,7 @@ mod tests {
         let points = [(0.0, 0.0), (1.0, 1.0), (2.0, 1.5)];
         let table = Table::new(&points, false, (0.5, -2.0)).unwrap();
         let breaks = table.breaks();
-        assert_eq!(breaks.points, [0.0, 2.0]);
+        assert_eq!(breaks.points, [0.0, 1.0, 2.0]);
         for (phi, value, slope) in [(-1.0, -0.5, 0.5), (3.0, -0.5, -2.0)] {
             let jet = table.jet(breaks.locate(phi, 1.0), phi);
             approx::assert_abs_diff_eq!(jet.value, value, epsilon = 1e-13);

@@ -187,6 +187,53 @@ impl Op {
         self
     }
 
+    /// True where it may grow without bound at finite operands.
+    pub(crate) fn may_have_poles(&self) -> bool {
+        match *self {
+            Self::Div(..) | Self::PowerOf(..) => true,
+            Self::Power(_, exponent) => exponent < 0.0,
+            Self::Of(function, _) => match function {
+                Function::Tan
+                | Function::Ln
+                | Function::Log10
+                | Function::Log2
+                | Function::Atanh => true,
+                Function::Sin
+                | Function::Cos
+                | Function::Asin
+                | Function::Acos
+                | Function::Atan
+                | Function::Sinh
+                | Function::Cosh
+                | Function::Tanh
+                | Function::Asinh
+                | Function::Acosh
+                | Function::Exp
+                | Function::Sqrt
+                | Function::Cbrt => false,
+            },
+            Self::Number(_)
+            | Self::Variable(_)
+            | Self::Affine { .. }
+            | Self::Add(..)
+            | Self::Sub(..)
+            | Self::Mul(..)
+            | Self::Atan2 { .. }
+            | Self::Remainder { .. }
+            | Self::Abs { .. }
+            | Self::Sign { .. }
+            | Self::Whole { .. }
+            | Self::Min { .. }
+            | Self::Max { .. }
+            | Self::Less { .. }
+            | Self::Equal(..)
+            | Self::And(..)
+            | Self::Or(..)
+            | Self::Not(_)
+            | Self::Select { .. } => false,
+        }
+    }
+
     /// The guard that it looks at.
     pub(super) fn guard(&self) -> Option<u16> {
         match *self {

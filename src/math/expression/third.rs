@@ -123,11 +123,16 @@ impl Scalar for Third {
     fn power(self, exponent: f64) -> Self {
         let x = self.0.value;
         let (a, b, c) = (exponent, exponent - 1.0, exponent - 2.0);
+        // (What has been differentiated away is zero, also at x = 0.)
+        let term = |factor: f64, order: f64| match factor {
+            0.0 => 0.0,
+            _ => factor * x.powf(exponent - order),
+        };
         self.composed([
             x.powf(a),
-            a * x.powf(b),
-            a * b * x.powf(c),
-            a * b * c * x.powf(exponent - 3.0),
+            term(a, 1.0),
+            term(a * b, 2.0),
+            term(a * b * c, 3.0),
         ])
     }
 

@@ -52,6 +52,10 @@ pub(super) fn simulate(
     if drives.count() > 1 {
         return Err(Missing::not_made("the scene has other drives"));
     }
+    if answer.figures.almost_stops() {
+        let why = "the machine almost stops, where the errors of a simulation grow beyond bounds";
+        return Err(Missing::not_made(why));
+    }
     let (cycles, disturbed) = match &answer.regime {
         Some(regime) if regime.attracts => {
             let needed = (LEFT.ln() / regime.multiplier.ln()).ceil();

@@ -331,6 +331,10 @@ fn the_period_of_a_sine_is_the_elliptic_integral_down_to_standing_still() {
             .iter()
             .any(|w| w.contains("almost stops"));
         assert_eq!(stops, motion.figures.energy_ratio < 1e-9, "{speed}");
+        // The equation of motion confirms it however slow the machine is at its slowest.
+        let check = motion.check().unwrap();
+        assert!(check.speed.abs() < 1e-11, "{speed}: {check:?}");
+        assert!(check.period.abs() < 1e-9, "{speed}: {check:?}");
     }
     let refusal = steady(&profile, &Question::new(0.1)).unwrap_err();
     assert!(

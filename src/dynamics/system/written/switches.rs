@@ -7,7 +7,8 @@ use crate::dynamics::model::{Load, LoadLaw};
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::{Extent, Work};
-use crate::math::expression::{Interval, Moving, OPEN, Stretch, VARIABLES, follow};
+use crate::math::expression::{Interval, Moving, OPEN, Stretch, Third, VARIABLES, follow};
+use crate::math::jet::Jet;
 use crate::math::number::Dual;
 use crate::math::polynomial::{MAX_DEGREE, Step, divide};
 use crate::units::shown;
@@ -17,9 +18,9 @@ use crate::units::shown;
 const TURNED_BACK: f64 = 1e-9;
 
 /// The variables of a load along a step.
-struct Along<'a> {
-    written: &'a Written,
-    step: &'a Step<'a>,
+pub(super) struct Along<'a> {
+    pub(super) written: &'a Written,
+    pub(super) step: &'a Step<'a>,
 }
 
 impl Stretch for Along<'_> {
@@ -125,6 +126,40 @@ impl Written {
             .code
             .evaluate(&values, &modes)
     }
+
+    /// The first of the higher derivatives of a guard that is not zero, as far as the motion
+    /// tells them: its sign just behind where it and its rate are zero, whatever the unit of
+    /// time.
+    fn first_bend(&self, guard: usize, time: f64, modes: &[i64], work: &Work<f64>) -> f64 {
+        let third = |value: f64, first: f64, second: f64| {
+            Third(Jet {
+                value,
+                first,
+                second,
+                third: 0.0,
+            })
+        };
+        let mut values = [third(0.0, 0.0, 0.0); VARIABLES];
+        for (value, input) in values.iter_mut().zip(&self.inputs) {
+            *value = match *input {
+                Input::Unused => *value,
+                Input::Time => third(time, 1.0, 0.0),
+                Input::Displacement { node, .. } => third(
+                    work.displacement[node],
+                    work.speed[node],
+                    work.acceleration[node],
+                ),
+                Input::Speed { node, .. } => third(work.speed[node], work.acceleration[node], 0.0),
+            };
+        }
+        let modes = |own: u16| modes[self.component + usize::from(own)];
+        let code = &self.expression.program().guards[guard].code;
+        let Third(bend) = code.evaluate(&values, &modes);
+        match bend.second == 0.0 {
+            true => bend.third,
+            false => bend.second,
+        }
+    }
 }
 
 impl Frozen {
@@ -157,31 +192,12 @@ impl Frozen {
             for (index, component) in written.components().enumerate() {
                 let at = written.guard(index, time, modes, &work);
                 let rate = match at.derivative == 0.0 && at.value == 0.0 {
-                    true => self.next_sign(written, index, time, modes, &work),
+                    true => written.first_bend(index, time, modes, &work),
                     false => at.derivative,
                 };
                 modes[component] = guards[index].mode_at(at.value, rate);
             }
         }
-    }
-
-    /// The sign of a guard a little later, where it and its rate are zero.
-    fn next_sign(
-        &self,
-        written: &Written,
-        guard: usize,
-        time: f64,
-        modes: &[i64],
-        work: &Work<f64>,
-    ) -> f64 {
-        const LATER: f64 = 1e-6;
-        let mut later = work.clone();
-        for node in 0..later.displacement.len() {
-            let (speed, acceleration) = (work.speed[node], work.acceleration[node]);
-            later.displacement[node] += LATER * (speed + 0.5 * LATER * acceleration);
-            later.speed[node] += LATER * acceleration;
-        }
-        written.guard(guard, time + LATER, modes, &later).value
     }
 
     /// The guards that are zero with their rates, up to errors of the entries of a state.

@@ -160,7 +160,7 @@ fn lift(spec: Option<&PositionSpec>) -> Result<(Lift, Breaks), Vec<Fault>> {
             end_slopes,
         }) => {
             let table = Table::new(points, *periodic, *end_slopes)?;
-            let breaks = table.breaks();
+            let breaks = table.breaks().clone();
             (Lift::Table(table), breaks)
         }
         Some(PositionSpec::Cam(spec)) => {
