@@ -29,7 +29,7 @@ pub(super) fn failed(
             let cause = format!("{method} gave up at {time} s: {because}");
             (Verdict::NumericalFailure, cause)
         }
-        (Ending::Complete | Ending::FromOutside | Ending::OfMechanism, false) => {
+        (Ending::Complete | Ending::FromOutside | Ending::OfScene | Ending::OfMechanism, false) => {
             let cause = format!("{method}: {}", doubt(settings, found));
             (Verdict::NumericalFailure, cause)
         }
@@ -38,6 +38,7 @@ pub(super) fn failed(
             let cause = format!("{method} was ended at {time} s: {because}");
             (Verdict::NotFinished, cause)
         }
+        (Ending::OfScene, true) => (Verdict::NotFinished, format!("ends at {time} s: {because}")),
         (Ending::Complete, true) => return None,
     })
 }

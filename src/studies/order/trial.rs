@@ -163,7 +163,9 @@ impl<'s> Trials<'s> {
         let passes = (statistics.steps + statistics.evaluations) as f64;
         // A mechanism that stops by itself has perfectly good figures.
         let doubt = match (ending(&result.figures), result.is_trusted()) {
-            (Ending::FromOutside, _) => result.figures.run.stopped_because.clone(),
+            (Ending::FromOutside | Ending::OfScene, _) => {
+                result.figures.run.stopped_because.clone()
+            }
             (Ending::Complete | Ending::OfMechanism, true) => None,
             (Ending::Complete | Ending::OfMechanism | Ending::OfComputation, _) => {
                 Some("its figures are in doubt".to_owned())
