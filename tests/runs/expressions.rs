@@ -192,6 +192,21 @@ fn sinusoids_polynomials_and_pieces_of_time_stay_exact() {
             let [own, other] = [&own, &other].map(|run| run.figures.value(figure).unwrap());
             assert_abs_diff_eq!(own, other, epsilon = 1e-9);
         }
+        // The samples, too: but for those on a jump.
+        let column = |run: &RunResult| {
+            let mut columns = run.record.columns.iter();
+            let is_own = |column: &&dam::record::Column| {
+                column.object == "lever" && column.quantity == Quantity::Acceleration
+            };
+            columns.find(is_own).unwrap().values.clone()
+        };
+        let (own, other) = (column(&own), column(&other));
+        let greatest = other
+            .iter()
+            .fold(0.0, |most: f64, value| most.max(value.abs()));
+        let pairs = own.iter().zip(&other);
+        let off = pairs.filter(|(own, other)| (*own - *other).abs() > 1e-6 * greatest);
+        assert!(off.count() <= 8, "{load}");
     }
 }
 

@@ -5,6 +5,7 @@ use super::tally::{CLAIMS, Tally, read};
 use super::{EquationCheck, Log, ObjectFigures, Recorded, Stretch};
 use crate::dynamics::model::Model;
 use crate::dynamics::segment::Signal;
+use crate::dynamics::system::ObjectState;
 
 /// Share of the greatest value of its kind in the whole run that any figure is known to.
 const RESOLVED: f64 = 1e-5;
@@ -32,6 +33,7 @@ impl Log<'_> {
         // (At the ends a law may be on either side of its break.)
         let [from, until] = stretch.span;
         let (from, until) = (from + EDGE * from.abs(), until - EDGE * until.abs());
+        let mut looked: Option<(f64, ObjectState)> = None;
         for (place, claim) in tally.claims().into_iter().enumerate() {
             let Some(claim) = claim.filter(|claim| from < claim.time && claim.time < until) else {
                 continue;
@@ -40,7 +42,11 @@ impl Log<'_> {
             if self.confirmed[place].is_some_and(|own| own.time == claim.time) {
                 continue;
             }
-            let state = stretch.look(claim.time, &mut self.observer, &mut []).states[object];
+            let state = match looked {
+                Some((time, state)) if time == claim.time => state,
+                _ => stretch.look(claim.time, &mut self.observer, &mut []).states[object],
+            };
+            looked = Some((claim.time, state));
             self.confirmed[place] = Some(Confirmed {
                 object,
                 signal: claim.signal,

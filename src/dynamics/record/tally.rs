@@ -139,6 +139,7 @@ impl Tally {
         let deviation = self.deviation.as_ref();
         let greatest = |own: &Deviation| claim(own.greatest, Signal::Deviation, Sense::Greatest);
         let least = |own: &Deviation| claim(own.least, Signal::Deviation, Sense::Least);
+        // (Those that are often met at one instant stand side by side.)
         [
             magnitude(0),
             magnitude(1),

@@ -144,6 +144,7 @@ impl<'a> Walk<'a> {
         }
         if let Some(tracks) = &mut self.tracks {
             tracks.begin(&mut self.modes);
+            self.system.open_guards(&mut self.modes);
         }
         listener.start(&self.y, &self.modes);
         for index in 0..self.branches.len() {

@@ -2,7 +2,7 @@
 //! does.
 
 use super::{Input, Written};
-use crate::dynamics::integrate::{EventFunction, Guard, PhysicalStop, Resting};
+use crate::dynamics::integrate::{EventFunction, Guard, Modes, PhysicalStop, Resting};
 use crate::dynamics::model::{Load, LoadLaw};
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
@@ -159,6 +159,14 @@ impl Written {
             true => bend.third,
             false => bend.second,
         }
+    }
+}
+
+impl System {
+    /// Leaves every condition of a load by an expression to its operands: where the motion is
+    /// known in closed form nothing locates their edges.
+    pub(crate) fn open_guards(&self, modes: &mut Modes) {
+        modes.0[self.frozen.first_guard()..].fill(OPEN);
     }
 }
 
