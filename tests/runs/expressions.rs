@@ -203,7 +203,7 @@ fn sinusoids_polynomials_and_pieces_of_time_stay_exact() {
         let (own, other) = (column(&own), column(&other));
         let greatest = other
             .iter()
-            .fold(0.0, |most: f64, value| most.max(value.abs()));
+            .fold(1.0, |most: f64, value| most.max(value.abs()));
         let pairs = own.iter().zip(&other);
         let off = pairs.filter(|(own, other)| (*own - *other).abs() > 1e-6 * greatest);
         assert!(off.count() <= 8, "{load}");
