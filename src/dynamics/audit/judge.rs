@@ -141,12 +141,14 @@ impl<'s> Judge<'s> {
     }
 
     /// Puts the states that were kept at drawn instants to the test.
-    pub(super) fn judge_instants(&mut self, looks: &Looks) {
+    pub(super) fn judge_instants(&mut self, looks: &Looks, resolved: bool) {
         let longest: Vec<Vec<Balance>> = (looks.looks.iter())
             .map(|look| self.balance(look, &look.windows[0]))
             .collect();
         self.see_turns(looks);
-        self.see_resolved();
+        if resolved {
+            self.see_resolved();
+        }
         for (look, balance) in looks.looks.iter().zip(&longest) {
             self.judge(look, balance);
         }
