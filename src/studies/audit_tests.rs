@@ -2,7 +2,7 @@
 //! scenes state: as where a fault of a method or of the lowering takes one law for another.
 
 use super::demand::Demand;
-use super::run::{motion, run};
+use super::run::{Motion, motion, run};
 use super::{Control, RunSettings};
 use crate::dynamics::audit::{self, Asked};
 use crate::dynamics::integrate::Method;
@@ -47,6 +47,17 @@ fn take_for_uniform(model: &mut Model) {
             (*motion, *track) = (DriveMotion::Constant { speed, angle }, None);
         }
     }
+}
+
+/// The motion of a system by a method at a tolerance.
+fn moved(system: &System, settings: RunSettings, (method, tolerance): (Method, f64)) -> Motion {
+    let settings = RunSettings {
+        method: Some(method),
+        tolerance,
+        ..settings
+    };
+    let control = Control::default();
+    motion(system, &settings, Demand::EVERYTHING, &control, &mut []).unwrap()
 }
 
 fn is_kept(model: Model, settings: &RunSettings, method: Option<Method>) -> bool {
@@ -156,13 +167,7 @@ fn a_rise_that_is_stepped_over_is_found() {
         .replace("2e5", "1e9");
     let (model, settings) = lowered(text.as_bytes());
     let system = System::new(model).unwrap();
-    let settings = RunSettings {
-        method: Some(Method::Radau),
-        tolerance: 0.1,
-        ..settings
-    };
-    let control = Control::default();
-    let found = motion(&system, &settings, Demand::EVERYTHING, &control, &mut []).unwrap();
+    let found = moved(&system, settings, (Method::Radau, 0.1));
     let asked = Asked {
         tolerance: 1e-9,
         recorded: true,
@@ -180,13 +185,7 @@ fn a_run_that_ends_late_and_one_whose_states_drift_are_found() {
     for text in [CAM, modes.as_bytes()] {
         let (model, settings) = lowered(text);
         let system = System::new(model).unwrap();
-        let settings = RunSettings {
-            method: Some(Method::Dop853),
-            tolerance: 1e-9,
-            ..settings
-        };
-        let control = Control::default();
-        let found = motion(&system, &settings, Demand::EVERYTHING, &control, &mut []).unwrap();
+        let found = moved(&system, settings, (Method::Dop853, 1e-9));
         let asked = Asked {
             tolerance: 1e-9,
             recorded: true,
@@ -206,12 +205,7 @@ fn a_run_that_ends_late_and_one_whose_states_drift_are_found() {
 fn a_greatest_value_that_its_state_does_not_show_is_found() {
     let (model, settings) = lowered(CAM);
     let system = System::new(model).unwrap();
-    let settings = RunSettings {
-        method: Some(Method::Exact),
-        ..settings
-    };
-    let control = Control::default();
-    let found = motion(&system, &settings, Demand::EVERYTHING, &control, &mut []).unwrap();
+    let found = moved(&system, settings, (Method::Exact, 1e-6));
     assert!(found.equations.is_kept(), "{}", found.equations);
     let count = found.recorded.confirmed.len();
     assert!(count >= 5, "{count}");

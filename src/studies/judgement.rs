@@ -171,9 +171,11 @@ impl Ending {
             // A budget that is spent says nothing of what was computed until then.
             "interrupted" | "wall_clock" | "too_many_steps" | "too_many_switches"
             | "not_explored" => Self::FromOutside,
-            "not_finite" | "step_floor" | "method" | "" => Self::OfComputation,
             PhysicalStop::NO_VALUE => Self::OfScene,
-            _ => Self::OfMechanism,
+            "dead_position" | "end_of_travel" | "self_locking" | "several_solutions" | "jammed"
+            | "held_at_jump" => Self::OfMechanism,
+            // ("not_finite", "step_floor", "method", and what is not known: nothing is certified.)
+            _ => Self::OfComputation,
         }
     }
 }
@@ -257,4 +259,17 @@ fn is_finite(object: &ObjectFigures) -> bool {
     ]
     .iter()
     .all(|value| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Ending;
+
+    #[test]
+    fn a_stop_of_an_unknown_name_certifies_nothing() {
+        assert_eq!(Ending::named("dead_position"), Ending::OfMechanism);
+        for unknown in ["", "method", "something_new"] {
+            assert_eq!(Ending::named(unknown), Ending::OfComputation, "{unknown}");
+        }
+    }
 }

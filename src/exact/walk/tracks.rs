@@ -75,7 +75,7 @@ impl<'a> Tracks<'a> {
     /// over a prescribed displacement.
     pub(super) fn follows(&self, system: &System, component: usize) -> bool {
         let tracks = &system.model().tracks;
-        // (Beyond the tracks come the branches of what is integrated beside.)
+        // (Beyond the tracks come directions of friction and conditions of loads.)
         let over_time = |track: usize| {
             (tracks.get(track)).is_some_and(|track| track.source == TrackSource::Time)
         };
