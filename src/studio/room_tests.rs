@@ -120,7 +120,7 @@ fn a_question_is_answered_anew_as_the_text_changes_and_no_longer_than_it_is_aske
     let opened = Opened::new();
     let asked: Question = serde_json::from_value(json!({
         "command": "methods",
-        "options": { "methods": ["exact"], "repeats": ["1"], "tolerances": ["1e-4"] },
+        "options": { "methods": ["dop853"], "repeats": ["1"], "tolerances": ["1e-4"] },
     }))
     .unwrap();
     opened.room.question(7, Some(asked.clone()));
