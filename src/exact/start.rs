@@ -2,9 +2,9 @@
 
 use super::functional::Functional;
 use super::lanes::Plain;
-use super::law::LAW_DEGREE;
+use super::law::{Forcing, LAW_DEGREE};
 use super::pencil::C;
-use super::problem::{Flank, PairState, Refusal, TreeProblem};
+use super::problem::{Flank, PairState, Refusal, TreeMass, TreeProblem};
 
 /// Derivatives looked at where a pair starts exactly on its flank, a few at first.
 const ORDERS: [usize; 3] = [4, 16, 64];
@@ -116,6 +116,69 @@ fn leading(problem: &TreeProblem, i: usize, f: usize, d: &[f64]) -> Option<(usiz
         })
 }
 
+/// Share of the terms of a sum below which it is their rounding: forces that cancel leave
+/// no derivative.
+const ROUNDING: f64 = 1e-13;
+
+/// A sum, and the sizes of its terms added up.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sum {
+    value: f64,
+    size: f64,
+}
+
+impl Sum {
+    fn of(value: f64) -> Self {
+        let size = value.abs();
+        Self { value, size }
+    }
+
+    fn add(&mut self, factor: f64, term: Self) {
+        self.value += factor * term.value;
+        self.size += factor.abs() * term.size;
+    }
+
+    /// Zero where it is rounding.
+    fn rounded(self) -> Self {
+        match self.value.abs() <= ROUNDING * self.size {
+            true => Self::default(),
+            false => self,
+        }
+    }
+}
+
+/// The k-th derivative of the law at t = 0.
+fn law(problem: &TreeProblem, forcing: &Forcing, k: usize) -> Sum {
+    let mut sum = Sum::default();
+    for (z, omega) in forcing.harmonics.iter().zip(problem.law.frequencies()) {
+        let mut w = *z;
+        for _ in 0..k {
+            w = C::new(-w.im * omega, w.re * omega);
+        }
+        sum.value += w.re;
+        sum.size += w.re.abs().max(w.im.abs());
+    }
+    // An acceleration that was fitted has coefficients that are known to the rounding of all
+    // of it over its piece.
+    let piece = forcing.end.min(forcing.reach);
+    let size = |(j, c): (usize, &f64)| match j {
+        _ if j == k => c.abs(),
+        0 | 1 => 0.0,
+        _ if k < 2 => 0.0,
+        _ => c.abs() * piece.powi(j as i32 - k as i32),
+    };
+    let own = forcing.law.get(k).map_or(Sum::default(), |&value| Sum {
+        value,
+        size: {
+            let sizes = forcing.law.iter().enumerate().map(size);
+            sizes.filter(|size| size.is_finite()).sum()
+        },
+    });
+    let factorial: f64 = (1..=k).map(|j| j as f64).product();
+    sum.add(factorial, own);
+    sum
+}
+
 /// q and its derivatives at t = 0⁺, n numbers an order.
 fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Vec<f64> {
     let n = problem.masses.len();
@@ -123,65 +186,84 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
     problem
         .law
         .start::<Plain>(0.0, 0.0, &mut None, &mut forcing);
-    let mut all = vec![0.0; (orders + 2) * n];
-    all[..n].copy_from_slice(&problem.displacement);
-    all[n..2 * n].copy_from_slice(&problem.speed);
+    let start = problem.displacement.iter().chain(&problem.speed);
+    let mut all: Vec<Sum> = start.map(|&value| Sum::of(value)).collect();
     for order in 0..orders {
-        let (known, force) = all.split_at_mut((order + 2) * n);
-        let force = &mut force[..n];
-        let d = |order: usize, i: usize| known[order * n + i];
-        let law = |k: usize| -> f64 {
-            // The k-th derivative of the law at t = 0.
-            let mut sum = 0.0;
-            for (z, omega) in forcing.harmonics.iter().zip(problem.law.frequencies()) {
-                let mut w = *z;
-                for _ in 0..k {
-                    w = C::new(-w.im * omega, w.re * omega);
-                }
-                sum += w.re;
-            }
-            let mut scale = 1.0;
-            for j in 1..=k {
-                scale *= j as f64;
-            }
-            sum + forcing.law.get(k).map_or(0.0, |c| c * scale)
-        };
+        let known = |k: usize, i: usize| all[k * n + i];
+        let motion = [0, 1, 2].map(|more| law(problem, &forcing, order + more));
+        let mut force = vec![Sum::default(); n];
         for (i, mass) in problem.masses.iter().enumerate() {
-            force[i] += -mass.ratio
-                * (mass.inertia * law(order + 2)
-                    + mass.ground_damping * law(order + 1)
-                    + mass.ground_stiffness * law(order))
-                - mass.ground_damping * d(order + 1, i)
-                - mass.ground_stiffness * d(order, i);
-            if order == 0 {
-                force[i] -= mass.ground_stiffness * mass.offset;
-            }
-            let mut load = [0.0; LAW_DEGREE + 1];
-            for own in &mass.loads {
-                own.add(0.0, 0.0, &mut None, &mut load);
-            }
-            let factorial: f64 = (1..=order).map(|k| k as f64).product();
-            force[i] += load.get(order).map_or(0.0, |c| c * factorial);
-            let (flanks, count) = mass.pair.flanks();
-            let relaxed = match states[i] {
-                _ if count == 0 => 0.0,
-                PairState::Engaged(f) => {
-                    let flank = flanks[usize::from(f)];
-                    flank.sign * flank.offset
+            let own = [known(order, i), known(order + 1, i)];
+            from_outside(mass, order, motion, own, &mut force[i]);
+            let stretch = |k: usize| {
+                let mut x = known(k, i);
+                if let Some(p) = mass.parent {
+                    x.add(-mass.lever, known(k, p));
                 }
-                _ => continue,
+                x
             };
-            let x = |k: usize| d(k, i) - mass.parent.map_or(0.0, |p| mass.lever * d(k, p));
-            let spring = x(order) + if order == 0 { relaxed } else { 0.0 };
-            let pull = mass.stiffness * spring + mass.damping * x(order + 1);
-            force[i] -= pull;
-            if let Some(p) = mass.parent {
-                force[p] += mass.lever * pull;
+            if let Some(pull) = pull(mass, states[i], order, stretch) {
+                force[i].add(-1.0, pull);
+                if let Some(p) = mass.parent {
+                    force[p].add(mass.lever, pull);
+                }
             }
         }
-        for (force, mass) in force.iter_mut().zip(&problem.masses) {
-            *force /= mass.inertia;
-        }
+        let next = force.iter().zip(&problem.masses).map(|(force, mass)| {
+            let mut acceleration = Sum::default();
+            acceleration.add(1.0 / mass.inertia, *force);
+            acceleration.rounded()
+        });
+        let next: Vec<Sum> = next.collect();
+        all.extend(next);
     }
-    all
+    all.into_iter().map(|own| own.value).collect()
+}
+
+/// Adds the derivative of an order of what acts on a mass besides its link, for the
+/// derivatives of the law and of its own motion from that order on.
+fn from_outside(mass: &TreeMass, order: usize, motion: [Sum; 3], own: [Sum; 2], force: &mut Sum) {
+    let on = [mass.ground_stiffness, mass.ground_damping, mass.inertia];
+    for (factor, law) in on.into_iter().zip(motion) {
+        force.add(-mass.ratio * factor, law);
+    }
+    for (factor, own) in on.into_iter().zip(own) {
+        force.add(-factor, own);
+    }
+    if order == 0 {
+        force.add(-mass.ground_stiffness, Sum::of(mass.offset));
+    }
+    let mut load = [0.0; LAW_DEGREE + 1];
+    for own in &mass.loads {
+        own.add(0.0, 0.0, &mut None, &mut load);
+    }
+    let factorial: f64 = (1..=order).map(|k| k as f64).product();
+    let load = load.get(order).map_or(0.0, |c| c * factorial);
+    force.add(1.0, Sum::of(load));
+}
+
+/// The derivative of an order of the pull of a mass's link, X's own being `stretch`; `None`
+/// where the pair is open.
+fn pull(
+    mass: &TreeMass,
+    state: PairState,
+    order: usize,
+    stretch: impl Fn(usize) -> Sum,
+) -> Option<Sum> {
+    let (flanks, count) = mass.pair.flanks();
+    let relaxed = match state {
+        _ if count == 0 => 0.0,
+        PairState::Engaged(f) => {
+            let flank = flanks[usize::from(f)];
+            flank.sign * flank.offset
+        }
+        PairState::Free | PairState::Pressed(_) => return None,
+    };
+    let mut pull = Sum::default();
+    pull.add(mass.stiffness, stretch(order));
+    pull.add(mass.damping, stretch(order + 1));
+    if order == 0 {
+        pull.add(mass.stiffness, Sum::of(relaxed));
+    }
+    Some(pull)
 }

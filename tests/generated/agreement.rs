@@ -146,9 +146,10 @@ impl Tally {
             let name = method.map_or("auto", Method::name);
             match answer(&drawn.scene, method) {
                 // (Static flexibility wants a motion that is known, with a continuous
-                // acceleration; a pair that is pulled open from the start has no quiet one.)
+                // acceleration; a pair that is pulled open from the start has no quiet one, nor
+                // has a load that grows faster with the deflection than the link's force.)
                 Err(words)
-                    if ["static flex", "no quiet start"]
+                    if ["static flex", "no quiet start", "no balance of loads"]
                         .iter()
                         .any(|own| words.contains(own)) =>
                 {

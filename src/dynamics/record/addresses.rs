@@ -148,9 +148,14 @@ impl Figures {
                 _ => own,
             };
         };
-        let delta = object.delta_abs;
+        // A part of an object, as a stop, moves with it.
+        let whole = || self.objects.get(id.rsplit_once('.')?.0);
+        let delta = match object.delta_abs {
+            own if own > 0.0 => own,
+            _ => whole().map_or(0.0, |whole| whole.delta_abs),
+        };
         match figure {
-            "delta_abs" | "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => delta,
+            "delta_abs" | "delta_max" | "delta_min" | "sigma" | "pair.max_lift" => object.delta_abs,
             "final.displacement" if delta > 0.0 => delta,
             "final.speed" => object.peak_speed,
             "pair.separations"
