@@ -81,6 +81,16 @@ impl Dual {
     }
 }
 
+/// The derivative of a function times that of its argument: what does not change keeps no
+/// derivative, however steep the function is.
+#[inline(always)]
+pub(crate) fn chain(of_function: f64, of_argument: f64) -> f64 {
+    match of_function.is_finite() || of_argument != 0.0 {
+        true => of_function * of_argument,
+        false => 0.0,
+    }
+}
+
 impl From<f64> for Dual {
     #[inline(always)]
     fn from(value: f64) -> Self {
@@ -96,7 +106,7 @@ impl Number for Dual {
 
     #[inline(always)]
     fn compose(self, value: f64, derivative: f64) -> Self {
-        Self::new(value, derivative * self.derivative)
+        Self::new(value, chain(derivative, self.derivative))
     }
 
     #[inline(always)]

@@ -178,3 +178,22 @@ fn places_without_a_pole_are_passed() {
         }
     }
 }
+
+/// A load that grows with an infinite rate at the start is in balance there, but the deflection
+/// has no rate: a quiet start is refused for that reason, a static one runs.
+#[test]
+fn a_load_that_rises_infinitely_fast_starts_at_rest() {
+    let text = |start: &str| {
+        let own = shaft("3*sqrt(t)", 1, "dop853");
+        own.replace(
+            r#""duration""#,
+            &format!(r#""start": "{start}", "duration""#),
+        )
+    };
+    let [at_rest, on_law] = ["static", "on_law"].map(|start| run(&text(start)));
+    let end = |run: &RunResult| run.figures.objects["lever"].end.displacement;
+    assert_relative_eq!(end(&at_rest), end(&on_law), max_relative = 1e-6);
+    let scene = Scene::from_json(&text("kinetostatic")).unwrap();
+    let refused = scene.run().unwrap_err().to_string();
+    assert!(refused.contains("infinitely fast at t = 0"), "{refused}");
+}

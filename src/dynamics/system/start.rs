@@ -159,7 +159,7 @@ impl System {
         let rate = self
             .frozen
             .balance_rate(Balance::Kinetostatic, &state, modes)
-            .ok_or_else(|| vec![self.no_balance(modes)])?;
+            .ok_or_else(|| vec![no_rate()])?;
         for chain in &self.frozen.chains {
             for coordinate in chain.coordinates() {
                 state[n + coordinate] = rate[coordinate];
@@ -387,6 +387,15 @@ fn from_before(objects: &[&str]) -> String {
             1 => "starts",
             _ => "start",
         }
+    )
+}
+
+fn no_rate() -> Fault {
+    Fault::new(
+        "run.start",
+        "the deflection in balance changes infinitely fast at t = 0, as a load does: there is no \
+         speed to start with",
+        "\"start\": \"static\" or \"on_law\"",
     )
 }
 

@@ -9,9 +9,10 @@ use crate::frontend::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean,
 use crate::units::{Quantity, quantities as q};
 
 /// Reasons for which a run may be expected to stop.
-const STOPS: [&str; 13] = [
+const STOPS: [&str; 14] = [
     "dead_position",
     "end_of_travel",
+    "held_at_jump",
     "jammed",
     "not_explored",
     "self_locking",

@@ -1,6 +1,6 @@
 //! A value with its derivatives along several directions at once.
 
-use super::Number;
+use super::{Number, chain};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
 /// A value and its derivatives along K directions: what the value costs is paid
@@ -44,7 +44,10 @@ impl<const K: usize> Number for Duals<K> {
 
     #[inline(always)]
     fn compose(self, value: f64, derivative: f64) -> Self {
-        Self::with(value, |k| derivative * self.derivatives[k])
+        match derivative.is_finite() {
+            true => Self::with(value, |k| derivative * self.derivatives[k]),
+            false => Self::with(value, |k| chain(derivative, self.derivatives[k])),
+        }
     }
 
     #[inline(always)]
