@@ -182,6 +182,14 @@ pub(crate) fn sqrt<N: Number>(x: N) -> N {
     x.compose(root, 0.5 / root)
 }
 
+/// Direction of the vector (x, y), in (−π, π] as a value.
+#[inline(always)]
+pub(crate) fn angle<N: Number>(y: N, x: N) -> N {
+    let (a, b) = (x.value(), y.value());
+    // (As a value y·a − x·b is zero.)
+    N::from(b.atan2(a)) + (y.scale(a) - x.scale(b)).scale((a * a + b * b).recip())
+}
+
 /// arctan x.
 pub(crate) fn atan<N: Number>(x: N) -> N {
     let value = x.value();

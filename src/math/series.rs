@@ -7,11 +7,76 @@
 
 use crate::math::chebyshev::Argument;
 use crate::math::jet::Jet;
+use crate::math::number::{Number, angle, sqrt};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// The first `N` coefficients of a power series.
+/// The first `N` coefficients of a power series, each a number that may carry a derivative of
+/// its own.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Series<const N: usize>(pub(crate) [f64; N]);
+pub(crate) struct Series<const N: usize, T = f64>(pub(crate) [T; N]);
+
+impl<const N: usize, T: Number> Series<N, T> {
+    /// Square of the series.
+    #[inline(always)]
+    pub(crate) fn square(self) -> Self {
+        self * self
+    }
+
+    /// Square root; not a number where the value is negative.
+    #[inline(always)]
+    pub(crate) fn sqrt(self) -> Self {
+        let mut root = [T::from(0.0); N];
+        root[0] = sqrt(self.0[0]);
+        let half = T::from(0.5) / root[0];
+        for k in 1..N {
+            let mut rest = self.0[k];
+            for i in 1..k {
+                rest -= root[i] * root[k - i];
+            }
+            root[k] = rest * half;
+        }
+        Self(root)
+    }
+
+    /// 1 over the series.
+    #[inline(always)]
+    pub(crate) fn reciprocal(self) -> Self {
+        let mut quotient = [T::from(0.0); N];
+        let inverse = T::from(1.0) / self.0[0];
+        quotient[0] = inverse;
+        for k in 1..N {
+            let mut rest = T::from(0.0);
+            for i in 1..=k {
+                rest -= self.0[i] * quotient[k - i];
+            }
+            quotient[k] = rest * inverse;
+        }
+        Self(quotient)
+    }
+
+    /// Direction of the vector (x, y), in (−π, π] as a value.
+    #[inline(always)]
+    pub(crate) fn atan2(y: Self, x: Self) -> Self {
+        // α′ = (x·y′ − y·x′)/(x² + y²), a quotient of series of one degree less.
+        let square = x * x + y * y;
+        let mut direction = [T::from(0.0); N];
+        let mut slope = [T::from(0.0); N];
+        direction[0] = angle(y.0[0], x.0[0]);
+        for k in 0..N.saturating_sub(1) {
+            let mut rest = T::from(0.0);
+            for i in 0..=k {
+                let order = (k + 1 - i) as f64;
+                rest += (x.0[i] * y.0[k + 1 - i] - y.0[i] * x.0[k + 1 - i]).scale(order);
+                if i > 0 {
+                    rest -= square.0[i] * slope[k - i];
+                }
+            }
+            slope[k] = rest / square.0[0];
+            direction[k + 1] = slope[k].scale(((k + 1) as f64).recip());
+        }
+        Self(direction)
+    }
+}
 
 impl<const N: usize> Series<N> {
     /// A constant.
@@ -89,67 +154,6 @@ impl<const N: usize> Series<N> {
         self
     }
 
-    /// Square of the series.
-    #[inline(always)]
-    pub(crate) fn square(self) -> Self {
-        self * self
-    }
-
-    /// Square root; not a number where the value is negative.
-    #[inline(always)]
-    pub(crate) fn sqrt(self) -> Self {
-        let mut root = [0.0; N];
-        root[0] = self.0[0].sqrt();
-        let half = 0.5 / root[0];
-        for k in 1..N {
-            let mut rest = self.0[k];
-            for i in 1..k {
-                rest -= root[i] * root[k - i];
-            }
-            root[k] = rest * half;
-        }
-        Self(root)
-    }
-
-    /// 1 over the series.
-    #[inline(always)]
-    pub(crate) fn reciprocal(self) -> Self {
-        let mut quotient = [0.0; N];
-        let inverse = 1.0 / self.0[0];
-        quotient[0] = inverse;
-        for k in 1..N {
-            let mut rest = 0.0;
-            for i in 1..=k {
-                rest -= self.0[i] * quotient[k - i];
-            }
-            quotient[k] = rest * inverse;
-        }
-        Self(quotient)
-    }
-
-    /// Direction of the vector (x, y), in (−π, π] as a value.
-    #[inline(always)]
-    pub(crate) fn atan2(y: Self, x: Self) -> Self {
-        // α′ = (x·y′ − y·x′)/(x² + y²), a quotient of series of one degree less.
-        let square = x * x + y * y;
-        let mut angle = [0.0; N];
-        let mut slope = [0.0; N];
-        angle[0] = y.0[0].atan2(x.0[0]);
-        for k in 0..N.saturating_sub(1) {
-            let mut rest = 0.0;
-            for i in 0..=k {
-                let order = (k + 1 - i) as f64;
-                rest += order * (x.0[i] * y.0[k + 1 - i] - y.0[i] * x.0[k + 1 - i]);
-                if i > 0 {
-                    rest -= square.0[i] * slope[k - i];
-                }
-            }
-            slope[k] = rest / square.0[0];
-            angle[k + 1] = slope[k] / (k + 1) as f64;
-        }
-        Self(angle)
-    }
-
     /// The first coefficients of a longer series.
     #[inline(always)]
     pub(crate) fn load(stored: &[f64; 4]) -> Self {
@@ -194,7 +198,7 @@ impl<const N: usize> Argument for Series<N> {
     }
 }
 
-impl<const N: usize> Add for Series<N> {
+impl<const N: usize, T: Number> Add for Series<N, T> {
     type Output = Self;
     #[inline(always)]
     fn add(mut self, other: Self) -> Self {
@@ -205,7 +209,7 @@ impl<const N: usize> Add for Series<N> {
     }
 }
 
-impl<const N: usize> Sub for Series<N> {
+impl<const N: usize, T: Number> Sub for Series<N, T> {
     type Output = Self;
     #[inline(always)]
     fn sub(mut self, other: Self) -> Self {
@@ -216,7 +220,7 @@ impl<const N: usize> Sub for Series<N> {
     }
 }
 
-impl<const N: usize> Neg for Series<N> {
+impl<const N: usize, T: Number> Neg for Series<N, T> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -224,11 +228,11 @@ impl<const N: usize> Neg for Series<N> {
     }
 }
 
-impl<const N: usize> Mul for Series<N> {
+impl<const N: usize, T: Number> Mul for Series<N, T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let mut product = [0.0; N];
+        let mut product = [T::from(0.0); N];
         for k in 0..N {
             for i in 0..=k {
                 product[k] += self.0[i] * other.0[k - i];

@@ -9,6 +9,7 @@ use crate::kinematics::position::sine;
 use crate::kinematics::position::spec::{CustomPosition, PositionSpec};
 use crate::kinematics::position::table::Table;
 use crate::math::jet::Jet;
+use crate::math::number::Number;
 use crate::math::series::Series;
 
 /// A pitch curve R(ψ), polar about a point of the cam, ψ counterclockwise in the cam's frame.
@@ -91,26 +92,37 @@ impl PitchCurve {
         self.direction + self.sense * phi
     }
 
-    /// R over a polar angle that is a power series.
-    pub(in crate::kinematics::linkage) fn radius_over<const N: usize>(
+    /// |p| − R(angle of p): zero where p, seen from the curve's centre in the frame of the cam,
+    /// lies on the curve.
+    pub(in crate::kinematics::linkage) fn error<const K: usize>(
         &self,
-        angle: Series<N>,
-    ) -> Series<N> {
-        let jet = self.radius(angle.value());
-        let step = angle.with_value(0.0);
-        let taylor = [jet.third / 6.0, jet.second / 2.0, jet.first];
-        let sum = taylor.into_iter().fold(Series::constant(0.0), |sum, c| {
-            (sum + Series::constant(c)) * step
-        });
-        sum.shift(jet.value)
+        [x, y]: [Series<K>; 2],
+    ) -> Series<K> {
+        let angle = Series::atan2(y, x);
+        let radius = self.radius(angle.value());
+        let taylor = [
+            radius.value,
+            radius.first,
+            radius.second / 2.0,
+            radius.third / 6.0,
+        ];
+        (x.square() + y.square()).sqrt() - over(angle, taylor)
     }
 
-    /// The derivatives of |p| − R(angle of p) by the coordinates of p, in the frame of p: along
-    /// the outward normal of the curve that goes through p.
-    pub(in crate::kinematics::linkage) fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let far = x.hypot(y);
-        let slope = self.radius(y.atan2(x)).first / far;
-        let [u, v] = [x / far, y / far];
+    /// The derivatives of the error by the coordinates of p: along the outward normal of the
+    /// curve that goes through p. Of three coefficients, R being known to its third derivative.
+    #[inline(always)]
+    pub(in crate::kinematics::linkage) fn gradient<const K: usize, T: Number>(
+        &self,
+        [x, y]: [Series<K, T>; 2],
+    ) -> [Series<K, T>; 2] {
+        let far = (x.square() + y.square()).sqrt().reciprocal();
+        let angle = Series::atan2(y, x);
+        let radius = self.radius(angle.0[0].value());
+        let [_, first, second] = radius.lift(angle.0[0]);
+        let third = T::from(radius.third / 2.0);
+        let slope = over(angle, [first, second, third]) * far;
+        let [u, v] = [x * far, y * far];
         [u + slope * v, v - slope * u]
     }
 
@@ -128,10 +140,28 @@ impl PitchCurve {
         let (sin, cos) = angle.sin_cos();
         let radius = self.radius(angle).value;
         let at = [radius * cos, radius * sin];
-        let [x, y] = self.gradient(at);
+        let [x, y] = self
+            .gradient(at.map(|part| Series([part])))
+            .map(|part| part.value());
         let size = x.hypot(y);
         [at[0] + offset * x / size, at[1] + offset * y / size]
     }
+}
+
+/// A function over a series, by its Taylor coefficients at the value of that.
+#[inline(always)]
+fn over<const K: usize, const D: usize, T: Number>(
+    angle: Series<K, T>,
+    taylor: [T; D],
+) -> Series<K, T> {
+    let mut step = angle;
+    step.0[0] = T::from(0.0);
+    let mut sum = Series([T::from(0.0); K]);
+    for c in taylor.into_iter().rev() {
+        sum = sum * step;
+        sum.0[0] += c;
+    }
+    sum
 }
 
 /// The lift made ready, and where it changes its formula.

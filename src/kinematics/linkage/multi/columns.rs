@@ -13,7 +13,7 @@
 //! 3, in the plane.
 
 use super::plan::{Group, InnerJoint, MultiPlan, Screw, Source};
-use super::twist::{Pose, Twist, at, carried, dot, minus, plus, times};
+use super::twist::{Parts, Pose, Twist, at, carried, dot, minus, plus, times};
 use crate::kinematics::linkage::state::State;
 use crate::math::number::Number;
 
@@ -37,6 +37,8 @@ pub(super) struct Columns<N> {
     /// Factors of the equations of larger groups.
     pub(super) matrices: Vec<N>,
     pub(super) exchanged: Vec<usize>,
+    /// Of each group the equations of its couplings.
+    pub(super) couplings: Vec<Vec<Parts<N>>>,
     /// Determinants of the equations of larger groups.
     pub(super) determinants: Vec<f64>,
     /// Right sides.
@@ -64,6 +66,10 @@ impl<N: Number> Columns<N> {
             dyads: vec![[[none; 3]; 2]; plan.groups.len()],
             matrices: vec![zero; plan.matrices[0]],
             exchanged: vec![0; plan.matrices[1]],
+            couplings: {
+                let own = |group: &Group| vec![[(0, none); 3]; group.couplings.len()];
+                plan.groups.iter().map(own).collect()
+            },
             determinants: vec![0.0; plan.groups.len()],
             right: vec![zero; most.unwrap_or(0) * plan.inputs.max(1)],
         }
@@ -301,7 +307,7 @@ impl<N: Number> Columns<N> {
             });
             match group.dyad {
                 true => self.accelerate_dyad(index, group, inner),
-                false => self.accelerate_group(plan, group, inner),
+                false => self.accelerate_group(plan, index, group, inner),
             }
             if let (Some(own), Some(change)) = (&group.inner, inner) {
                 self.acceleration[own.driven] = plus(self.acceleration[own.base], change);

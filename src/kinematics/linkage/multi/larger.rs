@@ -1,7 +1,6 @@
 //! Velocities and accelerations of larger groups, by the matrix of their closing equations.
 
 use super::columns::Columns;
-use super::coupled::Coupled;
 use super::plan::{Group, MultiPlan, Screw};
 use super::twist::{Twist, plus};
 use crate::math::linear::dense;
@@ -14,7 +13,11 @@ impl<N: Number> Columns<N> {
         let mut matrix = std::mem::take(&mut self.matrices);
         let mut exchanged = std::mem::take(&mut self.exchanged);
         let own = &mut matrix[group.matrix..group.matrix + n * n];
-        self.closing(plan, group, own);
+        let parts = &mut self.couplings[index];
+        for (parts, coupling) in parts.iter_mut().zip(&group.couplings) {
+            *parts = coupling.parts(&self.poses, plan.plan.size);
+        }
+        self.closing(plan, index, group, own);
         let rows = &mut exchanged[group.exchanged..group.exchanged + n];
         let pivots = dense::factorise(own, rows);
         let regular = pivots.is_regular();
@@ -40,7 +43,9 @@ impl<N: Number> Columns<N> {
                 }
                 self.balance(number, screw, plan.plan.size.recip(), given);
             }
-            self.balance_couplings(plan, group, &known, &|_, _| N::from(0.0));
+            for number in 0..group.couplings.len() {
+                self.balance_coupling(plan, (index, number), group, &known, N::from(0.0));
+            }
             let found = self.solve_group(group);
             self.spread(plan, group, input, found, own);
         }
@@ -48,7 +53,7 @@ impl<N: Number> Columns<N> {
     }
 
     /// The matrix of the closing equations: two rows a pair, then one a coupling.
-    fn closing(&self, plan: &MultiPlan, group: &Group, matrix: &mut [N]) {
+    fn closing(&self, plan: &MultiPlan, index: usize, group: &Group, matrix: &mut [N]) {
         let n = 3 * group.bases.len();
         matrix.fill(N::from(0.0));
         for (number, screw) in group.screws.iter().enumerate() {
@@ -64,9 +69,9 @@ impl<N: Number> Columns<N> {
                 }
             }
         }
-        for (number, coupling) in group.couplings.iter().enumerate() {
+        for (number, parts) in self.couplings[index].iter().enumerate() {
             let top = (2 * group.screws.len() + number) * n;
-            for (body, parts) in coupling.parts(&self.poses, plan.plan.size) {
+            for &(body, parts) in parts {
                 let Some(body) = group.body_of(body) else {
                     continue;
                 };
@@ -106,27 +111,26 @@ impl<N: Number> Columns<N> {
         }
     }
 
-    /// Sets the right sides of the couplings' equations, some bodies' motion being `known`, and
-    /// what else stands in them (`drift`).
+    /// Sets the right side of a coupling's equation, some bodies' motion being `known`, and
+    /// what else stands in it (`drift`).
     #[inline]
-    fn balance_couplings(
+    fn balance_coupling(
         &mut self,
         plan: &MultiPlan,
+        (index, number): (usize, usize),
         group: &Group,
         known: &dyn Fn(&Self, usize) -> Option<Twist<N>>,
-        drift: &dyn Fn(&Self, &Coupled) -> N,
+        drift: N,
     ) {
         let scale = plan.plan.size.recip();
-        for (number, coupling) in group.couplings.iter().enumerate() {
-            let mut sum = drift(self, coupling);
-            for (body, [turning, x, y]) in coupling.parts(&self.poses, plan.plan.size) {
-                if let Some(given) = known(self, body) {
-                    sum += turning * given[0];
-                    sum += (x * given[1] + y * given[2]).scale(scale);
-                }
+        let mut sum = drift;
+        for &(body, [turning, x, y]) in &self.couplings[index][number] {
+            if let Some(given) = known(self, body) {
+                sum += turning * given[0];
+                sum += (x * given[1] + y * given[2]).scale(scale);
             }
-            self.right[2 * group.screws.len() + number] = -sum;
         }
+        self.right[2 * group.screws.len() + number] = -sum;
     }
 
     /// Solves for the velocities of a larger group's bodies; they are left in the right side.
@@ -161,6 +165,7 @@ impl<N: Number> Columns<N> {
     pub(super) fn accelerate_group(
         &mut self,
         plan: &MultiPlan,
+        index: usize,
         group: &Group,
         inner: Option<Twist<N>>,
     ) {
@@ -179,10 +184,10 @@ impl<N: Number> Columns<N> {
             }
             self.balance(number, screw, size.recip(), given);
         }
-        let drift = |columns: &Self, coupling: &Coupled| {
-            coupling.drift(&columns.poses, &columns.velocity, size)
-        };
-        self.balance_couplings(plan, group, &known, &drift);
+        for (number, coupling) in group.couplings.iter().enumerate() {
+            let drift = coupling.drift(&self.poses, &self.velocity, size);
+            self.balance_coupling(plan, (index, number), group, &known, drift);
+        }
         let n = self.solve_group(group);
         for (number, &body) in group.bases.iter().enumerate() {
             let part = &self.right[..n][3 * number..3 * number + 3];

@@ -4,6 +4,7 @@
 use super::{NewtonGroup, Seen, Side};
 use crate::kinematics::linkage::couplings::PitchCurve;
 use crate::kinematics::linkage::state::{Scratch, State};
+use crate::kinematics::linkage::vector::Vector;
 use crate::math::series::Series;
 
 /// A cam made ready.
@@ -27,8 +28,7 @@ impl Rolling {
     ) -> Series<N> {
         let [cam, roller] = self.sides::<N>(group, state, scratch);
         let seen = cam.along.mirrored().turn(roller.point - cam.point);
-        let error = seen.square().sqrt() - self.curve.radius_over(seen.angle());
-        error.scale(size.recip())
+        self.curve.error([seen.x, seen.y]).scale(size.recip())
     }
 
     /// Adds the derivatives of its error by the unknowns to the row of the matrix that begins
@@ -43,8 +43,9 @@ impl Rolling {
     ) {
         let [cam, roller] = self.sides::<1>(group, state, scratch);
         let gap = roller.point - cam.point;
-        let seen = cam.along.mirrored().turn(gap).value();
-        let normal = cam.along.turn_constant(self.curve.gradient(seen));
+        let seen = cam.along.mirrored().turn(gap);
+        let [x, y] = self.curve.gradient([seen.x, seen.y]);
+        let normal = cam.along.turn(Vector::new(x, y));
         let [x, y] = normal.value();
         // As the cam turns, the roller's centre turns backwards in its frame.
         let turned = -normal.dot(gap.left()).value() / size;
