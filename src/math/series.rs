@@ -72,7 +72,7 @@ impl<const N: usize, T: Number> Series<N, T> {
                 }
             }
             slope[k] = rest / square.0[0];
-            direction[k + 1] = slope[k].scale(((k + 1) as f64).recip());
+            direction[k + 1] = slope[k] / T::from((k + 1) as f64);
         }
         Self(direction)
     }
