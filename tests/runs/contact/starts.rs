@@ -132,3 +132,30 @@ fn a_start_off_the_law_comes_to_the_contact() {
         }
     }
 }
+
+/// A drive that starts with neither acceleration nor deflection, written as products of sines:
+/// the sum of what cancels is no acceleration, and the jerk opens the pair at once. That is no
+/// switch of the run.
+#[test]
+fn what_cancels_at_the_start_decides_nothing() {
+    let text = r#"{ "dam": 1, "name": "Cancels", "objects": {
+        "a": { "kind": "drive",
+            "motion": { "expression": "15.03*t + 0.3117*sin(23.7*t)*cos(15.03*t)" } },
+        "c": { "kind": "slider", "input": "a", "position": { "ratio": 1.697 }, "inertia": 0.0833,
+            "stiffness": 84, "damping": 0.3235, "masses": 2, "pair": { "closure": "force" },
+            "loads": { "closing": { "constant": -0.5496, "mass": "last" } } } },
+        "run": { "duration": 1.2, "tolerance": 1e-9, "start": "on_law" } }"#;
+    let mut first = None;
+    for method in [Method::Exact, Method::Taylor, Method::Radau] {
+        let result = run_text(text, Some(method));
+        let own = &result.figures.objects["c"];
+        let pair = own.pair.as_ref().unwrap();
+        assert_eq!(pair.switch_times, Vec::<f64>::new(), "{method:?}");
+        assert!((pair.separated_time - 1.2).abs() < 1e-12, "{method:?}");
+        let there = *first.get_or_insert(own.end.displacement);
+        assert!(
+            (own.end.displacement - there).abs() < 1e-6 * there,
+            "{method:?}"
+        );
+    }
+}
