@@ -24,7 +24,7 @@ const CUTS: usize = 256;
 const MARGIN: f64 = 1e-11;
 
 /// Share of the greatest force up to which A + ΣG·F has to be followed by its polynomials.
-const FOLLOWED: f64 = 1e-8;
+const FOLLOWED: f64 = 1e-9;
 
 /// An object that trees hang on.
 #[derive(Clone, Debug)]
