@@ -224,6 +224,8 @@ def check_of(document):
         return "audit, and another method taken"
     if "energies of exact propagation do not balance" in run["why"]:
         return "energies, and another method taken"
+    if "exact propagation gave up" in run["why"]:
+        return "exact gave up, and another method taken"
     if not run["complete"] and run.get("stopped") not in ("dead_position", "end_of_travel", "self_locking"):
         return f"stopped: {run.get('stopped')}"
     return None

@@ -265,6 +265,31 @@ fn fine_chains_that_strike_are_certified_at_the_first_attempt() {
     }
 }
 
+/// A drive that rests at the top of a cam for `rest` and makes a stroke in `span` then (s).
+fn stroke_after_rest(rest: f64, span: f64) -> Value {
+    json!({ "dam": 1, "name": "Stroke after a rest", "objects": {
+        "drive": { "kind": "drive", "motion": { "plan": { "stations": [
+            { "at": 0, "displacement": 1, "motion": "dwell" },
+            { "at": rest, "displacement": 1, "motion": "4-5-6-7" },
+            { "at": rest + span, "displacement": 1.05 } ] } } },
+        "follower": { "kind": "slider", "input": "drive", "inertia": 0.1, "masses": 1,
+            "stiffness": 40000, "damping": 20,
+            "position": { "cam": { "rise": "1 rad", "return": "1 rad", "lift": 0.001,
+                "law": "parabolic" } } } },
+        "run": { "duration": rest + span + 0.1, "start": "kinetostatic", "tolerance": 1e-9 } })
+}
+
+#[test]
+fn the_torque_of_a_drive_in_a_brief_stroke_is_the_same_by_every_method() {
+    for (rest, span) in [(0.5, 2e-4), (5.0, 1e-3), (5.0, 1e-2)] {
+        let scene = stroke_after_rest(rest, span);
+        let [exact, general] = ["exact", "dop853"].map(|method| by(&scene, method));
+        assert!(general.is_trusted());
+        let [exact, general] = [exact, general].map(|found| figure(&found, "drive.peak_reaction"));
+        assert_relative_eq!(exact, general, max_relative = 5e-7);
+    }
+}
+
 /// A follower that its cam throws off, behind a drive whose speed goes up and down.
 fn thrown() -> Value {
     json!({ "dam": 1, "name": "Thrown", "objects": {

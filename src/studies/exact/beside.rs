@@ -14,6 +14,10 @@ use crate::exact::walk::{Given, Motion, Way};
 use crate::kinematics::motion::DriveMotion;
 use crate::math::polynomial::Step;
 
+/// Places between the nodes of a stretch, near both its ends, where a polynomial through
+/// the nodes is furthest from what it follows.
+const BETWEEN: [f64; 2] = [0.125, 0.875];
+
 /// What no tree holds.
 pub(super) struct Beside<'a> {
     pub(super) rest: &'a Rest,
@@ -37,6 +41,8 @@ pub(super) struct Beside<'a> {
     noted: [f64; 2],
     /// By tree and node, the slopes of the tree's way in the stretch taken up last.
     slopes: Vec<[Vec<f64>; NODES]>,
+    /// The same at a place between the nodes: states of all objects, slopes by tree.
+    between: (Vec<ObjectState>, Vec<Vec<f64>>),
     /// Forces of the trees in the present stretch.
     pub(super) forces: Forces,
 }
@@ -62,6 +68,10 @@ impl<'a> Beside<'a> {
             states: std::array::from_fn(|_| vec![ObjectState::default(); objects]),
             noted: [f64::NAN; 2],
             slopes: vec![std::array::from_fn(|_| Vec::new()); ways.len()],
+            between: (
+                vec![ObjectState::default(); objects],
+                vec![Vec::new(); ways.len()],
+            ),
             forces: Forces::new(ways.len()),
             ways,
             rest,
@@ -168,29 +178,15 @@ impl<'a> Beside<'a> {
         if self.noted == span {
             return;
         }
-        let still = still(span);
+        let origin = self.origin(given);
         // What is given in steps is that of another step at their joint.
         let first = match given.is_none() && self.noted[1] == span[0] {
             true => self.go_on(),
             false => 0,
         };
         for k in first..NODES {
-            let time = span[0] + node(k) * (span[1] - span[0]);
-            let states = match given {
-                Some(given) => {
-                    let s = (time - given.step.start) / given.step.length;
-                    let s = s.clamp(0.0, given.step.end);
-                    self.observer.at(given.step, s, &self.modes)
-                }
-                // Nothing else changes.
-                None if self.steady.is_some() => {
-                    self.observer.motion_at(&still, node(k), &self.modes)
-                }
-                None => self.observer.at(&still, node(k), &self.modes),
-            };
-            for (&object, state) in self.rest.objects.iter().zip(states) {
-                self.states[k][object] = *state;
-            }
+            let states = observe(&mut self.observer, &self.modes, origin, span, node(k));
+            put(&self.rest.objects, states, &mut self.states[k]);
             for (slopes, way) in self.slopes.iter_mut().zip(&self.ways) {
                 way.take_slopes(&self.states[k], &mut slopes[k]);
             }
@@ -201,6 +197,36 @@ impl<'a> Beside<'a> {
         self.noted = span;
     }
 
+    /// False where a force that may rise does not go through the nodes of the stretch
+    /// taken up last as its polynomials do.
+    pub(super) fn is_followed(&mut self, motion: &Motion<'_, '_>, span: [f64; 2]) -> bool {
+        let rises = |own: &Coupled| own.rises_within(&self.forces);
+        if !self.coupled.iter().any(rises) {
+            return true;
+        }
+        let origin = self.origin(motion.given);
+        BETWEEN.into_iter().all(|share| {
+            let (states, slopes) = &mut self.between;
+            let seen = observe(&mut self.observer, &self.modes, origin, span, share);
+            put(&self.rest.objects, seen, states);
+            for (slopes, way) in slopes.iter_mut().zip(&self.ways) {
+                way.take_slopes(states, slopes);
+            }
+            let mut coupled = self.coupled.iter();
+            coupled.all(|own| own.follows(share, states, (&self.ways, slopes), &self.forces))
+        })
+    }
+
+    /// Where the states of what is beside the trees come from.
+    fn origin<'g>(&self, given: Option<&'g Given<'g>>) -> Origin<'g> {
+        match given {
+            Some(given) => Origin::Given(given),
+            // Nothing else changes.
+            None if self.steady.is_some() => Origin::Angles,
+            None => Origin::Prescribed,
+        }
+    }
+
     /// Makes the last node of the stretch taken up last the first of the next, and gives the
     /// node to go on with.
     fn go_on(&mut self) -> usize {
@@ -209,6 +235,44 @@ impl<'a> Beside<'a> {
             slopes.swap(0, NODES - 1);
         }
         1
+    }
+}
+
+/// Where the states of what is beside the trees come from.
+#[derive(Clone, Copy)]
+enum Origin<'g> {
+    /// The step of an integration.
+    Given(&'g Given<'g>),
+    /// The drives prescribe them.
+    Prescribed,
+    /// The same, of which nothing but angles changes.
+    Angles,
+}
+
+/// What the objects beside the trees are doing at a share of a stretch.
+fn observe<'o>(
+    observer: &'o mut Observer<'_>,
+    modes: &Modes,
+    origin: Origin<'_>,
+    span: [f64; 2],
+    share: f64,
+) -> &'o [ObjectState] {
+    match origin {
+        Origin::Given(given) => {
+            let time = span[0] + share * (span[1] - span[0]);
+            let s = (time - given.step.start) / given.step.length;
+            let s = s.clamp(0.0, given.step.end);
+            observer.at(given.step, s, modes)
+        }
+        Origin::Angles => observer.motion_at(&still(span), share, modes),
+        Origin::Prescribed => observer.at(&still(span), share, modes),
+    }
+}
+
+/// Puts the states of some objects where those of all stand.
+fn put(objects: &[usize], states: &[ObjectState], all: &mut [ObjectState]) {
+    for (&object, state) in objects.iter().zip(states) {
+        all[object] = *state;
     }
 }
 

@@ -3,7 +3,7 @@
 //! The force that such an object needs is that of all that is beside the trees, A(t),
 //! and for each tree a lever G(t), the slopes of the position functions on the way, times
 //! the force F of the tree's first link. A and G change slowly: over a short stretch they
-//! are polynomials. F is a sum of modes, of which value, slope and what a cubic misses
+//! are polynomials, or it is halved until they are. F is a sum of modes, of which value, slope and what a cubic misses
 //! are known. Most often |A| + Σ|G|·|F| tells that nothing in the stretch can be greater
 //! than what has been met. Where it could, A + ΣG·F is climbed to as the figures of a
 //! tree are: cut at the summits of its cubics until nothing is left above.
@@ -22,6 +22,9 @@ const CUTS: usize = 256;
 
 /// Differences below this share of the greatest value so far are not looked for.
 const MARGIN: f64 = 1e-11;
+
+/// Share of the greatest force up to which A + ΣG·F has to be followed by its polynomials.
+const FOLLOWED: f64 = 1e-9;
 
 /// An object that trees hang on.
 #[derive(Clone, Debug)]
@@ -133,6 +136,36 @@ impl Coupled {
             let slope = |k: usize| self.sign * way.slope(self.object, &slopes[k]);
             *lever = Smooth::new(std::array::from_fn(slope));
         }
+    }
+
+    /// True when it may meet what it has not met before in the stretch taken up last.
+    pub(super) fn rises_within(&self, forces: &Forces) -> bool {
+        self.rises(self.bounds(&forces.ahead))
+    }
+
+    /// True where A and every G are followed by their polynomials at a share of a stretch,
+    /// of which the states of all objects and, by tree, the slopes of its way are known.
+    pub(super) fn follows(
+        &self,
+        share: f64,
+        states: &[ObjectState],
+        (ways, slopes): (&[Drivetrain], &[Vec<f64>]),
+        forces: &Forces,
+    ) -> bool {
+        let bounds = self.bounds(&forces.ahead);
+        if !self.rises(bounds) {
+            return true;
+        }
+        let mut missed = (states[self.object].reaction - self.own.at(share)[0]).abs();
+        let ways = ways.iter().zip(slopes).zip(&self.levers);
+        for (((way, slopes), lever), force) in ways.zip(&forces.ahead) {
+            if force.most > 0.0 {
+                let slope = self.sign * way.slope(self.object, slopes);
+                missed += (slope - lever.at(share)[0]).abs() * force.most;
+            }
+        }
+        // (What is no number is not looked at more closely.)
+        !(missed > FOLLOWED * bounds)
     }
 
     /// True when a force of this magnitude would be greater than what was met.

@@ -27,6 +27,9 @@ const IN_CYCLE: f64 = 64.0;
 /// Stretches in a run at least.
 const IN_RUN: f64 = 64.0;
 
+/// Halvings of a stretch at most; what is left is then believed.
+const HALVINGS: usize = 256;
+
 /// Radians of a mode that matters between two looks at what a mass carries: seven places
 /// tell then where it is greatest.
 const RADIANS: f64 = 1.5;
@@ -158,13 +161,32 @@ impl<'a> Joint<'a> {
         }
     }
 
+    /// Forces in a stretch, halved where they are not followed over it.
     fn look_at_forces(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
+        let (mut parts, mut halvings) = (vec![span], 0);
+        while let Some([from, to]) = parts.pop() {
+            let Some(beside) = &mut self.beside else {
+                return;
+            };
+            if !beside.take_stretch(motion, [from, to]) {
+                continue;
+            }
+            let middle = from + 0.5 * (to - from);
+            let divides = halvings < HALVINGS && from < middle && middle < to;
+            if divides && !beside.is_followed(motion, [from, to]) {
+                halvings += 1;
+                parts.extend([[middle, to], [from, middle]]);
+                continue;
+            }
+            self.climb(motion, modes);
+        }
+    }
+
+    /// Climbs to the greatest forces in the stretch taken up last.
+    fn climb(&mut self, motion: &mut Motion<'_, '_>, modes: &Modes) {
         let Some(beside) = &mut self.beside else {
             return;
         };
-        if !beside.take_stretch(motion, span) {
-            return;
-        }
         for own in &mut beside.coupled {
             self.found.clear();
             own.climb(motion.branches, &mut beside.forces, |time| {
