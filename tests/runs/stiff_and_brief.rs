@@ -286,7 +286,7 @@ fn the_torque_of_a_drive_in_a_brief_stroke_is_the_same_by_every_method() {
         let [exact, general] = ["exact", "dop853"].map(|method| by(&scene, method));
         assert!(general.is_trusted());
         let [exact, general] = [exact, general].map(|found| figure(&found, "drive.peak_reaction"));
-        assert_relative_eq!(exact, general, max_relative = 5e-7);
+        assert_relative_eq!(exact, general, max_relative = 2e-8);
     }
 }
 
