@@ -181,7 +181,7 @@ impl Ledger {
         self.dissipated += work.dissipated + self.held - held(&self.stores, &regime.key, at.q);
         self.law = at.law;
         self.see(at);
-        self.put_in[0] += work.drives.max(0.0);
+        self.put_in[0] += drives.max(0.0);
         self.put_in[1] += work.loads.max(0.0);
     }
 

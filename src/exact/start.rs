@@ -6,8 +6,11 @@ use super::law::{Forcing, LAW_DEGREE};
 use super::pencil::C;
 use super::problem::{Flank, PairState, Refusal, TreeMass, TreeProblem};
 
-/// Derivatives looked at where a pair starts exactly on its flank, a few at first.
-const ORDERS: [usize; 3] = [4, 16, 64];
+/// Derivatives looked at where a pair starts exactly on its flank, some at first.
+const ORDERS: [usize; 2] = [16, 64];
+
+/// Share of the shortest time of a problem in which no motion is told.
+const AT_ONCE: f64 = 1e-9;
 
 /// States of all pairs just after t = 0, and for every pair function how many
 /// of its leading derivatives are exactly zero there.
@@ -100,20 +103,40 @@ pub(crate) fn states(
     Ok((states, zeros))
 }
 
-/// Order and sign of the first derivative of a flank's clearance that does not vanish.
+/// Order and sign of the derivative of a flank's clearance that moves it first: the lowest that
+/// does not vanish, but for what another overtakes before any motion can be told.
 fn leading(problem: &TreeProblem, i: usize, f: usize, d: &[f64]) -> Option<(usize, f64)> {
     let n = problem.masses.len();
     let mass = &problem.masses[i];
     let Flank { sign, .. } = mass.pair.flanks().0[f];
-    d.chunks_exact(n)
-        .enumerate()
-        .skip(1)
-        .find_map(|(order, d)| {
-            let own = d[i];
-            let base = mass.parent.map_or(0.0, |p| mass.lever * d[p]);
-            let x = sign * (own - base);
-            (x.abs() > 1e-14 * (own.abs() + base.abs()) && x.is_finite()).then_some((order, x))
-        })
+    let step = AT_ONCE * shortest(problem);
+    let mut most = (0.0, None);
+    let mut weight = 1.0;
+    for (order, d) in d.chunks_exact(n).enumerate().skip(1) {
+        weight *= step / order as f64;
+        let own = d[i];
+        let base = mass.parent.map_or(0.0, |p| mass.lever * d[p]);
+        let x = sign * (own - base);
+        let counts = x.abs() > 1e-14 * (own.abs() + base.abs()) && x.is_finite();
+        if counts && (most.1.is_none() || x.abs() * weight > most.0) {
+            most = (x.abs() * weight, Some((order, x)));
+        }
+    }
+    most.1
+}
+
+/// The shortest time in which masses move by their links, or with the law (s).
+fn shortest(problem: &TreeProblem) -> f64 {
+    let of_mass = |mass: &TreeMass| {
+        let rate = (mass.stiffness + mass.ground_stiffness) / mass.inertia;
+        rate.sqrt().max(mass.damping / mass.inertia)
+    };
+    let masses = problem.masses.iter().map(of_mass);
+    let fastest = masses.chain(problem.law.frequencies()).fold(0.0, f64::max);
+    match fastest > 0.0 && fastest.is_finite() {
+        true => fastest.recip(),
+        false => 1.0,
+    }
 }
 
 /// Share of the terms of a sum below which it is their rounding: forces that cancel leave

@@ -159,3 +159,44 @@ fn what_cancels_at_the_start_decides_nothing() {
         );
     }
 }
+
+/// A rigid contact that is held through a whole rise: the drive's work is what the loads took,
+/// and the energies balance by every method.
+#[test]
+fn a_held_contact_balances_its_energies() {
+    let text = r#"{ "dam": 1, "name": "Held", "objects": {
+        "a": { "kind": "drive", "motion": { "plan": { "stations": [
+            { "at": 0, "displacement": 0, "motion": "dwell" },
+            { "at": 0.056, "displacement": 0, "motion": "3-4-5" },
+            { "at": 0.168, "displacement": 0.328 } ] } } },
+        "c": { "kind": "slider", "input": "a", "inertia": 2.06, "masses": 0,
+            "position": { "ratio": 0.392 },
+            "pair": { "closure": "force", "contact": { "restitution": 0.34 } },
+            "loads": { "closing": { "constant": -2942, "mass": "last" } } } },
+        "run": { "duration": 0.233, "tolerance": 1e-9 } }"#;
+    for method in [Method::Exact, Method::Taylor, Method::Dop853] {
+        let result = run_text(text, Some(method));
+        let error = result.figures.run.energy_error;
+        assert!(error < 1e-12, "{method:?}: {error:e}");
+    }
+}
+
+/// Where the law is at rest at the start but for its rounding, the force on the last of four
+/// masses decides, though only the fifth derivative of the first one tells of it.
+#[test]
+fn the_rounding_of_a_law_at_rest_decides_nothing() {
+    let text = r#"{ "dam": 1, "name": "Run-up", "objects": {
+        "a": { "kind": "drive", "motion": { "run_up": { "speed": 23.6, "time": 0.2467 } } },
+        "c": { "kind": "slider", "input": "a", "inertia": 0.1639, "masses": 4, "damping": 2.852,
+            "stiffness": 724.6, "pair": { "closure": "force" },
+            "position": { "cam": { "law": "4-5-6-7", "lift": 0.06675, "rise": "100 deg",
+                "dwell": "40 deg", "return": "120 deg" } },
+            "loads": { "closing": { "constant": -18.64, "mass": "last" } } } },
+        "run": { "duration": 0.5554, "tolerance": 1e-9, "start": "on_law" } }"#;
+    for method in [Method::Exact, Method::Dop853] {
+        let result = run_text(text, Some(method));
+        let pair = result.figures.objects["c"].pair.as_ref().unwrap();
+        assert_eq!([pair.separations, pair.closures], [2, 2], "{method:?}");
+        assert!(result.figures.run.evaluations < 50_000, "{method:?}");
+    }
+}
