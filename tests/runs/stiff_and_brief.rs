@@ -348,7 +348,9 @@ fn pulses_that_single_samples_hit_are_not_passed_over() {
         assert_relative_eq!(speed, 1.0 + 0.2 * root, max_relative = 1e-6);
     }
     // The mean of sin^200 is C(200, 100)/2^200, over whole periods.
-    let mean: f64 = (1..=100).map(|k| (100 + k) as f64 / (4 * k) as f64).product();
+    let mean: f64 = (1..=100)
+        .map(|k| (100 + k) as f64 / (4 * k) as f64)
+        .product();
     let duration = 4.0 * std::f64::consts::PI / 3.0;
     let found = run(&scene("5*sin(3*t)^200", 0.0, duration));
     assert!(found.is_trusted(), "{:?}", found.warnings);
@@ -363,15 +365,20 @@ fn a_load_that_begins_at_the_top_of_its_pulse_is_propagated_exactly() {
     let scene = json!({ "dam": 1, "name": "Pulses", "objects": {
         "m": { "kind": "drive", "motion": { "speed": 2 } },
         "w": { "kind": "shaft", "input": "m", "masses": 1, "inertia": 0.05, "stiffness": 50,
-            "damping": 0.05, "loads": { "p": { "expression": "5*exp(1e4*(cos(driver_phi)-1))" } } } },
+            "damping": 0.05, "loads": { "p": { "expression":
+                "50*exp(-((((driver_phi+pi)%(2*pi))-pi)/0.001)^2)" } } } },
         "run": { "duration": 20, "start": "on_law" } });
     let found = run(&scene);
     assert!(found.is_trusted());
     assert_eq!(found.figures.run.method, "exact");
     // By scipy's DOP853 with steps of at most 10 ms, ended at each pulse.
     let end = figure(&found, "w.final.displacement") - 40.0;
-    assert_relative_eq!(end, -0.023303805, max_relative = 1e-6);
-    assert_relative_eq!(figure(&found, "w.delta_abs"), 0.041043506, max_relative = 1e-6);
+    assert_relative_eq!(end, -0.016683982, max_relative = 1e-6);
+    assert_relative_eq!(
+        figure(&found, "w.delta_abs"),
+        0.029441029,
+        max_relative = 1e-6
+    );
 }
 
 /// A rigid contact that begins on its flank with a speed strikes at t = 0.
@@ -386,8 +393,16 @@ fn an_impact_at_the_start_is_one() {
     for method in ["exact", "dop853"] {
         let found = by(&scene, method);
         assert!(found.is_trusted());
-        assert_relative_eq!(figure(&found, "a.pair.impacts.max_impulse"), 1.5, max_relative = 1e-9);
-        assert_relative_eq!(figure(&found, "a.pair.impacts.loss"), 0.75, max_relative = 1e-9);
+        assert_relative_eq!(
+            figure(&found, "a.pair.impacts.max_impulse"),
+            1.5,
+            max_relative = 1e-9
+        );
+        assert_relative_eq!(
+            figure(&found, "a.pair.impacts.loss"),
+            0.75,
+            max_relative = 1e-9
+        );
         // 1 m/s upwards, less the fall of 0.1 s.
         let end = figure(&found, "a.final.displacement");
         assert_relative_eq!(end, 0.1 - 0.5 * 9.81 * 0.01, max_relative = 1e-9);
