@@ -78,6 +78,8 @@ pub(crate) fn states(
         for pair in open {
             let (i, f) = pair;
             match lead(&pair) {
+                // What comes at a speed strikes at once: the walk finds the impact at t = 0.
+                Some((1, sign)) if sign < 0.0 && problem.masses[i].restitution.is_some() => {}
                 Some((o, sign)) if o == order => {
                     let at = first[i] + 2 * f;
                     if sign < 0.0 {

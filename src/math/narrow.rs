@@ -15,6 +15,8 @@ pub struct Narrow {
     pub longest: f64,
 }
 
+/// The golden section.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Samples of a panel less one.
 const SAMPLES: usize = 8;
 /// Samples of the whole span, for the size of the function.
@@ -26,6 +28,8 @@ const WIDER: f64 = 4.0;
 const COUNTS: f64 = 0.01;
 /// Changes below this share of the bounds over the whole span are rounding.
 const NOISE: f64 = 1e-9;
+/// Least halvings one in another: samples of a whole span may all hit pulses that repeat.
+const LEAST: u32 = 3;
 /// Most halvings one in another, and most panels.
 const DEEPEST: u32 = 24;
 const MOST: usize = 4096;
@@ -55,10 +59,7 @@ pub(crate) fn narrow(
     if whole == 0.0 {
         return Vec::new();
     }
-    let mut greatest = range(from, to, LOOKS, &value);
-    if whole <= WIDER * range(from, to, SAMPLES, &value) {
-        return Vec::new();
-    }
+    let mut greatest = samples(from, to, LOOKS, &value).range;
     let noise = if whole.is_finite() {
         NOISE * whole
     } else {
@@ -72,13 +73,14 @@ pub(crate) fn narrow(
         if looks > MOST {
             return Vec::new();
         }
-        let change = range(a, b, SAMPLES, &value);
-        greatest = greatest.max(change);
+        let Samples { range, shared } = samples(a, b, SAMPLES, &value);
+        greatest = greatest.max(range);
         let wide = width(bounds(a, b));
-        let seen = wide <= (WIDER * change).max(COUNTS * greatest).max(noise);
+        let seen = wide <= (WIDER * shared).max(COUNTS * greatest).max(noise);
+        let seen = seen && depth >= LEAST;
         if seen || depth >= DEEPEST {
             // What nothing is known of is not called narrow.
-            let change = if seen { change } else { 0.0 };
+            let change = if seen { range } else { 0.0 };
             panels.push(Panel {
                 from: a,
                 to: b,
@@ -123,15 +125,35 @@ fn width([low, high]: [f64; 2]) -> f64 {
     if width.is_nan() { f64::INFINITY } else { width }
 }
 
-/// Range of samples; those that are not numbers do not count.
-fn range(from: f64, to: f64, count: usize, value: &impl Fn(f64) -> f64) -> f64 {
-    let places = (0..=count).map(|k| from + (to - from) * (k as f64 / count as f64));
-    let ends = places
-        .map(value)
-        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-            [low.min(value), high.max(value)]
-        });
-    (ends[1] - ends[0]).max(0.0)
+/// What samples show of a function.
+#[derive(Clone, Copy, Debug)]
+struct Samples {
+    /// From the least to the greatest.
+    range: f64,
+    /// From the second least to the second greatest: a pulse that one sample hits by chance
+    /// is still narrower than their spacing.
+    shared: f64,
+}
+
+/// Samples that are not numbers do not count.
+fn samples(from: f64, to: f64, count: usize, value: &impl Fn(f64) -> f64) -> Samples {
+    let (mut least, mut greatest) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    // Spaced by the golden section: pulses that repeat after a share of the span are not hit
+    // by several of them, as by equally spaced ones.
+    let inner = (1..count).map(|k| (k as f64 * GOLDEN).fract());
+    let shares = [0.0, 1.0].into_iter().chain(inner);
+    let places = shares.map(|share| from + (to - from) * share);
+    for value in places.map(value).filter(|value| !value.is_nan()) {
+        least = [least[0].min(value), least[1].min(value.max(least[0]))];
+        greatest = [
+            greatest[0].max(value),
+            greatest[1].max(value.min(greatest[0])),
+        ];
+    }
+    Samples {
+        range: (greatest[0] - least[0]).max(0.0),
+        shared: (greatest[1] - least[1]).max(0.0),
+    }
 }
 
 #[cfg(test)]
@@ -161,7 +183,7 @@ mod tests {
 
     #[test]
     fn a_pulse_is_found_wherever_it_is() {
-        for place in [0.0131, 0.7, 0.7131, 7.77, 19.9] {
+        for place in [0.0131, 0.7, 0.7131, 5.0, 7.77, 12.5, 19.9] {
             for width in [0.3, 0.01, 1e-4] {
                 let text = format!("3*t+0.01*exp(-((t-{place})/{width})^2)");
                 let found = of(&text, 0.0, 20.0);

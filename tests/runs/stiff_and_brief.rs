@@ -350,3 +350,86 @@ fn works_behind_a_table_over_time_are_summed_between_its_points() {
         assert!(error < 1e-12 && found.is_trusted(), "{method}: {error}");
     }
 }
+
+/// A pulse of a load at a place that samples of a halved span hit, and a high power of a sine,
+/// whose bumps a few samples hit by chance: the speed is the impulse over the inertia.
+#[test]
+fn pulses_that_single_samples_hit_are_not_passed_over() {
+    let scene = |load: &str, speed: f64, duration: f64| {
+        json!({ "dam": 1, "name": "Pulses", "objects": { "m": { "kind": "drive",
+            "motor": { "inertia": 0.5, "speed": speed, "torque": { "constant": 0 } },
+            "loads": { "p": { "expression": load } } } },
+            "run": { "duration": duration } })
+    };
+    let root = std::f64::consts::PI.sqrt();
+    for (place, duration) in [(5.0, 8.0), (1.0, 2.0), (3.0, 4.0)] {
+        let found = run(&scene(
+            &format!("100*exp(-((t-{place})/0.001)^2)"),
+            1.0,
+            duration,
+        ));
+        assert!(found.is_trusted(), "{:?}", found.warnings);
+        let speed = figure(&found, "m.final.speed");
+        assert_relative_eq!(speed, 1.0 + 0.2 * root, max_relative = 1e-6);
+    }
+    // The mean of sin^200 is C(200, 100)/2^200, over whole periods.
+    let mean: f64 = (1..=100)
+        .map(|k| (100 + k) as f64 / (4 * k) as f64)
+        .product();
+    let duration = 4.0 * std::f64::consts::PI / 3.0;
+    let found = run(&scene("5*sin(3*t)^200", 0.0, duration));
+    assert!(found.is_trusted(), "{:?}", found.warnings);
+    let speed = figure(&found, "m.final.speed");
+    assert_relative_eq!(speed, 10.0 * mean * duration, max_relative = 1e-5);
+}
+
+/// A load that is a pulse once a turn, from the start on: in its narrow pulses it is an
+/// impulse on one mass of 0.05 on 50 with the damping 0.05.
+#[test]
+fn a_load_that_begins_at_the_top_of_its_pulse_is_propagated_exactly() {
+    let scene = json!({ "dam": 1, "name": "Pulses", "objects": {
+        "m": { "kind": "drive", "motion": { "speed": 2 } },
+        "w": { "kind": "shaft", "input": "m", "masses": 1, "inertia": 0.05, "stiffness": 50,
+            "damping": 0.05, "loads": { "p": { "expression":
+                "50*exp(-((((driver_phi+pi)%(2*pi))-pi)/0.001)^2)" } } } },
+        "run": { "duration": 20, "start": "on_law" } });
+    let found = run(&scene);
+    assert!(found.is_trusted());
+    assert_eq!(found.figures.run.method, "exact");
+    // By scipy's DOP853 with steps of at most 10 ms, ended at each pulse.
+    let end = figure(&found, "w.final.displacement") - 40.0;
+    assert_relative_eq!(end, -0.016683982, max_relative = 1e-6);
+    assert_relative_eq!(
+        figure(&found, "w.delta_abs"),
+        0.029441029,
+        max_relative = 1e-6
+    );
+}
+
+/// A rigid contact that begins on its flank with a speed strikes at t = 0.
+#[test]
+fn an_impact_at_the_start_is_one() {
+    let scene = json!({ "dam": 1, "name": "Ball", "objects": {
+        "g": { "kind": "drive", "coordinate": "sliding", "motion": { "fixed": 0 } },
+        "a": { "kind": "slider", "input": "g", "position": { "ratio": 1 }, "inertia": 0.5,
+            "masses": 0, "pair": { "closure": "force", "contact": { "restitution": 0.5 } },
+            "loads": { "w": { "constant": -4.905 } } } },
+        "run": { "duration": 0.1, "start": { "a": { "displacement": [0], "speed": [-2] } } } });
+    for method in ["exact", "dop853"] {
+        let found = by(&scene, method);
+        assert!(found.is_trusted());
+        assert_relative_eq!(
+            figure(&found, "a.pair.impacts.max_impulse"),
+            1.5,
+            max_relative = 1e-9
+        );
+        assert_relative_eq!(
+            figure(&found, "a.pair.impacts.loss"),
+            0.75,
+            max_relative = 1e-9
+        );
+        // 1 m/s upwards, less the fall of 0.1 s.
+        let end = figure(&found, "a.final.displacement");
+        assert_relative_eq!(end, 0.1 - 0.5 * 9.81 * 0.01, max_relative = 1e-9);
+    }
+}

@@ -21,6 +21,9 @@ pub(crate) struct PairTracker {
     start: f64,
 }
 
+/// Greatest speed of approach (m/s, rad/s) of what begins at rest on its flank: rounding.
+const LAID: f64 = 1e-9;
+
 impl PairTracker {
     /// A pair of an object whose mode is `components[component]`; `stops`: components of
     /// the modes of the object's stops.
@@ -69,7 +72,8 @@ impl PairTracker {
         rows: &mut Vec<SwitchRow>,
         intervals: &mut Vec<Interval>,
     ) {
-        if time > self.start {
+        // What is laid on its flank at the start is not struck.
+        if time > self.start || impact.approach > LAID {
             self.figures.impacts.get_or_insert_default().add(impact);
         }
         let approach = &mut self.figures.max_approach_speed;

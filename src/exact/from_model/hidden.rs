@@ -14,6 +14,10 @@ pub(super) const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 /// Parts of an interval that are bounded one by one.
 const PARTS: usize = 16;
 
+/// The golden section: samples lie so in their parts that pulses which repeat after some
+/// parts are not hit by all of them.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
 /// Bounds may be wider than the change of speed by this factor: what depends on itself,
 /// t·(1 − t), is bounded that much too widely.
 const WIDE: f64 = 16.0;
@@ -70,13 +74,19 @@ impl Between {
 pub(super) fn between(written: &WrittenMotion, segment: i64, time: f64, length: f64) -> Between {
     let part = length / PARTS as f64;
     let place = |k: usize| time + k as f64 * part;
-    let (mut value, mut speed, mut acceleration) = (0.0f64, 0.0f64, 0.0f64);
-    for k in 0..=PARTS {
-        let now = written.jet(segment, place(k));
+    let (mut value, mut speed) = (0.0f64, 0.0f64);
+    // The second greatest: one sample may hit a pulse that is narrower than a part.
+    let mut accelerations = [0.0f64; 2];
+    for k in 0..PARTS {
+        let inside = (GOLDEN * (k + 1) as f64).fract();
+        let now = written.jet(segment, place(k) + inside * part);
         value = value.max(now.value.abs());
         speed = speed.max(now.first.abs());
-        acceleration = acceleration.max(now.second.abs());
+        let [greatest, second] = accelerations;
+        let own = now.second.abs();
+        accelerations = [greatest.max(own), second.max(own.min(greatest))];
     }
+    let [_, acceleration] = accelerations;
     let slight = SLIGHT * (speed + value / length) + NOTHING;
     let range = (0..PARTS).fold(0.0, |most: f64, k| {
         let [least, greatest] = written.speeds(segment, place(k), place(k + 1));
@@ -155,6 +165,17 @@ mod tests {
             length *= 0.5;
         }
         assert!(length < 0.7131 + 0.05 && length > 0.1, "{length}");
+    }
+
+    #[test]
+    fn a_pulse_is_seen_from_its_top_and_where_it_repeats_in_step() {
+        for text in ["exp(-(t/0.001)^2)", "exp(1e4*(cos(2*pi*t)-1))"] {
+            let pulse = written(text);
+            for length in [1.0, 4.0, 16.0] {
+                let excess = between(&pulse, 0, 0.0, length).excess();
+                assert!(excess > 1.0, "{text} over {length}: {excess}");
+            }
+        }
     }
 
     #[test]
