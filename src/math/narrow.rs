@@ -33,6 +33,8 @@ const LEAST: u32 = 3;
 /// Most halvings one in another, and most panels.
 const DEEPEST: u32 = 24;
 const MOST: usize = 4096;
+/// Most panels of a step of an integration.
+const MOST_OF_STEP: usize = 256;
 /// A panel shorter than this share of the span is narrow.
 const SHORT: f64 = 1.0 / 16.0;
 
@@ -59,25 +61,50 @@ pub(crate) fn narrow(
     if whole == 0.0 {
         return Vec::new();
     }
-    let mut greatest = samples(from, to, LOOKS, &value).range;
     let noise = if whole.is_finite() {
         NOISE * whole
     } else {
         0.0
+    };
+    search([from, to], bounds, value, (noise, LEAST, MOST), SHORT)
+}
+
+/// The same over one step of an integration, where changes below `noise` do not count; dear
+/// where bounds are wide, it is given up early.
+pub(crate) fn narrow_within(
+    bounds: impl Fn(f64, f64) -> [f64; 2],
+    value: impl Fn(f64) -> f64,
+    noise: f64,
+) -> Vec<Narrow> {
+    search([0.0, 1.0], bounds, value, (noise, 0, MOST_OF_STEP), 1.0)
+}
+
+/// Changes below `noise` do not count; panels are halved at least `least` times, and are no
+/// more than `most`.
+fn search(
+    [from, to]: [f64; 2],
+    bounds: impl Fn(f64, f64) -> [f64; 2],
+    value: impl Fn(f64) -> f64,
+    (noise, least, most): (f64, u32, usize),
+    short: f64,
+) -> Vec<Narrow> {
+    let mut greatest = match least {
+        0 => 0.0,
+        _ => samples(from, to, LOOKS, &value).range,
     };
     let mut panels: Vec<Panel> = Vec::new();
     let mut open = vec![(from, to, 0)];
     let mut looks = 0;
     while let Some((a, b, depth)) = open.pop() {
         looks += 1;
-        if looks > MOST {
+        if looks > most {
             return Vec::new();
         }
         let Samples { range, shared } = samples(a, b, SAMPLES, &value);
         greatest = greatest.max(range);
         let wide = width(bounds(a, b));
         let seen = wide <= (WIDER * shared).max(COUNTS * greatest).max(noise);
-        let seen = seen && depth >= LEAST;
+        let seen = seen && depth >= least;
         if seen || depth >= DEEPEST {
             // What nothing is known of is not called narrow.
             let change = if seen { range } else { 0.0 };
@@ -92,7 +119,7 @@ pub(crate) fn narrow(
             open.push((a, middle, depth + 1));
         }
     }
-    joined(&panels, COUNTS * greatest, SHORT * (to - from))
+    joined(&panels, (COUNTS * greatest).max(noise), short * (to - from))
 }
 
 /// Neighbours that are narrow as one stretch; its steps are no longer than the panel that changes most.

@@ -196,6 +196,8 @@ impl<D: Dynamics> Run<'_, D> {
         let cause = match &self.stop {
             Some(Stop::StepFloor { .. }) => Cause::Floor,
             Some(Stop::Method { .. }) => Cause::GaveUp,
+            // Where the scene itself has no value, no other method gets further either.
+            Some(Stop::NotFinite { .. }) if self.from.not_finite().is_none() => Cause::GaveUp,
             None if due => Cause::Stiff,
             Some(_) | None => return,
         };

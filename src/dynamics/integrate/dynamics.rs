@@ -395,6 +395,12 @@ pub trait Dynamics: Sync {
         None
     }
 
+    /// The share of a step at which it is to end instead, where a law of the scene changes so
+    /// briefly along it that no place of a method sees it. Default: none does.
+    fn passed_over(&self, _step: &Step<'_>, _modes: &Modes, _tolerance: f64) -> Option<f64> {
+        None
+    }
+
     /// The end of the run, where a law of the scene grows without bound on a step, up to
     /// the place `end` of it. Default: none does.
     fn pole_on(&self, _step: &Step<'_>, _modes: &Modes, _end: f64) -> Option<PhysicalStop> {

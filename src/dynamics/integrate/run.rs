@@ -260,6 +260,11 @@ impl<'a, D: Dynamics> Run<'a, D> {
             self.shorten(shorter);
             return self.take_again(shorter);
         }
+        if edge.is_none()
+            && let Some(shorter) = self.passes_over()
+        {
+            return self.take_again(shorter);
+        }
         let found = self.probe_before(found);
         let found = match given {
             Given::Nothing => self.look_again(found),

@@ -25,6 +25,9 @@ const OF_LAWS: f64 = 1e-10;
 /// A signal that is the small difference of coordinates is known to this share of the greatest
 /// of their scales, within what is allowed.
 const UNMOVED: f64 = 1e-3;
+/// Below this numbers have lost digits, and count as zero: of a motion that is nothing yet no
+/// share is asked for.
+const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 /// A step that is refused is shortened at least to this share, at most to that.
 const LEAST_CUT: f64 = 0.9;
 const MOST_CUT: f64 = 0.25;
@@ -176,8 +179,9 @@ impl Series {
         let mut largest = [0.0f64; 2];
         let rows = self.coefficients.chunks_exact(degree + 1);
         for (k, row) in rows.take(count).enumerate() {
-            let place = allowed * (scales[k] + run.from.y[k].abs());
+            let place = allowed * (scales[k] + run.from.y[k].abs()) + NOTHING;
             let speed = allowed * asked * (scales[count + k] + run.from.y[count + k].abs());
+            let speed = speed + NOTHING;
             for (last, order) in largest.iter_mut().zip([degree - 1, degree]) {
                 let size = row[order].abs();
                 let error = (size / place).max(order as f64 * size / speed);
@@ -235,9 +239,10 @@ impl Series {
             let defect = (found - bend / (asked * asked)).abs() - rounding;
             // It has grown with s^(degree − 1): its integrals are smaller.
             let speed = defect * length / degree as f64;
-            let size = scales[count + k] + self.y[count + k].abs();
+            let of_speed = allowed * (scales[count + k] + self.y[count + k].abs()) + NOTHING;
+            let of_place = allowed * (scales[k] + self.y[k].abs()) + NOTHING;
             let place = speed * length / (degree + 1) as f64;
-            let error = (speed / size).max(place / (scales[k] + self.y[k].abs())) / allowed;
+            let error = (speed / of_speed).max(place / of_place);
             if error > greatest || error.is_nan() {
                 greatest = error;
             }

@@ -354,6 +354,10 @@ impl Dynamics for System {
         self.at_pole(span, &modes.0, work)
     }
 
+    fn passed_over(&self, step: &Step<'_>, modes: &Modes, tolerance: f64) -> Option<f64> {
+        self.frozen.passed_over(step, &modes.0, tolerance)
+    }
+
     fn pole_on(&self, step: &Step<'_>, modes: &Modes, end: f64) -> Option<PhysicalStop> {
         self.poles_on(step, &modes.0, end)
     }

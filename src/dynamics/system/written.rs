@@ -4,6 +4,8 @@
 mod missing;
 mod switches;
 
+pub(super) use switches::Along;
+
 use super::frozen::Frozen;
 use super::passes::Work;
 use super::taylor::HIGHEST;
@@ -25,6 +27,8 @@ pub(super) struct Written {
     pub(super) inputs: Vec<Input>,
     /// Component of the modes of its first guard; the others follow.
     pub(super) component: usize,
+    /// It may change so briefly with displacements or speeds that a step passes over it.
+    pub(super) hides: bool,
     /// What it pulls back with per displacement of its own node, where it is linear in it.
     pub(super) rate: f64,
 }
@@ -62,9 +66,10 @@ impl Written {
     pub(super) fn new(load: &WrittenLoad, node: NodeIndex, frozen: &mut Frozen) -> Self {
         let program = load.expression.program().clone();
         let poles = missing::may_have_poles(&program);
+        let steep = super::narrow::may_hide(&program);
         let watched = |variable| {
             let mut guards = program.guards.iter();
-            poles || guards.any(|guard| guard.code.reads(variable))
+            poles || steep || guards.any(|guard| guard.code.reads(variable))
         };
         let mut inputs = Vec::new();
         for (variable, source) in load.variables.iter().enumerate() {
@@ -91,11 +96,13 @@ impl Written {
         }
         let component = frozen.first_guard() + frozen.guards;
         frozen.guards += program.guards.len();
+        let hides = steep && inputs.iter().any(|input: &Input| input.node().is_some());
         Self {
             expression: load.expression.clone(),
             factor: load.factor,
             inputs,
             component,
+            hides,
             rate: rate(load, node),
         }
     }

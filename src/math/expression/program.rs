@@ -187,6 +187,34 @@ impl Op {
         self
     }
 
+    /// True where it may change much within a small part of the range of its operands.
+    pub(crate) fn may_be_steep(&self) -> bool {
+        match *self {
+            Self::Div(..) | Self::PowerOf(..) => true,
+            Self::Power(_, exponent) => !(0.0..=3.0).contains(&exponent),
+            Self::Of(function, _) => !matches!(function, Function::Sin | Function::Cos),
+            Self::Number(_)
+            | Self::Variable(_)
+            | Self::Affine { .. }
+            | Self::Add(..)
+            | Self::Sub(..)
+            | Self::Mul(..)
+            | Self::Atan2 { .. }
+            | Self::Remainder { .. }
+            | Self::Abs { .. }
+            | Self::Sign { .. }
+            | Self::Whole { .. }
+            | Self::Min { .. }
+            | Self::Max { .. }
+            | Self::Less { .. }
+            | Self::Equal(..)
+            | Self::And(..)
+            | Self::Or(..)
+            | Self::Not(_)
+            | Self::Select { .. } => false,
+        }
+    }
+
     /// True where it may grow without bound at finite operands.
     pub(crate) fn may_have_poles(&self) -> bool {
         match *self {

@@ -4,6 +4,9 @@ use super::Run;
 use crate::dynamics::integrate::Dynamics;
 use crate::math::narrow::Narrow;
 
+/// Shortest step that is still shortened, in roundings of the time.
+const SHORT: f64 = 4096.0 * f64::EPSILON;
+
 /// What is known of them up to an instant.
 #[derive(Debug)]
 pub(super) struct Narrowing {
@@ -43,6 +46,21 @@ impl<D: Dynamics> Run<'_, D> {
             }
             None => {}
         }
+    }
+
+    /// The length (s) of a shorter step, where this one passes over a brief change of a law that
+    /// the motion meets.
+    pub(super) fn passes_over(&self) -> Option<f64> {
+        if !self.takes_again() {
+            return None;
+        }
+        let step = self.output.step(1.0);
+        let modes = self.evaluator.modes.borrow();
+        let tolerance = self.settings.tolerance;
+        let dynamics = self.evaluator.dynamics;
+        let share = dynamics.passed_over(&step, &modes, tolerance)?;
+        let may_shorten = step.length > SHORT * step.time(1.0).abs();
+        may_shorten.then_some(share * step.length)
     }
 
     /// Longest step that such a stretch allows (s).

@@ -18,9 +18,9 @@ use crate::units::shown;
 const TURNED_BACK: f64 = 1e-9;
 
 /// The variables of a load along a step.
-pub(super) struct Along<'a> {
-    pub(super) written: &'a Written,
-    pub(super) step: &'a Step<'a>,
+pub(in crate::dynamics::system) struct Along<'a> {
+    pub(in crate::dynamics::system) written: &'a Written,
+    pub(in crate::dynamics::system) step: &'a Step<'a>,
 }
 
 impl Stretch for Along<'_> {
