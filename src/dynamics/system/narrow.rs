@@ -62,12 +62,7 @@ impl Frozen {
 
 impl Written {
     /// `slight`: an impulse over a speed that does not count.
-    fn passed_over(
-        &self,
-        step: &polynomial::Step<'_>,
-        modes: &[i64],
-        slight: f64,
-    ) -> Option<f64> {
+    fn passed_over(&self, step: &polynomial::Step<'_>, modes: &[i64], slight: f64) -> Option<f64> {
         let along = Along {
             written: self,
             step,

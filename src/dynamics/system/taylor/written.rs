@@ -12,6 +12,9 @@ const PLACES: [f64; 4] = [0.3, 0.6, 0.85, 1.0];
 /// How often the share of a step that is relied on is halved, at most.
 const HALVINGS: usize = 10;
 
+/// Below this numbers have lost digits, and count as zero.
+const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+
 /// Degrees that a series takes for a digit.
 const DEGREES_A_DIGIT: f64 = 1.25;
 
@@ -78,8 +81,8 @@ impl Frozen {
                 power *= s;
             }
             let error = (at(force, s) - exact).abs();
-            error <= allowed * size
-                || error <= allowed * size + written.rounding(&values, start.modes)
+            let allowed = allowed * size + NOTHING;
+            error <= allowed || error <= allowed + written.rounding(&values, start.modes)
         };
         let mut share = 1.0;
         for _ in 0..HALVINGS {
