@@ -9,6 +9,7 @@ use crate::dynamics::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, O
 use crate::dynamics::record::{
     CreepFigures, EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures,
     ObjectFigures, PairFigures, PressingFigures, Recorded, RunSummary, StopFigures, Units,
+    drive_cycle,
 };
 use crate::units::shown;
 
@@ -119,6 +120,7 @@ pub(super) fn warnings_of(
     if let (true, Some(reason)) = (has_pair, &run.window_missing) {
         warnings.push(Warning::WindowMissing {
             reason: reason.clone(),
+            longer: settings.window.is_some() || drive_cycle(model).is_ok(),
         });
     }
     for &(object, margin, time) in recorded.margins.iter().filter(|entry| entry.1 < 0.0) {
@@ -172,6 +174,7 @@ fn pair_warnings(model: &Model, object: usize, recorded: &Recorded, time: f64) -
             separations: pair.separations,
             separated_time: pair.separated_time,
             share: pair.separated_time / time,
+            judged: pair.in_working_order.is_some(),
         });
     }
     // Without a gap a pair goes from flank to flank at one instant, and rightly.

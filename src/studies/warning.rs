@@ -36,6 +36,8 @@ pub enum Warning {
     WindowMissing {
         /// Why.
         reason: String,
+        /// A longer run would have one.
+        longer: bool,
     },
     /// A force-closed pair of a rigid object would open: the motion needs a pull.
     WouldLiftOff {
@@ -58,6 +60,8 @@ pub enum Warning {
         separated_time: f64,
         /// Share of the run.
         share: f64,
+        /// The working order of the pair is judged.
+        judged: bool,
     },
     /// A pair switches and switches back at one instant, to rounding: whether it
     /// does so at all is not determined, and so are the counts.
@@ -143,9 +147,13 @@ impl fmt::Display for Warning {
                 shown(*phase, 2),
                 shown(*step, 2)
             ),
-            Self::WindowMissing { reason } => write!(
+            Self::WindowMissing { reason, longer } => write!(
                 f,
-                "working order not judged: {reason}; give `run.window` or a longer `run.duration`"
+                "working order not judged: {reason}; give `run.window`{}",
+                match longer {
+                    true => " or a longer `run.duration`",
+                    false => "",
+                }
             ),
             Self::WouldLiftOff {
                 object,
@@ -166,15 +174,20 @@ impl fmt::Display for Warning {
                 separations,
                 separated_time,
                 share,
+                judged,
             } => write!(
                 f,
-                "the pair of {object} is open for {} s ({} % of the run, {}): loss of working \
-                 order of the mechanism, not a failure of the computation",
+                "the pair of {object} is open for {} s ({} % of the run, {}): {} of the \
+                 mechanism, not a failure of the computation",
                 shown(*separated_time, 7),
                 shown(100.0 * share, 3),
                 match separations {
                     1 => "1 separation".to_owned(),
                     more => format!("{more} separations"),
+                },
+                match judged {
+                    true => "loss of working order",
+                    false => "the motion",
                 }
             ),
             Self::SwitchesUndetermined {
@@ -229,6 +242,7 @@ mod tests {
             separations: 65,
             separated_time: 0.15,
             share: 0.3,
+            judged: true,
         };
         let audit = Warning::EnergyAudit {
             error: 0.1,
