@@ -26,7 +26,7 @@ struct Node {
 }
 
 /// Local maxima among samples that are looked at more closely.
-const CLOSELY: usize = 6;
+const CLOSELY: usize = 12;
 /// Steps of golden section around each.
 const STEPS: u32 = 60;
 
@@ -39,7 +39,8 @@ pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: &dyn Fn(usize, f64) -> f64
         let value = |index: usize| samples[index].1;
         let last = samples.len().saturating_sub(1);
         tops.extend((0..samples.len()).filter_map(|index| {
-            let before = index == 0 || value(index) >= value(index - 1);
+            // (Of equal neighbours, as over a dwell, the first stands for all.)
+            let before = index == 0 || value(index) > value(index - 1);
             let after = index == last || value(index) >= value(index + 1);
             (before && after).then_some((piece, index))
         }));

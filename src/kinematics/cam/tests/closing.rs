@@ -110,3 +110,26 @@ fn rates_form_an_interval_and_a_hopeless_spring_is_refused() {
     approx::assert_relative_eq!(none.lacking.value, 1.5, max_relative = 1e-9);
     assert!((none.lacking.phi - PI).abs() < 1e-3);
 }
+
+#[test]
+fn a_long_dwell_hides_no_greater_place() {
+    // A spring without preload and ten pieces, most of them at rest at nothing; of one the
+    // inertia exceeds the spring by a little near one place, between the samples.
+    let pieces: Vec<[f64; 2]> = (0..10).map(|k| [f64::from(k), f64::from(k) + 1.0]).collect();
+    let demand = |piece: usize, phi: f64| match piece {
+        7 => {
+            let x = phi - 7.0;
+            Demand {
+                by_square: -1.0001 * (-((x - 0.4183) / 0.02).powi(2)).exp(),
+                stretch: (-((x - 0.4183) / 0.04).powi(2)).exp(),
+                ..Demand::default()
+            }
+        }
+        _ => Demand::default(),
+    };
+    let closing = Closing::new(&pieces, &demand);
+    let rate = 1.0;
+    let least = closing.least(ClosingSpring { rate, preload: 0.0 }, 1.0);
+    approx::assert_relative_eq!(least.value, -1e-4, max_relative = 1e-9);
+    approx::assert_abs_diff_eq!(least.phi, 7.4183, epsilon = 1e-6);
+}
