@@ -74,6 +74,14 @@ impl Interval {
         }
     }
 
+    /// The greatest absolute value; infinite where there is no bound.
+    pub(crate) fn magnitude(self) -> f64 {
+        match self.is_nothing() {
+            true => f64::INFINITY,
+            false => self.low.abs().max(self.high.abs()),
+        }
+    }
+
     /// What lies in both.
     pub(crate) fn meet(self, other: Self) -> Self {
         if other.is_nothing() {
@@ -85,7 +93,7 @@ impl Interval {
         }
     }
 
-    pub(super) fn scale(self, factor: f64) -> Self {
+    pub(crate) fn scale(self, factor: f64) -> Self {
         let product = |x: f64| match factor {
             0.0 => 0.0,
             _ => x * factor,
