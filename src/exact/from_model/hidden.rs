@@ -110,7 +110,8 @@ pub(super) fn is_shown(
         target,
         allowed: HIDDEN * size,
     };
-    search.is_plain(time, time + length, HALVINGS)
+    let whole = search.part(time, time + length);
+    search.is_plain(&whole, HALVINGS)
 }
 
 /// The search for parts on which a motion is a polynomial.
@@ -122,29 +123,49 @@ struct Search<'a> {
     allowed: f64,
 }
 
+/// An interval of time, with a bound of the difference from a polynomial on it.
+struct Part {
+    from: f64,
+    to: f64,
+    difference: f64,
+}
+
 impl Search<'_> {
-    /// True where the motion is a polynomial between two instants, or on each of so many
-    /// parts of halves.
-    fn is_plain(&self, from: f64, to: f64, halvings: u32) -> bool {
+    fn part(&self, from: f64, to: f64) -> Part {
         let all: [_; COEFFICIENTS] = self.written.enclosed(self.segment, from, to);
         let last = all[LAST].magnitude();
         let half = 0.5 * (to - from);
         let order = LAST as i32;
-        let most = match self.target {
+        let difference = match self.target {
             Target::Displacement => last * half.powi(order),
-            Target::Acceleration => {
-                f64::from(order * (order - 1)) * last * half.powi(order - 2)
-            }
+            Target::Acceleration => f64::from(order * (order - 1)) * last * half.powi(order - 2),
         };
-        if most <= self.allowed {
+        Part {
+            from,
+            to,
+            difference: if difference.is_nan() { f64::INFINITY } else { difference },
+        }
+    }
+
+    /// True where the motion is a polynomial on a part, or on each of so many parts of
+    /// halves.
+    fn is_plain(&self, part: &Part, halvings: u32) -> bool {
+        if part.difference <= self.allowed {
             return true;
         }
-        let middle = from + half;
-        halvings > 0
-            && from < middle
-            && middle < to
-            && self.is_plain(from, middle, halvings - 1)
-            && self.is_plain(middle, to, halvings - 1)
+        let middle = 0.5 * (part.from + part.to);
+        if halvings == 0 || !(part.from < middle && middle < part.to) {
+            return false;
+        }
+        let mut halves = [
+            self.part(part.from, middle),
+            self.part(middle, part.to),
+        ];
+        // The worse one ends a search in vain sooner.
+        if halves[0].difference < halves[1].difference {
+            halves.swap(0, 1);
+        }
+        halves.iter().all(|half| self.is_plain(half, halvings - 1))
     }
 }
 
@@ -163,12 +184,12 @@ mod tests {
 
     #[test]
     fn pulses_between_samples_are_seen_wherever_they_are() {
-        for width in [1e-2, 1e-3, 1e-5, 1e-7] {
+        for width in [1e-2_f64, 1e-3, 1e-5, 1e-7] {
             for text in [
                 format!("exp(-((t-0.7131)/{width})^2)"),
                 format!("1/(1+((t-0.7131)/{width})^2)"),
                 format!("tanh((t-0.7131)/{width})-tanh((t-0.7131)/{width}-1)"),
-                format!("cos(t-0.7131)^{}", (1.0 / (width * width)).round()),
+                format!("cos(t-0.7131)^{}", f64::round(1.0 / (width * width))),
                 format!("exp({}*(cos(t-0.7131)-1))", 1.0 / (width * width)),
                 format!("1/(1+{}*sin(t-0.7131)^2)", 1.0 / (width * width)),
                 format!("sin(t) + 1e-3*exp(-((t-0.7131)/{width})^2)"),

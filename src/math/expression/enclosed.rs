@@ -13,7 +13,7 @@ use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Whole powers up to here of what may be zero are multiplied out.
-const GREATEST_POWER: f64 = 1e9;
+const GREATEST_POWER: f64 = 9e15;
 
 /// Bounds of the first `N` Taylor coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -345,7 +345,7 @@ mod tests {
         let found: Enclosed<10> = enclosed("1/(1 - x)", 0.5, 0.5);
         assert!((found.0[9].middle() / 1024.0 - 1.0).abs() < 1e-12);
         let found: Enclosed<3> = enclosed("cos(x)^4000", 0.0, 0.0);
-        assert!((found.0[2].middle() / -2000.0 - 1.0).abs() < 1e-12);
+        assert!((found.0[2].middle() / -2000.0 - 1.0).abs() < 1e-10);
     }
 
     #[test]
