@@ -15,8 +15,8 @@ use crate::math::expression::Repetition;
 pub(super) const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
 /// Coefficients of the series on a part: what is not bounded is a polynomial of degree
-/// 10, and an acceleration of degree 8.
-const COEFFICIENTS: usize = 12;
+/// 8, and an acceleration of degree 6.
+const COEFFICIENTS: usize = 10;
 const LAST: usize = COEFFICIENTS - 1;
 
 /// What differs from a polynomial by less than this share of its size counts as one.
@@ -26,12 +26,17 @@ const HIDDEN: f64 = 1e-10;
 /// would make something of.
 const TINY: f64 = 1e-150;
 
-/// The size that what repeats has everywhere, as a share of a bound of its values in a
-/// cycle: at the foot of a pulse not every digit counts.
+/// The size that a motion has everywhere, as a share of a bound of its values: at the foot
+/// of a pulse not every digit counts.
 const SHARE: f64 = 1e-12;
 
+/// A motion that does not repeat is bounded if its bound over the one time (s) is no more
+/// than so many times that over the other.
+const EVER: [f64; 2] = [1e3, 1e9];
+const BOUNDED: f64 = 4.0;
+
 /// How often an interval is halved into parts.
-const HALVINGS: u32 = 6;
+const HALVINGS: u32 = 5;
 
 /// Places at which the size of a motion is sampled.
 const PLACES: usize = 8;
@@ -54,18 +59,32 @@ pub(super) fn size_at(written: &WrittenMotion, segment: i64, time: f64, target: 
     own.middle().abs().max(rounding)
 }
 
-/// The size that a motion which repeats has everywhere; 0 where it has no bound, or does
-/// not repeat.
+/// The size that a motion which repeats, or is bounded for ever, has everywhere; 0 for
+/// others.
 pub(super) fn least_size(written: &WrittenMotion, target: Target) -> f64 {
-    let Some(Repetition::Cycles { period, .. }) = written.repetition() else {
-        return 0.0;
+    let most = match written.repetition() {
+        Some(Repetition::Cycles { period, .. }) => most_until(written, target, period),
+        Some(Repetition::Line(_)) => 0.0,
+        None if !written.breaks().is_empty() => 0.0,
+        None => {
+            let [soon, ever] = EVER.map(|time| most_until(written, target, time));
+            if ever <= BOUNDED * soon { ever } else { 0.0 }
+        }
     };
+    match most.is_finite() {
+        true => SHARE * most,
+        false => 0.0,
+    }
+}
+
+/// A bound of the values from the start to a time at most.
+fn most_until(written: &WrittenMotion, target: Target, end: f64) -> f64 {
     let breaks = written.breaks();
     let first = breaks.locate(0.0, 1.0);
     let pieces = first..=first + breaks.points.len() as i64;
-    let most = pieces.fold(0.0, |most: f64, piece| {
+    pieces.fold(0.0, |most: f64, piece| {
         let (low, high) = breaks.edges(piece);
-        let (from, to) = (low.max(0.0), high.min(period));
+        let (from, to) = (low.max(0.0), high.min(end));
         if from >= to {
             return most;
         }
@@ -74,11 +93,7 @@ pub(super) fn least_size(written: &WrittenMotion, target: Target) -> f64 {
             Target::Displacement => value.magnitude(),
             Target::Acceleration => half.scale(2.0).magnitude(),
         })
-    });
-    match most.is_finite() {
-        true => SHARE * most,
-        false => 0.0,
-    }
+    })
 }
 
 /// True where a motion has no detail within `length` after `time`, by the formula of
@@ -143,7 +158,11 @@ impl Search<'_> {
         Part {
             from,
             to,
-            difference: if difference.is_nan() { f64::INFINITY } else { difference },
+            difference: if difference.is_nan() {
+                f64::INFINITY
+            } else {
+                difference
+            },
         }
     }
 
@@ -157,10 +176,7 @@ impl Search<'_> {
         if halvings == 0 || !(part.from < middle && middle < part.to) {
             return false;
         }
-        let mut halves = [
-            self.part(part.from, middle),
-            self.part(middle, part.to),
-        ];
+        let mut halves = [self.part(part.from, middle), self.part(middle, part.to)];
         // The worse one ends a search in vain sooner.
         if halves[0].difference < halves[1].difference {
             halves.swap(0, 1);
@@ -223,14 +239,20 @@ mod tests {
             let motion = written(text);
             for start in [0.0, 0.37, 2.0] {
                 for target in BOTH {
-                    assert!(is_shown(&motion, 0, (start, 0.1), target, 0.0), "{text} from {start}");
+                    assert!(
+                        is_shown(&motion, 0, (start, 0.1), target, 0.0),
+                        "{text} from {start}"
+                    );
                 }
             }
         }
         // Far from their steps and pulses they rest.
         for text in ["tanh((t-3)/1e-5)", "exp(-((t-3)/1e-4)^2)"] {
             for target in BOTH {
-                assert!(is_shown(&written(text), 0, (0.0, 2.9), target, 0.0), "{text}");
+                assert!(
+                    is_shown(&written(text), 0, (0.0, 2.9), target, 0.0),
+                    "{text}"
+                );
             }
         }
         // Bounds that depend on themselves, of a bend far behind.

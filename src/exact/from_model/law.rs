@@ -140,7 +140,7 @@ impl CourseLaw {
                 if rest.is_finite() {
                     rest
                 } else {
-                    self.course.turn(time).min(1e9)
+                    self.course.turn(time).min(self.course.farthest(time))
                 }
             }
         }

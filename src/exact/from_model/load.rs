@@ -64,7 +64,8 @@ impl CourseLoad {
     fn longest(&self, time: f64) -> f64 {
         let cycle = self.cycle.as_ref();
         let rest = self.course.formulas(time).until - time;
-        let longest = rest.min(self.course.turn(time)).min(1e9);
+        let longest = rest.min(self.course.turn(time));
+        let longest = longest.min(self.course.farthest(time));
         cycle.map_or(longest, |cycle| longest.min(cycle.longest()))
     }
 

@@ -51,8 +51,8 @@ enum Source {
         /// Breaks and joints of the motion over time.
         breaks: Breaks,
         joints: Breaks,
-        /// What counts of an expression that repeats: of its displacement and of its
-        /// acceleration.
+        /// What counts of an expression that repeats or is bounded: of its displacement
+        /// and of its acceleration.
         least: [f64; 2],
     },
     /// Σ ratio·φ + offset of several prescribed motions.
@@ -241,8 +241,8 @@ impl PrescribedMotion {
         }
     }
 
-    /// The size that an expression of the time which repeats has everywhere; 0 for other
-    /// motions.
+    /// The size that an expression of the time which repeats or is bounded has everywhere;
+    /// 0 for other motions.
     pub(super) fn least_size(&self, target: Target) -> f64 {
         match &self.source {
             Source::Drive { least, .. } if self.stages.is_empty() => least[target as usize],
@@ -257,9 +257,7 @@ impl PrescribedMotion {
             Source::Drive {
                 motion: DriveMotion::Written(written),
                 ..
-            } if self.stages.is_empty() => {
-                hidden::size_at(written, formulas.piece, time, target)
-            }
+            } if self.stages.is_empty() => hidden::size_at(written, formulas.piece, time, target),
             _ => 0.0,
         }
     }
@@ -282,6 +280,15 @@ impl PrescribedMotion {
         }
         let now = self.at(&self.formulas(time), 0, time);
         TAU / (now.speed.abs() + (TAU * now.acceleration.abs()).sqrt())
+    }
+
+    /// Longest interval from `time` on that is worth looking at (s). Of an expression, which
+    /// is looked at for what samples do not show, it grows with the time.
+    pub(super) fn farthest(&self, time: f64) -> f64 {
+        match self.is_written() {
+            true => (64.0 * (1.0 + time.abs())).min(1e9),
+            false => 1e9,
+        }
     }
 
     /// The formulas in force just after `time`.
