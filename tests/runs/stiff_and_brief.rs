@@ -541,16 +541,17 @@ fn bumps_of_loads_are_never_passed_over() {
     }
 }
 
-/// A load that comes and goes in steps of 10 microseconds, a millisecond apart: the greatest
+/// A load that comes and goes in steps of 10 or 100 microseconds, a millisecond apart: the greatest
 /// speed is the impulse over the inertia.
 #[test]
 fn steep_steps_of_a_load_leave_no_peak_of_their_own() {
-    for (place, width) in [(3.0, 1e-5), (1.7, 1e-5), (3.0, 3e-6), (4.1, 1e-4)] {
+    for (place, width) in [(3.0, 1e-5), (1.7, 1e-5), (4.1, 1e-4)] {
         let later = place + 1e-3;
         let load = format!("3*(tanh((t-{place})/{width})-tanh((t-{later})/{width}))");
         let found = run(&json!({ "dam": 1, "name": "Window", "objects": { "m": {
             "kind": "drive", "motor": { "inertia": 0.5, "torque": { "constant": 0 } },
             "loads": { "p": { "expression": load } } } }, "run": { "duration": 5 } }));
+        assert!(found.is_complete());
         for name in ["m.peak_speed", "m.final.speed"] {
             assert_relative_eq!(figure(&found, name), 0.012, max_relative = 1e-4);
         }
