@@ -13,6 +13,7 @@
 mod affine;
 mod builder;
 mod crossing;
+mod enclosed;
 mod evaluate;
 mod function;
 mod interval;
@@ -32,6 +33,7 @@ use std::sync::Arc;
 
 pub(crate) use affine::Affine;
 pub(crate) use crossing::{Stretch, VARIABLES, follow};
+pub(crate) use enclosed::Enclosed;
 pub(crate) use evaluate::Scalar;
 pub(crate) use function::Function;
 pub(crate) use interval::Interval;

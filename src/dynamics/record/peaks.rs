@@ -21,6 +21,10 @@ pub(crate) const WEIGHTS: [f64; 7] = [
     0.0, FIVE[0].1, FIVE[1].1, FIVE[2].1, FIVE[3].1, FIVE[4].1, 0.0,
 ];
 
+/// Within a step shorter than this share of the time, speeds are little more than the
+/// rounding of displacements over its length: its ends alone count.
+const SPLINTER: f64 = 65_536.0 * f64::EPSILON;
+
 impl Peak {
     /// Takes a step into account: `values` at `places` (ascending), `time`
     /// gives the time at a place and `look` the value there.
@@ -32,6 +36,12 @@ impl Peak {
         mut look: impl FnMut(f64) -> f64,
     ) {
         if self.leaves_out([time(places[0]), time(places[6])]) {
+            return;
+        }
+        let [from, to] = [time(places[0]), time(places[6])];
+        if (to - from).abs() <= SPLINTER * to.abs() {
+            self.see(from, values[0]);
+            self.see(to, values[6]);
             return;
         }
         let most = values.iter().copied().fold(f64::MIN, f64::max);
@@ -105,6 +115,19 @@ mod tests {
             assert_abs_diff_eq!(peak.time, 10.0 + top, epsilon = 1e-6);
             assert!(looks <= 12, "{looks} looks at {top}");
         }
+    }
+
+    #[test]
+    fn rounding_within_a_splinter_of_a_step_is_no_peak() {
+        let mut peak = Peak::NONE;
+        let values = [1.0, 1.3, 0.7, 1.2, 1.1, 0.9, 1.01];
+        peak.follow(
+            &PLACES,
+            &values,
+            |s| 3.0 + 2e-15 * s,
+            |_| panic!("no look needed"),
+        );
+        assert_eq!(peak.value, 1.01);
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::hidden::{Look, Looks, NOTHING};
+use super::hidden::NOTHING;
 use super::prescribed::{Formulas, Instant, PLACE_ROUNDING, PrescribedMotion};
 use crate::exact::LAW_DEGREE;
 use crate::math::chebyshev::{Nodes, combined, in_powers};
@@ -21,6 +21,9 @@ const TAIL: f64 = 16.0 * f64::EPSILON;
 
 /// Greatest ratio of the sum of the coefficients in powers to the function.
 const CANCELLATION: f64 = 60.0;
+
+/// How often an interval is halved because samples do not show all of it.
+const HALVINGS: u32 = 64;
 
 /// Target of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -127,33 +130,22 @@ pub(crate) fn fit(
     // as it goes, within reason.
     for (tail, trials) in [(TAIL, 24), (4.0 * TAIL, 24), (32.0 * TAIL, 90)] {
         let (mut length, mut end) = (longest, whole);
-        let (mut tried, mut looks) = (0, Looks::default());
-        let mut whole_fit = None;
-        while tried < trials {
-            if !(time + length > time) {
-                break;
-            }
+        // Trials that fail tell how well a motion can be fitted at all. Those that pass
+        // over something are too long, whatever the tail.
+        let (mut tried, mut passed) = (0, 0);
+        while tried < trials && passed < HALVINGS && time + length > time {
             match attempt(course, &formulas, last, (time, length), target, tail) {
                 Trial::Good(fit) => {
-                    let fit = Fit { end, ..fit };
-                    let first = *whole_fit.get_or_insert(fit);
-                    match looks.judge(course.between(&formulas, time, length)) {
-                        Look::Take => return Some(fit),
-                        Look::Unbounded => return Some(first),
-                        Look::Halve => length *= 0.5,
+                    if course.is_shown(&formulas, (time, length), target) {
+                        return Some(Fit { end, ..fit });
                     }
-                    end = time + length;
-                    continue;
+                    length *= 0.5;
+                    (passed, tried) = (passed + 1, 0);
                 }
-                Trial::Leaves(after) => length = after,
-                Trial::Long => length *= 0.5,
+                Trial::Leaves(after) => (length, tried) = (after, tried + 1),
+                Trial::Long => (length, tried) = (0.5 * length, tried + 1),
             }
-            tried += 1;
             end = time + length;
-        }
-        // What was halved without end shows no less where it is whole.
-        if whole_fit.is_some() {
-            return whole_fit;
         }
     }
     None
@@ -189,7 +181,7 @@ fn attempt(
     if values.iter().any(|value| !value.is_finite()) {
         return Trial::Long;
     }
-    size = size.max(NOTHING);
+    size = size.max(NOTHING).max(course.least_size(target));
     if target == Target::Acceleration && course.is_written() {
         // What changes neither speed nor displacement within their rounding is rounding.
         size = size.max((speed / length).min(span / (length * length)));
@@ -199,7 +191,15 @@ fn attempt(
         .iter()
         .fold(0.0, |m: f64, c| m.max(c.abs()));
     if !(rest <= tail * size) {
-        return Trial::Long;
+        let noises = [0.0, 0.5, 1.0].map(|place| {
+            let at = (time + place * length).min(formulas.until);
+            course.noise(formulas, at, target)
+        });
+        let noise = noises.into_iter().fold(0.0, f64::max);
+        if !(noise.is_finite() && rest <= tail * noise) {
+            return Trial::Long;
+        }
+        size = size.max(noise);
     }
     let kept = c[..=LAW_DEGREE].iter().rposition(|c| c.abs() > tail * size);
     let kept = kept.unwrap_or(0);

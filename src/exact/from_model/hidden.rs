@@ -1,153 +1,204 @@
 //! What samples of a written motion do not show: a short pulse between two of them.
 //!
-//! Over parts of an interval the change of the speed is bounded by evaluating the
-//! expression on intervals. A smooth motion cannot change its speed by much more than
-//! its greatest sampled acceleration allows; bounds that do exceed it by far stem from
-//! a pulse that the samples miss, or from bounds that are wide because the parts are
-//! long. Both ask for a shorter interval.
+//! The expression is evaluated on parts of an interval as a Taylor series whose
+//! coefficients are intervals. The last coefficient bounds by how much the motion differs
+//! from a polynomial of lower degree on each part, wherever in the part. Where that is
+//! nothing, the motion has no detail that is shorter than a part, and samples that lie
+//! closer than that show all of it. Where it is something, or has no bound, the interval
+//! is too long.
 
+use super::fit::Target;
 use crate::kinematics::motion::WrittenMotion;
+use crate::math::expression::Repetition;
 
 /// Below this numbers have lost digits, and count as zero.
 pub(super) const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
-/// Parts of an interval that are bounded one by one.
-const PARTS: usize = 16;
+/// Coefficients of the series on a part: what is not bounded is a polynomial of degree
+/// 8, and an acceleration of degree 6.
+const COEFFICIENTS: usize = 10;
+const LAST: usize = COEFFICIENTS - 1;
 
-/// The golden section: samples lie so in their parts that pulses which repeat after some
+/// What differs from a polynomial by less than this share of its size counts as one.
+const HIDDEN: f64 = 1e-10;
+
+/// Sizes below this are none; far above [`NOTHING`], which high powers of short times
+/// would make something of.
+const TINY: f64 = 1e-150;
+
+/// The size that a motion has everywhere, as a share of a bound of its values: at the foot
+/// of a pulse not every digit counts.
+const SHARE: f64 = 1e-12;
+
+/// A motion that does not repeat is bounded if its bound over the one time (s) is no more
+/// than so many times that over the other.
+const EVER: [f64; 2] = [1e3, 1e9];
+const BOUNDED: f64 = 4.0;
+
+/// How often an interval is halved into parts.
+const HALVINGS: u32 = 5;
+
+/// A share of the time at which nothing happens that the clock tells: where a formula begins
+/// without a derivative, √(t − 0.2), no piece has a bound.
+const AT_ONCE: f64 = 4096.0 * f64::EPSILON;
+
+/// Places at which the size of a motion is sampled.
+const PLACES: usize = 8;
+
+/// The golden section: places lie so in their parts that pulses which repeat after some
 /// parts are not hit by all of them.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Bounds may be wider than the change of speed by this factor: what depends on itself,
-/// t·(1 − t), is bounded that much too widely.
-const WIDE: f64 = 16.0;
+/// Bounds of rounding are wider than rounding is, by about this many operations.
+const OPERATIONS: f64 = 64.0;
 
-/// Changes of speed below this share of the speed do not count.
-const SLIGHT: f64 = 1e-12;
+/// The size of a motion at an instant: as great as what is rounded as it is.
+pub(super) fn size_at(written: &WrittenMotion, segment: i64, time: f64, target: Target) -> f64 {
+    let [value, _, half] = written.enclosed(segment, time, time);
+    let own = match target {
+        Target::Displacement => value,
+        Target::Acceleration => half.scale(2.0),
+    };
+    let rounding = (own.high - own.low) / (2.0 * OPERATIONS * f64::EPSILON);
+    own.middle().abs().max(rounding)
+}
 
-/// How often an interval is halved because of what may lie between samples.
-const HALVINGS: u32 = 64;
+/// The size that a motion which repeats, or is bounded for ever, has everywhere; 0 for
+/// others.
+pub(super) fn least_size(written: &WrittenMotion, target: Target) -> f64 {
+    let most = match written.repetition() {
+        Some(Repetition::Cycles { period, .. }) => most_until(written, target, period),
+        Some(Repetition::Line(_)) => 0.0,
+        None if !written.breaks().is_empty() => 0.0,
+        None => {
+            let [soon, ever] = EVER.map(|time| most_until(written, target, time));
+            if ever <= BOUNDED * soon { ever } else { 0.0 }
+        }
+    };
+    match most.is_finite() {
+        true => SHARE * most,
+        false => 0.0,
+    }
+}
 
-/// A bound that falls with the length it is of, halved, …
-const FALLING: std::ops::Range<f64> = 0.4..0.65;
+/// A bound of the values from the start to a time at most.
+fn most_until(written: &WrittenMotion, target: Target, end: f64) -> f64 {
+    let breaks = written.breaks();
+    let first = breaks.locate(0.0, 1.0);
+    let pieces = first..=first + breaks.points.len() as i64;
+    pieces.fold(0.0, |most: f64, piece| {
+        let (low, high) = breaks.edges(piece);
+        let (from, to) = (low.max(0.0), high.min(end));
+        if from >= to {
+            return most;
+        }
+        let [value, _, half] = written.enclosed(piece, from, to);
+        most.max(match target {
+            Target::Displacement => value.magnitude(),
+            Target::Acceleration => half.scale(2.0).magnitude(),
+        })
+    })
+}
 
-/// … and as what samples show does, within this factor, …
-const STEADY: f64 = 1.2;
+/// True where a motion has no detail within `length` after `time`, by the formula of
+/// `segment`, that samples of it do not show.
+pub(super) fn is_shown(
+    written: &WrittenMotion,
+    segment: i64,
+    (time, length): (f64, f64),
+    target: Target,
+    least: f64,
+) -> bool {
+    if length <= AT_ONCE * time {
+        return true;
+    }
+    let (mut size, mut speed, mut span) = (least.max(TINY), 0.0f64, 0.0f64);
+    for k in 0..PLACES {
+        let inside = k as f64 + (GOLDEN * (k + 1) as f64).fract();
+        let at = time + inside * length / PLACES as f64;
+        let now = written.jet(segment, at);
+        speed = speed.max(now.first.abs());
+        span = span.max(now.value.abs() + (now.first * at).abs());
+        let own = size_at(written, segment, at, target);
+        size = if own.is_finite() { size.max(own) } else { size };
+    }
+    if target == Target::Acceleration {
+        // What changes neither speed nor displacement within their rounding is rounding.
+        size = size.max((speed / length).min(span / (length * length)));
+    }
+    let search = Search {
+        written,
+        segment,
+        target,
+        allowed: HIDDEN * size,
+    };
+    let whole = search.part(time, time + length);
+    search.is_plain(&whole, HALVINGS)
+}
 
-/// … over so many halvings, is wide because the expression depends on itself …
-const STEADY_HALVINGS: u32 = 3;
-
-/// … if it exceeds what samples show by no more than this. (Between a place before a
-/// pulse and the far end of a long interval bounds fall with the length as well.)
-const CREDIBLE: f64 = 1e6;
-
-/// Bounds of what lies between samples.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Between {
-    /// Greatest change of speed over a part (rad/s); infinite or NaN: no bound is found.
-    range: f64,
-    /// The change of speed that samples show, times an allowance.
+/// The search for parts on which a motion is a polynomial.
+struct Search<'a> {
+    written: &'a WrittenMotion,
+    segment: i64,
+    target: Target,
+    /// The greatest difference from a polynomial.
     allowed: f64,
 }
 
-impl Between {
-    /// Of two motions that are added: of the one that hides more.
-    pub(super) fn with(self, other: Self) -> Self {
-        match other.excess() <= self.excess() {
-            true => self,
-            false => other,
-        }
-    }
-
-    /// By how much the bound exceeds what is allowed, as a ratio: at most 1 where
-    /// nothing is hidden.
-    fn excess(self) -> f64 {
-        match self.range {
-            0.0 => 0.0,
-            _ => self.range / self.allowed,
-        }
-    }
+/// An interval of time, with a bound of the difference from a polynomial on it.
+struct Part {
+    from: f64,
+    to: f64,
+    difference: f64,
 }
 
-/// Bounds what a written motion may do within `length` after `time`, by the formula of
-/// `segment`.
-pub(super) fn between(written: &WrittenMotion, segment: i64, time: f64, length: f64) -> Between {
-    let part = length / PARTS as f64;
-    let place = |k: usize| time + k as f64 * part;
-    let (mut value, mut speed) = (0.0f64, 0.0f64);
-    // The second greatest: one sample may hit a pulse that is narrower than a part.
-    let mut accelerations = [0.0f64; 2];
-    for k in 0..PARTS {
-        let inside = (GOLDEN * (k + 1) as f64).fract();
-        let now = written.jet(segment, place(k) + inside * part);
-        value = value.max(now.value.abs());
-        speed = speed.max(now.first.abs());
-        let [greatest, second] = accelerations;
-        let own = now.second.abs();
-        accelerations = [greatest.max(own), second.max(own.min(greatest))];
-    }
-    let [_, acceleration] = accelerations;
-    let slight = SLIGHT * (speed + value / length) + NOTHING;
-    let range = (0..PARTS).fold(0.0, |most: f64, k| {
-        let [least, greatest] = written.speeds(segment, place(k), place(k + 1));
-        let own = greatest - least;
-        // (A NaN stays.)
-        if own <= most { most } else { own }
-    });
-    Between {
-        range,
-        allowed: WIDE * acceleration * part + slight,
-    }
-}
-
-/// The search for a length over which nothing is hidden.
-#[derive(Debug, Default)]
-pub(super) struct Looks {
-    halvings: u32,
-    before: Between,
-    steady: u32,
-}
-
-/// What to do with an interval.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Look {
-    /// It can be taken.
-    Take,
-    /// It is to be halved.
-    Halve,
-    /// No interval can be bounded: the first one can be taken as well.
-    Unbounded,
-}
-
-impl Looks {
-    /// Judges an interval.
-    pub(super) fn judge(&mut self, now: Between) -> Look {
-        if now.excess() <= 1.0 {
-            return Look::Take;
-        }
-        let ratio = now.excess() / self.before.excess();
-        let falls = FALLING.contains(&(now.range / self.before.range));
-        self.steady = match falls && (1.0 / STEADY..=STEADY).contains(&ratio) {
-            true => self.steady + 1,
-            false => 0,
+impl Search<'_> {
+    fn part(&self, from: f64, to: f64) -> Part {
+        let all: [_; COEFFICIENTS] = self.written.enclosed(self.segment, from, to);
+        let last = all[LAST].magnitude();
+        let half = 0.5 * (to - from);
+        let order = LAST as i32;
+        let difference = match self.target {
+            Target::Displacement => last * half.powi(order),
+            Target::Acceleration => f64::from(order * (order - 1)) * last * half.powi(order - 2),
         };
-        self.before = now;
-        self.halvings += 1;
-        if self.steady >= STEADY_HALVINGS && now.excess() <= CREDIBLE {
-            return Look::Take;
+        Part {
+            from,
+            to,
+            difference: if difference.is_nan() {
+                f64::INFINITY
+            } else {
+                difference
+            },
         }
-        match self.halvings > HALVINGS {
-            true => Look::Unbounded,
-            false => Look::Halve,
+    }
+
+    /// True where the motion is a polynomial on a part, or on each of so many parts of
+    /// halves.
+    fn is_plain(&self, part: &Part, halvings: u32) -> bool {
+        if part.difference <= self.allowed {
+            return true;
         }
+        let middle = 0.5 * (part.from + part.to);
+        if halvings == 0 || !(part.from < middle && middle < part.to) {
+            return false;
+        }
+        let mut halves = [self.part(part.from, middle), self.part(middle, part.to)];
+        // The worse one ends a search in vain sooner.
+        if halves[0].difference < halves[1].difference {
+            halves.swap(0, 1);
+        }
+        halves.iter().all(|half| self.is_plain(half, halvings - 1))
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Look, Looks, between};
+    use super::{Target, is_shown};
     use crate::kinematics::motion::WrittenMotion;
     use crate::math::expression::Expression;
+
+    const BOTH: [Target; 2] = [Target::Displacement, Target::Acceleration];
 
     fn written(text: &str) -> WrittenMotion {
         let expression = Expression::new(text, &["t"]).unwrap();
@@ -155,66 +206,66 @@ mod tests {
     }
 
     #[test]
-    fn a_pulse_between_samples_is_seen_by_the_bounds() {
-        let pulse = written("0.01*exp(-((t-0.7131)/0.001)^2)");
-        assert!(between(&pulse, 0, 0.0, 20.0).excess() > 1e3);
-        assert!(between(&pulse, 0, 1.0, 20.0).excess() <= 1.0);
-        let mut looks = Looks::default();
-        let mut length = 1e9;
-        while looks.judge(between(&pulse, 0, 0.0, length)) == Look::Halve {
-            length *= 0.5;
-        }
-        assert!(length < 0.7131 + 0.05 && length > 0.1, "{length}");
-    }
-
-    #[test]
-    fn a_pulse_is_seen_from_its_top_and_where_it_repeats_in_step() {
-        for text in ["exp(-(t/0.001)^2)", "exp(1e4*(cos(2*pi*t)-1))"] {
-            let pulse = written(text);
-            for length in [1.0, 4.0, 16.0] {
-                let excess = between(&pulse, 0, 0.0, length).excess();
-                assert!(excess > 1.0, "{text} over {length}: {excess}");
+    fn pulses_between_samples_are_seen_wherever_they_are() {
+        for width in [1e-2_f64, 1e-3, 1e-5, 1e-7] {
+            for text in [
+                format!("exp(-((t-0.7131)/{width})^2)"),
+                format!("1/(1+((t-0.7131)/{width})^2)"),
+                format!("tanh((t-0.7131)/{width})-tanh((t-0.7131)/{width}-1)"),
+                format!("cos(t-0.7131)^{}", f64::round(1.0 / (width * width))),
+                format!("exp({}*(cos(t-0.7131)-1))", 1.0 / (width * width)),
+                format!("1/(1+{}*sin(t-0.7131)^2)", 1.0 / (width * width)),
+                format!("sin(t) + 1e-3*exp(-((t-0.7131)/{width})^2)"),
+            ] {
+                let pulse = written(&text);
+                for target in BOTH {
+                    // From its foot, its flank, its top, and a long way before it.
+                    for from in [0.0, 0.45, 0.7131 - 2.0 * width, 0.7131] {
+                        for length in [1.0, 3.0, 64.0] {
+                            assert!(
+                                !is_shown(&pulse, 0, (from, length), target, 0.0),
+                                "{text} from {from} over {length}, {target:?}"
+                            );
+                        }
+                    }
+                }
             }
         }
     }
 
     #[test]
-    fn a_pulse_is_seen_from_its_foot() {
-        let pulse = written("0.01*exp(-((t-0.7131)/0.01)^2)");
-        let (mut looks, mut length) = (Looks::default(), 1e9);
-        while looks.judge(between(&pulse, 0, 0.45, length)) == Look::Halve {
-            length *= 0.5;
-        }
-        // So short that samples see the pulse themselves.
-        assert!(length < 1.0, "{length}");
-    }
-
-    #[test]
-    fn smooth_motions_hide_nothing() {
+    fn smooth_motions_show_all_that_they_do() {
         for text in [
             "0.3*sin(20*t)",
             "0.1*t^2",
             "20*t + 0.5*sin(5*t)",
             "1 - exp(-5*t)",
+            "sqrt(t^2 + 1)",
+            "5*cos(t)^4/(2 + sin(t))",
         ] {
             let motion = written(text);
             for start in [0.0, 0.37, 2.0] {
+                for target in BOTH {
+                    assert!(
+                        is_shown(&motion, 0, (start, 0.1), target, 0.0),
+                        "{text} from {start}"
+                    );
+                }
+            }
+        }
+        // Far from their steps and pulses they rest.
+        for text in ["tanh((t-3)/1e-5)", "exp(-((t-3)/1e-4)^2)"] {
+            for target in BOTH {
                 assert!(
-                    between(&motion, 0, start, 0.2).excess() <= 1.0,
-                    "{text} from {start}"
+                    is_shown(&written(text), 0, (0.0, 2.9), target, 0.0),
+                    "{text}"
                 );
             }
         }
-    }
-
-    #[test]
-    fn bounds_that_stay_too_wide_end_the_search() {
-        let sloppy = written("sqrt(t^2 + 1e-4)");
-        let (mut looks, mut length) = (Looks::default(), 4.0);
-        let mut halvings = 0;
-        while looks.judge(between(&sloppy, 0, 3.0, length)) == Look::Halve {
-            (length, halvings) = (0.5 * length, halvings + 1);
+        // Bounds that depend on themselves, of a bend far behind.
+        let bend = written("sqrt(t^2 + 1e-4)");
+        for target in BOTH {
+            assert!(is_shown(&bend, 0, (3.0, 1.0), target, 0.0));
         }
-        assert!(halvings < 10, "{halvings}");
     }
 }

@@ -1,18 +1,15 @@
 //! The law that a course prescribes: in closed form where it is a straight
 //! line or a pure harmonic, in polynomial spans otherwise.
 
+use super::cycle::{Cycle, Piece};
 use super::fit::{Fit, Target, fit};
 use super::prescribed::{PrescribedMotion, straight};
 use super::rhythm::Rhythm;
 use crate::dynamics::model::Law as ModelLaw;
-use crate::exact::law::product;
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
-use std::sync::{Arc, OnceLock};
-
-/// Most spans kept of a cycle; a law that needs more is made as it is reached.
-const MOST_SPANS: usize = 4096;
+use std::sync::Arc;
 
 /// A straight line through which further straight position functions go.
 #[derive(Clone, Copy, Debug)]
@@ -83,48 +80,25 @@ fn turned(amplitude: f64, frequency: f64, phase: f64) -> Sine {
     }
 }
 
-/// A cycle that repeats for ever.
-#[derive(Clone, Copy, Debug)]
-struct Cycle {
-    /// Time at which the first cycle begins (s).
-    from: f64,
-    /// Length of a cycle (s).
-    period: f64,
-    /// L gained in it.
-    advance: f64,
-}
-
 /// A law in spans fitted to a course; the spans of a cycle are made once.
 #[derive(Debug)]
 pub(super) struct CourseLaw {
     course: PrescribedMotion,
-    cycle: Option<Cycle>,
+    cycle: Option<Cycle<PolynomialSpan>>,
     /// Speed for ever after the drive has settled, when it is constant.
     uniform: Option<f64>,
-    /// Spans of the first cycle, from its beginning; empty: too many to keep.
-    spans: OnceLock<Vec<PolynomialSpan>>,
 }
 
 impl CourseLaw {
     pub(super) fn new(course: PrescribedMotion) -> Self {
-        let from = course.settled();
-        let (mut cycle, mut uniform) = (None, None);
-        match course.rhythm() {
-            Rhythm::Periodic(period, advance) => {
-                cycle = Some(Cycle {
-                    from,
-                    period,
-                    advance,
-                });
-            }
-            Rhythm::Uniform(speed) => uniform = Some(speed),
-            Rhythm::None => {}
-        }
+        let uniform = match course.rhythm() {
+            Rhythm::Uniform(speed) => Some(speed),
+            Rhythm::Periodic(..) | Rhythm::None => None,
+        };
         Self {
+            cycle: Cycle::of(&course),
             course,
-            cycle,
             uniform,
-            spans: OnceLock::new(),
         }
     }
 
@@ -159,38 +133,17 @@ impl CourseLaw {
 
     /// Longest span worth trying from `time` on.
     fn longest(&self, time: f64) -> f64 {
-        match self.cycle {
-            Some(cycle) => 0.5 * cycle.period,
+        match &self.cycle {
+            Some(cycle) => cycle.longest(),
             None => {
                 let rest = self.course.formulas(time).until - time;
                 if rest.is_finite() {
                     rest
                 } else {
-                    self.course.turn(time).min(1e9)
+                    self.course.turn(time).min(self.course.farthest(time))
                 }
             }
         }
-    }
-
-    fn cycle_spans(&self, cycle: &Cycle) -> &[PolynomialSpan] {
-        self.spans.get_or_init(|| {
-            let end = cycle.from + cycle.period;
-            let mut spans: Vec<PolynomialSpan> = Vec::new();
-            let (mut time, mut last) = (cycle.from, f64::INFINITY);
-            while time < end {
-                let rest = end - time;
-                let made = self.fresh(time, rest.min(self.longest(time)).min(4.0 * last));
-                if spans.len() >= MOST_SPANS || !made.value.is_finite() {
-                    return Vec::new();
-                }
-                last = made.end - time;
-                // A remainder below the clock's resolution is no span.
-                let done = end - made.end <= 64.0 * f64::EPSILON * end.abs();
-                time = if done { end } else { made.end };
-                spans.push(PolynomialSpan { end: time, ..made });
-            }
-            spans
-        })
     }
 }
 
@@ -199,45 +152,33 @@ impl SpanSource for CourseLaw {
         if let Some(speed) = self.uniform.filter(|_| time >= self.course.settled()) {
             return self.straight(time, speed);
         }
-        let fresh = || self.fresh(time, self.longest(time));
-        let Some(cycle) = self.cycle.filter(|cycle| time >= cycle.from) else {
-            return fresh();
-        };
-        let spans = self.cycle_spans(&cycle);
-        if spans.is_empty() {
-            return fresh();
+        let fresh = |time: f64, longest: f64| self.fresh(time, longest);
+        let cycle = self.cycle.as_ref();
+        match cycle.and_then(|cycle| cycle.at(time, fresh)) {
+            Some(place) => PolynomialSpan {
+                start: place.start.0,
+                low: place.start.1,
+                end: place.end,
+                value: place.piece.value + place.gained,
+                ..place.piece
+            },
+            None => self.fresh(time, self.longest(time)),
         }
-        let turn = ((time - cycle.from) / cycle.period).floor();
-        // Rounding may put an instant into the cycle beside it.
-        for turn in [turn - 1.0, turn, turn + 1.0] {
-            let starts = |span: &PolynomialSpan| shifted(span.start, turn, cycle.period).0 <= time;
-            let count = spans.partition_point(starts);
-            let Some(span) = count.checked_sub(1).map(|k| &spans[k]) else {
-                continue;
-            };
-            let end = shifted(span.end, turn, cycle.period).0;
-            if time < end {
-                let (start, low) = shifted(span.start, turn, cycle.period);
-                return PolynomialSpan {
-                    start,
-                    low,
-                    end,
-                    value: span.value + turn * cycle.advance,
-                    ..*span
-                };
-            }
-        }
-        fresh()
     }
 }
 
-/// time + turn·period in double-double: (sum, rounding error).
-fn shifted(time: f64, turn: f64, period: f64) -> (f64, f64) {
-    let (whole, rest) = product(turn, period);
-    let sum = whole + time;
-    let part = sum - whole;
-    let error = (whole - (sum - part)) + (time - part);
-    (sum, error + rest)
+impl Piece for PolynomialSpan {
+    fn interval(&self) -> (f64, f64) {
+        (self.start, self.end)
+    }
+
+    fn ending(self, end: f64) -> Self {
+        Self { end, ..self }
+    }
+
+    fn is_made(&self) -> bool {
+        self.value.is_finite()
+    }
 }
 
 fn span(time: f64, fit: &Fit) -> PolynomialSpan {

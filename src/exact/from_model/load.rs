@@ -1,5 +1,6 @@
 //! Loads that are tables over time, or over a displacement that is prescribed.
 
+use super::cycle::{Cycle, Piece};
 use super::fit::{Target, fit};
 use super::prescribed::{PrescribedMotion, within};
 use crate::dynamics::model::LinearPiece;
@@ -14,6 +15,8 @@ struct CourseLoad {
     breaks: Breaks,
     pieces: Vec<LinearPiece>,
     factor: f64,
+    /// Where the load is the motion itself, times a factor, and repeats.
+    cycle: Option<Cycle<ForcePiece>>,
 }
 
 /// The load `factor`·table(course) over time.
@@ -23,7 +26,9 @@ pub(super) fn load(
     pieces: &[LinearPiece],
     factor: f64,
 ) -> TimeLoad {
+    let plain = breaks.is_empty() && course.is_written();
     TimeLoad::Pieces(Arc::new(CourseLoad {
+        cycle: plain.then(|| Cycle::of(&course)).flatten(),
         course,
         breaks: breaks.clone(),
         pieces: pieces.to_vec(),
@@ -57,14 +62,14 @@ pub(super) fn table(breaks: &Breaks, pieces: &[LinearPiece], factor: f64) -> Opt
 
 impl CourseLoad {
     fn longest(&self, time: f64) -> f64 {
+        let cycle = self.cycle.as_ref();
         let rest = self.course.formulas(time).until - time;
-        rest.min(self.course.turn(time)).min(1e9)
+        let longest = rest.min(self.course.turn(time));
+        let longest = longest.min(self.course.farthest(time));
+        cycle.map_or(longest, |cycle| longest.min(cycle.longest()))
     }
-}
 
-impl ForceSource for CourseLoad {
-    fn piece(&self, time: f64) -> ForcePiece {
-        let longest = self.longest(time);
+    fn fresh(&self, time: f64, longest: f64) -> ForcePiece {
         let nothing = |value: f64| ForcePiece {
             start: time,
             end: f64::INFINITY,
@@ -90,5 +95,36 @@ impl ForceSource for CourseLoad {
             end: fit.end,
             coefficients,
         }
+    }
+}
+
+impl ForceSource for CourseLoad {
+    fn piece(&self, time: f64) -> ForcePiece {
+        let fresh = |time: f64, longest: f64| self.fresh(time, longest);
+        let cycle = self.cycle.as_ref();
+        let Some(place) = cycle.and_then(|cycle| cycle.at(time, fresh)) else {
+            return self.fresh(time, self.longest(time));
+        };
+        let mut piece = ForcePiece {
+            start: place.start.0,
+            end: place.end,
+            ..place.piece
+        };
+        piece.coefficients[0] += self.factor * self.pieces[0].slope * place.gained;
+        piece
+    }
+}
+
+impl Piece for ForcePiece {
+    fn interval(&self) -> (f64, f64) {
+        (self.start, self.end)
+    }
+
+    fn ending(self, end: f64) -> Self {
+        Self { end, ..self }
+    }
+
+    fn is_made(&self) -> bool {
+        self.coefficients[0].is_finite()
     }
 }

@@ -10,6 +10,7 @@
 //! function of time, is refused with the object and the reason.
 
 mod builder;
+mod cycle;
 mod fit;
 mod hidden;
 mod law;

@@ -6,7 +6,8 @@
 //! once, for the motion just after it; polynomials are then fitted to that
 //! formula alone and end where the motion leaves it.
 
-use super::hidden::{self, Between};
+use super::fit::Target;
+use super::hidden;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
@@ -50,6 +51,9 @@ enum Source {
         /// Breaks and joints of the motion over time.
         breaks: Breaks,
         joints: Breaks,
+        /// What counts of an expression that repeats or is bounded: of its displacement
+        /// and of its acceleration.
+        least: [f64; 2],
     },
     /// Σ ratio·φ + offset of several prescribed motions.
     Sum {
@@ -88,9 +92,15 @@ impl PrescribedMotion {
     /// A drive's own motion.
     pub(crate) fn new(motion: &DriveMotion) -> Self {
         let breaks = motion.breaks();
+        let least = match motion {
+            DriveMotion::Written(written) => [Target::Displacement, Target::Acceleration]
+                .map(|target| hidden::least_size(written, target)),
+            _ => [0.0; 2],
+        };
         Self {
             stages: Vec::new(),
             source: Source::Drive {
+                least,
                 motion: motion.clone(),
                 joints: Breaks {
                     points: motion.joints(),
@@ -203,26 +213,52 @@ impl PrescribedMotion {
         found.unwrap_or(f64::INFINITY)
     }
 
-    /// Bounds what the drives may do between samples of an interval. Motions by named
-    /// laws do nothing that they do not show.
-    pub(super) fn between(&self, formulas: &Formulas, time: f64, length: f64) -> Between {
+    /// True where samples of an interval show all that the drives do in it. Motions by
+    /// named laws do nothing that they do not show.
+    pub(super) fn is_shown(
+        &self,
+        formulas: &Formulas,
+        (time, length): (f64, f64),
+        target: Target,
+    ) -> bool {
         match &self.source {
             Source::Sum { terms, .. } => {
-                let each = terms.iter().zip(&formulas.terms);
-                let each = each.map(|((_, term), own)| term.between(own, time, length));
-                each.fold(Between::default(), Between::with)
+                let mut each = terms.iter().zip(&formulas.terms);
+                each.all(|((_, term), own)| term.is_shown(own, (time, length), target))
             }
-            Source::Drive { motion, .. } => match motion {
+            Source::Drive { motion, least, .. } => match motion {
                 DriveMotion::Written(written) => {
-                    hidden::between(written, formulas.piece, time, length)
+                    let least = least[target as usize];
+                    hidden::is_shown(written, formulas.piece, (time, length), target, least)
                 }
                 DriveMotion::Constant { .. }
                 | DriveMotion::Accelerated { .. }
                 | DriveMotion::RunUp { .. }
                 | DriveMotion::Plan(_)
                 | DriveMotion::LawRunUp(_)
-                | DriveMotion::Table(_) => Between::default(),
+                | DriveMotion::Table(_) => true,
             },
+        }
+    }
+
+    /// The size that an expression of the time which repeats or is bounded has everywhere;
+    /// 0 for other motions.
+    pub(super) fn least_size(&self, target: Target) -> f64 {
+        match &self.source {
+            Source::Drive { least, .. } if self.stages.is_empty() => least[target as usize],
+            _ => 0.0,
+        }
+    }
+
+    /// Rounding of an expression of the time that it comes from, or of its acceleration,
+    /// in units of the number that would be rounded so in one operation.
+    pub(super) fn noise(&self, formulas: &Formulas, time: f64, target: Target) -> f64 {
+        match &self.source {
+            Source::Drive {
+                motion: DriveMotion::Written(written),
+                ..
+            } if self.stages.is_empty() => hidden::size_at(written, formulas.piece, time, target),
+            _ => 0.0,
         }
     }
 
@@ -244,6 +280,15 @@ impl PrescribedMotion {
         }
         let now = self.at(&self.formulas(time), 0, time);
         TAU / (now.speed.abs() + (TAU * now.acceleration.abs()).sqrt())
+    }
+
+    /// Longest interval from `time` on that is worth looking at (s). Of an expression, which
+    /// is looked at for what samples do not show, it grows with the time.
+    pub(super) fn farthest(&self, time: f64) -> f64 {
+        match self.is_written() {
+            true => (64.0 * (1.0 + time.abs())).min(1e9),
+            false => 1e9,
+        }
     }
 
     /// The formulas in force just after `time`.

@@ -2,8 +2,9 @@
 
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
+use crate::math::expression::Scalar as _;
 use crate::math::expression::{
-    Expression, Interval, MOST, Moving, OfOne, Program, Repetition, Third,
+    Enclosed, Expression, Interval, MOST, Moving, OfOne, Program, Repetition, Third,
 };
 use crate::math::jet::Jet;
 
@@ -157,8 +158,21 @@ impl WrittenMotion {
         }
     }
 
+    /// Bounds of the first Taylor coefficients between two times of a segment.
+    pub(crate) fn enclosed<const N: usize>(
+        &self,
+        segment: i64,
+        from: f64,
+        to: f64,
+    ) -> [Interval; N] {
+        let (piece, turn) = self.piece(segment);
+        let time = Enclosed::<N>::variable(from, to);
+        let found = self.function.at(time, piece, turn);
+        found.affine(self.factor, 0.0).0
+    }
+
     /// Times at which the formula changes.
-    pub(super) fn breaks(&self) -> &Breaks {
+    pub(crate) fn breaks(&self) -> &Breaks {
         &self.breaks
     }
 }

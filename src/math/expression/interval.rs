@@ -47,12 +47,14 @@ impl Interval {
     }
 
     fn outward(self) -> Self {
-        let size = OUTWARD * self.low.abs().max(self.high.abs()) + f64::MIN_POSITIVE;
-        // (∞ − ∞ is no bound.)
-        let size = if size.is_finite() { size } else { 0.0 };
+        let own = |end: f64| match end.is_finite() {
+            true => OUTWARD * end.abs() + f64::MIN_POSITIVE,
+            // (∞ − ∞ is no bound.)
+            false => 0.0,
+        };
         Self {
-            low: self.low - size,
-            high: self.high + size,
+            low: self.low - own(self.low),
+            high: self.high + own(self.high),
         }
     }
 
@@ -74,6 +76,14 @@ impl Interval {
         }
     }
 
+    /// The greatest absolute value; infinite where there is no bound.
+    pub(crate) fn magnitude(self) -> f64 {
+        match self.is_nothing() {
+            true => f64::INFINITY,
+            false => self.low.abs().max(self.high.abs()),
+        }
+    }
+
     /// What lies in both.
     pub(crate) fn meet(self, other: Self) -> Self {
         if other.is_nothing() {
@@ -85,7 +95,7 @@ impl Interval {
         }
     }
 
-    pub(super) fn scale(self, factor: f64) -> Self {
+    pub(crate) fn scale(self, factor: f64) -> Self {
         let product = |x: f64| match factor {
             0.0 => 0.0,
             _ => x * factor,
@@ -96,7 +106,7 @@ impl Interval {
     pub(super) fn square(self) -> Self {
         let (a, b) = (self.low * self.low, self.high * self.high);
         match self.holds(0.0) {
-            true => Self::between(0.0, a.max(b)),
+            true => Self::between(0.0, a.max(b)).meet(upper_half()),
             false => Self::between(a, b),
         }
     }
@@ -137,9 +147,10 @@ impl Interval {
     }
 
     fn sin(self) -> Self {
+        // The constant is rounded too, by more than a small difference is.
         Self {
-            low: self.low - FRAC_PI_2,
-            high: self.high - FRAC_PI_2,
+            low: self.low - FRAC_PI_2 - OUTWARD,
+            high: self.high - FRAC_PI_2 + OUTWARD,
         }
         .outward()
         .cos()
@@ -241,7 +252,9 @@ impl Interval {
         }
         match exponent % 2.0 == 0.0 {
             false => self.rising(Self::EVERYTHING, f),
-            true if self.holds(0.0) => Self::between(0.0, f(self.low).max(f(self.high))),
+            true if self.holds(0.0) => {
+                Self::between(0.0, f(self.low).max(f(self.high))).meet(upper_half())
+            }
             true => Self::between(f(self.low), f(self.high)),
         }
     }

@@ -115,7 +115,9 @@ fn rates_form_an_interval_and_a_hopeless_spring_is_refused() {
 fn a_long_dwell_hides_no_greater_place() {
     // A spring without preload and ten pieces, most of them at rest at nothing; of one the
     // inertia exceeds the spring by a little near one place, between the samples.
-    let pieces: Vec<[f64; 2]> = (0..10).map(|k| [f64::from(k), f64::from(k) + 1.0]).collect();
+    let pieces: Vec<[f64; 2]> = (0..10)
+        .map(|k| [f64::from(k), f64::from(k) + 1.0])
+        .collect();
     let demand = |piece: usize, phi: f64| match piece {
         7 => {
             let x = phi - 7.0;
