@@ -10,5 +10,6 @@ mod elastic_wanted;
 mod flywheel;
 mod motor;
 mod over_period;
+mod over_time;
 mod reference;
 mod scenes;
