@@ -58,7 +58,15 @@ pub(super) fn over_time(model: &Model, moved: &[bool]) -> Vec<Fault> {
     let timed = |load: &&Load| match load.law {
         LoadLaw::Pieces { track, .. } => model.tracks[track].source == TrackSource::Time,
         LoadLaw::Written(ref written) => written.needs_time(),
-        _ => false,
+        LoadLaw::Constant(_)
+        | LoadLaw::Spring { .. }
+        | LoadLaw::Viscous(_)
+        | LoadLaw::Friction { .. }
+        | LoadLaw::LinearMotor { .. }
+        | LoadLaw::Kloss { .. }
+        | LoadLaw::SpeedTable(_)
+        | LoadLaw::Stop(_)
+        | LoadLaw::Custom { .. } => false,
     };
     let loads = model.loads.iter().filter(|load| moved[load.node]);
     loads
@@ -319,8 +327,15 @@ pub(super) fn freed(
 }
 
 fn needs_speed(law: &LoadLaw) -> bool {
-    !matches!(
-        law,
-        LoadLaw::Constant(_) | LoadLaw::Pieces { .. } | LoadLaw::Spring { .. }
-    )
+    match law {
+        LoadLaw::Constant(_) | LoadLaw::Pieces { .. } | LoadLaw::Spring { .. } => false,
+        LoadLaw::Written(written) => written.needs_speed(),
+        LoadLaw::Custom { function, .. } => function.needs_speed(),
+        LoadLaw::Viscous(_)
+        | LoadLaw::Friction { .. }
+        | LoadLaw::LinearMotor { .. }
+        | LoadLaw::Kloss { .. }
+        | LoadLaw::SpeedTable(_)
+        | LoadLaw::Stop(_) => true,
+    }
 }
