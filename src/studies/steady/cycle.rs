@@ -2,12 +2,13 @@
 
 use crate::dynamics::load::LoadFunction;
 use crate::dynamics::model::{
-    LinearPiece, Load, LoadLaw, LoadVariable, Model, NodeIndex, NodeMotion, TrackSource,
-    WrittenLoad,
+    LinearPiece, LinkageBody, Load, LoadLaw, LoadVariable, Model, NodeIndex, NodeMotion,
+    TrackSource, WrittenLoad,
 };
 use crate::dynamics::steady::MOST_TURNS;
 use crate::exact::{PrescribedMotion, Rhythm};
 use crate::fault::Fault;
+use crate::kinematics::linkage::spec::ForceLaw;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
 use crate::math::expression::Repetition;
@@ -216,6 +217,9 @@ impl Rhythms {
             {
                 rhythms.add(over(course, period.length));
             }
+            if let Some(course) = known(body.node) {
+                rhythms.tables_of(&model.objects[body.object].id, body, course);
+            }
         }
         for load in model.loads.iter().filter(|load| moved[load.node]) {
             rhythms.load(model, load, &known, speed);
@@ -226,6 +230,28 @@ impl Rhythms {
     fn add(&mut self, rhythm: Rhythm) {
         if let Rhythm::Periodic(period, _) = rhythm {
             self.periods.push(period);
+        }
+    }
+
+    /// Forces of a linkage that are tables over its input.
+    fn tables_of(&mut self, id: &str, body: &LinkageBody, course: &PrescribedMotion) {
+        for force in &body.linkage.spec().forces {
+            let (points, period) = match &force.law {
+                ForceLaw::Table { points, period, .. }
+                | ForceLaw::CoupleTable { points, period, .. } => (points, *period),
+                ForceLaw::Strut { .. }
+                | ForceLaw::Torsion { .. }
+                | ForceLaw::Force { .. }
+                | ForceLaw::Couple { .. } => continue,
+            };
+            match period {
+                _ if points.iter().all(|point| point.1 == points[0].1) => {}
+                Some(period) => self.add(over(course, period)),
+                None if grows(course.rhythm()) => {
+                    self.never(&format!("{id}.forces.{}", force.name), LEFT_BEHIND);
+                }
+                None => {}
+            }
         }
     }
 
