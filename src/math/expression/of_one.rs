@@ -81,6 +81,17 @@ impl Repetition {
         Self::where_each(&program.value, variables)
     }
 
+    /// True where a piece of a program of what runs on evenly ends at one place and never
+    /// again: `x < 2 ? 3*x : 6`.
+    pub(crate) fn ends_a_piece_once(program: &Program) -> bool {
+        let even = |_: usize| Some(Self::Line(1.0));
+        program.guards.iter().any(|guard| {
+            let own = Self::where_each(&guard.code, &even);
+            matches!(guard.kind, GuardKind::Sign { .. })
+                && matches!(own, Some(Self::Line(slope)) if slope != 0.0)
+        })
+    }
+
     fn rhythm(self) -> Rhythm {
         match self {
             Self::Line(drift) => Rhythm {
