@@ -119,3 +119,47 @@ fn what_does_not_repeat_with_the_angle_is_refused() {
         assert!(wanted && found.len() == 1, "{load}: {found:?}");
     }
 }
+
+/// A rotor with a motor of some torque and a load through a gear.
+fn geared(torque: &str, ratio: f64, load: &str) -> String {
+    format!(
+        r#"{{ "dam": 1, "name": "rotor", "objects": {{
+            "d": {{ "kind": "drive", "motor": {{ "inertia": 0.5, "speed": "20 rad/s",
+                    "torque": {torque} }} }},
+            "p": {{ "kind": "crank", "input": "d", "masses": 0, "inertia": 0.1,
+                    "position": {{ "ratio": {ratio} }}, "loads": {{ "h": {load} }} }} }},
+          "run": {{ "duration": 1 }} }}"#
+    )
+}
+
+#[test]
+fn moments_that_cancel_but_for_rounding_are_a_steady_motion() {
+    // 60·(1 − ω/40) = 0.3·ω.
+    let motor = r#"{ "linear": { "stall_torque": 60, "no_load_speed": 40 } }"#;
+    let (system, settings, spec) = of_text(&geared(motor, 1.0, r#"{ "viscous": 0.3 }"#), &[]);
+    let Answer::Rigid(found) = steady_motion(&system, &settings, &spec).unwrap() else {
+        panic!("it is rigid");
+    };
+    assert_eq!(found.forces, Forces::Speed);
+    assert!(found.is_trusted(), "{:?}", found.agreement);
+    approx::assert_relative_eq!(found.figures.means.time, 100.0 / 3.0, max_relative = 1e-10);
+    assert!(found.figures.fluctuation < 1e-10);
+    // 2.1 and 0.7 times 3 differ in their last digit.
+    let gears = |load: &str| {
+        geared(
+            r#"{ "constant": 2.1 }"#,
+            0.7,
+            &format!(r#"{{ "constant": {load} }}"#),
+        )
+    };
+    let found = answer(&gears("-3"), 20.0, false);
+    assert!(
+        found.is_trusted() && found.figures.balance.is_none(),
+        "{:?}",
+        found.agreement
+    );
+    assert!(found.figures.fluctuation < 1e-12);
+    // What is small and no rounding stays work left over.
+    let found = faults(&gears("-3.0000000001"), |spec| spec.mean_speed = Some(20.0));
+    assert!(found[0].message.contains("loses speed"), "{found:?}");
+}
