@@ -107,6 +107,36 @@ fn an_elastic_scene_answers_with_its_multipliers() {
 }
 
 #[test]
+fn functions_of_half_the_angle_make_a_cycle_of_two_turns() {
+    let of = |inertia: &str, moment: &str, rest: &[&str]| {
+        let own = ["--inertia", inertia, "--moment", moment, "--json"];
+        document(&[&own[..], &["--mean-speed", "300 rpm"], rest].concat())
+    };
+    let turn = std::f64::consts::TAU;
+    for (inertia, moment) in [("1.5", "12*cos(phi/2)"), ("1.5+0.5*cos(phi/2)", "0")] {
+        let found = of(inertia, moment, &[]);
+        let found = &found["rigid_motion"];
+        near(&found["cycle"], 2.0 * turn);
+        let asked = of(inertia, moment, &["--cycle", "720 deg"]);
+        let asked = &asked["rigid_motion"]["figures"];
+        near(
+            &found["figures"]["fluctuation"],
+            asked["fluctuation"].as_f64().unwrap(),
+        );
+    }
+    // Without forces J·ω² stays: (ω_max/ω_min)² = 2/1.
+    let found = &of("1.5+0.5*cos(phi/2)", "0", &[])["rigid_motion"]["figures"];
+    let [least, greatest] = ["least_speed", "greatest_speed"].map(|name| &found[name]["value"]);
+    let least = least.as_f64().unwrap();
+    near(greatest, least * 2.0f64.sqrt());
+    for (inertia, moment) in [("1.5", "cos(sqrt(2)*phi)"), ("1.5+0.01*phi", "0")] {
+        let rest = ["--mean-speed", "300 rpm", "--balance"];
+        let asked = ["--inertia", inertia, "--moment", moment];
+        refused(&[&asked[..], &rest[..]].concat(), "does not repeat");
+    }
+}
+
+#[test]
 fn what_cannot_be_answered_ends_with_status_2_and_the_reason() {
     let engine = "scenarios/steady/engine.json";
     refused(&[engine, "--set", "steady.balance=false"], "gains speed");

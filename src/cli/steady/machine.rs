@@ -6,7 +6,9 @@ use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
 use crate::cli::status::Status;
 use crate::dynamics::steady::flywheel::{Flywheel, size_of_table};
-use crate::dynamics::steady::{Formula, Given, Profile, Question, Refusal, TableFigures};
+use crate::dynamics::steady::{
+    Formula, Given, Profile, Question, Refusal, TableFigures, least_cycle,
+};
 use crate::frontend::scene::SteadySpec;
 use crate::report::steady::Shown;
 use crate::studies::steady::{ROWS, by_energy, csv, rigid_checks};
@@ -132,7 +134,15 @@ fn formulas(
     };
     let title = format!("J = {}, {symbol} = {}", inertia.text(), other.text());
     let mut at = |_: usize, position: f64| [inertia.at(position), other.at(position)];
+    // What is wrong within the cycle asked for is said first.
     let answer = Profile::new(spec.cycle, &[], given, &mut at)
+        .and_then(|profile| {
+            let cycle = least_cycle(spec.cycle, &inertia, (given, &other))?;
+            match cycle == spec.cycle {
+                true => Ok(profile),
+                false => Profile::new(cycle, &[], given, &mut at),
+            }
+        })
         .and_then(|profile| by_energy(&profile, question, spec.fluctuation))
         .map_err(|refusal| refused(&refusal))?
         .judged();
@@ -141,7 +151,7 @@ fn formulas(
     let document = machine_document(&title, &answer, &answer.checks());
     let motion = Shown {
         title: &title,
-        cycle: spec.cycle,
+        cycle: answer.cycle,
         figures: &answer.figures,
         rows: &rows,
         regime: None,

@@ -25,6 +25,8 @@ pub struct Load {
     pub moment: f64,
     /// ∂M/∂ω.
     pub moment_by_speed: f64,
+    /// Sum of the magnitudes of the single moments (N·m); 0 where it is not known.
+    pub gross_moment: f64,
 }
 
 /// A machine whose moment depends on position and speed.
@@ -240,7 +242,8 @@ impl Machine<'_> {
             let load = (self.at)(piece, position, speed);
             [load.inertia, load.moment]
         };
-        Profile::new(self.cycle, &self.breaks, Given::Moment, &mut at)
+        let profile = Profile::new(self.cycle, &self.breaks, Given::Moment, &mut at)?;
+        Ok(profile.with_rounding(RETURNED * regime.energy))
     }
 
     /// The motion of a regime by the energy-mass method: its own moments as
@@ -255,5 +258,8 @@ impl Machine<'_> {
 
 /// Kinks met in a stretch at most.
 const MOST_CROSSINGS: u32 = 16;
+/// Share of T by which the work of a regime's own moments may differ from zero: the map has
+/// come back to its speed already.
+const RETURNED: f64 = 1e-11;
 /// Stretches in a cycle.
 const STRETCHES: f64 = 64.0;

@@ -1,7 +1,7 @@
 //! Expressions of the position.
 
 use super::refusal::Refusal;
-use crate::math::expression::Expression;
+use crate::math::expression::{Expression, Repetition};
 
 /// A function of φ written as an [`Expression`]: `1.5 + 0.2*cos(phi)`.
 ///
@@ -29,6 +29,16 @@ impl Formula {
     /// The value at φ (rad); NaN where there is none.
     pub fn at(&self, position: f64) -> f64 {
         self.0.at(&[position, position])
+    }
+
+    /// How it repeats, where its operations prove it.
+    pub(super) fn repetition(&self) -> Option<Repetition> {
+        Repetition::through(self.0.program(), &|_| Some(Repetition::Line(1.0)))
+    }
+
+    /// True where it is written in pieces of one cycle: `phi < pi ? sin(phi) : 0`.
+    pub(super) fn is_in_pieces(&self) -> bool {
+        Repetition::ends_a_piece_once(self.0.program())
     }
 
     /// As it was written.

@@ -55,15 +55,16 @@ impl Question {
         }
     }
 
-    /// The constant moment to add (N·m), or the refusal of an open balance.
+    /// The constant moment to add (N·m), or the refusal of an open balance; work up to
+    /// `rounding` (J) is none, whatever its range.
     pub(super) fn balance(
         &self,
         surplus: f64,
-        range: f64,
+        [range, rounding]: [f64; 2],
         cycle: f64,
     ) -> Result<Option<f64>, Refusal> {
         let moment = -surplus / cycle;
-        if surplus.abs() <= self.surplus * range {
+        if surplus.abs() <= (self.surplus * range).max(rounding) {
             return Ok(None);
         }
         match self.balance {

@@ -35,6 +35,7 @@ mod motion;
 mod panel;
 mod profile;
 mod refusal;
+mod repeat;
 mod samples;
 mod table;
 mod table_motion;
@@ -46,6 +47,7 @@ pub use motion::{Check, Row, SteadyMotion, steady};
 pub use panel::Point;
 pub use profile::{Extreme, MOST_TURNS, Profile};
 pub use refusal::{Field, Refusal};
+pub use repeat::least_cycle;
 pub use table::Table;
 pub use table_motion::{Halving, TableFigures, TableMotion};
 

@@ -55,7 +55,7 @@ pub struct Check {
 pub fn steady(profile: &Profile, question: &Question) -> Result<SteadyMotion, Refusal> {
     question.check()?;
     let (surplus, range) = (profile.surplus(), profile.range());
-    let balance = question.balance(surplus, range, profile.cycle())?;
+    let balance = question.balance(surplus, [range, profile.rounding()], profile.cycle())?;
     let profile = match balance {
         Some(moment) => profile.with_moment(moment)?,
         None => profile.clone(),

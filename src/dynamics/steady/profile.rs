@@ -18,6 +18,8 @@ pub struct Profile {
     panels: Vec<Panel>,
     /// A(Φ).
     surplus: f64,
+    /// |A(Φ)| up to this is rounding (J).
+    rounding: f64,
     /// A at φ = 0, counted from the least.
     start: f64,
     least_work: Extreme,
@@ -81,6 +83,7 @@ impl Profile {
             cycle,
             panels,
             surplus,
+            rounding: 0.0,
             start: 0.0,
             least_work: NOWHERE,
             greatest_work: NOWHERE,
@@ -172,6 +175,15 @@ impl Profile {
         }
     }
 
+    /// The profile where work left over in a cycle is rounding up to `work` (J).
+    #[must_use]
+    pub fn with_rounding(self, work: f64) -> Self {
+        Self {
+            rounding: work,
+            ..self
+        }
+    }
+
     /// The profile with a constant moment added.
     ///
     /// # Errors
@@ -191,7 +203,8 @@ impl Profile {
     fn changed(&self, change: impl Fn(&mut Panel)) -> Result<Self, Refusal> {
         let mut panels = self.panels.clone();
         panels.iter_mut().for_each(change);
-        Self::of(self.cycle, panels)
+        let changed = Self::of(self.cycle, panels)?;
+        Ok(changed.with_rounding(self.rounding))
     }
 
     /// Φ (rad).
@@ -202,6 +215,11 @@ impl Profile {
     /// A(Φ): the work of all forces in a cycle (J).
     pub fn surplus(&self) -> f64 {
         self.surplus
+    }
+
+    /// |A(Φ)| up to this is rounding (J).
+    pub(super) fn rounding(&self) -> f64 {
+        self.rounding
     }
 
     /// The least work since φ = 0 (J), and where.

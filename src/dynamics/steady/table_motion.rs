@@ -67,7 +67,7 @@ impl Table {
 
     fn solve(&self, question: &Question) -> Result<TableMotion, Refusal> {
         question.check()?;
-        let balance = question.balance(self.surplus, self.range(), self.cycle)?;
+        let balance = question.balance(self.surplus, [self.range(), 0.0], self.cycle)?;
         let table = self.with(balance.unwrap_or(0.0), 0.0);
         // Near stalling the figures amplify what the mean is off, and another mean of
         // samples costs next to nothing.

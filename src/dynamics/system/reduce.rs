@@ -1,7 +1,8 @@
 //! A machine with rigid objects seen from its rotor: one moment of inertia and
 //! one moment.
 
-use super::passes::Extent;
+use super::frozen::Frozen;
+use super::passes::{Extent, Work};
 use super::{Scratch, System};
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::TrackSource;
@@ -19,6 +20,8 @@ pub struct Reduced {
     pub moment: f64,
     /// ∂M/∂φ̇.
     pub moment_by_speed: f64,
+    /// Sum of the magnitudes of the single moments (N·m): what M rounds by.
+    pub gross_moment: f64,
 }
 
 impl System {
@@ -59,11 +62,12 @@ impl System {
             self.frozen
                 .motion(still, state, &modes.0, Extent::Full, work);
             self.frozen.apply_loads(still, &modes.0, Extent::Full, work);
+            let gross = self.frozen.gross_moment(work);
             self.frozen.reduce_rigid(Extent::Full, work);
-            (work.mass[node], work.force[node])
+            (work.mass[node], work.force[node], gross)
         };
-        let (inertia, force) = along(coordinate);
-        let (_, by_speed) = along(self.frozen.coordinates + coordinate);
+        let (inertia, force, gross) = along(coordinate);
+        let (_, by_speed, _) = along(self.frozen.coordinates + coordinate);
         let slope = inertia.derivative;
         Reduced {
             inertia: inertia.value,
@@ -71,6 +75,7 @@ impl System {
             // The passes take the inertia's own moment off the force.
             moment: force.value + 0.5 * slope * speed * speed,
             moment_by_speed: by_speed.derivative + slope * speed,
+            gross_moment: gross,
         }
     }
 
@@ -113,3 +118,18 @@ impl System {
 
 /// Break points of a cycle at most.
 const MOST_BREAKS: usize = 100_000;
+
+impl Frozen {
+    /// Sum of the magnitudes of the moments of the loads that were just applied, each at the
+    /// coordinate along which the motion was differentiated.
+    fn gross_moment(&self, work: &Work<Dual>) -> f64 {
+        let at = |node: usize, force: f64| (force * work.displacement[node].derivative).abs();
+        let loads = self.loads.iter().zip(&work.loads);
+        let loads: f64 = loads.map(|(load, force)| at(load.node, force.value)).sum();
+        let constant = self.constant_force.iter().enumerate();
+        let constant: f64 = constant.map(|(node, &force)| at(node, force)).sum();
+        let bodies = self.linkages.iter().map(|body| body.node);
+        let bodies: f64 = bodies.map(|node| at(node, work.force[node].value)).sum();
+        loads + constant + bodies
+    }
+}

@@ -56,7 +56,13 @@ impl Repetition {
     /// What follows from the operations of a function of variable 0; `None`: it does not
     /// repeat, or that it does cannot be proved from them.
     fn of(code: &Code) -> Option<Self> {
-        let own = rhythm(code)?;
+        Self::where_each(code, &|_| Some(Self::Line(1.0)))
+    }
+
+    /// The same of several variables that all follow one, each in its own way; `None`: one of
+    /// them does not repeat.
+    fn where_each(code: &Code, each: &dyn Fn(usize) -> Option<Self>) -> Option<Self> {
+        let own = rhythm(code, &|variable| each(variable).map(Self::rhythm))?;
         Some(match own.period {
             None => Self::Line(own.drift),
             Some(period) => Self::Cycles {
@@ -64,6 +70,39 @@ impl Repetition {
                 advance: own.drift * period,
             },
         })
+    }
+
+    /// How the value of a program repeats while its variables do; `None`: it does not, or its
+    /// operations do not prove that it does.
+    pub(crate) fn through(
+        program: &Program,
+        variables: &dyn Fn(usize) -> Option<Self>,
+    ) -> Option<Self> {
+        Self::where_each(&program.value, variables)
+    }
+
+    /// True where a piece of a program of what runs on evenly ends at one place and never
+    /// again: `x < 2 ? 3*x : 6`.
+    pub(crate) fn ends_a_piece_once(program: &Program) -> bool {
+        let even = |_: usize| Some(Self::Line(1.0));
+        program.guards.iter().any(|guard| {
+            let own = Self::where_each(&guard.code, &even);
+            matches!(guard.kind, GuardKind::Sign { .. })
+                && matches!(own, Some(Self::Line(slope)) if slope != 0.0)
+        })
+    }
+
+    fn rhythm(self) -> Rhythm {
+        match self {
+            Self::Line(drift) => Rhythm {
+                period: None,
+                drift,
+            },
+            Self::Cycles { period, advance } => Rhythm {
+                period: Some(period),
+                drift: advance / period,
+            },
+        }
     }
 }
 
@@ -232,11 +271,19 @@ struct Rhythm {
     drift: f64,
 }
 
+impl Rhythm {
+    /// Of the variable itself.
+    const ITSELF: Self = Self {
+        period: None,
+        drift: 1.0,
+    };
+}
+
 /// The least period of several guards; `None`: they do not repeat.
 fn common(guards: &[Guard]) -> Option<f64> {
     let mut all = None;
     for guard in guards {
-        let own = rhythm(&guard.code)?;
+        let own = rhythm(&guard.code, &|_| Some(Rhythm::ITSELF))?;
         let period = match (guard.kind, own.period) {
             (GuardKind::Sign { .. }, period) if own.drift == 0.0 => period,
             (GuardKind::Sign { .. }, _) => return None,
@@ -252,6 +299,11 @@ fn common(guards: &[Guard]) -> Option<f64> {
 
 fn is_whole(x: f64) -> bool {
     (x - x.round()).abs() <= 1e-12 * x.abs().max(1.0)
+}
+
+/// The least whole number by which a number becomes whole.
+fn whole_after(x: f64) -> Option<f64> {
+    Fraction::of(x).map(|fraction| fraction.denominator as f64)
 }
 
 /// The least period of both; `None`: there is none.
@@ -274,8 +326,8 @@ fn number(code: &Code, register: Register) -> Option<f64> {
     }
 }
 
-/// How the result of operations on variable 0 repeats; `None`: it does not.
-fn rhythm(code: &Code) -> Option<Rhythm> {
+/// How the result of operations repeats while the variables do; `None`: it does not.
+fn rhythm(code: &Code, variables: &dyn Fn(usize) -> Option<Rhythm>) -> Option<Rhythm> {
     let mut all: Vec<Rhythm> = Vec::new();
     for op in code.ops() {
         let at = |register: Register| all[usize::from(register)];
@@ -287,10 +339,7 @@ fn rhythm(code: &Code) -> Option<Rhythm> {
         let plain = Rhythm { period, drift: 0.0 };
         let found = match *op {
             Op::Number(_) => plain,
-            Op::Variable(_) => Rhythm {
-                period: None,
-                drift: 1.0,
-            },
+            Op::Variable(own) => variables(usize::from(own))?,
             Op::Affine { x, factor, .. } => Rhythm {
                 period,
                 drift: factor * at(x).drift,
@@ -329,7 +378,11 @@ fn rhythm(code: &Code) -> Option<Rhythm> {
                         drift: 0.0,
                     },
                     Some(own) if is_whole(own * at(x).drift / TAU) => plain,
-                    Some(_) => return None,
+                    // Some whole turns later it is a whole number of them.
+                    Some(own) => Rhythm {
+                        period: Some(own * whole_after((own * at(x).drift / TAU).abs())?),
+                        drift: 0.0,
+                    },
                 }
             }
             Op::Whole { x, .. } if at(x).drift != 0.0 => match at(x).period {
@@ -392,6 +445,54 @@ mod tests {
             }
             assert_eq!(found.points.len(), count, "{text}: {:?}", found.points);
         }
+    }
+
+    #[test]
+    fn a_value_of_several_variables_repeats_as_they_do_together() {
+        use super::Repetition::{self, Cycles, Line};
+        // Per unit of what all follow: t runs on, x swings, y does both.
+        let variables = |index: usize| {
+            Some(match index {
+                0 => Line(0.5),
+                1 => Cycles {
+                    period: TAU,
+                    advance: 0.0,
+                },
+                _ => Cycles {
+                    period: PI,
+                    advance: PI,
+                },
+            })
+        };
+        let of = |text: &str| {
+            let expression = Expression::new(text, &["t", "x", "y"]).unwrap();
+            Repetition::through(expression.program(), &variables)
+        };
+        for (text, wanted) in [
+            ("sin(t)", Some(2.0)),
+            ("sin(t + x)", Some(2.0)),
+            ("sin(2*t)*x", Some(1.0)),
+            ("x^2", Some(1.0)),
+            ("sin(y)", Some(1.0)),
+            ("sin(2*t - y)", Some(0.5)),
+            ("y - 2*t", Some(0.5)),
+            ("sin(sqrt(2)*t) + x", None),
+            ("exp(-t)", None),
+            ("t*x", None),
+        ] {
+            match (of(text), wanted) {
+                (Some(Cycles { period, advance }), Some(turns)) => {
+                    approx::assert_relative_eq!(period, turns * TAU, max_relative = 1e-13);
+                    approx::assert_abs_diff_eq!(advance, 0.0, epsilon = 1e-13);
+                }
+                (found, wanted) => {
+                    assert!(found.is_none() && wanted.is_none(), "{text}: {found:?}")
+                }
+            }
+        }
+        let unknown = |index: usize| (index == 0).then_some(Line(1.0));
+        let expression = Expression::new("sin(t) + x", &["t", "x"]).unwrap();
+        assert_eq!(Repetition::through(expression.program(), &unknown), None);
     }
 
     #[test]

@@ -1,13 +1,17 @@
 //! After which angle of its drives a machine repeats: its ratios tell.
 
+use crate::dynamics::load::LoadFunction;
 use crate::dynamics::model::{
-    Load, LoadLaw, Model, NodeIndex, NodeMotion, TrackSource, WrittenLoad,
+    LinearPiece, LinkageBody, Load, LoadLaw, LoadVariable, Model, NodeIndex, NodeMotion,
+    TrackSource, WrittenLoad,
 };
 use crate::dynamics::steady::MOST_TURNS;
 use crate::exact::{PrescribedMotion, Rhythm};
 use crate::fault::Fault;
+use crate::kinematics::linkage::spec::ForceLaw;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
+use crate::math::expression::Repetition;
 use crate::math::fraction::Fraction;
 use std::f64::consts::TAU;
 
@@ -62,43 +66,124 @@ fn over(course: &PrescribedMotion, period: f64) -> Rhythm {
     course.through(&wave, 1.0).rhythm()
 }
 
-/// True when a displacement goes on and on.
-/// Least number of turns of a node after which an expression repeats, tried at places
-/// spread over its variables; `None`: none up to [`MOST_REPEATED`].
-fn turns_of(written: &WrittenLoad, node: NodeIndex) -> Option<f64> {
-    let at = |place: usize, shift: f64| {
-        // Shares without a common period.
-        let share = |root: f64| (0.37 + place as f64 * root.sqrt()).fract();
-        written.force(10.0 * share(2.0), |other| {
-            let own = if other == node { shift } else { 0.0 };
-            let root = 3.0 + other as f64;
-            (
-                TAU * (6.0 * share(root) - 3.0) + own,
-                4.0 * share(root + 0.5) - 2.0,
-            )
-        })
-    };
+/// Places at which a force is tried.
+const PLACES: usize = 40;
+
+/// Most turns after which a force may repeat.
+const MOST_REPEATED: u32 = 12;
+
+/// Shares without a common period.
+fn share(place: usize, root: f64) -> f64 {
+    (0.37 + place as f64 * root.sqrt()).fract()
+}
+
+/// Least number of turns after which a force repeats, tried at [`PLACES`] with and without a
+/// shift; `None`: none up to [`MOST_REPEATED`].
+fn least_turns(size: f64, at: impl Fn(usize, f64) -> f64) -> Option<f64> {
     let repeats = |turns: &f64| {
         (0..PLACES).all(|place| {
             let (one, other) = (at(place, 0.0), at(place, TAU * turns));
-            (one - other).abs() <= 1e-9 * (one.abs() + other.abs() + written.factor.abs())
+            (one - other).abs() <= 1e-9 * (one.abs() + other.abs() + size)
         })
     };
     (1..=MOST_REPEATED).map(f64::from).find(repeats)
 }
 
-/// Places at which an expression is tried.
-const PLACES: usize = 40;
+/// Least number of turns of a node after which an expression repeats.
+fn turns_of(written: &WrittenLoad, node: NodeIndex) -> Option<f64> {
+    least_turns(written.factor.abs(), |place, shift| {
+        written.force(10.0 * share(place, 2.0), |other| {
+            let own = if other == node { shift } else { 0.0 };
+            let root = 3.0 + other as f64;
+            (
+                TAU * (6.0 * share(place, root) - 3.0) + own,
+                4.0 * share(place, root + 0.5) - 2.0,
+            )
+        })
+    })
+}
 
-/// Most turns after which an expression may repeat.
-const MOST_REPEATED: u32 = 12;
+/// The same of any other function.
+fn turns_of_function(function: &dyn LoadFunction) -> Option<f64> {
+    least_turns(function.magnitude(), |place, shift| {
+        let displacement = TAU * (6.0 * share(place, 3.0) - 3.0) + shift;
+        let speed = 4.0 * share(place, 3.5) - 2.0;
+        function.force(displacement, speed).value
+    })
+}
 
+/// True when a displacement goes on and on.
 fn grows(rhythm: Rhythm) -> bool {
     match rhythm {
         Rhythm::Uniform(advance) | Rhythm::Periodic(_, advance) => advance != 0.0,
         Rhythm::None => false,
     }
 }
+
+/// True of a table that is the same everywhere.
+fn is_constant(pieces: &[LinearPiece]) -> bool {
+    let same = |piece: &LinearPiece| piece.slope == 0.0 && piece.value == pieces[0].value;
+    pieces.iter().all(same)
+}
+
+/// How a course over the angle repeats; `None`: it does not.
+fn repetition(rhythm: Rhythm) -> Option<Repetition> {
+    match rhythm {
+        Rhythm::Uniform(slope) => Some(Repetition::Line(slope)),
+        Rhythm::Periodic(period, advance) => Some(Repetition::Cycles { period, advance }),
+        Rhythm::None => None,
+    }
+}
+
+/// The same of its speed.
+fn repetition_of_speed(rhythm: Rhythm) -> Option<Repetition> {
+    match rhythm {
+        Rhythm::Uniform(_) => repetition(Rhythm::Uniform(0.0)),
+        Rhythm::Periodic(period, _) => repetition(Rhythm::Periodic(period, 0.0)),
+        Rhythm::None => None,
+    }
+}
+
+/// Why there is no cycle: ratios and loads have no common period.
+pub(super) fn no_cycle() -> Vec<Fault> {
+    let message = format!(
+        "the ratios and loads of the scene do not repeat together after any angle of the drive \
+         up to {MOST_TURNS} turns: there is no periodic motion"
+    );
+    let hint = "ratios of whole numbers of teeth, \"ratio\": 0.4878048780487805 for 20/41, and \
+                loads over time whose frequency is to that of the drive as small whole numbers; \
+                `dam run` follows the scene as it is";
+    vec![Fault::new("steady.cycle", message, hint)]
+}
+
+/// Why something never repeats, and what does.
+const LEFT_BEHIND: (&str, &str) = (
+    "a table that does not repeat, over a displacement that grows with every turn: the machine \
+     leaves it behind",
+    "a `period`",
+);
+const NO_WHOLE_TURNS: (&str, &str) = (
+    "an expression that does not repeat with whole turns, over a displacement that grows with \
+     every turn",
+    "sin(phi), or phi % (2*pi)",
+);
+const WOUND_UP: (&str, &str) = (
+    "a spring on what turns on and on is wound up with every turn",
+    "a spring on what swings",
+);
+const STOPPED: (&str, &str) = (
+    "a stop on what turns on and on is left behind, or ends its motion",
+    "a stop on what swings",
+);
+const TABLE_OVER_TIME: (&str, &str) = (
+    "a table over time does not repeat: there is no periodic motion",
+    "`harmonic`, or a table over the driver's position with a `period`; `dam run` follows the \
+     scene as it is",
+);
+const OVER_TIME: (&str, &str) = (
+    "an expression over time that does not repeat: there is no periodic motion",
+    "what repeats with time: 20*sin(2*pi*5*t), or t % 0.2; `dam run` follows the scene as it is",
+);
 
 impl Rhythms {
     /// Rhythms of everything behind a drive that turns as it likes, `moved` by node.
@@ -132,6 +217,9 @@ impl Rhythms {
             {
                 rhythms.add(over(course, period.length));
             }
+            if let Some(course) = known(body.node) {
+                rhythms.tables_of(&model.objects[body.object].id, body, course);
+            }
         }
         for load in model.loads.iter().filter(|load| moved[load.node]) {
             rhythms.load(model, load, &known, speed);
@@ -145,6 +233,28 @@ impl Rhythms {
         }
     }
 
+    /// Forces of a linkage that are tables over its input.
+    fn tables_of(&mut self, id: &str, body: &LinkageBody, course: &PrescribedMotion) {
+        for force in &body.linkage.spec().forces {
+            let (points, period) = match &force.law {
+                ForceLaw::Table { points, period, .. }
+                | ForceLaw::CoupleTable { points, period, .. } => (points, *period),
+                ForceLaw::Strut { .. }
+                | ForceLaw::Torsion { .. }
+                | ForceLaw::Force { .. }
+                | ForceLaw::Couple { .. } => continue,
+            };
+            match period {
+                _ if points.iter().all(|point| point.1 == points[0].1) => {}
+                Some(period) => self.add(over(course, period)),
+                None if grows(course.rhythm()) => {
+                    self.never(&format!("{id}.forces.{}", force.name), LEFT_BEHIND);
+                }
+                None => {}
+            }
+        }
+    }
+
     fn load<'c>(
         &mut self,
         model: &Model,
@@ -152,54 +262,101 @@ impl Rhythms {
         known: &dyn Fn(NodeIndex) -> Option<&'c PrescribedMotion>,
         speed: Option<f64>,
     ) {
-        let never = |what: &str, hint: &str| Fault::new(&load.name, what, hint);
+        let growing = |node: NodeIndex| known(node).filter(|course| grows(course.rhythm()));
         match &load.law {
-            LoadLaw::Pieces { track, .. } => {
+            LoadLaw::Pieces { track, pieces } => {
                 let track = &model.tracks[*track];
                 match (track.source, track.breaks.period) {
+                    _ if is_constant(pieces) => {}
                     (TrackSource::Time, Some(period)) => {
                         self.periods.extend(speed.map(|speed| period * speed));
                     }
+                    // (Where a motor decides the speed, loads over time are refused anyway.)
+                    (TrackSource::Time, None) if speed.is_some() => {
+                        self.never(&load.name, TABLE_OVER_TIME);
+                    }
+                    (TrackSource::Time, None) => {}
                     (TrackSource::Node(node), Some(period)) => {
                         if let Some(course) = known(node) {
                             self.add(over(course, period));
                         }
                     }
-                    (TrackSource::Node(node), None) => {
-                        if known(node).is_some_and(|course| grows(course.rhythm())) {
-                            let what = "a table that does not repeat, over a displacement that \
-                                        grows with every turn: the machine leaves it behind";
-                            self.growing.push(never(what, "a `period`"));
-                        }
+                    (TrackSource::Node(node), None) if growing(node).is_some() => {
+                        self.never(&load.name, LEFT_BEHIND);
                     }
-                    (TrackSource::Time, None) => {}
+                    (TrackSource::Node(_), None) => {}
+                }
+            }
+            LoadLaw::Written(written) if written.needs_time() => {
+                if let Some(speed) = speed {
+                    self.over_time(&load.name, written, known, speed);
                 }
             }
             LoadLaw::Written(written) => {
                 for node in written.nodes() {
-                    let Some(course) = known(node).filter(|course| grows(course.rhythm())) else {
-                        continue;
-                    };
-                    match turns_of(written, node) {
-                        Some(turns) => self.add(over(course, TAU * turns)),
-                        None => {
-                            let what = "an expression that does not repeat with whole turns, over \
-                                        a displacement that grows with every turn";
-                            let hint = "sin(phi), or phi % (2*pi)";
-                            self.growing.push(never(what, hint));
-                        }
+                    if let Some(course) = growing(node) {
+                        self.turns(&load.name, course, turns_of(written, node));
                     }
                 }
             }
-            LoadLaw::Spring { rate, .. }
-                if *rate != 0.0
-                    && known(load.node).is_some_and(|course| grows(course.rhythm())) =>
-            {
-                let what = "a spring on what turns on and on is wound up with every turn";
-                self.growing.push(never(what, "a spring on what swings"));
+            LoadLaw::Custom { function, .. } => {
+                if let Some(course) = growing(load.node) {
+                    self.turns(&load.name, course, turns_of_function(function.as_ref()));
+                }
             }
-            _ => {}
+            LoadLaw::Spring { rate, .. } if *rate != 0.0 && growing(load.node).is_some() => {
+                self.never(&load.name, WOUND_UP);
+            }
+            LoadLaw::Stop(_) if growing(load.node).is_some() => {
+                self.never(&load.name, STOPPED);
+            }
+            // What depends on nothing, on a speed, or on a displacement that comes back.
+            LoadLaw::Constant(_)
+            | LoadLaw::Spring { .. }
+            | LoadLaw::Stop(_)
+            | LoadLaw::Viscous(_)
+            | LoadLaw::Friction { .. }
+            | LoadLaw::LinearMotor { .. }
+            | LoadLaw::Kloss { .. }
+            | LoadLaw::SpeedTable(_) => {}
         }
+    }
+
+    /// A load by an expression that reads the time, beside displacements maybe.
+    fn over_time<'c>(
+        &mut self,
+        name: &str,
+        written: &WrittenLoad,
+        known: &dyn Fn(NodeIndex) -> Option<&'c PrescribedMotion>,
+        speed: f64,
+    ) {
+        // What is not known is deviations, and those come and go with what causes them.
+        let of = |node: NodeIndex| known(node).map_or(Rhythm::Uniform(0.0), |one| one.rhythm());
+        let variable = |index: usize| match written.variables[index] {
+            LoadVariable::Time => Some(Repetition::Line(1.0 / speed)),
+            LoadVariable::Displacement(node) => repetition(of(node)),
+            LoadVariable::Speed(node) => repetition_of_speed(of(node)),
+        };
+        match Repetition::through(written.expression.program(), &variable) {
+            Some(Repetition::Line(0.0)) => {}
+            Some(Repetition::Cycles {
+                period,
+                advance: 0.0,
+            }) => self.periods.push(period),
+            Some(_) | None => self.never(name, OVER_TIME),
+        }
+    }
+
+    /// A force over whole turns of what goes on and on; `None`: it repeats after none.
+    fn turns(&mut self, name: &str, course: &PrescribedMotion, turns: Option<f64>) {
+        match turns {
+            Some(turns) => self.add(over(course, TAU * turns)),
+            None => self.never(name, NO_WHOLE_TURNS),
+        }
+    }
+
+    fn never(&mut self, name: &str, (what, hint): (&str, &str)) {
+        self.growing.push(Fault::new(name, what, hint));
     }
 
     /// The least angle after which a machine behind a motor repeats (rad): that of

@@ -36,6 +36,9 @@ pub struct Machine {
     memory: RefCell<(Scratch, Vec<f64>)>,
 }
 
+/// Share of the work of the single moments that is rounding of their sum.
+const ROUNDING: f64 = 1e-13;
+
 /// Less inertia than this is none (kg·m²).
 const NONE: f64 = 1e-290;
 
@@ -58,7 +61,15 @@ pub(super) fn over_time(model: &Model, moved: &[bool]) -> Vec<Fault> {
     let timed = |load: &&Load| match load.law {
         LoadLaw::Pieces { track, .. } => model.tracks[track].source == TrackSource::Time,
         LoadLaw::Written(ref written) => written.needs_time(),
-        _ => false,
+        LoadLaw::Constant(_)
+        | LoadLaw::Spring { .. }
+        | LoadLaw::Viscous(_)
+        | LoadLaw::Friction { .. }
+        | LoadLaw::LinearMotor { .. }
+        | LoadLaw::Kloss { .. }
+        | LoadLaw::SpeedTable(_)
+        | LoadLaw::Stop(_)
+        | LoadLaw::Custom { .. } => false,
     };
     let loads = model.loads.iter().filter(|load| moved[load.node]);
     loads
@@ -209,6 +220,18 @@ impl Machine {
         })
     }
 
+    /// Work over a cycle of the magnitudes of the single moments, roughly (J).
+    fn gross_work(&self) -> f64 {
+        let ends = std::iter::once(0.0).chain(self.breaks.iter().copied());
+        let piece = |(piece, from): (usize, f64)| {
+            let to = self.breaks.get(piece).copied().unwrap_or(self.cycle);
+            let places = (0..32).map(|i| from + (to - from) * (f64::from(i) + 0.5) / 32.0);
+            let moments = places.map(|place| self.at(piece, place, 0.0).gross_moment);
+            moments.sum::<f64>() * (to - from) / 32.0
+        };
+        ends.enumerate().map(piece).sum()
+    }
+
     fn check_cycle(&self) -> Result<(), Vec<Fault>> {
         let last = self.modes.len() - 1;
         let [start, end] = [
@@ -256,6 +279,7 @@ impl Machine {
             },
             moment: found.moment,
             moment_by_speed: found.moment_by_speed,
+            gross_moment: found.gross_moment,
         }
     }
 
@@ -288,7 +312,8 @@ impl Machine {
             let load = self.at(piece, position, 0.0);
             [load.inertia, load.moment]
         };
-        Profile::new(self.cycle, &self.breaks, Given::Moment, &mut at)
+        let profile = Profile::new(self.cycle, &self.breaks, Given::Moment, &mut at)?;
+        Ok(profile.with_rounding(ROUNDING * self.gross_work()))
     }
 }
 
@@ -319,8 +344,15 @@ pub(super) fn freed(
 }
 
 fn needs_speed(law: &LoadLaw) -> bool {
-    !matches!(
-        law,
-        LoadLaw::Constant(_) | LoadLaw::Pieces { .. } | LoadLaw::Spring { .. }
-    )
+    match law {
+        LoadLaw::Constant(_) | LoadLaw::Pieces { .. } | LoadLaw::Spring { .. } => false,
+        LoadLaw::Written(written) => written.needs_speed(),
+        LoadLaw::Custom { function, .. } => function.needs_speed(),
+        LoadLaw::Viscous(_)
+        | LoadLaw::Friction { .. }
+        | LoadLaw::LinearMotor { .. }
+        | LoadLaw::Kloss { .. }
+        | LoadLaw::SpeedTable(_)
+        | LoadLaw::Stop(_) => true,
+    }
 }

@@ -9,6 +9,8 @@ mod elastic_motor;
 mod elastic_wanted;
 mod flywheel;
 mod motor;
+mod over_angle;
 mod over_period;
+mod over_time;
 mod reference;
 mod scenes;

@@ -22,6 +22,7 @@ fn a_press_with_a_motor_settles_on_the_reference_and_the_energy_mass_method_agre
             inertia,
             moment: stall - slope * speed - punching,
             moment_by_speed: -slope,
+            ..Load::default()
         }
     };
     let machine = cycle_map::Machine {
@@ -64,6 +65,7 @@ fn a_stalling_motor_is_told_with_its_position() {
         inertia: 0.1,
         moment: 10.0 - 0.1 * speed - if piece == 1 { 200.0 } else { 0.0 },
         moment_by_speed: -0.1,
+        ..Load::default()
     };
     let machine = cycle_map::Machine {
         cycle: TAU,
@@ -92,6 +94,7 @@ fn a_characteristic_with_corners_is_followed_across_them() {
         inertia: 0.02,
         moment: torque(speed).0 - 14.0 - 13.0 * phi.sin(),
         moment_by_speed: torque(speed).1,
+        ..Load::default()
     };
     let machine = |kinks: Vec<f64>| cycle_map::Machine {
         cycle: TAU,
