@@ -145,7 +145,8 @@ impl Watched {
             }
             evaluations += 1;
             let middle = low + 0.5 * (high - low);
-            let narrow = !changes && high - low <= NARROW * length;
+            // (The time is known to its last digit.)
+            let narrow = !self.read[0] && !changes && high - low <= NARROW * length;
             if narrow || high - low <= shortest || middle <= low || middle >= high {
                 match self.look_at([low, high], look) {
                     Some(time) => return (Part::Met(time), evaluations),
