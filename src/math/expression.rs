@@ -11,6 +11,7 @@
 //! (`crossing`) it can be told which piece is in force.
 
 mod affine;
+mod bounds;
 mod builder;
 mod crossing;
 mod enclosed;

@@ -53,6 +53,7 @@ pub(super) fn summary(
         energy_error: recorded.audit.error(),
         equations: EquationFigures::default(),
         first_times: recorded.first_times.clone(),
+        undetermined_times: recorded.undetermined_times.clone(),
         window: window.as_ref().ok().copied(),
         window_missing: window.err(),
     }
@@ -132,6 +133,14 @@ pub(super) fn warnings_of(
             time,
         });
     }
+    let undetermined = recorded.undetermined_times.iter();
+    warnings.extend(
+        undetermined.map(|(name, since)| Warning::FirstTimeUndetermined {
+            name: name.clone(),
+            since: *since,
+            found: recorded.first_times.get(name).copied().flatten(),
+        }),
+    );
     for object in 0..model.objects.len() {
         warnings.extend(pair_warnings(model, object, recorded, run.time));
         let part = &model.objects[object];

@@ -226,10 +226,13 @@ pub(super) fn motion(
             "a condition that is false at the start, or one with a time: `phi > 0.3 && t > 0.1`";
         return Err(vec![Fault::new("run.until.condition", message, hint)]);
     }
+    let since = found.recorded.undetermined_times.get(UNTIL).copied();
     let shorter = ending_at(settings, time);
     let mut found = whole_motion(system, &shorter, demand, control, sinks)?;
-    let times = &mut found.recorded.first_times;
-    times.insert(UNTIL.to_owned(), Some(time));
+    let recorded = &mut found.recorded;
+    recorded.first_times.insert(UNTIL.to_owned(), Some(time));
+    let since = since.map(|since| (UNTIL.to_owned(), since));
+    recorded.undetermined_times.extend(since);
     Ok(found)
 }
 
@@ -237,7 +240,6 @@ pub(super) fn motion(
 fn ending_at(settings: &RunSettings, time: f64) -> RunSettings {
     RunSettings {
         duration: time,
-        window: settings.window.filter(|window| window.1 <= time),
         step: settings.step.map(|step| step.min(time)),
         ..settings.clone()
     }

@@ -73,6 +73,15 @@ pub enum Warning {
         /// The first time (s).
         time: f64,
     },
+    /// A condition may have held before it was seen to hold.
+    FirstTimeUndetermined {
+        /// Name of the condition.
+        name: String,
+        /// From when on it may have held (s).
+        since: f64,
+        /// When it was seen to hold (s).
+        found: Option<f64>,
+    },
     /// An object moves as slowly as a regularised friction makes it: it would rest.
     Creeps {
         /// The object.
@@ -103,6 +112,7 @@ impl Warning {
             | Self::WouldLiftOff { .. }
             | Self::Opens { .. }
             | Self::SwitchesUndetermined { .. }
+            | Self::FirstTimeUndetermined { .. }
             | Self::Creeps { .. }
             | Self::Undetermined { .. } => false,
         }
@@ -202,6 +212,17 @@ impl fmt::Display for Warning {
                  Compare with another method, or look at the damping: a pair that is damped \
                  this strongly opens too slowly to be told from one that stays",
                 shown(*time, 7)
+            ),
+            Self::FirstTimeUndetermined { name, since, found } => write!(
+                f,
+                "the first time of the condition `{name}` is not determined: from {} s on its \
+                 bounds leave open whether it holds{}; a condition that stays farther from \
+                 its edge, or changes more slowly, is decided",
+                shown(*since, 7),
+                match found {
+                    Some(time) => format!(", and it was seen to hold at {} s", shown(*time, 7)),
+                    None => ", and it was not seen to hold".to_owned(),
+                }
             ),
             Self::Creeps {
                 object,

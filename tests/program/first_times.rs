@@ -225,3 +225,138 @@ fn a_run_whose_condition_never_holds_goes_to_its_end() {
     near(&found["run"]["time"], 0.2, 1e-15);
     assert_eq!(found["run"]["first_times"]["until"], Value::Null);
 }
+
+const METHODS: [&str; 5] = ["exact", "auto", "taylor", "dop853", "radau"];
+
+/// Conditions that hold for much less than a step: between two times, between two angles,
+/// at the crests of a vibration of the time or of the motion.
+#[test]
+fn conditions_that_hold_briefly_are_met_by_every_method() {
+    let crest = |share: f64| share.acos() / 100.0;
+    let wanted = [
+        ("t > 0.05001 && t < 0.05002", 0.05001),
+        ("t > 0.1 && t < 0.1 + 1e-11", 0.1),
+        ("phi < 0.002 && phi > 0.0019999", crest(0.2)),
+        (
+            "phi > 0.002 && phi_dot > 0 && phi < 0.0020001",
+            2.0 * PI / 100.0 - crest(0.2),
+        ),
+        ("sin(1e4*t) > 0.9999", 0.9999f64.asin() / 1e4),
+        ("abs(phi + 0.01) < 1e-8", crest(-1.0 + 1e-6)),
+        (
+            "t > 0.03 && reaction > 99.9999",
+            2.0 * PI / 100.0 - crest(0.999999),
+        ),
+        ("phi_dot^2 > 0.999999", 0.999999f64.sqrt().asin() / 100.0),
+        ("min(t - 0.0701, 0.07011 - t) > 0", 0.0701),
+        ("t > 0.15 && floor(1e5*t) == 15003", 0.15003),
+        ("acceleration > 0 && delta > -1e-8", PI / 200.0),
+        ("sqrt(t - 0.19) < 1e-5 && t > 0.1", 0.19),
+        ("sin(1e6*t) + 10*phi > 1.1001", f64::NAN),
+        ("phi > 0.01 + 1e-9", f64::NAN),
+        ("phi_dot > 1 + 1e-7 || phi*phi_dot > 0.0050001", f64::NAN),
+    ];
+    for method in METHODS {
+        let times = wanted.iter().enumerate();
+        let times = times.map(|(place, (condition, _))| (format!("c{place}"), of(condition)));
+        let times: serde_json::Map<String, Value> = times.collect();
+        let run = run_of(&json!({ "first_times": times, "method": method, "tolerance": 1e-11 }));
+        let found = document("run", &swinging(&run), &[]);
+        for (place, (condition, wanted)) in wanted.iter().enumerate() {
+            let time = &found["run"]["first_times"][format!("c{place}")];
+            match wanted.is_nan() {
+                true => assert_eq!(*time, Value::Null, "{method}: {condition}"),
+                false => {
+                    let time = time
+                        .as_f64()
+                        .unwrap_or_else(|| panic!("{method}: {condition}"));
+                    assert!(
+                        (time - wanted).abs() < 2e-8,
+                        "{method}: {condition}: {time} {wanted}"
+                    );
+                }
+            }
+        }
+        assert!(
+            found["run"]["undetermined_times"].is_null(),
+            "{method}: {found}"
+        );
+        assert_eq!(found["warnings"], json!([]), "{method}");
+    }
+}
+
+#[test]
+fn a_brief_condition_ends_the_run_by_every_method() {
+    for method in METHODS {
+        let until = of("phi < 0.002 && phi > 0.0019999");
+        let run = run_of(&json!({ "until": until, "method": method }));
+        let found = document("run", &swinging(&run), &[]);
+        near(&found["run"]["time"], 0.2f64.acos() / 100.0, 1e-9);
+        near(
+            &found["objects"]["rocker"]["final"]["displacement"],
+            0.002,
+            1e-9,
+        );
+    }
+}
+
+/// φ̇² + 10⁴·φ² is 1 at all times: whether it is above 1 is a matter of rounding.
+#[test]
+fn a_condition_that_stays_on_its_edge_is_not_called_never() {
+    let edge = "phi_dot^2 + 1e4*phi^2 > 1 + 1e-13";
+    for method in ["exact", "dop853"] {
+        let run = run_of(&json!({
+            "first_times": { "edge": of(edge), "later": of("phi < 0.005") }, "method": method
+        }));
+        let found = document("run", &swinging(&run), &[]);
+        let since = found["run"]["undetermined_times"]["edge"].as_f64().unwrap();
+        assert!((0.0..0.2).contains(&since), "{found}");
+        assert!(found["run"]["undetermined_times"]["later"].is_null());
+        near(&found["run"]["first_times"]["later"], PI / 300.0, 1e-9);
+        let warnings = found["warnings"].to_string();
+        assert!(warnings.contains("`edge` is not determined"), "{warnings}");
+        let text = dam("run", &swinging(&run), &[]);
+        let text = String::from_utf8(text.stdout).unwrap();
+        let line = text.lines().find(|line| line.contains("first time, edge"));
+        assert!(line.unwrap().contains("not determined"), "{text}");
+    }
+}
+
+#[test]
+fn what_stays_exactly_on_its_edge_never_holds() {
+    // The shaft rests at 0.
+    let shaft = |condition: &str| json!({ "of": "shaft", "condition": condition });
+    let run = run_of(&json!({ "first_times": {
+        "turned": shaft("phi > 0"), "back": shaft("phi_dot < 0 || phi < 0"), "at": shaft("phi >= 0")
+    } }));
+    let found = document("run", &swinging(&run), &[]);
+    let times = &found["run"]["first_times"];
+    assert_eq!(
+        (&times["turned"], &times["back"]),
+        (&Value::Null, &Value::Null)
+    );
+    near(&times["at"], 0.0, 0.0);
+    assert!(found["run"]["undetermined_times"].is_null());
+}
+
+#[test]
+fn a_window_behind_the_end_of_the_run_is_reported_as_that() {
+    for (window, words) in [
+        (
+            [0.1, 0.15],
+            "the window from 0.1 to 0.15 s lies beyond the end of the run at 0.05 s",
+        ),
+        (
+            [0.03, 0.15],
+            "the window from 0.03 to 0.15 s reaches beyond the end of the run at 0.05 s",
+        ),
+    ] {
+        let run = run_of(&json!({ "until": of("t > 0.05"), "window": window }));
+        let found = document("run", &swinging(&run), &[]);
+        assert_eq!(found["run"]["window"], Value::Null);
+        assert_eq!(found["run"]["window_missing"], words);
+    }
+    let run = run_of(&json!({ "until": of("t > 0.05"), "window": [0.01, 0.04] }));
+    let found = document("run", &swinging(&run), &[]);
+    assert_eq!(found["run"]["window"], json!([0.01, 0.04]));
+}

@@ -261,6 +261,10 @@ pub struct RunSummary {
     /// that ends the run. Null: it did not hold.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
     pub first_times: BTreeMap<String, Option<f64>>,
+    /// The conditions whose first time is not determined, by their names: the time (s) from
+    /// which on they may have held earlier than `first_times` states.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub undetermined_times: BTreeMap<String, f64>,
     /// Window of steady figures `[from, to]` (s), or null.
     pub window: Option<[f64; 2]>,
     /// Why there is no window, when null.

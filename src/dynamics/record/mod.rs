@@ -10,6 +10,7 @@ pub(crate) mod failure;
 mod figure;
 mod figured;
 mod figures;
+mod fitted;
 mod joints;
 mod log;
 mod observed;

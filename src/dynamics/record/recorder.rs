@@ -36,6 +36,9 @@ pub struct Recorded {
     pub(crate) looks: Looks,
     /// The first time of each condition of the model, by its name; `None`: it did not hold.
     pub first_times: BTreeMap<String, Option<f64>>,
+    /// The conditions that may have held earlier, by their names: the time (s) from which on
+    /// that is not known.
+    pub undetermined_times: BTreeMap<String, f64>,
 }
 
 /// Records a run of a system. Its memory is bounded by samples and switches.

@@ -34,14 +34,16 @@ pub fn choose_window_of(
     asked: Option<(f64, f64)>,
 ) -> Result<[f64; 2], String> {
     if let Some((from, to)) = asked {
-        return if 0.0 <= from && from < to && to <= duration {
-            Ok([from, to])
-        } else {
-            let [from, to, duration] = [from, to, duration].map(|time| shown(time, DIGITS));
-            Err(format!(
-                "the window from {from} to {to} s does not lie within the run of {duration} s"
-            ))
+        let place = match (from, to) {
+            _ if 0.0 <= from && from < to && to <= duration => return Ok([from, to]),
+            _ if 0.0 <= from && from < to && from >= duration => "lies beyond",
+            _ if 0.0 <= from && from < to => "reaches beyond",
+            _ => "is none before",
         };
+        let [from, to, duration] = [from, to, duration].map(|time| shown(time, DIGITS));
+        return Err(format!(
+            "the window from {from} to {to} s {place} the end of the run at {duration} s"
+        ));
     }
     last_cycle(duration, cycle?)
 }

@@ -85,7 +85,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
         );
         let until = fields.maybe("until", ENDS, |slot| one_condition(slot, UNTIL, known));
         let first_times = fields.maybe("first_times", FIRST_TIMES, |slot| {
-            slot.map(|name, mut slot| {
+            slot.names(|name, mut slot| {
                 if name == UNTIL {
                     let message = format!("`{UNTIL}` is the name of the condition that ends the run");
                     let place = slot.name_place();
@@ -111,7 +111,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
             masses: record?.unwrap_or(false),
             window: window?,
             max_switches: max_switches?,
-            conditions: until?.into_iter().chain(first_times?.unwrap_or_default().into_values()).collect(),
+            conditions: until?.into_iter().chain(first_times?.unwrap_or_default()).collect(),
         };
         check(fields, &run).then_some(run)
     })

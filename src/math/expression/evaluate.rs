@@ -324,7 +324,7 @@ fn truncated(floor: i64) -> f64 {
 }
 
 impl Rounding {
-    fn of(self, x: f64) -> f64 {
+    pub(super) fn of(self, x: f64) -> f64 {
         match self {
             Self::Floor => x.floor(),
             Self::Ceil => x.ceil(),

@@ -216,7 +216,13 @@ pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
     )];
     rows.extend(run.stopped_because.clone().map(|why| words("reason", why)));
     rows.extend(run.first_times.iter().map(|(name, time)| {
-        let time = time.map_or("never".to_owned(), |time| with_unit(time, "s", 9));
+        let open = run.undetermined_times.contains_key(name);
+        let time = match (time.map(|time| with_unit(time, "s", 9)), open) {
+            (Some(time), false) => time,
+            (Some(time), true) => format!("{time} or earlier, not determined"),
+            (None, false) => "never".to_owned(),
+            (None, true) => "not determined".to_owned(),
+        };
         match name == UNTIL {
             true => words("condition of `until`", time),
             false => words(&format!("first time, {name}"), time),

@@ -83,6 +83,7 @@ impl Log<'_> {
             self.failure.get_or_insert_with(found);
         }
         let (times, columns, closeups) = self.rows.into_columns();
+        let first_times = self.watch.finish();
         Recorded {
             record: Record {
                 times,
@@ -97,7 +98,8 @@ impl Log<'_> {
             confirmed,
             failure: self.failure,
             looks: self.looker.finish(),
-            first_times: self.watch.finish(),
+            first_times: first_times.times,
+            undetermined_times: first_times.undetermined,
         }
     }
 
