@@ -629,3 +629,21 @@ fn steep_steps_of_a_load_leave_no_peak_of_their_own() {
         }
     }
 }
+
+/// A condition over a product of two functions that are bounded alike is met by every method:
+/// sin·cos is below −0.45 for acos(0.9)/π of the time.
+#[test]
+fn a_condition_over_a_product_is_met() {
+    let turns = 10.0;
+    let (rate, duration) = (30.0, turns * std::f64::consts::PI / 30.0);
+    let share = 0.9f64.acos() / std::f64::consts::PI;
+    for method in ["auto", "taylor", "dop853", "dopri5", "radau", "rodas5p"] {
+        let text = format!("sin({rate}*t)*cos({rate}*t) < -0.45 ? 10 : 0");
+        let found = run(&json!({ "dam": 1, "name": "Product", "objects": { "m": {
+            "kind": "drive", "motor": { "inertia": 1, "torque": { "constant": 0 } },
+            "loads": { "p": { "expression": text } } } },
+            "run": { "duration": duration, "method": method, "tolerance": 1e-9 } }));
+        let speed = figure(&found, "m.final.speed");
+        assert_relative_eq!(speed, 10.0 * share * duration, max_relative = 1e-6);
+    }
+}

@@ -29,6 +29,12 @@ pub(crate) trait Scalar:
     /// It to a constant power.
     fn power(self, exponent: f64) -> Self;
 
+    /// It times itself.
+    #[inline(always)]
+    fn squared(self) -> Self {
+        self * self
+    }
+
     /// It to the power of another.
     fn power_of(self, exponent: Self) -> Self;
 
@@ -187,6 +193,7 @@ fn apply<N: Scalar>(op: &Op, values: &[N], results: &[N], modes: &impl Fn(u16) -
         Op::Affine { x, factor, shift } => at(x).affine(factor, shift),
         Op::Add(a, b) => at(a) + at(b),
         Op::Sub(a, b) => at(a) - at(b),
+        Op::Mul(a, b) if a == b => at(a).squared(),
         Op::Mul(a, b) => at(a) * at(b),
         Op::Div(a, b) => at(a) / at(b),
         Op::Power(x, exponent) => at(x).power(exponent),

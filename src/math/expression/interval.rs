@@ -383,6 +383,21 @@ mod tests {
     }
 
     #[test]
+    fn a_product_of_what_is_bounded_alike_is_no_square() {
+        let expression = Expression::new("sin(x)*cos(x)", &["x"]).unwrap();
+        let x = Moving {
+            value: Interval::between(-4.0, 4.0),
+            rate: Interval::of(1.0),
+        };
+        let code = &expression.program().value;
+        let found = code.evaluate(&[x], &|_| crate::math::expression::OPEN);
+        assert!(
+            found.value.low <= -0.5 && found.value.high >= 0.5,
+            "{found:?}"
+        );
+    }
+
+    #[test]
     fn bounds_of_little_are_close() {
         let expression = Expression::new("sin(x)*x^3 + exp(x)", &["x"]).unwrap();
         let x = Moving {

@@ -57,13 +57,6 @@ impl Neg for Moving {
 impl Mul for Moving {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        // A square, which dependence would widen.
-        if self == other {
-            return Self {
-                value: self.value.square(),
-                rate: (self.value * self.rate).scale(2.0),
-            };
-        }
         Self {
             value: self.value * other.value,
             rate: self.value * other.rate + other.value * self.rate,
@@ -108,6 +101,14 @@ impl Scalar for Moving {
     fn power(self, exponent: f64) -> Self {
         let slope = self.value.to_power(exponent - 1.0).scale(exponent);
         self.composed(self.value.to_power(exponent), slope)
+    }
+
+    /// (A product of what is bounded alike need not be a square.)
+    fn squared(self) -> Self {
+        Self {
+            value: self.value.square(),
+            rate: (self.value * self.rate).scale(2.0),
+        }
     }
 
     fn power_of(self, exponent: Self) -> Self {
