@@ -66,41 +66,81 @@ pub(crate) fn narrow(
     } else {
         0.0
     };
-    search([from, to], bounds, value, (noise, LEAST, MOST), SHORT)
+    let mut panels = Vec::new();
+    let asked = (noise, LEAST, MOST);
+    let Some(greatest) = search([from, to], bounds, &value, asked, |panel| {
+        panels.push(panel)
+    }) else {
+        return Vec::new();
+    };
+    let counts = (COUNTS * greatest).max(noise);
+    joined(&panels, counts, SHORT * (to - from))
 }
 
-/// The same over one step of an integration, where changes below `noise` do not count; dear
-/// where bounds are wide, it is given up early.
+/// Where the first narrow stretch of a step of an integration begins, from 0 to 1, and the
+/// longest step in it. Changes below `noise` do not count; dear where bounds are wide, the
+/// search is given up early. It takes no memory.
 pub(crate) fn narrow_within(
     bounds: impl Fn(f64, f64) -> [f64; 2],
     value: impl Fn(f64) -> f64,
     noise: f64,
-) -> Vec<Narrow> {
-    search([0.0, 1.0], bounds, value, (noise, 0, MOST_OF_STEP), 1.0)
+) -> Option<(f64, f64)> {
+    let none = Panel {
+        from: 0.0,
+        to: 0.0,
+        change: 0.0,
+    };
+    let (mut panels, mut count) = ([none; MOST_OF_STEP], 0);
+    let asked = (noise, 0, MOST_OF_STEP);
+    let greatest = search([0.0, 1.0], bounds, &value, asked, |panel| {
+        panels[count] = panel;
+        count += 1;
+    })?;
+    let counts = (COUNTS * greatest).max(noise);
+    let narrow = |panel: &Panel| panel.to - panel.from < 1.0 && panel.change > counts;
+    let first = panels[..count].iter().position(narrow)?;
+    let (from, mut end) = (panels[first].from, panels[first].from);
+    let mut steepest = panels[first];
+    for panel in panels[first..count]
+        .iter()
+        .take_while(|panel| narrow(panel))
+    {
+        if panel.from != end {
+            break;
+        }
+        end = panel.to;
+        if panel.change > steepest.change {
+            steepest = *panel;
+        }
+    }
+    Some((from, steepest.to - steepest.from))
 }
 
-/// Changes below `noise` do not count; panels are halved at least `least` times, and are no
-/// more than `most`.
+/// Halves a span until each panel shows about all that bounds allow in it, at least `least`
+/// times, and tells the panels, ascending: the greatest change that samples show. `None`:
+/// there are more than `most`.
 fn search(
     [from, to]: [f64; 2],
     bounds: impl Fn(f64, f64) -> [f64; 2],
-    value: impl Fn(f64) -> f64,
+    value: &impl Fn(f64) -> f64,
     (noise, least, most): (f64, u32, usize),
-    short: f64,
-) -> Vec<Narrow> {
+    mut tell: impl FnMut(Panel),
+) -> Option<f64> {
     let mut greatest = match least {
         0 => 0.0,
-        _ => samples(from, to, LOOKS, &value).range,
+        _ => samples(from, to, LOOKS, value).range,
     };
-    let mut panels: Vec<Panel> = Vec::new();
-    let mut open = vec![(from, to, 0)];
-    let mut looks = 0;
-    while let Some((a, b, depth)) = open.pop() {
+    // (Each halving leaves one panel that waits.)
+    let mut open = [(from, to, 0); DEEPEST as usize + 2];
+    let (mut waiting, mut looks) = (1, 0);
+    while waiting > 0 {
+        waiting -= 1;
+        let (a, b, depth) = open[waiting];
         looks += 1;
         if looks > most {
-            return Vec::new();
+            return None;
         }
-        let Samples { range, shared } = samples(a, b, SAMPLES, &value);
+        let Samples { range, shared } = samples(a, b, SAMPLES, value);
         greatest = greatest.max(range);
         let wide = width(bounds(a, b));
         let seen = wide <= (WIDER * shared).max(COUNTS * greatest).max(noise);
@@ -108,18 +148,19 @@ fn search(
         if seen || depth >= DEEPEST {
             // What nothing is known of is not called narrow.
             let change = if seen { range } else { 0.0 };
-            panels.push(Panel {
+            tell(Panel {
                 from: a,
                 to: b,
                 change,
             });
         } else {
             let middle = 0.5 * (a + b);
-            open.push((middle, b, depth + 1));
-            open.push((a, middle, depth + 1));
+            open[waiting] = (middle, b, depth + 1);
+            open[waiting + 1] = (a, middle, depth + 1);
+            waiting += 2;
         }
     }
-    joined(&panels, (COUNTS * greatest).max(noise), short * (to - from))
+    Some(greatest)
 }
 
 /// Neighbours that are narrow as one stretch; its steps are no longer than the panel that changes most.

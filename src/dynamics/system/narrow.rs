@@ -93,12 +93,8 @@ impl Written {
             code.evaluate(&variables, &mode)
         };
         let noise = slight * moved / (step.length * step.length * self.factor.abs());
-        let found = narrow_within(bounds, value, noise);
-        let first = found.first()?;
-        Some(match first.from > NEAR {
-            true => first.from,
-            false => first.longest,
-        })
+        let (from, longest) = narrow_within(bounds, value, noise)?;
+        Some(if from > NEAR { from } else { longest })
     }
 
     /// The stretches in which the force changes briefly with time, all else at rest.

@@ -5,7 +5,7 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::hidden::NOTHING;
+use super::hidden::{NOTHING, Target};
 use super::prescribed::{Formulas, Instant, PLACE_ROUNDING, PrescribedMotion};
 use crate::exact::LAW_DEGREE;
 use crate::math::chebyshev::{Nodes, combined, in_powers};
@@ -24,15 +24,6 @@ const CANCELLATION: f64 = 60.0;
 
 /// How often an interval is halved because samples do not show all of it.
 const HALVINGS: u32 = 64;
-
-/// Target of a fit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Target {
-    /// The displacement.
-    Displacement,
-    /// The acceleration.
-    Acceleration,
-}
 
 /// A polynomial in the time from its start.
 #[derive(Clone, Copy, Debug, PartialEq)]

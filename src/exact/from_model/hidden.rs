@@ -7,12 +7,20 @@
 //! closer than that show all of it. Where it is something, or has no bound, the interval
 //! is too long.
 
-use super::fit::Target;
 use crate::kinematics::motion::WrittenMotion;
 use crate::math::expression::Repetition;
 
 /// Below this numbers have lost digits, and count as zero.
 pub(super) const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+
+/// Target of a fit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    /// The displacement.
+    Displacement,
+    /// The acceleration.
+    Acceleration,
+}
 
 /// Coefficients of the series on a part: what is not bounded is a polynomial of degree
 /// 8, and an acceleration of degree 6.
@@ -126,7 +134,7 @@ pub(super) fn is_shown(
         // What changes neither speed nor displacement within their rounding is rounding.
         size = size.max((speed / length).min(span / (length * length)));
     }
-    let search = Search {
+    let search = PartSearch {
         written,
         segment,
         target,
@@ -137,7 +145,7 @@ pub(super) fn is_shown(
 }
 
 /// The search for parts on which a motion is a polynomial.
-struct Search<'a> {
+struct PartSearch<'a> {
     written: &'a WrittenMotion,
     segment: i64,
     target: Target,
@@ -152,7 +160,7 @@ struct Part {
     difference: f64,
 }
 
-impl Search<'_> {
+impl PartSearch<'_> {
     fn part(&self, from: f64, to: f64) -> Part {
         let all: [_; COEFFICIENTS] = self.written.enclosed(self.segment, from, to);
         let last = all[LAST].magnitude();

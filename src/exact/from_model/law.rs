@@ -2,7 +2,8 @@
 //! line or a pure harmonic, in polynomial spans otherwise.
 
 use super::cycle::{Cycle, Piece};
-use super::fit::{Fit, Target, fit};
+use super::fit::{Fit, fit};
+use super::hidden::Target;
 use super::prescribed::{PrescribedMotion, straight};
 use super::rhythm::Rhythm;
 use crate::dynamics::model::Law as ModelLaw;

@@ -1,7 +1,8 @@
 //! Loads that are tables over time, or over a displacement that is prescribed.
 
 use super::cycle::{Cycle, Piece};
-use super::fit::{Target, fit};
+use super::fit::fit;
+use super::hidden::Target;
 use super::prescribed::{PrescribedMotion, within};
 use crate::dynamics::model::LinearPiece;
 use crate::exact::{ForcePiece, ForceSource, LAW_DEGREE, TimeLoad};

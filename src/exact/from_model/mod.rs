@@ -21,7 +21,8 @@ mod rhythm;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use fit::{Target, fit};
+pub(crate) use fit::fit;
+pub(crate) use hidden::Target;
 pub(crate) use prescribed::{PrescribedMotion, straight, within};
 pub use rest::Rest;
 pub(crate) use rhythm::Rhythm;

@@ -6,8 +6,7 @@
 //! once, for the motion just after it; polynomials are then fitted to that
 //! formula alone and end where the motion leaves it.
 
-use super::fit::Target;
-use super::hidden;
+use super::hidden::{self, Target};
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;

@@ -109,10 +109,19 @@ impl PitchCurve {
         (x.square() + y.square()).sqrt() - over(angle, taylor)
     }
 
-    /// The derivatives of the error by the coordinates of p: along the outward normal of the
-    /// curve that goes through p. Of three coefficients, R being known to its third derivative.
+    /// The derivatives of the error by the coordinates of p, in the frame of p: along the outward
+    /// normal of the curve that goes through p.
+    pub(in crate::kinematics::linkage) fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let far = x.hypot(y);
+        let slope = self.radius(y.atan2(x)).first / far;
+        let [u, v] = [x / far, y / far];
+        [u + slope * v, v - slope * u]
+    }
+
+    /// The same over a path of p: three coefficients at most, R being known to its third
+    /// derivative.
     #[inline(always)]
-    pub(in crate::kinematics::linkage) fn gradient<const K: usize, T: Number>(
+    pub(in crate::kinematics::linkage) fn gradient_over<const K: usize, T: Number>(
         &self,
         [x, y]: [Series<K, T>; 2],
     ) -> [Series<K, T>; 2] {
@@ -140,9 +149,7 @@ impl PitchCurve {
         let (sin, cos) = angle.sin_cos();
         let radius = self.radius(angle).value;
         let at = [radius * cos, radius * sin];
-        let [x, y] = self
-            .gradient(at.map(|part| Series([part])))
-            .map(|part| part.value());
+        let [x, y] = self.gradient(at);
         let size = x.hypot(y);
         [at[0] + offset * x / size, at[1] + offset * y / size]
     }

@@ -17,7 +17,6 @@ use super::workspace::{ForceWorkspace, PairPlace};
 use crate::kinematics::cam::spec::Surface;
 use crate::kinematics::linkage::couplings::{Meeting, PitchCurve};
 use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec};
-use crate::math::series::Series;
 
 /// Force of a coupling on its second wheel, rack or roller.
 #[derive(Clone, Copy, Debug)]
@@ -194,8 +193,7 @@ fn on_cam(
     );
     let [x, y] = [0, 1].map(|axis| roller.place[axis] - centre.place[axis]);
     let seen = [own.cos * x + own.sin * y, own.cos * y - own.sin * x];
-    let normal = curve.gradient(seen.map(|part| Series([part])));
-    let [x, y] = own.turned(normal.map(|part| part.value()));
+    let [x, y] = own.turned(curve.gradient(seen));
     let size = match cam.surface {
         Surface::Disc | Surface::Groove => x.hypot(y),
         Surface::Hollow => -x.hypot(y),

@@ -1,7 +1,7 @@
 //! Velocities of cams inside larger groups.
 //!
 //! The roller's centre P stays on the pitch curve: its velocity against the cam has no part along
-//! the normal n of the curve that goes through P ([`PitchCurve::gradient`]). As a line n through
+//! the normal n of the curve that goes through P ([`PitchCurve::gradient_over`]). As a line n through
 //! P, w = (P × n, n), it is w·(t₂ − t₁) = 0 with the velocities of roller and cam; accelerations
 //! follow w·(a₂ − a₁) + ẇ·(t₂ − t₁) = 0. The derivatives of w in time are the coefficients of the
 //! same formula over power series in time.
@@ -102,7 +102,7 @@ impl Rolling {
         let [cos, sin] = axis(&cam);
         let gap = [place[0] - centre[0], place[1] - centre[1]];
         let seen = [cos * gap[0] + sin * gap[1], cos * gap[1] - sin * gap[0]];
-        let [x, y] = self.curve.gradient(seen);
+        let [x, y] = self.curve.gradient_over(seen);
         let normal = [cos * x - sin * y, sin * x + cos * y];
         let moment = place[0] * normal[1] - place[1] * normal[0];
         let moment = Series(moment.0.map(|part| part.scale(size.recip())));

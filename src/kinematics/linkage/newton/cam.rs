@@ -4,7 +4,6 @@
 use super::{NewtonGroup, Seen, Side};
 use crate::kinematics::linkage::couplings::PitchCurve;
 use crate::kinematics::linkage::state::{Scratch, State};
-use crate::kinematics::linkage::vector::Vector;
 use crate::math::series::Series;
 
 /// A cam made ready.
@@ -43,9 +42,8 @@ impl Rolling {
     ) {
         let [cam, roller] = self.sides::<1>(group, state, scratch);
         let gap = roller.point - cam.point;
-        let seen = cam.along.mirrored().turn(gap);
-        let [x, y] = self.curve.gradient([seen.x, seen.y]);
-        let normal = cam.along.turn(Vector::new(x, y));
+        let seen = cam.along.mirrored().turn(gap).value();
+        let normal = cam.along.turn_constant(self.curve.gradient(seen));
         let [x, y] = normal.value();
         // As the cam turns, the roller's centre turns backwards in its frame.
         let turned = -normal.dot(gap.left()).value() / size;
