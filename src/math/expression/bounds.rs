@@ -53,7 +53,7 @@ impl Reach {
     }
 
     fn may_hold(self) -> bool {
-        !self.bounds.is_nothing() && !(self.bounds.low == 0.0 && self.bounds.high == 0.0)
+        !(self.bounds.is_nothing() || self.bounds.low == 0.0 && self.bounds.high == 0.0)
     }
 
     fn may_fail(self) -> bool {
@@ -111,7 +111,7 @@ fn reach(op: &Op, values: &[Interval], results: &[Reach]) -> Reach {
             let (one, two) = (a.bounds, b.bounds);
             let meet = one.low <= two.high && two.low <= one.high;
             let fixed = one.low == one.high && two.low == two.high;
-            let differ = !(fixed && meet) && !one.is_nothing() && !two.is_nothing();
+            let differ = !(one.is_nothing() || two.is_nothing() || fixed && meet);
             Reach::truth(meet, differ, a.partial || b.partial)
         }
         Op::And(a, b) => {
@@ -136,7 +136,7 @@ fn piecewise(op: &Op, at: impl Fn(Register) -> Reach) -> Reach {
         Op::Abs { x, .. } => absolute(at(x)),
         Op::Sign { x, .. } => monotone(at(x), |x| match x {
             // (The sign of a zero counts for a single number, and not within bounds.)
-            x if x == 0.0 => f64::NAN,
+            0.0 => f64::NAN,
             x => x.signum(),
         }),
         Op::Whole { x, to, .. } => monotone(at(x), |x| Rounding::of(to, x)),
