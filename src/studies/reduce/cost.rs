@@ -52,10 +52,10 @@ impl Times {
 }
 
 impl Cost {
-    /// True when the reduced scene runs slower, by the least time and by the median.
+    /// True when the reduced scene runs slower, by the least times: what else runs on the
+    /// machine only adds to the others.
     pub fn is_slower(&self) -> bool {
         self.reduced.least > SLOWER * self.given.least
-            && self.reduced.median > SLOWER * self.given.median
     }
 }
 
@@ -99,7 +99,7 @@ mod tests {
     use super::{Cost, Times};
 
     #[test]
-    fn slower_is_what_is_slower_at_its_best_and_at_its_usual() {
+    fn slower_is_what_is_slower_at_its_best() {
         let cost = |reduced: Vec<f64>| Cost {
             repeats: 3,
             given: Times::of(vec![1.2, 1.0, 1.1]),
@@ -115,7 +115,7 @@ mod tests {
         assert!(cost(vec![1.5, 1.2, 1.3]).is_slower());
         // Noise in some runs.
         assert!(!cost(vec![1.0, 2.0, 2.0]).is_slower());
-        assert!(!cost(vec![1.15, 1.16, 1.2]).is_slower());
+        assert!(!cost(vec![1.05, 1.16, 1.2]).is_slower());
         assert!(!cost(vec![0.5, 0.5, 0.5]).is_slower());
         assert!(!cost(Vec::new()).is_slower());
     }
