@@ -176,6 +176,9 @@ impl SubAssign for Dual {
     }
 }
 
+/// Below this numbers have lost digits, and count as zero.
+pub(crate) const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+
 /// √x.
 pub(crate) fn sqrt<N: Number>(x: N) -> N {
     let root = x.value().sqrt();

@@ -10,6 +10,7 @@
 
 use super::run::{Given, Run, Verdict};
 use super::{Dynamics, Stop};
+use crate::math::number::NOTHING;
 
 /// Local error allowed per step, relative to the tolerance asked for.
 const SAFETY: f64 = 0.1;
@@ -25,9 +26,6 @@ const OF_LAWS: f64 = 1e-10;
 /// A signal that is the small difference of coordinates is known to this share of the greatest
 /// of their scales, within what is allowed.
 const UNMOVED: f64 = 1e-3;
-/// Below this numbers have lost digits, and count as zero: of a motion that is nothing yet no
-/// share is asked for.
-const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 /// A step that is refused is shortened at least to this share, at most to that.
 const LEAST_CUT: f64 = 0.9;
 const MOST_CUT: f64 = 0.25;
@@ -179,6 +177,7 @@ impl Series {
         let mut largest = [0.0f64; 2];
         let rows = self.coefficients.chunks_exact(degree + 1);
         for (k, row) in rows.take(count).enumerate() {
+            // (Of a motion that is nothing yet no share is asked for.)
             let place = allowed * (scales[k] + run.from.y[k].abs()) + NOTHING;
             let speed = allowed * asked * (scales[count + k] + run.from.y[count + k].abs());
             let speed = speed + NOTHING;

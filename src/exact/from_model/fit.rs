@@ -5,10 +5,11 @@
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.
 
-use super::hidden::{NOTHING, Target};
+use super::hidden::Target;
 use super::prescribed::{Formulas, Instant, PLACE_ROUNDING, PrescribedMotion};
 use crate::exact::LAW_DEGREE;
 use crate::math::chebyshev::{Nodes, combined, in_powers};
+use crate::math::number::NOTHING;
 use crate::math::polynomial::{MAX_DEGREE, first_positive, raise};
 use std::sync::LazyLock;
 

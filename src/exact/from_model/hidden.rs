@@ -10,9 +10,6 @@
 use crate::kinematics::motion::WrittenMotion;
 use crate::math::expression::Repetition;
 
-/// Below this numbers have lost digits, and count as zero.
-pub(super) const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
-
 /// Target of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Target {
@@ -30,7 +27,7 @@ const LAST: usize = COEFFICIENTS - 1;
 /// What differs from a polynomial by less than this share of its size counts as one.
 const HIDDEN: f64 = 1e-10;
 
-/// Sizes below this are none; far above [`NOTHING`], which high powers of short times
+/// Sizes below this are none; far above `NOTHING`, which high powers of short times
 /// would make something of.
 const TINY: f64 = 1e-150;
 

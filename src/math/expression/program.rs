@@ -139,6 +139,16 @@ pub(crate) struct Program {
     pub(crate) guards: Vec<Guard>,
 }
 
+/// How the result of an operation may change with its operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Steepness {
+    Mild,
+    /// Much within a small part of their range.
+    Steep,
+    /// Without bound at finite operands.
+    Pole,
+}
+
 impl Op {
     /// The results that it takes.
     pub(super) fn operands(&self) -> impl Iterator<Item = Register> {
@@ -187,48 +197,23 @@ impl Op {
         self
     }
 
-    /// True where it may change much within a small part of the range of its operands.
-    pub(crate) fn may_be_steep(&self) -> bool {
+    /// How its result may change with its operands.
+    fn steepness(&self) -> Steepness {
         match *self {
-            Self::Div(..) | Self::PowerOf(..) => true,
-            Self::Power(_, exponent) => !(0.0..=3.0).contains(&exponent),
-            Self::Of(function, _) => !matches!(function, Function::Sin | Function::Cos),
-            Self::Number(_)
-            | Self::Variable(_)
-            | Self::Affine { .. }
-            | Self::Add(..)
-            | Self::Sub(..)
-            | Self::Mul(..)
-            | Self::Atan2 { .. }
-            | Self::Remainder { .. }
-            | Self::Abs { .. }
-            | Self::Sign { .. }
-            | Self::Whole { .. }
-            | Self::Min { .. }
-            | Self::Max { .. }
-            | Self::Less { .. }
-            | Self::Equal(..)
-            | Self::And(..)
-            | Self::Or(..)
-            | Self::Not(_)
-            | Self::Select { .. } => false,
-        }
-    }
-
-    /// True where it may grow without bound at finite operands.
-    pub(crate) fn may_have_poles(&self) -> bool {
-        match *self {
-            Self::Div(..) | Self::PowerOf(..) => true,
-            Self::Power(_, exponent) => exponent < 0.0,
+            Self::Div(..) | Self::PowerOf(..) => Steepness::Pole,
+            Self::Power(_, exponent) => match exponent {
+                _ if exponent < 0.0 => Steepness::Pole,
+                _ if exponent > 3.0 => Steepness::Steep,
+                _ => Steepness::Mild,
+            },
             Self::Of(function, _) => match function {
                 Function::Tan
                 | Function::Ln
                 | Function::Log10
                 | Function::Log2
-                | Function::Atanh => true,
-                Function::Sin
-                | Function::Cos
-                | Function::Asin
+                | Function::Atanh => Steepness::Pole,
+                Function::Sin | Function::Cos => Steepness::Mild,
+                Function::Asin
                 | Function::Acos
                 | Function::Atan
                 | Function::Sinh
@@ -238,7 +223,7 @@ impl Op {
                 | Function::Acosh
                 | Function::Exp
                 | Function::Sqrt
-                | Function::Cbrt => false,
+                | Function::Cbrt => Steepness::Steep,
             },
             Self::Number(_)
             | Self::Variable(_)
@@ -258,8 +243,18 @@ impl Op {
             | Self::And(..)
             | Self::Or(..)
             | Self::Not(_)
-            | Self::Select { .. } => false,
+            | Self::Select { .. } => Steepness::Mild,
         }
+    }
+
+    /// True where it may change much within a small part of the range of its operands.
+    pub(crate) fn may_be_steep(&self) -> bool {
+        self.steepness() != Steepness::Mild
+    }
+
+    /// True where it may grow without bound at finite operands.
+    pub(crate) fn may_have_poles(&self) -> bool {
+        self.steepness() == Steepness::Pole
     }
 
     /// The guard that it looks at.

@@ -167,6 +167,10 @@ const NO_WHOLE_TURNS: (&str, &str) = (
      every turn",
     "sin(phi), or phi % (2*pi)",
 );
+const NEVER_BACK: (&str, &str) = (
+    "its motion does not repeat while its driver turns on and on: there is no periodic motion",
+    "a position function with a `period`; `dam run` follows the scene as it is",
+);
 const WOUND_UP: (&str, &str) = (
     "a spring on what turns on and on is wound up with every turn",
     "a spring on what swings",
@@ -207,8 +211,10 @@ impl Rhythms {
         let mut rhythms = Self::default();
         let known = |node: NodeIndex| courses[node].as_ref().filter(|_| moved[node]);
         for part in &model.objects {
-            if let Some(course) = known(part.nodes[0]) {
-                rhythms.add(course.rhythm());
+            match known(part.nodes[0]).map(PrescribedMotion::rhythm) {
+                Some(Rhythm::None) => rhythms.never(&part.id, NEVER_BACK),
+                Some(rhythm) => rhythms.add(rhythm),
+                None => {}
             }
         }
         for body in &model.linkages {

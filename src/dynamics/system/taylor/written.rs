@@ -5,15 +5,13 @@ use super::{Start, Taylor};
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::written::{Input, Written};
 use crate::math::expression::VARIABLES;
+use crate::math::number::NOTHING;
 
 /// Places of a step at which a series is held against the expression itself.
 const PLACES: [f64; 4] = [0.3, 0.6, 0.85, 1.0];
 
 /// How often the share of a step that is relied on is halved, at most.
 const HALVINGS: usize = 10;
-
-/// Below this numbers have lost digits, and count as zero.
-const NOTHING: f64 = f64::MIN_POSITIVE / f64::EPSILON;
 
 /// Degrees that a series takes for a digit.
 const DEGREES_A_DIGIT: f64 = 1.25;
