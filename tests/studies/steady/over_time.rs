@@ -123,3 +123,15 @@ fn a_table_over_time_of_one_value_is_a_constant() {
         approx::assert_relative_eq!(one, other, max_relative = 1e-9);
     }
 }
+
+/// A law that grows faster and faster behind a drive that turns on never comes back, though its
+/// acceleration is the same for ever.
+#[test]
+fn a_motion_that_never_repeats_has_no_periodic_motion() {
+    let own = text(r#"{ "constant": -20 }"#).replace(
+        r#"{ "sine": { "amplitude": "10 mm" } }"#,
+        r#"{ "polynomial": { "coefficients": [0, 0.01, 0.001] } }"#,
+    );
+    let found = faults(&own, |_| ());
+    assert!(found[0].message.contains("does not repeat"), "{found:?}");
+}
