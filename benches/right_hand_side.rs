@@ -90,7 +90,7 @@ fn system() -> System {
     model.loads.push(Load {
         node: MASSES,
         name: "rocker.loads.closing".into(),
-        law: LoadLaw::Constant(MOMENT),
+        law: LoadLaw::constant(MOMENT),
     });
     System::new(model).expect("the model is sound")
 }

@@ -121,7 +121,7 @@
 //! | --- | --- |
 //! | [`object`] | the trait [`Object`](object::Object), its ports, kinds and their registry |
 //! | [`builder`] | what an object's lowering may say: nodes, links, laws, loads |
-//! | [`position`], [`constraint`], [`motion`], [`load`] | functions that tie displacements to others and to time; forces |
+//! | [`position`], [`constraint`], [`motion`], [`load`], [`laws`] | functions that tie displacements to others and to time; forces |
 //! | [`jet`], [`breaks`] | derivatives, and where a formula changes |
 //! | [`read`], [`units`], [`scene`] | how texts become values: the declarations that read, check and describe |
 //!
@@ -154,7 +154,7 @@ pub mod studio;
 pub mod units;
 
 pub use ask::{Mechanism, Scene};
-pub use dynamics::{builder, energy, integrate, load, model, record, steady, system};
+pub use dynamics::{builder, energy, integrate, laws, load, model, record, steady, system};
 pub use error::Error;
 pub use frontend::{build, diagnostics, graph, lower, object, read, scene};
 pub use kinematics::{breaks, cam, constraint, linkage, motion, position};

@@ -5,6 +5,7 @@ pub(crate) mod audit;
 pub mod builder;
 pub mod energy;
 pub mod integrate;
+pub mod laws;
 pub mod load;
 pub mod model;
 pub mod record;

@@ -32,7 +32,7 @@ use std::sync::Arc;
 pub(crate) use condition::NAMES as CONDITION_NAMES;
 pub use condition::{Condition, UNTIL};
 pub use contact::{ContactElement, ContactLaw};
-pub use loads::{LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
+pub use loads::{LinearLoad, LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
 pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, SUM, owner_of};
 pub use pressing::Pressing;
 pub use stop::{Stop, StopPart};

@@ -41,7 +41,7 @@ pub(crate) use interval::Interval;
 pub(crate) use moving::Moving;
 pub(crate) use of_one::{MOST, OfOne, Repetition};
 pub(crate) use ordered::{Ordered, about};
-pub(crate) use program::{OPEN, Program};
+pub(crate) use program::{Code, OPEN, Op, Program};
 pub(crate) use third::Third;
 
 /// Constants that an expression knows, with their values.

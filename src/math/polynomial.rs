@@ -146,6 +146,31 @@ fn weights(degree: usize, s: f64) -> Coefficients {
 /// Bernstein coefficients, with room for the highest degree.
 pub type Coefficients = [f64; MAX_DEGREE + 1];
 
+/// Coefficient `order` of the product of two power series.
+#[inline]
+pub(crate) fn product(one: &[f64], other: &[f64], order: usize) -> f64 {
+    against(&one[..=order], &other[..=order])
+}
+
+/// Σ a_i·b_(n−i) of two lists of one length, in four sums side by side, as the
+/// processor would otherwise wait for each to end.
+#[inline]
+pub(crate) fn against(a: &[f64], b: &[f64]) -> f64 {
+    let count = a.len();
+    let b = &b[..count];
+    let mut sums = [0.0; 4];
+    let whole = count - count % 4;
+    for (four, back) in a[..whole].chunks_exact(4).zip(b.rchunks_exact(4)) {
+        for i in 0..4 {
+            sums[i] += four[i] * back[3 - i];
+        }
+    }
+    for i in whole..count {
+        sums[0] += a[i] * b[count - 1 - i];
+    }
+    (sums[0] + sums[2]) + (sums[1] + sums[3])
+}
+
 /// Roundings of its values that the gain of a signal over a step may be off.
 const ROUNDINGS: f64 = 4.0;
 

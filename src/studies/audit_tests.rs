@@ -138,8 +138,8 @@ fn small_differences_from_what_the_scene_states_are_found() {
                 }
                 1 => {
                     for load in &mut other.loads {
-                        if let LoadLaw::Spring { rate, .. } = &mut load.law {
-                            *rate *= 1.1;
+                        if let LoadLaw::Linear(own) = &mut load.law {
+                            own.rate *= 1.1;
                         }
                     }
                 }

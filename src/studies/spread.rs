@@ -3,7 +3,7 @@
 use super::run::{RunResult, run};
 use super::settings::{Control, RunSettings};
 use crate::dynamics::integrate::Method;
-use crate::dynamics::model::{LinkBase, LoadLaw, Model};
+use crate::dynamics::model::{LinkBase, Model};
 use crate::dynamics::system::System;
 use crate::fault::Fault;
 use serde::Serialize;
@@ -135,7 +135,7 @@ pub(super) fn is_result(figure: &str) -> bool {
 /// The model with all loads, gaps and places of stops multiplied by `factor`.
 pub(super) fn changed_loads(mut model: Model, factor: f64) -> Model {
     for load in &mut model.loads {
-        change_load(&mut load.law, factor);
+        load.law.scale(factor);
     }
     for link in &mut model.links {
         if let LinkBase::Law { pair } = &mut link.base {
@@ -143,35 +143,6 @@ pub(super) fn changed_loads(mut model: Model, factor: f64) -> Model {
         }
     }
     model
-}
-
-fn change_load(law: &mut LoadLaw, factor: f64) {
-    match law {
-        LoadLaw::Constant(force) | LoadLaw::Viscous(force) => *force *= factor,
-        LoadLaw::Pieces { pieces, .. } => {
-            for piece in pieces {
-                piece.value *= factor;
-                piece.slope *= factor;
-            }
-        }
-        LoadLaw::Spring { rate, preload } => {
-            *rate *= factor;
-            *preload *= factor;
-        }
-        LoadLaw::Friction { force, .. } => *force *= factor,
-        LoadLaw::Stop(stop) => stop.at *= factor,
-        LoadLaw::Written(written) => written.factor *= factor,
-        LoadLaw::Custom { factor: own, .. } => *own *= factor,
-        LoadLaw::LinearMotor { stall_torque, .. } => *stall_torque *= factor,
-        LoadLaw::Kloss {
-            breakdown_torque, ..
-        } => *breakdown_torque *= factor,
-        LoadLaw::SpeedTable(points) => {
-            for (_, torque) in points {
-                *torque *= factor;
-            }
-        }
-    }
 }
 
 #[cfg(test)]
@@ -208,26 +179,21 @@ mod tests {
                 Load {
                     node: 0,
                     name: "a".to_owned(),
-                    law: LoadLaw::Constant(-600.0),
+                    law: LoadLaw::constant(-600.0),
                 },
                 Load {
                     node: 0,
                     name: "b".to_owned(),
-                    law: LoadLaw::Spring {
-                        rate: 4.0,
-                        preload: 8.0,
-                    },
+                    law: LoadLaw::spring(4.0, 8.0),
                 },
             ],
             ..Model::default()
         };
         let changed = changed_loads(model, 1.5);
-        let LoadLaw::Constant(force) = changed.loads[0].law else {
+        let force = changed.loads[0].law.as_constant().expect("the law stays");
+        let LoadLaw::Linear(spring) = changed.loads[1].law else {
             panic!("the law stays");
         };
-        let LoadLaw::Spring { rate, preload } = changed.loads[1].law else {
-            panic!("the law stays");
-        };
-        assert_eq!((force, rate, preload), (-900.0, 6.0, 12.0));
+        assert_eq!((force, spring.rate, spring.force), (-900.0, 6.0, -12.0));
     }
 }

@@ -3,6 +3,7 @@
 use crate::counting::allocations;
 use dam::expression::Expression;
 use dam::integrate::{Dynamics, Limits, Method, Modes, Settings, Sink, Stop, integrate};
+use dam::laws::Declared;
 use dam::model::*;
 use dam::motion::DriveMotion;
 use dam::position::{Position, PositionSpec};
@@ -144,32 +145,13 @@ fn model() -> Model {
         2
     ];
     model.loads = vec![
-        load(4, LoadLaw::Constant(-2.0)),
+        load(4, LoadLaw::constant(-2.0)),
         load(4, LoadLaw::Pieces { track: 1, pieces }),
         load(3, LoadLaw::Written(written(GUARDED))),
-        load(
-            3,
-            LoadLaw::Friction {
-                force: 1.0,
-                width: 0.1,
-            },
-        ),
-        load(
-            0,
-            LoadLaw::Kloss {
-                breakdown_torque: 30.0,
-                breakdown_slip: 0.2,
-                synchronous_speed: 100.0,
-            },
-        ),
-        load(0, LoadLaw::SpeedTable(vec![(0.0, 1.0), (50.0, 0.0)])),
-        load(
-            1,
-            LoadLaw::Spring {
-                rate: 10.0,
-                preload: 1.0,
-            },
-        ),
+        load(3, Declared::friction(1.0, 0.1).law()),
+        load(0, Declared::kloss([30.0, 0.2, 100.0]).law()),
+        load(0, LoadLaw::speed_table(vec![(0.0, 1.0), (50.0, 0.0)])),
+        load(1, LoadLaw::spring(10.0, 1.0)),
     ];
     model
 }
@@ -232,9 +214,13 @@ fn quiet_model() -> Model {
         }
     }
     model.tracks.clear();
-    model
-        .loads
-        .retain(|load| !matches!(load.law, LoadLaw::Pieces { .. } | LoadLaw::SpeedTable(_)));
+    model.loads.retain(|load| {
+        let table = load
+            .law
+            .function()
+            .is_some_and(|own| !own.corners().is_empty());
+        !(table || matches!(load.law, LoadLaw::Pieces { .. }))
+    });
     for load in &mut model.loads {
         if let LoadLaw::Written(written) = &mut load.law {
             *written = self::written("3*sin(20*t)*x - v*exp(-x^2) + 2*cos(r)/(1 + v^2)");

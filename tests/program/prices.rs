@@ -17,17 +17,11 @@ const KINDS: &[(&str, &[&str])] = &[
     (
         "load law",
         &[
-            "LoadLaw::Constant",
+            "LoadLaw::Linear",
+            "LoadLaw::Function",
             "LoadLaw::Pieces",
-            "LoadLaw::Spring",
-            "LoadLaw::Viscous",
-            "LoadLaw::Friction",
-            "LoadLaw::LinearMotor",
-            "LoadLaw::Kloss",
-            "LoadLaw::SpeedTable",
             "LoadLaw::Stop",
             "LoadLaw::Written",
-            "LoadLaw::Custom",
         ],
     ),
     (

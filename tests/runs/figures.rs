@@ -71,7 +71,7 @@ fn one_object(position: Position, motion: fn(Law) -> NodeMotion, load: f64) -> M
         loads: vec![Load {
             node: 1,
             name: "output.loads.load".to_owned(),
-            law: LoadLaw::Constant(load),
+            law: LoadLaw::constant(load),
         }],
         objects: vec![
             part("drive", "drive", 0, None),

@@ -191,7 +191,7 @@ impl Object for BrakedFlywheel {
         };
         if let Some(law) = into.law(at, "", shaft, ratio, 1.0) {
             let node = into.rigid(at, law, self.inertia, ModelPair::default());
-            into.force(at, node, "brake", LoadLaw::Constant(-self.braking));
+            into.force(at, node, "brake", LoadLaw::constant(-self.braking));
         }
     }
 }

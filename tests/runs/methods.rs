@@ -142,10 +142,7 @@ fn a_motion_beyond_all_numbers_is_given_up() {
     let document = Document::parse("scene.json", WHEEL.as_bytes()).unwrap();
     let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
     let mut model = lower(&reading.scene).unwrap();
-    model.loads[0].law = LoadLaw::Spring {
-        rate: -1e6,
-        preload: 0.0,
-    };
+    model.loads[0].law = LoadLaw::spring(-1e6, 0.0);
     let system = System::new(model).unwrap();
     let settings = RunSettings::of(&reading.scene).unwrap();
     let plan = plan(1e-6, &[Method::Dopri5, Method::Dop853], &[1e-6], &[]);

@@ -134,7 +134,7 @@ fn rocker(inputs: &Inputs) -> Model {
         model.loads.push(Load {
             node: n,
             name: "rocker.loads.closing".to_owned(),
-            law: LoadLaw::Constant(-inputs.closing_moment_n_m),
+            law: LoadLaw::constant(-inputs.closing_moment_n_m),
         });
     }
     model.objects = objects(n);

@@ -142,12 +142,7 @@ impl<'s> Mechanics<'s> {
             }
         }
         for (load, statement) in model.loads.iter().zip(&self.loads) {
-            let known = statement.is_some()
-                || matches!(
-                    load.law,
-                    LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Custom { .. }
-                );
-            if !known {
+            if statement.is_none() && matches!(load.law, LoadLaw::Pieces { .. }) {
                 self.no_force[load.node] = Some("a load that no text states");
             }
         }
@@ -289,10 +284,11 @@ impl<'s> Mechanics<'s> {
                     force
                 }
                 (None, LoadLaw::Written(written)) => written.force(time, motion),
-                (None, LoadLaw::Custom { function, factor }) => {
+                (None, LoadLaw::Function { function, factor }) => {
                     factor * function.force(own.0, own.1).value
                 }
-                (None, _) => 0.0,
+                (None, LoadLaw::Linear(law)) => law.force - law.rate * own.0 - law.damping * own.1,
+                (None, LoadLaw::Pieces { .. }) => 0.0,
             };
             self.nodes[load.node].force += force;
             self.nodes[load.node].size += force.abs();
@@ -465,43 +461,11 @@ fn loads(model: &Model) -> Vec<Option<LoadStatement>> {
         if let Some(stated) = model.stated.loads.get(&index) {
             return Some(stated.clone());
         }
-        let law = match &load.law {
-            LoadLaw::Constant(force) => StatedLoad::Constant(*force),
-            LoadLaw::Spring { rate, preload } => StatedLoad::Spring {
-                rate: *rate,
-                preload: *preload,
-            },
-            LoadLaw::Viscous(damping) => StatedLoad::Viscous(*damping),
-            LoadLaw::Friction { force, width } => StatedLoad::Friction {
-                force: *force,
-                width: *width,
-            },
-            LoadLaw::LinearMotor {
-                stall_torque,
-                no_load_speed,
-            } => StatedLoad::Motor {
-                stall: *stall_torque,
-                no_load: *no_load_speed,
-            },
-            LoadLaw::Kloss {
-                breakdown_torque,
-                breakdown_slip,
-                synchronous_speed,
-            } => StatedLoad::Kloss {
-                breakdown: *breakdown_torque,
-                slip: *breakdown_slip,
-                synchronous: *synchronous_speed,
-            },
-            LoadLaw::SpeedTable(points) => StatedLoad::OverSpeed(points.clone()),
-            LoadLaw::Pieces { .. }
-            | LoadLaw::Stop(_)
-            | LoadLaw::Written(_)
-            | LoadLaw::Custom { .. } => return None,
-        };
+        let (declared, share) = load.law.declared()?;
         Some(LoadStatement {
-            law,
+            law: StatedLoad::declared(&declared)?,
             driver: load.node,
-            share: 1.0,
+            share,
         })
     };
     model.loads.iter().enumerate().map(statement).collect()

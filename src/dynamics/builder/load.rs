@@ -37,25 +37,40 @@ impl ModelBuilder {
         };
         for &node in chosen {
             // Faults of the law are the same for every mass: say them once.
-            let Some(law) = self.load_law(&path, &spec.law, object, node, driver) else {
+            if self
+                .load_on(&path, &spec.law, object, [node, driver])
+                .is_none()
+            {
                 return;
-            };
-            self.model.loads.push(Load {
-                node,
-                name: path.clone(),
-                law,
-            });
-            if let Some(stated) = stated(&spec.law) {
-                self.state_load(stated, driver);
-            }
-            if let LoadLawSpec::Written(written) = &spec.law {
-                self.wait_for(&path, written.over.as_ref());
             }
         }
     }
 
+    /// Adds a load, with its address, on a node behind a driver; `None`: the law has faults.
+    pub(super) fn load_on(
+        &mut self,
+        path: &str,
+        spec: &LoadLawSpec,
+        object: usize,
+        [node, driver]: [NodeIndex; 2],
+    ) -> Option<()> {
+        let law = self.load_law(path, spec, object, node, driver)?;
+        self.model.loads.push(Load {
+            node,
+            name: path.to_owned(),
+            law,
+        });
+        if let Some(stated) = stated(spec) {
+            self.state_load(stated, driver);
+        }
+        if let LoadLawSpec::Written(written) = spec {
+            self.wait_for(path, written.over.as_ref());
+        }
+        Some(())
+    }
+
     /// Notes what the scene states of the load added last.
-    pub(super) fn state_load(&mut self, stated: StatedLoad, driver: NodeIndex) {
+    fn state_load(&mut self, stated: StatedLoad, driver: NodeIndex) {
         let last = self.model.loads.len() - 1;
         let statement = LoadStatement {
             law: stated,
@@ -65,7 +80,7 @@ impl ModelBuilder {
         self.model.stated.loads.insert(last, statement);
     }
 
-    fn load_law(
+    pub(super) fn load_law(
         &mut self,
         path: &str,
         spec: &LoadLawSpec,
@@ -110,7 +125,7 @@ impl ModelBuilder {
                 Some(match self.track(source, (breaks, false), object) {
                     Some(track) => LoadLaw::Pieces { track, pieces },
                     // A single piece without an end.
-                    None => LoadLaw::Constant(pieces.first().map_or(0.0, |piece| piece.value)),
+                    None => LoadLaw::constant(pieces.first().map_or(0.0, |piece| piece.value)),
                 })
             }
             Err(found) => {
@@ -130,22 +145,18 @@ impl ModelBuilder {
     ) -> Option<LoadLaw> {
         let mut faults = Faults::default();
         let law = match *spec {
-            LoadLawSpec::Custom(ref load) => Some(LoadLaw::Custom {
-                function: load.0.clone(),
-                factor: 1.0,
-            }),
+            LoadLawSpec::Custom(ref load) => Some(LoadLaw::of(load.0.clone())),
             LoadLawSpec::Constant(force) => {
                 faults.finite("constant", force);
-                Some(LoadLaw::Constant(force))
+                Some(LoadLaw::constant(force))
             }
-            LoadLawSpec::Spring { rate, preload } => {
-                faults.not_negative("spring.rate", rate);
-                faults.finite("spring.preload", preload);
-                Some(LoadLaw::Spring { rate, preload })
+            LoadLawSpec::Declared(ref declared) => {
+                declared.check(&mut faults);
+                Some(declared.law())
             }
-            LoadLawSpec::Viscous(damping) => {
-                faults.not_negative("viscous", damping);
-                Some(LoadLaw::Viscous(damping))
+            LoadLawSpec::SpeedTable(ref points) => {
+                faults.points("table", points, 1);
+                Some(LoadLaw::speed_table(points.clone()))
             }
             LoadLawSpec::Weight { inclination } => {
                 faults.finite("weight.inclination", inclination);
@@ -155,12 +166,7 @@ impl ModelBuilder {
                     faults.add("weight", message, hint);
                 }
                 let mass = self.model.nodes[node].inertia;
-                Some(LoadLaw::Constant(-mass * FREE_FALL * inclination.sin()))
-            }
-            LoadLawSpec::Friction { force, width } => {
-                faults.not_negative("friction.force", force);
-                faults.positive("friction.width", width);
-                Some(LoadLaw::Friction { force, width })
+                Some(LoadLaw::constant(-mass * FREE_FALL * inclination.sin()))
             }
             LoadLawSpec::Written(_)
             | LoadLawSpec::TimeTable(_)
@@ -209,16 +215,9 @@ fn stated(law: &LoadLawSpec) -> Option<StatedLoad> {
             force: *force,
             period: *period,
         },
-        LoadLawSpec::Spring { rate, preload } => StatedLoad::Spring {
-            rate: *rate,
-            preload: *preload,
-        },
-        LoadLawSpec::Viscous(damping) => StatedLoad::Viscous(*damping),
+        LoadLawSpec::Declared(declared) => StatedLoad::declared(declared)?,
+        LoadLawSpec::SpeedTable(points) => StatedLoad::OverSpeed(points.clone()),
         LoadLawSpec::Weight { inclination } => StatedLoad::Weight(*inclination),
-        LoadLawSpec::Friction { force, width } => StatedLoad::Friction {
-            force: *force,
-            width: *width,
-        },
         LoadLawSpec::Written(written) => StatedLoad::Written {
             expression: written.expression.clone(),
             factor: written.factor,

@@ -51,9 +51,9 @@ impl ModelBuilder {
         self.load(at, spec, &[output], driver);
         let known = |load: &Load| {
             let given = match &load.law {
-                LoadLaw::Constant(_) | LoadLaw::Pieces { .. } => true,
+                LoadLaw::Pieces { .. } => true,
                 LoadLaw::Written(written) => written.nodes().next().is_none(),
-                _ => false,
+                law => law.as_constant().is_some(),
             };
             given && load.node == output
         };
@@ -67,29 +67,11 @@ impl ModelBuilder {
                 own.share *= share;
                 self.model.stated.loads.insert(self.model.loads.len(), own);
             }
-            let law = match &load.law {
-                LoadLaw::Pieces { track, pieces } => {
-                    let mut pieces = pieces.clone();
-                    for piece in &mut pieces {
-                        (piece.value, piece.slope) = (share * piece.value, share * piece.slope);
-                    }
-                    let track = *track;
-                    LoadLaw::Pieces { track, pieces }
-                }
-                LoadLaw::Constant(force) => LoadLaw::Constant(share * force),
-                LoadLaw::Written(written) => {
-                    let mut own = written.clone();
-                    own.factor *= share;
-                    LoadLaw::Written(own)
-                }
-                other => other.clone(),
-            };
+            let mut law = load.law.clone();
+            law.scale(share);
             let name = load.name.clone();
             self.model.loads.push(Load { node, name, law });
         }
-        match load.law {
-            LoadLaw::Constant(force) => force,
-            _ => 0.0,
-        }
+        load.law.as_constant().unwrap_or(0.0)
     }
 }

@@ -6,6 +6,7 @@
 
 pub use super::level::{InertiaSplit, Level, Lumping, Uniform};
 pub use super::written::WrittenSpec;
+pub use crate::dynamics::laws::Declared;
 use crate::dynamics::load::CustomLoad;
 use crate::dynamics::model::{Closure, ContactLaw, Coordinate, DampingLaw};
 pub use crate::kinematics::hertzian::ContactPressure;
@@ -33,37 +34,9 @@ pub struct MotorSpec {
     /// Speed at t = 0 (rad/s).
     pub speed: f64,
     /// Driving torque as a function of speed.
-    pub torque: TorqueSpec,
+    pub torque: LoadLawSpec,
     /// Further loads on the rotor.
     pub loads: Vec<LoadSpec>,
-}
-
-/// Torque characteristic of a motor.
-#[derive(Clone, Debug, PartialEq)]
-pub enum TorqueSpec {
-    /// `{ "constant": T }`.
-    Constant(f64),
-    /// `{ "linear": { "stall_torque", "no_load_speed" } }`: T₀·(1 − ω/ω₀).
-    Linear {
-        /// T₀ (N·m).
-        stall_torque: f64,
-        /// ω₀ (rad/s).
-        no_load_speed: f64,
-    },
-    /// `{ "kloss": { "breakdown_torque", "breakdown_slip", "synchronous_speed" } }`:
-    /// T = 2·T_b / (s/s_b + s_b/s), s = 1 − ω/ω_s.
-    Kloss {
-        /// T_b (N·m).
-        breakdown_torque: f64,
-        /// s_b, 0 < s_b ≤ 1.
-        breakdown_slip: f64,
-        /// ω_s (rad/s).
-        synchronous_speed: f64,
-    },
-    /// `{ "table": [[ω, T], …] }`: linear between the points, constant outside.
-    Table(Vec<(f64, f64)>),
-    /// `{ "expression": "30*(1 - phi_dot/150)", "unit" }` over time and the rotor's motion.
-    Written(WrittenSpec),
 }
 
 /// A planar linkage of rigid links, and how it is driven.
@@ -317,15 +290,8 @@ pub enum LoadLawSpec {
         /// Repeats after this much of φ; `None`: once.
         period: Option<f64>,
     },
-    /// `{ "spring": { "rate", "preload" = 0 } }`: W = −preload − rate·φ of the mass.
-    Spring {
-        /// Rate, ≥ 0.
-        rate: f64,
-        /// Force at φ = 0, positive towards negative displacement.
-        preload: f64,
-    },
-    /// `{ "viscous": b }`: W = −b·φ̇.
-    Viscous(f64),
+    /// A law over the own motion that the library declares: `{ "spring": { "rate", "preload" } }`.
+    Declared(Declared),
     /// `{ "weight": { "inclination" } }` (sliders): W = −m·g·sin(inclination) with
     /// the mass m that it acts on (each its own where there are several), the
     /// inclination of the positive direction above the horizontal.
@@ -333,14 +299,8 @@ pub enum LoadLawSpec {
         /// Angle above the horizontal (rad).
         inclination: f64,
     },
-    /// `{ "friction": { "force", "width" } }`: Coulomb friction regularised as
-    /// W = −force·tanh(φ̇/width).
-    Friction {
-        /// Sliding friction force, ≥ 0.
-        force: f64,
-        /// Regularisation width: speed at which tanh 1 = 76 % is reached, > 0.
-        width: f64,
-    },
+    /// `{ "table": [[φ̇, W], …] }` of a motor: linear between the points, constant outside.
+    SpeedTable(Vec<(f64, f64)>),
     /// `{ "expression": "120*sin(2*pi*5*t)", "unit": "kN" }` over time and motions, and
     /// `{ "harmonic": … }`.
     Written(WrittenSpec),

@@ -78,7 +78,7 @@ impl ModelBuilder {
                 self.faults.add(format!("{path}.expression"), message, "");
                 return None;
             }
-            return Some(LoadLaw::Constant(force));
+            return Some(LoadLaw::constant(force));
         }
         if let Some(law) = simple(spec) {
             return Some(law);
@@ -148,11 +148,8 @@ fn simple(spec: &WrittenSpec) -> Option<LoadLaw> {
     let [rate, damping] = [0, 1].map(|k| -spec.factor * linear.factors[k]);
     let finite = rest.is_finite() && rate.is_finite() && damping.is_finite();
     match finite {
-        true if rate > 0.0 && damping == 0.0 => Some(LoadLaw::Spring {
-            rate,
-            preload: -rest,
-        }),
-        true if damping > 0.0 && rate == 0.0 && rest == 0.0 => Some(LoadLaw::Viscous(damping)),
+        true if rate > 0.0 && damping == 0.0 => Some(LoadLaw::spring(rate, -rest)),
+        true if damping > 0.0 && rate == 0.0 && rest == 0.0 => Some(LoadLaw::viscous(damping)),
         _ => None,
     }
 }

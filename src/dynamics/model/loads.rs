@@ -19,8 +19,8 @@ pub struct Load {
 /// Force law of a load.
 #[derive(Clone, Debug)]
 pub enum LoadLaw {
-    /// W.
-    Constant(f64),
+    /// W₀ − k·φ − b·φ̇.
+    Linear(LinearLoad),
     /// Piecewise-linear in time or in a driver's displacement; the track
     /// selects the piece. Piece i is `value[i] + slope[i]·(x − start[i])`.
     Pieces {
@@ -29,51 +29,128 @@ pub enum LoadLaw {
         /// Pieces, one for each of the track's.
         pieces: Vec<LinearPiece>,
     },
-    /// −preload − rate·φ.
-    Spring {
-        /// Rate.
-        rate: f64,
-        /// Force at φ = 0, towards negative displacement.
-        preload: f64,
-    },
-    /// −b·φ̇.
-    Viscous(f64),
-    /// −force·tanh(φ̇/width).
-    Friction {
-        /// Sliding friction.
-        force: f64,
-        /// Regularisation width (speed).
-        width: f64,
-    },
-    /// T₀·(1 − ω/ω₀).
-    LinearMotor {
-        /// T₀.
-        stall_torque: f64,
-        /// ω₀.
-        no_load_speed: f64,
-    },
-    /// Kloss: 2·T_b/(s/s_b + s_b/s), written without poles as 2·T_b·s·s_b/(s² + s_b²).
-    Kloss {
-        /// T_b.
-        breakdown_torque: f64,
-        /// s_b.
-        breakdown_slip: f64,
-        /// ω_s.
-        synchronous_speed: f64,
-    },
-    /// Torque over speed, linear between the points, constant outside.
-    SpeedTable(Vec<(f64, f64)>),
     /// A one-sided stop against the ground.
     Stop(Stop),
     /// An expression over time and motions.
     Written(WrittenLoad),
-    /// `factor` times anything else over displacement and speed of the node.
-    Custom {
+    /// `factor` times a function of displacement and speed of the node.
+    Function {
         /// The force.
         function: Arc<dyn LoadFunction>,
         /// Factor on it.
         factor: f64,
     },
+}
+
+/// W₀ − k·φ − b·φ̇: what is constant, a spring, a damper, or all of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinearLoad {
+    /// W₀.
+    pub force: f64,
+    /// k.
+    pub rate: f64,
+    /// b.
+    pub damping: f64,
+}
+
+impl LoadLaw {
+    /// A constant force.
+    pub fn constant(force: f64) -> Self {
+        Self::Linear(LinearLoad {
+            force,
+            ..LinearLoad::default()
+        })
+    }
+
+    /// −preload − rate·φ.
+    pub fn spring(rate: f64, preload: f64) -> Self {
+        Self::Linear(LinearLoad {
+            force: -preload,
+            rate,
+            ..LinearLoad::default()
+        })
+    }
+
+    /// −damping·φ̇.
+    pub fn viscous(damping: f64) -> Self {
+        Self::Linear(LinearLoad {
+            damping,
+            ..LinearLoad::default()
+        })
+    }
+
+    /// A function of displacement and speed.
+    pub fn of(function: Arc<dyn LoadFunction>) -> Self {
+        Self::Function {
+            function,
+            factor: 1.0,
+        }
+    }
+
+    /// The force, where it is constant.
+    pub fn as_constant(&self) -> Option<f64> {
+        match self {
+            Self::Linear(own) if own.rate == 0.0 && own.damping == 0.0 => Some(own.force),
+            _ => None,
+        }
+    }
+
+    /// The function of the node's motion that it is.
+    pub fn function(&self) -> Option<&dyn LoadFunction> {
+        match self {
+            Self::Function { function, .. } => Some(function.as_ref()),
+            _ => None,
+        }
+    }
+
+    /// True for what a body at rest does not feel as it stands: viscous, friction and motor
+    /// torques. (The damping of a stop counts as part of the stop.)
+    pub fn needs_speed(&self) -> bool {
+        match self {
+            Self::Linear(own) => own.damping != 0.0,
+            Self::Pieces { .. } | Self::Stop(_) => false,
+            Self::Written(written) => written.needs_speed(),
+            Self::Function { function, .. } => function.needs_speed(),
+        }
+    }
+
+    /// The speed that a motor with this torque runs at without load; `None`: it is no
+    /// torque of a motor.
+    pub fn running_speed(&self) -> Option<f64> {
+        match self {
+            Self::Linear(own) => own.running_speed(),
+            Self::Function { function, .. } => function.running_speed(),
+            Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) => None,
+        }
+    }
+
+    /// Multiplies the force; a stop is moved.
+    pub fn scale(&mut self, by: f64) {
+        match self {
+            Self::Linear(own) => {
+                for part in [&mut own.force, &mut own.rate, &mut own.damping] {
+                    *part *= by;
+                }
+            }
+            Self::Pieces { pieces, .. } => {
+                for piece in pieces {
+                    piece.value *= by;
+                    piece.slope *= by;
+                }
+            }
+            Self::Stop(stop) => stop.at *= by,
+            Self::Written(written) => written.factor *= by,
+            Self::Function { factor, .. } => *factor *= by,
+        }
+    }
+}
+
+impl LinearLoad {
+    /// The speed at which a torque that falls with the speed vanishes.
+    pub fn running_speed(&self) -> Option<f64> {
+        let falls = self.force != 0.0 && self.damping != 0.0 && self.rate == 0.0;
+        falls.then(|| (self.force / self.damping).abs())
+    }
 }
 
 /// A force written as an expression.

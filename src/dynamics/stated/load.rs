@@ -1,5 +1,6 @@
 //! Loads as a scene states them.
 
+use crate::dynamics::laws::Declared;
 use crate::math::expression::Expression;
 
 /// Displacement and speed of what a load looks at.
@@ -25,40 +26,15 @@ pub(crate) enum StatedLoad {
         /// Period.
         period: Option<f64>,
     },
-    /// −preload − rate·φ.
-    Spring {
-        /// Rate.
-        rate: f64,
-        /// Force at φ = 0.
-        preload: f64,
+    /// A law that the library declares, by its formula over φ, φ̇ and its numbers.
+    Declared {
+        /// The formula.
+        formula: Expression,
+        /// The numbers.
+        numbers: Vec<f64>,
     },
-    /// −b·φ̇.
-    Viscous(f64),
     /// −m·g·sin(inclination), m the inertia of the node.
     Weight(f64),
-    /// −force·tanh(φ̇/width).
-    Friction {
-        /// Sliding friction.
-        force: f64,
-        /// Width.
-        width: f64,
-    },
-    /// T₀·(1 − ω/ω₀).
-    Motor {
-        /// T₀.
-        stall: f64,
-        /// ω₀.
-        no_load: f64,
-    },
-    /// Kloss: 2·T_b/(s/s_b + s_b/s), s = 1 − ω/ω_s.
-    Kloss {
-        /// T_b.
-        breakdown: f64,
-        /// s_b.
-        slip: f64,
-        /// ω_s.
-        synchronous: f64,
-    },
     /// An expression over time, the own motion, that of the driver and that of another.
     Written {
         /// The expression.
@@ -69,6 +45,14 @@ pub(crate) enum StatedLoad {
 }
 
 impl StatedLoad {
+    /// What a declared law says; `None`: its formula cannot be read.
+    pub(crate) fn declared(declared: &Declared) -> Option<Self> {
+        Some(Self::Declared {
+            formula: declared.formula()?,
+            numbers: declared.values.clone(),
+        })
+    }
+
     /// The force at an instant, given the motions of the node itself, of its driver and of
     /// the object that it looks at besides, and the inertia of the node.
     pub(crate) fn force(
@@ -101,19 +85,12 @@ impl StatedLoad {
                 };
                 if *from <= x && x < *to { *force } else { 0.0 }
             }
-            Self::Spring { rate, preload } => -preload - rate * own.0,
-            Self::Viscous(damping) => -damping * own.1,
-            Self::Weight(inclination) => -inertia * gravity * inclination.sin(),
-            Self::Friction { force, width } => -force * (own.1 / width).tanh(),
-            Self::Motor { stall, no_load } => stall - stall * own.1 / no_load,
-            Self::Kloss {
-                breakdown,
-                slip,
-                synchronous,
-            } => {
-                let s = (synchronous - own.1) / synchronous;
-                2.0 * breakdown * s * slip / (s * s + slip * slip)
+            Self::Declared { formula, numbers } => {
+                let mut values = vec![own.0, own.1];
+                values.extend(numbers);
+                formula.at(&values)
             }
+            Self::Weight(inclination) => -inertia * gravity * inclination.sin(),
             Self::Written { expression, factor } => {
                 let values = [time, own.0, own.1, driver.0, driver.1, over.0, over.1];
                 factor * expression.at(&values)

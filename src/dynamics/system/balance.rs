@@ -336,7 +336,7 @@ impl Frozen {
             *force = N::from(constant);
         }
         for index in 0..self.loads.len() {
-            if !self.loads[index].needs_speed() {
+            if !self.loads[index].law.needs_speed() {
                 let force = self.load(index, time, modes, work);
                 work.force[self.loads[index].node] += force;
             }

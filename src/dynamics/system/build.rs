@@ -263,11 +263,11 @@ impl<'a> Builder<'a> {
         for load in &self.model.loads {
             let node = self.frozen.internal[load.node];
             let (mut stop, mut written) = (None, None);
+            if let Some(force) = load.law.as_constant() {
+                self.frozen.constant_force[node] += force;
+                continue;
+            }
             let argument = match &load.law {
-                LoadLaw::Constant(force) => {
-                    self.frozen.constant_force[node] += force;
-                    continue;
-                }
                 LoadLaw::Pieces { track, .. } => {
                     let component = self.frozen.track_component(*track);
                     let place = self.frozen.tracks[*track].node;
@@ -283,10 +283,11 @@ impl<'a> Builder<'a> {
                     written = Some(Written::new(own, load.node, &mut self.frozen));
                     None
                 }
-                _ => None,
+                LoadLaw::Linear(_) | LoadLaw::Function { .. } => None,
             };
             self.frozen.loads.push(FrozenLoad {
                 node,
+                has_series: (load.law.function()).is_none_or(|own| own.series().is_some()),
                 law: load.law.clone(),
                 argument,
                 stop,

@@ -234,28 +234,12 @@ fn check_loads(model: &Model, faults: &mut Vec<Fault>) {
     for load in &model.loads {
         let finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
         let good = match &load.law {
-            LoadLaw::Constant(force) | LoadLaw::Viscous(force) => force.is_finite(),
+            LoadLaw::Linear(own) => finite(&[own.force, own.rate, own.damping]),
             LoadLaw::Pieces { pieces, .. } => {
                 let finite_piece = |piece: &crate::dynamics::model::LinearPiece| {
                     finite(&[piece.start, piece.value, piece.slope])
                 };
                 !pieces.is_empty() && pieces.iter().all(finite_piece)
-            }
-            LoadLaw::Spring { rate, preload } => finite(&[*rate, *preload]),
-            LoadLaw::Friction { force, width } => {
-                force.is_finite() && *width > 0.0 && width.is_finite()
-            }
-            LoadLaw::LinearMotor {
-                stall_torque,
-                no_load_speed,
-            } => finite(&[*stall_torque, 1.0 / no_load_speed]),
-            LoadLaw::Kloss {
-                breakdown_torque,
-                breakdown_slip,
-                synchronous_speed,
-            } => {
-                finite(&[*breakdown_torque, *breakdown_slip, 1.0 / synchronous_speed])
-                    && *breakdown_slip > 0.0
             }
             LoadLaw::Stop(stop) => {
                 let side = stop.side.abs() == 1.0;
@@ -263,11 +247,11 @@ fn check_loads(model: &Model, faults: &mut Vec<Fault>) {
                 side && gives && finite(&[stop.at, stop.stiffness])
             }
             LoadLaw::Written(written) => finite(&[written.factor]),
-            LoadLaw::Custom { function, factor } => finite(&[*factor, function.magnitude()]),
-            LoadLaw::SpeedTable(points) => {
-                let ascending = points.windows(2).all(|pair| pair[0].0 < pair[1].0);
-                let all_finite = points.iter().all(|point| finite(&[point.0, point.1]));
-                !points.is_empty() && ascending && all_finite
+            LoadLaw::Function { function, factor } => {
+                let corners = function.corners();
+                let ascending = corners.windows(2).all(|pair| pair[0].0 < pair[1].0);
+                let stated = function.declared().is_none_or(|own| own.is_possible());
+                ascending && stated && finite(&[*factor, function.magnitude()])
             }
         };
         if !good {

@@ -103,8 +103,8 @@ impl Frozen {
             }
         }
         for load in &self.loads {
-            if let LoadLaw::Spring { rate, .. } = &load.law {
-                add_square(&mut stiffness, *rate, &moves[load.node]);
+            if let LoadLaw::Linear(own) = &load.law {
+                add_square(&mut stiffness, own.rate, &moves[load.node]);
             }
             if let Some(written) = load.written.as_ref().filter(|own| own.rate != 0.0) {
                 add_square(&mut stiffness, written.rate, &moves[load.node]);

@@ -16,6 +16,8 @@ pub(super) struct FrozenLoad {
     pub(super) argument: Option<Argument>,
     /// Of [`LoadLaw::Stop`]: index into [`Frozen::stops`](super::frozen::Frozen::stops).
     pub(super) stop: Option<usize>,
+    /// False for a function of which no power series is known.
+    pub(super) has_series: bool,
     /// Of [`LoadLaw::Written`]: the expression.
     pub(super) written: Option<Written>,
 }
@@ -53,7 +55,9 @@ impl FrozenLoad {
         argument: impl Fn(&Argument) -> (N, i64),
     ) -> N {
         match &self.law {
-            LoadLaw::Constant(force) => N::from(*force),
+            LoadLaw::Linear(own) => {
+                N::from(own.force) - displacement.scale(own.rate) - speed.scale(own.damping)
+            }
             // (A stop's force depends on its mode, that of an expression on other nodes.)
             LoadLaw::Stop(_) | LoadLaw::Written(_) => N::from(0.0),
             LoadLaw::Pieces { pieces, .. } => match &self.argument {
@@ -63,29 +67,15 @@ impl FrozenLoad {
                 }
                 None => N::from(0.0),
             },
-            LoadLaw::Spring { rate, preload } => N::from(-preload) - displacement.scale(*rate),
-            LoadLaw::Viscous(damping) => -speed.scale(*damping),
-            LoadLaw::Friction { force, width } => {
-                speed.apply(|speed| friction(speed, *force, *width))
+            LoadLaw::Function { function, factor } if !function.needs_displacement() => {
+                let place = displacement.value();
+                let force = speed.apply(|speed| {
+                    let force = function.force(place, speed);
+                    (force.value, force.by_speed)
+                });
+                force.scale(*factor)
             }
-            LoadLaw::LinearMotor {
-                stall_torque,
-                no_load_speed,
-            } => N::from(*stall_torque) - speed.scale(stall_torque / no_load_speed),
-            LoadLaw::Kloss {
-                breakdown_torque,
-                breakdown_slip,
-                synchronous_speed,
-            } => speed.apply(|speed| {
-                kloss(
-                    speed,
-                    *breakdown_torque,
-                    *breakdown_slip,
-                    *synchronous_speed,
-                )
-            }),
-            LoadLaw::SpeedTable(points) => speed.apply(|speed| speed_table(points, speed)),
-            LoadLaw::Custom { function, factor } => {
+            LoadLaw::Function { function, factor } => {
                 let force = function.force(displacement.value(), speed.value());
                 // Its derivatives are those of the force along the motion's.
                 let moved = displacement - N::from(displacement.value());
@@ -106,98 +96,10 @@ impl FrozenLoad {
             _ => 0.0,
         }
     }
-
-    /// True for loads that a body at rest does not feel: viscous, friction and
-    /// motor torques.
-    pub(super) fn needs_speed(&self) -> bool {
-        needs_speed(&self.law)
-    }
-}
-
-/// True for laws that are functions of speed.
-pub(super) fn needs_speed(law: &LoadLaw) -> bool {
-    match law {
-        LoadLaw::Constant(_)
-        | LoadLaw::Pieces { .. }
-        | LoadLaw::Spring { .. }
-        | LoadLaw::Stop(_) => false,
-        LoadLaw::Viscous(_)
-        | LoadLaw::Friction { .. }
-        | LoadLaw::LinearMotor { .. }
-        | LoadLaw::Kloss { .. }
-        | LoadLaw::SpeedTable(_) => true,
-        LoadLaw::Custom { function, .. } => function.needs_speed(),
-        LoadLaw::Written(written) => written.needs_speed(),
-    }
-}
-
-/// True for the torque characteristics of motors.
-pub(super) fn is_motor(law: &LoadLaw) -> bool {
-    matches!(
-        law,
-        LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_)
-    )
 }
 
 fn piece_force<N: Quantity>(pieces: &[LinearPiece], breaks: &Breaks, x: N, segment: i64) -> N {
     let (index, shift) = breaks.piece(segment);
     let piece = pieces[index.min(pieces.len() - 1)];
     N::from(piece.value) + (x - N::from(shift + piece.start)).scale(piece.slope)
-}
-
-/// Coulomb friction, regularised, and its slope.
-fn friction(speed: f64, force: f64, width: f64) -> (f64, f64) {
-    let tanh = (speed / width).tanh();
-    (-force * tanh, -force * (1.0 - tanh * tanh) / width)
-}
-
-/// Kloss' formula for an asynchronous motor and its slope over speed.
-fn kloss(speed: f64, breakdown: f64, breakdown_slip: f64, synchronous: f64) -> (f64, f64) {
-    let slip = 1.0 - speed / synchronous;
-    let square = slip * slip + breakdown_slip * breakdown_slip;
-    let factor = 2.0 * breakdown * breakdown_slip;
-    let over_slip = factor * (breakdown_slip * breakdown_slip - slip * slip) / (square * square);
-    (factor * slip / square, -over_slip / synchronous)
-}
-
-/// A table over speed, linear between its points and constant outside.
-fn speed_table(points: &[(f64, f64)], speed: f64) -> (f64, f64) {
-    let above = points.partition_point(|point| point.0 <= speed);
-    match (above.checked_sub(1).map(|i| points[i]), points.get(above)) {
-        (Some((low, from)), Some(&(high, to))) => {
-            let slope = (to - from) / (high - low);
-            (from + slope * (speed - low), slope)
-        }
-        (Some((_, torque)), None) => (torque, 0.0),
-        (None, Some(&(_, torque))) => (torque, 0.0),
-        (None, None) => (0.0, 0.0),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{friction, kloss, speed_table};
-
-    #[test]
-    fn slopes_of_characteristics_agree_with_differences() {
-        let step = 1e-5;
-        for speed in [-12.0, -0.3, 0.0, 2.2, 90.0, 104.0, 130.0] {
-            for law in [
-                |speed| friction(speed, 20.0, 0.5),
-                |speed| kloss(speed, 25.0, 0.2, 104.7),
-                |speed| speed_table(&[(0.5, 10.0), (50.0, 8.0), (104.0001, 0.0)], speed),
-            ] {
-                let difference = (law(speed + step).0 - law(speed - step).0) / (2.0 * step);
-                approx::assert_abs_diff_eq!(law(speed).1, difference, epsilon = 1e-6);
-            }
-        }
-    }
-
-    #[test]
-    fn kloss_has_its_breakdown_torque_at_its_breakdown_slip() {
-        let (torque, slope) = kloss(104.7 * 0.8, 25.0, 0.2, 104.7);
-        approx::assert_relative_eq!(torque, 25.0, max_relative = 1e-12);
-        approx::assert_abs_diff_eq!(slope, 0.0, epsilon = 1e-12);
-        assert_eq!(kloss(104.7, 25.0, 0.2, 104.7).0, 0.0);
-    }
 }

@@ -1,12 +1,11 @@
 //! What every object is doing: read off a complete evaluation.
 
 use super::frozen::{Chain, Frozen, Rigid, Step};
-use super::loads::is_motor;
 use super::passes::{Extent, Work};
 use super::reduced::Modal;
 use super::{Energy, ObjectState, Power, Scratch, System};
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{Closure, LoadLaw, Model, ObjectPart, Pair, Pressing};
+use crate::dynamics::model::{Closure, Model, ObjectPart, Pair, Pressing};
 use std::sync::Arc;
 
 /// Place of an object of the model in the frozen layout.
@@ -113,7 +112,7 @@ fn motor(frozen: &Frozen, model: &Model, part: &ObjectPart, internal: usize) -> 
         rest.is_some_and(|rest| [".torque", ".motor.torque", ".motor.force"].contains(&rest))
     };
     // Constant loads have no place of their own in the layout.
-    let varying = (model.loads.iter()).filter(|load| !matches!(load.law, LoadLaw::Constant(_)));
+    let varying = (model.loads.iter()).filter(|load| load.law.as_constant().is_none());
     let torque: Vec<usize> = (varying.enumerate())
         .filter(|(_, load)| load.node == part.nodes[0] && own(&load.name))
         .map(|(index, _)| index)
@@ -121,17 +120,14 @@ fn motor(frozen: &Frozen, model: &Model, part: &ObjectPart, internal: usize) -> 
     let loads = (0..frozen.loads.len())
         .filter(|&load| {
             let own = &frozen.loads[load];
-            own.node == internal && (is_motor(&own.law) || torque.contains(&load))
+            own.node == internal && (own.law.running_speed().is_some() || torque.contains(&load))
         })
         .collect();
     let constant = model
         .loads
         .iter()
         .filter(|load| load.node == part.nodes[0] && own(&load.name))
-        .map(|load| match load.law {
-            LoadLaw::Constant(torque) => torque,
-            _ => 0.0,
-        })
+        .filter_map(|load| load.law.as_constant())
         .sum();
     Body::Motor { loads, constant }
 }

@@ -3,7 +3,6 @@
 use super::System;
 use super::frozen::{Frozen, FrozenLaw, Step};
 use super::taylor::way_of_law;
-use crate::dynamics::model::LoadLaw;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::position::Position;
@@ -39,7 +38,11 @@ impl System {
     /// without a switch.
     pub fn has_corners(&self) -> bool {
         let mut loads = self.frozen.loads.iter();
-        loads.any(|load| matches!(load.law, LoadLaw::SpeedTable(_)))
+        loads.any(|load| {
+            load.law
+                .function()
+                .is_some_and(|own| !own.corners().is_empty())
+        })
     }
 
     /// True when joints of a linkage of several inputs have friction.

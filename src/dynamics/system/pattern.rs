@@ -110,8 +110,10 @@ impl Frozen {
     fn collect_loads(&self, of: &mut Dependences) {
         for load in &self.loads {
             let mut set = match load.law {
-                LoadLaw::Constant(_) | LoadLaw::Pieces { .. } | LoadLaw::Written(_) => Set::new(),
-                _ => of.place[load.node].clone(),
+                LoadLaw::Pieces { .. } | LoadLaw::Written(_) => Set::new(),
+                LoadLaw::Linear(_) | LoadLaw::Stop(_) | LoadLaw::Function { .. } => {
+                    of.place[load.node].clone()
+                }
             };
             if let Some(node) = load.argument.as_ref().and_then(|axis| axis.node) {
                 set.extend(&of.place[node]);

@@ -15,7 +15,7 @@ use super::given::Motion;
 use super::loads::FrozenLoad;
 use super::multi::MultiWork;
 use super::passes::{Extent, Work};
-use crate::dynamics::model::LoadLaw;
+use crate::dynamics::model::{LinearLoad, LoadLaw};
 use crate::kinematics::motion::DriveMotion;
 use std::f64::consts::PI;
 
@@ -191,40 +191,35 @@ fn answer(load: &FrozenLoad, all: f64, range: &Range) -> f64 {
         return all - written.magnitude(|_| [0.0; 2]);
     }
     match &load.law {
-        LoadLaw::Spring { rate, .. } => rate.abs() * range.displacement,
-        LoadLaw::Viscous(damping) => damping.abs() * range.speed,
-        LoadLaw::Constant(_)
+        LoadLaw::Linear(own) if own.running_speed().is_none() => linear_answer(own, range),
+        LoadLaw::Linear(_)
         | LoadLaw::Pieces { .. }
-        | LoadLaw::Friction { .. }
-        | LoadLaw::LinearMotor { .. }
-        | LoadLaw::Kloss { .. }
-        | LoadLaw::SpeedTable(_)
         | LoadLaw::Stop(_)
         | LoadLaw::Written(_)
-        | LoadLaw::Custom { .. } => 0.0,
+        | LoadLaw::Function { .. } => 0.0,
     }
+}
+
+fn linear_answer(own: &LinearLoad, range: &Range) -> f64 {
+    own.rate.abs() * range.displacement + own.damping.abs() * range.speed
 }
 
 /// Greatest magnitude of a load over a node's motion.
 fn magnitude(load: &FrozenLoad, range: &Range) -> f64 {
     match &load.law {
-        LoadLaw::Constant(force) => force.abs(),
+        // (A motor pulls most at rest.)
+        LoadLaw::Linear(own) => match own.running_speed() {
+            Some(_) => own.force.abs(),
+            None => own.force.abs() + linear_answer(own, range),
+        },
         LoadLaw::Pieces { pieces, .. } => pieces
             .iter()
             .map(|piece| piece.value.abs())
             .fold(0.0, f64::max),
-        LoadLaw::Spring { rate, preload } => preload.abs() + rate.abs() * range.displacement,
-        LoadLaw::Viscous(damping) => damping.abs() * range.speed,
-        LoadLaw::Friction { force, .. } => force.abs(),
-        LoadLaw::LinearMotor { stall_torque, .. } => stall_torque.abs(),
-        LoadLaw::Kloss {
-            breakdown_torque, ..
-        } => breakdown_torque.abs(),
-        LoadLaw::SpeedTable(points) => points.iter().map(|point| point.1.abs()).fold(0.0, f64::max),
         // (It presses no more than it is pressed by all others.)
         // (What is written is tried over all motions that it looks at.)
         LoadLaw::Stop(_) | LoadLaw::Written(_) => 0.0,
-        LoadLaw::Custom { function, factor } => (factor * function.magnitude()).abs(),
+        LoadLaw::Function { function, factor } => (factor * function.magnitude()).abs(),
     }
 }
 
@@ -233,14 +228,7 @@ fn magnitude(load: &FrozenLoad, range: &Range) -> f64 {
 /// speed that its own rotor reaches in one turn from rest.
 fn nominal_speed(frozen: &Frozen, node: usize, given: f64) -> f64 {
     let loads = frozen.loads.iter().filter(|load| load.node == node);
-    let of_motor = |load: &FrozenLoad| match &load.law {
-        LoadLaw::LinearMotor { no_load_speed, .. } => no_load_speed.abs(),
-        LoadLaw::Kloss {
-            synchronous_speed, ..
-        } => synchronous_speed.abs(),
-        LoadLaw::SpeedTable(points) => points.iter().map(|point| point.0.abs()).fold(0.0, f64::max),
-        _ => 0.0,
-    };
+    let of_motor = |load: &FrozenLoad| load.law.running_speed().unwrap_or(0.0);
     let speed = loads.map(of_motor).fold(given.abs(), f64::max);
     if speed > 0.0 {
         return speed;

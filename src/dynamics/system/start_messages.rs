@@ -4,7 +4,6 @@ use super::System;
 use super::balance::{Balance, Balanced};
 use super::passes::{Extent, Work};
 use super::placing::Side;
-use crate::dynamics::model::LoadLaw;
 use crate::fault::Fault;
 use crate::units::shown;
 
@@ -66,14 +65,11 @@ impl System {
         let mut varying = 0;
         let mut forces = Vec::new();
         for load in &self.model.loads {
-            let constant = matches!(load.law, LoadLaw::Constant(_));
-            let force = match load.law {
-                LoadLaw::Constant(force) => force,
-                _ => self.frozen.load(varying, 0.0, modes, &work),
-            };
-            varying += usize::from(!constant);
+            let constant = load.law.as_constant();
+            let force = constant.unwrap_or_else(|| self.frozen.load(varying, 0.0, modes, &work));
+            varying += usize::from(constant.is_none());
             let own = self.model.objects[part].nodes.contains(&load.node);
-            if own && !super::loads::needs_speed(&load.law) {
+            if own && !load.law.needs_speed() {
                 forces.push((load.name.clone(), force));
             }
         }

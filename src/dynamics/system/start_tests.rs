@@ -4,6 +4,7 @@ use super::testing::*;
 use super::testing_random::*;
 use super::{InitialState, System};
 use crate::dynamics::integrate::Dynamics;
+use crate::dynamics::laws::Declared;
 use crate::dynamics::model::*;
 use crate::kinematics::position::Position;
 use std::f64::consts::PI;
@@ -41,7 +42,7 @@ fn steady_chain(masses: usize, psi: f64, moment: f64, pair: Pair, start: Start) 
         body,
         masses - 1,
         "end",
-        LoadLaw::Constant(moment),
+        LoadLaw::constant(moment),
     );
     model
 }
@@ -119,8 +120,8 @@ fn a_form_pair_rests_on_the_flank_that_its_load_presses() {
     assert_eq!((start.modes.0, start.y), (vec![0], vec![0.0; 4]));
     // Loads that cancel, one on each mass: open, but the chain is strained.
     let mut model = steady_chain(2, 0.4, 0.3, form(gap), Start::Static);
-    add_load(&mut model, 1, 0, "counter", LoadLaw::Constant(-0.1));
-    add_load(&mut model, 1, 0, "counter", LoadLaw::Constant(-0.2));
+    add_load(&mut model, 1, 0, "counter", LoadLaw::constant(-0.1));
+    add_load(&mut model, 1, 0, "counter", LoadLaw::constant(-0.2));
     let start = started(model);
     assert_eq!((start.modes.0[0], start.y[0]), (0, 0.0));
     approx::assert_relative_eq!(start.y[1], 0.3 / 2e7, max_relative = 1e-12);
@@ -129,7 +130,7 @@ fn a_form_pair_rests_on_the_flank_that_its_load_presses() {
 #[test]
 fn a_load_that_pulls_a_force_pair_open_is_named() {
     let mut model = rocker(2, 0.4, 600.0, pair(FORCE), Start::Static);
-    add_load(&mut model, 1, 1, "light", LoadLaw::Constant(-10.0));
+    add_load(&mut model, 1, 1, "light", LoadLaw::constant(-10.0));
     let faults = System::new(model).unwrap().initial_state().unwrap_err();
     assert_eq!(faults.len(), 1);
     assert_eq!(faults[0].path, "body1.loads.closing");
@@ -162,7 +163,7 @@ fn inertia_that_a_static_start_leaves_out_is_warned_of() {
     let start = started(model.clone());
     let force = -900.0 + 0.1 * PI / 2.0 * (20.0 * PI).powi(2);
     approx::assert_relative_eq!(start.y[0], force / 2e7, max_relative = 1e-12);
-    model.loads[0].law = LoadLaw::Constant(-600.0);
+    model.loads[0].law = LoadLaw::constant(-600.0);
     let faults = System::new(model).unwrap().initial_state().unwrap_err();
     assert!(
         faults[0].message.contains("inertia load"),
@@ -182,16 +183,7 @@ fn the_kinetostatic_start_is_quiet() {
             &rocker_body(3, 0.0, pair(Closure::Bilateral)),
         );
         let second = add_body(&mut model, first, &rocker_body(2, 0.0, form(1e-4)));
-        add_load(
-            &mut model,
-            second,
-            1,
-            "spring",
-            LoadLaw::Spring {
-                rate: 1e4,
-                preload: 5e4,
-            },
-        );
+        add_load(&mut model, second, 1, "spring", LoadLaw::spring(1e4, 5e4));
         let system = System::new(model.clone()).unwrap();
         let start = system.initial_state().unwrap();
         let mut dy = vec![0.0; start.y.len()];
@@ -234,10 +226,7 @@ fn a_motor_driven_start_takes_the_motors_acceleration_into_account() {
         ..rocker_body(2, 0.0, pair(Closure::Bilateral))
     };
     add_body(&mut model, motor, &body);
-    let torque = LoadLaw::LinearMotor {
-        stall_torque: 500.0,
-        no_load_speed: 100.0,
-    };
+    let torque = Declared::linear_motor(500.0, 100.0).law();
     add_load(&mut model, motor, 0, "torque", torque);
     let system = System::new(model).unwrap();
     let start = system.initial_state().unwrap();
@@ -265,7 +254,7 @@ fn a_motor_at_rest_on_an_edge_leaves_it_by_its_torque() {
             ..rocker_body(1, 0.4, pair(Closure::Bilateral))
         };
         add_body(&mut model, motor, &body);
-        add_load(&mut model, motor, 0, "torque", LoadLaw::Constant(torque));
+        add_load(&mut model, motor, 0, "torque", LoadLaw::constant(torque));
         assert_eq!(started(model).modes.0, [segment]);
     }
 }

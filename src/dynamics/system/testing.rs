@@ -230,7 +230,7 @@ pub(super) fn rocker(masses: usize, psi: f64, moment: f64, pair: Pair, start: St
             rocker,
             masses - 1,
             "closing",
-            LoadLaw::Constant(moment),
+            LoadLaw::constant(moment),
         );
     }
     model

@@ -3,6 +3,7 @@
 use super::System;
 use super::testing::*;
 use crate::dynamics::integrate::Modes;
+use crate::dynamics::laws::Declared;
 use crate::dynamics::model::*;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::position::Position;
@@ -100,26 +101,13 @@ fn random_position(random: &mut Random) -> Position {
 
 fn random_load(random: &mut Random) -> LoadLaw {
     match random.below(7) {
-        0 => LoadLaw::Constant(random.between(-3.0, 3.0)),
-        1 => LoadLaw::Spring {
-            rate: random.between(0.0, 4.0),
-            preload: random.between(-2.0, 2.0),
-        },
-        2 => LoadLaw::Viscous(random.between(0.0, 1.0)),
-        3 => LoadLaw::Friction {
-            force: random.between(0.0, 2.0),
-            width: 0.7,
-        },
-        4 => LoadLaw::LinearMotor {
-            stall_torque: 3.0,
-            no_load_speed: 2.0,
-        },
-        5 => LoadLaw::Kloss {
-            breakdown_torque: 3.0,
-            breakdown_slip: 0.3,
-            synchronous_speed: 2.0,
-        },
-        _ => LoadLaw::SpeedTable(vec![(-1.0, 2.0), (0.5, 1.0), (2.0, -1.0)]),
+        0 => LoadLaw::constant(random.between(-3.0, 3.0)),
+        1 => LoadLaw::spring(random.between(0.0, 4.0), random.between(-2.0, 2.0)),
+        2 => LoadLaw::viscous(random.between(0.0, 1.0)),
+        3 => Declared::friction(random.between(0.0, 2.0), 0.7).law(),
+        4 => Declared::linear_motor(3.0, 2.0).law(),
+        5 => Declared::kloss([3.0, 0.3, 2.0]).law(),
+        _ => LoadLaw::speed_table(vec![(-1.0, 2.0), (0.5, 1.0), (2.0, -1.0)]),
     }
 }
 

@@ -5,6 +5,7 @@ use super::System;
 use super::testing::*;
 use super::testing_random::*;
 use crate::dynamics::integrate::{Dynamics, Modes};
+use crate::dynamics::laws::Declared;
 use crate::dynamics::model::*;
 use crate::kinematics::position::Position;
 use crate::math::number::Dual;
@@ -190,17 +191,14 @@ fn a_rigid_slider_crank_with_motor_obeys_lagranges_equation() {
         motor,
         0,
         "torque",
-        LoadLaw::LinearMotor {
-            stall_torque: 20.0,
-            no_load_speed: 150.0,
-        },
+        Declared::linear_motor(20.0, 150.0).law(),
     );
     add_load(
         &mut model,
         press,
         0,
         "technological",
-        LoadLaw::Viscous(30.0),
+        LoadLaw::viscous(30.0),
     );
     let system = System::new(model).unwrap();
     let mut random = Random(4);

@@ -5,6 +5,7 @@ mod written_laws;
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::written;
+use crate::dynamics::laws::{self, Declared, Domain, ForceLaw, Measure, Parameter};
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot, Wanted};
 use crate::units::quantities as q;
@@ -140,22 +141,15 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
             |slot| window(slot, driver, force),
         );
     }
-    law.case("spring", "Spring: W = −preload − rate·φ.", |slot| {
-        spring(slot, own)
-    });
-    law.case("viscous", "Viscous: W = −b·φ̇, b", |slot| {
-        let damping = slot.quantity(own.damping(), Bounds::NOT_NEGATIVE);
-        damping.map(LoadLawSpec::Viscous)
-    });
+    for own_law in laws::OF_LOADS {
+        law.case(own_law.key, own_law.doc, |slot| {
+            declared(slot, own_law, own).map(LoadLawSpec::Declared)
+        });
+    }
     // An output has no mass of its own.
     if own.0 != Some(Coordinate::Turning) && !matches!(on, On::Output { .. }) {
         law.case("weight", "Weight: W = −m·g·sin(inclination).", weight);
     }
-    law.case(
-        "friction",
-        "Coulomb friction, regularised: W = −force·tanh(φ̇/width).",
-        |slot| friction(slot, own),
-    );
     written_laws::add(&mut law, on, has_over);
     let law = law.finish();
     let factor = written::unit(fields, force);
@@ -285,24 +279,6 @@ fn window(slot: Slot<'_>, driver: Measures, force: Wanted) -> Option<LoadLawSpec
     })
 }
 
-fn spring(slot: Slot<'_>, own: Measures) -> Option<LoadLawSpec> {
-    slot.record(|fields| {
-        let rate = fields.need("rate", "Rate of the spring", |slot| {
-            slot.quantity(own.stiffness(), Bounds::NOT_NEGATIVE)
-        });
-        let preload = fields.or(
-            "preload",
-            "Force at φ = 0, positive towards negative displacement",
-            json!(0.0),
-            |slot| slot.quantity(own.force(), Bounds::ANY),
-        );
-        Some(LoadLawSpec::Spring {
-            rate: rate?,
-            preload: preload?,
-        })
-    })
-}
-
 fn weight(slot: Slot<'_>) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let inclination = fields.need(
@@ -316,19 +292,36 @@ fn weight(slot: Slot<'_>) -> Option<LoadLawSpec> {
     })
 }
 
-fn friction(slot: Slot<'_>, own: Measures) -> Option<LoadLawSpec> {
-    slot.record(|fields| {
-        let force = fields.need("force", "Force of sliding friction", |slot| {
-            slot.quantity(own.force(), Bounds::NOT_NEGATIVE)
-        });
-        let width = fields.need(
-            "width",
-            "Regularisation width: speed at which 76 % of the force is reached",
-            |slot| slot.quantity(own.speed(), Bounds::POSITIVE),
-        );
-        Some(LoadLawSpec::Friction {
-            force: force?,
-            width: width?,
-        })
-    })
+/// Reads the numbers of a law that the library declares.
+pub(super) fn declared(slot: Slot<'_>, law: &'static ForceLaw, own: Measures) -> Option<Declared> {
+    let number = |slot: Slot<'_>, parameter: &Parameter| {
+        let bounds = match parameter.domain {
+            Domain::Any => Bounds::ANY,
+            Domain::NotNegative => Bounds::NOT_NEGATIVE,
+            Domain::Positive => Bounds::POSITIVE,
+            Domain::NotZero => Bounds::NOT_ZERO,
+            Domain::UpToOne => Bounds::up_to(1.0),
+        };
+        let wanted = match parameter.measure {
+            Measure::Force => own.force(),
+            Measure::Stiffness => own.stiffness(),
+            Measure::Damping => own.damping(),
+            Measure::Speed => own.speed(),
+            Measure::Number => return slot.number(bounds),
+        };
+        slot.quantity(wanted, bounds)
+    };
+    let values = match law.parameters {
+        [alone] if alone.key.is_empty() => vec![number(slot, alone)?],
+        several => slot.record(|fields| {
+            let read = several.iter().map(|own| match own.usual {
+                Some(usual) => fields.or(own.key, own.doc, json!(usual), |slot| number(slot, own)),
+                None => fields.need(own.key, own.doc, |slot| number(slot, own)),
+            });
+            // (All of them, so that all faults are told.)
+            let read: Vec<Option<f64>> = read.collect();
+            read.into_iter().collect::<Option<Vec<f64>>>()
+        })?,
+    };
+    Some(Declared::new(law, values))
 }

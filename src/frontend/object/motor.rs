@@ -1,13 +1,13 @@
 //! The motor of a drive: turning, or linear.
 
-use super::load::points;
+use super::load::{declared, points};
 use super::measures::Measures;
-use super::spec::{MotorSpec, TorqueSpec, WrittenSpec};
+use super::spec::{LoadLawSpec, MotorSpec, WrittenSpec};
 use super::written;
 use crate::dynamics::builder::written as builder;
+use crate::dynamics::laws::{self, ForceLaw};
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot};
-use crate::units::quantities as q;
 use serde_json::json;
 
 pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<MotorSpec> {
@@ -23,12 +23,12 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<MotorSpec> {
         let mut torque = fields.one_of("what it is driven by");
         if own.0 != Some(Coordinate::Sliding) {
             torque.case("torque", "Driving torque over speed.", |slot| {
-                slot.record(|fields| law(fields, TURNING))
+                slot.record(|fields| law(fields, Measures(Some(Coordinate::Turning))))
             });
         }
         if own.0 != Some(Coordinate::Turning) {
             torque.case("force", "Driving force over speed.", |slot| {
-                slot.record(|fields| law(fields, SLIDING))
+                slot.record(|fields| law(fields, Measures(Some(Coordinate::Sliding))))
             });
         }
         let torque = torque.finish();
@@ -63,25 +63,8 @@ pub(super) fn start(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
     }
 }
 
-/// A characteristic over speed, of a torque or of a force.
-#[derive(Clone, Copy)]
-struct Kind {
-    own: Measures,
-    stall: &'static str,
-}
-
-const TURNING: Kind = Kind {
-    own: Measures(Some(Coordinate::Turning)),
-    stall: "stall_torque",
-};
-
-const SLIDING: Kind = Kind {
-    own: Measures(Some(Coordinate::Sliding)),
-    stall: "stall_force",
-};
-
-fn law(fields: &mut Fields<'_>, kind: Kind) -> Option<TorqueSpec> {
-    let turns = kind.own.0 == Some(Coordinate::Turning);
+fn law(fields: &mut Fields<'_>, own: Measures) -> Option<LoadLawSpec> {
+    let turns = own.0 == Some(Coordinate::Turning);
     let fields_have_over = fields.has("over");
     let mut law = fields.one_of(if turns { "the torque" } else { "the force" });
     let doc = if turns {
@@ -90,25 +73,24 @@ fn law(fields: &mut Fields<'_>, kind: Kind) -> Option<TorqueSpec> {
         "Constant force"
     };
     law.case("constant", doc, |slot| {
-        slot.quantity(kind.own.force(), Bounds::ANY)
-            .map(TorqueSpec::Constant)
+        slot.quantity(own.force(), Bounds::ANY)
+            .map(LoadLawSpec::Constant)
     });
-    law.case("linear", "T₀·(1 − ω/ω₀).", |slot| {
-        linear(slot, kind)
-    });
-    if turns {
-        law.case(
-            "kloss",
-            "Asynchronous motor: 2·T_b/(s/s_b + s_b/s), s = 1 − ω/ω_s.",
-            kloss,
-        );
+    let declarations: &[&'static ForceLaw] = match turns {
+        true => &laws::OF_TORQUES,
+        false => &laws::OF_FORCES,
+    };
+    for &one in declarations {
+        law.case(one.key, one.doc, |slot| {
+            declared(slot, one, own).map(LoadLawSpec::Declared)
+        });
     }
     let doc = match turns {
         true => "List of [speed, torque]: linear between the points, constant outside.",
         false => "List of [speed, force]: linear between the points, constant outside.",
     };
     law.case("table", doc, |slot| {
-        points(slot, kind.own.speed(), kind.own.force(), 2).map(TorqueSpec::Table)
+        points(slot, own.speed(), own.force(), 2).map(LoadLawSpec::SpeedTable)
     });
     let names = written::with_over(builder::OWN.to_vec(), fields_have_over);
     law.case(
@@ -116,7 +98,7 @@ fn law(fields: &mut Fields<'_>, kind: Kind) -> Option<TorqueSpec> {
         "Expression over t, phi and phi_dot of the drive, in s, rad or m: \"30*(1 - phi_dot/150)\".",
         |slot| {
             let expression = written::expression(slot, &names)?;
-            Some(TorqueSpec::Written(WrittenSpec {
+            Some(LoadLawSpec::Written(WrittenSpec {
                 expression,
                 factor: 1.0,
                 over: None,
@@ -124,57 +106,17 @@ fn law(fields: &mut Fields<'_>, kind: Kind) -> Option<TorqueSpec> {
         },
     );
     let law = law.finish();
-    let factor = written::unit(fields, kind.own.force());
+    let factor = written::unit(fields, own.force());
     let over = written::over(fields);
     if written::forbid_beside(fields, &["expression"]) {
         return None;
     }
     match (law?, factor?, over?) {
-        (TorqueSpec::Written(mut spec), factor, over) => {
+        (LoadLawSpec::Written(mut spec), factor, over) => {
             spec.factor = factor.unwrap_or(1.0);
             spec.over = over;
-            Some(TorqueSpec::Written(spec))
+            Some(LoadLawSpec::Written(spec))
         }
         (law, _, _) => Some(law),
     }
-}
-
-fn linear(slot: Slot<'_>, kind: Kind) -> Option<TorqueSpec> {
-    slot.record(|fields| {
-        let doc = match kind.own.0 {
-            Some(Coordinate::Sliding) => "Force at rest, F₀",
-            _ => "Torque at rest, T₀",
-        };
-        let stall = fields.need(kind.stall, doc, |slot| {
-            slot.quantity(kind.own.force(), Bounds::NOT_ZERO)
-        });
-        let no_load = fields.need("no_load_speed", "Speed without load, ω₀", |slot| {
-            slot.quantity(kind.own.speed(), Bounds::NOT_ZERO)
-        });
-        Some(TorqueSpec::Linear {
-            stall_torque: stall?,
-            no_load_speed: no_load?,
-        })
-    })
-}
-
-fn kloss(slot: Slot<'_>) -> Option<TorqueSpec> {
-    slot.record(|fields| {
-        let torque = fields.need("breakdown_torque", "Greatest torque T_b", |slot| {
-            slot.quantity(q::MOMENT, Bounds::NOT_ZERO)
-        });
-        let slip = fields.need(
-            "breakdown_slip",
-            "Slip s_b of the greatest torque",
-            |slot| slot.number(Bounds::up_to(1.0)),
-        );
-        let synchronous = fields.need("synchronous_speed", "Synchronous speed ω_s", |slot| {
-            slot.quantity(q::ANGULAR_SPEED, Bounds::NOT_ZERO)
-        });
-        Some(TorqueSpec::Kloss {
-            breakdown_torque: torque?,
-            breakdown_slip: slip?,
-            synchronous_speed: synchronous?,
-        })
-    })
 }

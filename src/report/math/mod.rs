@@ -6,9 +6,11 @@
 mod latex;
 #[cfg(feature = "studio")]
 mod mathml;
+mod of_program;
 mod unicode;
 
 pub use latex::escape as latex_text;
+pub(crate) use of_program::of_program;
 use std::f64::consts::PI;
 
 /// Index: what a symbol's subscript says.

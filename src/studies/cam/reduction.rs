@@ -97,12 +97,12 @@ impl<'m> Reduction<'m> {
         let loads = self.loads.clone();
         for (_, load) in loads {
             match &load.law {
-                LoadLaw::Spring { rate, preload } if own.contains(&load.node) => {
-                    self.spring.rate += rate;
-                    self.spring.preload += self.pair.opens * preload;
+                LoadLaw::Linear(law) if law.rate != 0.0 && own.contains(&load.node) => {
+                    self.spring.rate += law.rate;
+                    self.spring.preload -= self.pair.opens * law.force;
                     self.springs.push(load.name.clone());
                 }
-                LoadLaw::Friction { .. } => {
+                LoadLaw::Function { function, .. } if function.dry_friction().is_some() => {
                     self.notes
                         .push(format!("{} (friction) is left out", load.name));
                 }
@@ -117,13 +117,10 @@ impl<'m> Reduction<'m> {
                         load.name
                     ));
                 }
-                LoadLaw::Custom { .. } | LoadLaw::Written(_) => {
+                LoadLaw::Function { .. } | LoadLaw::Written(_) => {
                     return Err(format!("{} is no load that this study knows", load.name));
                 }
-                LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
-                    return Err(format!("{} is a motor's torque", load.name));
-                }
-                _ => {}
+                LoadLaw::Linear(_) | LoadLaw::Pieces { .. } => {}
             }
         }
         Ok(())
@@ -241,13 +238,12 @@ impl<'m> Reduction<'m> {
             let ratio = ratios[place];
             let closing = self.springs.contains(&load.name);
             match &load.law {
-                LoadLaw::Viscous(damping) => {
-                    found.by_speed += damping * ratio.first * ratio.first * first;
+                LoadLaw::Linear(law) => {
+                    found.by_speed += law.damping * ratio.first * ratio.first * first;
+                    if !closing {
+                        found.fixed -= (law.force - law.rate * ratio.value) * ratio.first;
+                    }
                 }
-                LoadLaw::Spring { rate, preload } if !closing => {
-                    found.fixed += (preload + rate * ratio.value) * ratio.first;
-                }
-                LoadLaw::Constant(force) => found.fixed -= force * ratio.first,
                 LoadLaw::Pieces { track, pieces } => {
                     let track = &self.model.tracks[*track];
                     let x = self.along(track, phi, q, &ratios);
@@ -258,7 +254,8 @@ impl<'m> Reduction<'m> {
                     };
                     found.fixed -= linear(track, pieces, x, at) * ratio.first;
                 }
-                _ => {}
+                // (What is not summed up here was refused, or is told as left out.)
+                LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Function { .. } => {}
             }
         }
         found.by_square *= self.pair.opens;

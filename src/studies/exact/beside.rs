@@ -297,7 +297,7 @@ fn is_uniform(model: &Model) -> bool {
         };
         matches!(motion, DriveMotion::Constant { .. })
     };
-    let steady = |law: &LoadLaw| matches!(law, LoadLaw::Constant(_));
+    let steady = |law: &LoadLaw| law.as_constant().is_some();
     model.nodes.iter().all(|node| constant(&node.motion))
         && model.loads.iter().all(|load| steady(&load.law))
 }

@@ -200,9 +200,9 @@ impl Path {
         for load in &model.loads {
             let place = self.places[load.node];
             let own = &mut forces[place * count..][..count];
-            match load.law {
-                LoadLaw::Constant(load) => own.iter_mut().for_each(|force| *force -= load),
-                _ => {
+            match load.law.as_constant() {
+                Some(load) => own.iter_mut().for_each(|force| *force -= load),
+                None => {
                     for (instant, force) in own.iter_mut().enumerate() {
                         *force -= self.strength(model, load, instant);
                     }
@@ -224,7 +224,7 @@ impl Path {
         forces
     }
 
-    /// A load's force at an instant; not a number for motors.
+    /// A load's force at an instant.
     fn strength(&self, model: &Model, load: &Load, instant: usize) -> f64 {
         let at = |node: NodeIndex| {
             let motion = &self.motions[self.places[node]];
@@ -232,7 +232,7 @@ impl Path {
         };
         let (displacement, speed) = at(load.node);
         match &load.law {
-            LoadLaw::Constant(force) => *force,
+            LoadLaw::Linear(own) => own.force - own.rate * displacement - own.damping * speed,
             LoadLaw::Pieces { track, pieces } => {
                 let track = &model.tracks[*track];
                 let (x, sense) = match track.source {
@@ -244,17 +244,11 @@ impl Path {
                     piece.value + piece.slope * (x - shift - piece.start)
                 })
             }
-            LoadLaw::Spring { rate, preload } => -preload - rate * displacement,
             // What a stop takes off a pair keeps no pair shut.
             LoadLaw::Stop(_) => 0.0,
-            LoadLaw::Viscous(damping) => -damping * speed,
-            LoadLaw::Friction { force, width } => -force * (speed / width).tanh(),
             LoadLaw::Written(written) => written.force(self.times[instant], at),
-            LoadLaw::Custom { function, factor } => {
+            LoadLaw::Function { function, factor } => {
                 factor * function.force(displacement, speed).value
-            }
-            LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
-                f64::NAN
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::{place, short};
 use crate::dynamics::model::{
-    Coordinate, LinearPiece, Load, LoadLaw, Model, ObjectPart, TrackSource,
+    Coordinate, LinearLoad, LinearPiece, Load, LoadLaw, Model, ObjectPart, TrackSource,
 };
 use crate::kinematics::breaks::Breaks;
 
@@ -65,19 +65,11 @@ fn widened([from, to]: [f64; 2]) -> [f64; 2] {
 
 fn is_zero(law: &LoadLaw) -> bool {
     match law {
-        LoadLaw::Constant(force) => *force == 0.0,
+        LoadLaw::Linear(own) => *own == LinearLoad::default(),
         LoadLaw::Pieces { pieces, .. } => pieces.iter().all(|piece| !acts(piece)),
-        LoadLaw::Spring { rate, preload } => *rate == 0.0 && *preload == 0.0,
-        LoadLaw::Viscous(damping) => *damping == 0.0,
-        LoadLaw::Friction { force, .. } => *force == 0.0,
-        LoadLaw::LinearMotor { stall_torque, .. } => *stall_torque == 0.0,
-        LoadLaw::Kloss {
-            breakdown_torque, ..
-        } => *breakdown_torque == 0.0,
-        LoadLaw::SpeedTable(points) => points.iter().all(|point| point.1 == 0.0),
         LoadLaw::Stop(_) => false,
         LoadLaw::Written(written) => written.factor == 0.0,
-        LoadLaw::Custom { factor, .. } => *factor == 0.0,
+        LoadLaw::Function { function, factor } => factor * function.magnitude() == 0.0,
     }
 }
 

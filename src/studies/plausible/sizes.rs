@@ -2,7 +2,7 @@
 
 use super::short;
 use super::way::Way;
-use crate::dynamics::model::{Coordinate, Link, LoadLaw, Model, NodeMotion, ObjectPart};
+use crate::dynamics::model::{Coordinate, Link, Model, NodeMotion, ObjectPart};
 
 /// From which factor on a stiffness, reduced to the motion of its neighbours, is
 /// called out of proportion: machines have some hundreds, mm for m makes a thousand
@@ -309,12 +309,6 @@ fn motor_speed(model: &Model, node: usize) -> Option<f64> {
         return None;
     };
     let own = model.loads.iter().filter(|load| load.node == node);
-    let made_for = own.map(|load| match load.law {
-        LoadLaw::LinearMotor { no_load_speed, .. } => no_load_speed.abs(),
-        LoadLaw::Kloss {
-            synchronous_speed, ..
-        } => synchronous_speed.abs(),
-        _ => 0.0,
-    });
+    let made_for = own.map(|load| load.law.running_speed().unwrap_or(0.0));
     Some(made_for.fold(speed.abs(), f64::max))
 }

@@ -305,26 +305,19 @@ impl Rhythms {
                     }
                 }
             }
-            LoadLaw::Custom { function, .. } => {
+            LoadLaw::Function { function, .. } if function.needs_displacement() => {
                 if let Some(course) = growing(load.node) {
                     self.turns(&load.name, course, turns_of_function(function.as_ref()));
                 }
             }
-            LoadLaw::Spring { rate, .. } if *rate != 0.0 && growing(load.node).is_some() => {
+            LoadLaw::Linear(own) if own.rate != 0.0 && growing(load.node).is_some() => {
                 self.never(&load.name, WOUND_UP);
             }
             LoadLaw::Stop(_) if growing(load.node).is_some() => {
                 self.never(&load.name, STOPPED);
             }
             // What depends on nothing, on a speed, or on a displacement that comes back.
-            LoadLaw::Constant(_)
-            | LoadLaw::Spring { .. }
-            | LoadLaw::Stop(_)
-            | LoadLaw::Viscous(_)
-            | LoadLaw::Friction { .. }
-            | LoadLaw::LinearMotor { .. }
-            | LoadLaw::Kloss { .. }
-            | LoadLaw::SpeedTable(_) => {}
+            LoadLaw::Linear(_) | LoadLaw::Stop(_) | LoadLaw::Function { .. } => {}
         }
     }
 

@@ -37,7 +37,7 @@ pub(super) fn with_added(model: &Model, drive: usize, added: Added) -> Result<Sy
         model.loads.push(Load {
             node,
             name: "balance".to_owned(),
-            law: LoadLaw::Constant(added.moment),
+            law: LoadLaw::constant(added.moment),
         });
     }
     System::new(model)

@@ -61,15 +61,7 @@ pub(super) fn over_time(model: &Model, moved: &[bool]) -> Vec<Fault> {
     let timed = |load: &&Load| match load.law {
         LoadLaw::Pieces { track, .. } => model.tracks[track].source == TrackSource::Time,
         LoadLaw::Written(ref written) => written.needs_time(),
-        LoadLaw::Constant(_)
-        | LoadLaw::Spring { .. }
-        | LoadLaw::Viscous(_)
-        | LoadLaw::Friction { .. }
-        | LoadLaw::LinearMotor { .. }
-        | LoadLaw::Kloss { .. }
-        | LoadLaw::SpeedTable(_)
-        | LoadLaw::Stop(_)
-        | LoadLaw::Custom { .. } => false,
+        LoadLaw::Linear(_) | LoadLaw::Stop(_) | LoadLaw::Function { .. } => false,
     };
     let loads = model.loads.iter().filter(|load| moved[load.node]);
     loads
@@ -107,14 +99,9 @@ fn obstacles(model: &Model, moved: &[bool]) -> Vec<Fault> {
 fn kinks(model: &Model, node: usize) -> Vec<f64> {
     let mut found: Vec<f64> = Vec::new();
     for load in model.loads.iter().filter(|load| load.node == node) {
-        if let LoadLaw::SpeedTable(points) = &load.law {
-            found.extend(
-                points
-                    .iter()
-                    .map(|point| point.0)
-                    .filter(|&speed| speed > 0.0),
-            );
-        }
+        let corners = load.law.function().map_or(&[][..], |own| own.corners());
+        let speeds = corners.iter().map(|corner| corner.0);
+        found.extend(speeds.filter(|&speed| speed > 0.0));
     }
     found.sort_by(f64::total_cmp);
     found.dedup();
@@ -336,7 +323,7 @@ pub(super) fn freed(
         model.loads.push(Load {
             node,
             name: "balance".to_owned(),
-            law: LoadLaw::Constant(moment),
+            law: LoadLaw::constant(moment),
         });
     }
     model.start = crate::dynamics::model::Start::OnLaw;
@@ -344,15 +331,5 @@ pub(super) fn freed(
 }
 
 fn needs_speed(law: &LoadLaw) -> bool {
-    match law {
-        LoadLaw::Constant(_) | LoadLaw::Pieces { .. } | LoadLaw::Spring { .. } => false,
-        LoadLaw::Written(written) => written.needs_speed(),
-        LoadLaw::Custom { function, .. } => function.needs_speed(),
-        LoadLaw::Viscous(_)
-        | LoadLaw::Friction { .. }
-        | LoadLaw::LinearMotor { .. }
-        | LoadLaw::Kloss { .. }
-        | LoadLaw::SpeedTable(_)
-        | LoadLaw::Stop(_) => true,
-    }
+    law.needs_speed() || matches!(law, LoadLaw::Stop(_))
 }

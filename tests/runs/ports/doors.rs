@@ -119,7 +119,7 @@ impl Object for Follower {
             at,
             node,
             "detent",
-            LoadLaw::Custom {
+            LoadLaw::Function {
                 function,
                 factor: 1.0,
             },

@@ -2,6 +2,7 @@
 
 use super::Table;
 use crate::dynamics::integrate::{Dynamics, Modes};
+use crate::dynamics::laws::Declared;
 use crate::dynamics::model::{Closure, LinkageBody, LoadLaw, Model};
 use crate::dynamics::system::System;
 use crate::dynamics::system::testing::{Body, add_body, add_load, add_rotor, pair};
@@ -198,14 +199,11 @@ fn geared(loaded: bool) -> System {
         dampings: vec![],
         pair: pair(Closure::Bilateral),
     };
-    let motor = LoadLaw::LinearMotor {
-        stall_torque: 3.0,
-        no_load_speed: 20.0,
-    };
+    let motor = Declared::linear_motor(3.0, 20.0).law();
     let rotor = add_rotor(&mut model, 0.02, 0.3, 1.1);
     add_load(&mut model, rotor, 0, "torque", motor);
     let wheel = add_body(&mut model, rotor, &gear(0.7, 0.2, 0.03));
-    add_load(&mut model, wheel, 0, "bearing", LoadLaw::Viscous(0.1));
+    add_load(&mut model, wheel, 0, "bearing", LoadLaw::viscous(0.1));
     let crank = add_body(&mut model, wheel, &gear(-1.3, 0.3, 0.0));
     let spec = LinkageSpec {
         outputs: outputs(),
@@ -221,10 +219,7 @@ fn geared(loaded: bool) -> System {
     });
     let outputs: Vec<usize> = outputs.collect();
     if loaded {
-        let spring = LoadLaw::Spring {
-            rate: 2.0,
-            preload: 0.5,
-        };
+        let spring = LoadLaw::spring(2.0, 0.5);
         add_load(&mut model, outputs[1], 0, "spring", spring);
         add_body(&mut model, outputs[1], &gear(2.0, 0.1, 0.02));
     }

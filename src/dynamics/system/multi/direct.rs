@@ -1,7 +1,6 @@
 //! One linkage of several inputs on rotors at constant ratios, nothing elastic anywhere: the
 //! equations of motion without the passes.
 
-use crate::dynamics::model::LoadLaw;
 use crate::dynamics::system::frozen::{Frozen, Step};
 use crate::dynamics::system::passes::Work;
 use crate::kinematics::position::Position;
@@ -123,7 +122,7 @@ pub(in crate::dynamics::system) fn direct(frozen: &Frozen) -> Option<Direct> {
                 },
             ));
         }
-        if matches!(load.law, LoadLaw::Custom { .. }) {
+        if !load.has_series {
             return None;
         }
         found

@@ -2,7 +2,7 @@
 
 use super::super::frozen::{Frozen, Step};
 use super::Taylor;
-use super::law::against;
+use crate::math::polynomial::against;
 
 impl Frozen {
     /// Accelerations of an order, drivers before driven, and the displacements

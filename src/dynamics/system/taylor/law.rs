@@ -7,12 +7,13 @@
 //! sine it misses less than 0.06·(r·k)⁹/9! of the amplitude of U′, k its harmonic.
 
 use crate::math::jet::Jet;
+use crate::math::polynomial::{Coefficients, MAX_DEGREE, against};
 
 /// Highest power of a series.
-pub(crate) const HIGHEST: usize = 24;
+pub(crate) const HIGHEST: usize = MAX_DEGREE;
 
 /// A power series in s.
-pub(super) type Series = [f64; HIGHEST + 1];
+pub(super) type Series = Coefficients;
 
 /// Degree of the polynomial for U′.
 const DEGREE: usize = 8;
@@ -70,31 +71,6 @@ const COEFFICIENT_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Powers whose share of U′ is below this are left out.
 const NEGLIGIBLE: f64 = 1e-18;
-
-/// Coefficient `order` of the product of two series.
-#[inline]
-pub(super) fn product(one: &[f64], other: &[f64], order: usize) -> f64 {
-    against(&one[..=order], &other[..=order])
-}
-
-/// Σ a_i·b_(n−i) of two lists of one length, in four sums side by side, as the
-/// processor would otherwise wait for each to end.
-#[inline]
-pub(super) fn against(a: &[f64], b: &[f64]) -> f64 {
-    let count = a.len();
-    let b = &b[..count];
-    let mut sums = [0.0; 4];
-    let whole = count - count % 4;
-    for (four, back) in a[..whole].chunks_exact(4).zip(b.rchunks_exact(4)) {
-        for i in 0..4 {
-            sums[i] += four[i] * back[3 - i];
-        }
-    }
-    for i in whole..count {
-        sums[0] += a[i] * b[count - 1 - i];
-    }
-    (sums[0] + sums[2]) + (sums[1] + sums[3])
-}
 
 /// Coefficients c_j of the polynomial Σ c_j·x^j for f = U′ over x = Δφ/r with
 /// the values, first and second derivatives of three jets of U, at x = 0, −1

@@ -14,7 +14,6 @@
 mod accelerations;
 mod begin;
 mod law;
-mod loads;
 mod points;
 #[cfg(test)]
 mod tests;
@@ -29,12 +28,18 @@ use super::pairs::OPEN;
 use super::passes::Work;
 use super::stops::FrozenStop;
 use super::written::WrittenSeries;
+use crate::dynamics::load::LoadSeries;
 use crate::dynamics::model::{Closure, LoadLaw};
-use law::{LawSeries, Series, product};
-use loads::LoadSeries;
+use crate::math::polynomial::product;
+use law::{LawSeries, Series};
 
 /// The polynomial of a law is good a little beyond its reach.
 const BEYOND: f64 = 1.1;
+
+/// True for a function of speed with corners, which no series knows of.
+fn has_corners(law: &LoadLaw) -> bool {
+    law.function().is_some_and(|own| !own.corners().is_empty())
+}
 
 const ZERO: Series = [0.0; HIGHEST + 1];
 
@@ -60,7 +65,8 @@ pub(super) struct Taylor {
     slope: Vec<Series>,
     rest: Vec<Series>,
     laws: Vec<LawSeries>,
-    loads: Vec<LoadSeries>,
+    /// Of each load that is a function of its node's motion its series.
+    loads: Vec<Option<Box<dyn LoadSeries>>>,
     /// Of each load by an expression its series, and the force as one.
     written: Vec<Option<(WrittenSeries, Series)>>,
     /// u and u̇ of the coordinates (n).
@@ -92,7 +98,9 @@ impl Taylor {
             slope: series(laws),
             rest: series(laws),
             laws: vec![LawSeries::default(); laws],
-            loads: vec![LoadSeries::default(); frozen.loads.len()],
+            loads: (frozen.loads.iter())
+                .map(|load| load.law.function()?.series())
+                .collect(),
             written: (frozen.loads.iter())
                 .map(|load| Some((load.written.as_ref()?.series(), ZERO)))
                 .collect(),
@@ -135,7 +143,6 @@ impl Frozen {
 
     /// What of the motion has no power series, in words; `None`: it has one.
     pub(super) fn without_series(&self) -> Option<&'static str> {
-        let load = |has: fn(&LoadLaw) -> bool| self.loads.iter().any(|load| has(&load.law));
         let mut contacts = self.chains.iter().map(|chain| chain.contact.hertz());
         let mut stops = self.stops.iter().map(|stop| stop.contact.hertz());
         let linear = |one: &Constrained| one.constraint.is_linear();
@@ -147,10 +154,10 @@ impl Frozen {
             Some("a constraint that is not linear")
         } else if !self.heavy.is_empty() {
             Some("inertia on an object with several inputs, which couples coordinates,")
-        } else if load(|law| matches!(law, LoadLaw::Custom { .. })) {
-            Some("a load from outside the library")
-        } else if load(|law| matches!(law, LoadLaw::SpeedTable(_))) {
+        } else if self.loads.iter().any(|load| has_corners(&load.law)) {
             Some("a motor's torque by a table of speeds")
+        } else if self.loads.iter().any(|load| !load.has_series) {
+            Some("a load from outside the library")
         } else if contacts.any(|contact| contact.is_some()) {
             Some("a contact by Hertz, whose force has no series where it begins,")
         } else if stops.any(|stop| stop.is_some()) {
@@ -195,7 +202,8 @@ impl Frozen {
         let loads = self.loads.iter().zip(&taylor.loads);
         let shares = loads.map(|(load, series)| {
             let speed = &taylor.speed[load.node];
-            1.0 / series.reliable(&load.law, speed, degree - 1)
+            let share = series.as_ref().map(|own| own.reliable(speed, degree - 1));
+            1.0 / share.unwrap_or(1.0)
         });
         let written = self.loads.iter().zip(&taylor.written);
         let written = written.filter_map(|(load, series)| {
@@ -227,21 +235,34 @@ impl Frozen {
             let force = if let Some(written) = &load.written {
                 self.written_of_order(index, written, start, order, taylor)
             } else if order == 0 {
-                let place = [load.node].map(|node| taylor.speed[node][0]);
-                taylor.loads[index].begin(&load.law, place[0]);
+                if let Some(series) = &mut taylor.loads[index] {
+                    let node = load.node;
+                    series.begin(taylor.displacement[node][0], taylor.speed[node][0]);
+                }
                 self.load(index, start.time, start.modes, work)
             } else if let Some(stop) = load.stop {
                 self.stop_of_order(&self.stops[stop], start.modes, order, taylor)
             } else {
-                let argument = load.argument.as_ref().map(|axis| {
-                    let time = if order == 1 { taylor.length } else { 0.0 };
-                    let place = axis
-                        .node
-                        .map_or(time, |node| taylor.displacement[node][order]);
-                    place * load.slope(start.modes[axis.component])
-                });
-                let motion = [&taylor.displacement[load.node], &taylor.speed[load.node]];
-                taylor.loads[index].advance(&load.law, order, motion, argument.unwrap_or(0.0))
+                let [displacement, speed] =
+                    [&taylor.displacement[load.node], &taylor.speed[load.node]];
+                match (&load.law, &mut taylor.loads[index]) {
+                    (LoadLaw::Linear(own), _) => {
+                        -own.rate * displacement[order] - own.damping * speed[order]
+                    }
+                    (LoadLaw::Function { factor, .. }, Some(series)) => {
+                        factor * series.advance(order, displacement, speed)
+                    }
+                    (LoadLaw::Pieces { .. }, _) => load.argument.as_ref().map_or(0.0, |axis| {
+                        let time = if order == 1 { taylor.length } else { 0.0 };
+                        let place = axis
+                            .node
+                            .map_or(time, |node| taylor.displacement[node][order]);
+                        place * load.slope(start.modes[axis.component])
+                    }),
+                    // (Systems with such a function are not expanded; the others are above.)
+                    (LoadLaw::Function { .. }, None)
+                    | (LoadLaw::Written(_) | LoadLaw::Stop(_), _) => 0.0,
+                }
             };
             taylor.force[load.node][order] += force;
         }

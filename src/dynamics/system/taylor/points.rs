@@ -1,10 +1,10 @@
 //! Series of massless points between a contact element and link 1.
 
-use super::law::product;
 use super::{Taylor, ZERO};
 use crate::dynamics::model::Closure;
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::pairs::OPEN;
+use crate::math::polynomial::product;
 
 impl Frozen {
     /// Coefficient `order` of z̈ of a chain's point, ü of mass 1 being known to that order:

@@ -5,7 +5,7 @@ use super::switches::Along;
 use super::{Input, Written};
 use crate::dynamics::builder::written::variable_name;
 use crate::dynamics::integrate::PhysicalStop;
-use crate::dynamics::model::{Load, LoadLaw};
+use crate::dynamics::model::Load;
 use crate::dynamics::system::System;
 use crate::dynamics::system::passes::Work;
 use crate::math::expression::{Interval, Moving, Program, Scalar, Stretch, VARIABLES};
@@ -95,7 +95,7 @@ impl System {
     /// The loads by expressions, with their place in the layout.
     fn written_loads(&self) -> impl Iterator<Item = (&Load, &Written)> {
         // Constant loads have no place of their own in the layout.
-        let varying = |load: &&Load| !matches!(load.law, LoadLaw::Constant(_));
+        let varying = |load: &&Load| load.law.as_constant().is_none();
         let loads = self.model.loads.iter().filter(varying);
         let pairs = loads.zip(&self.frozen.loads);
         pairs.filter_map(|(load, frozen)| Some((load, frozen.written.as_ref()?)))

@@ -3,7 +3,7 @@
 
 use super::{Input, Written};
 use crate::dynamics::integrate::{EventFunction, Guard, Modes, PhysicalStop, Resting};
-use crate::dynamics::model::{Load, LoadLaw};
+use crate::dynamics::model::Load;
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::{Extent, Work};
@@ -297,7 +297,7 @@ impl Frozen {
 impl System {
     /// The loads whose guards are components of the modes, with those components.
     pub(crate) fn guards_of_loads(&self) -> Vec<(&Load, std::ops::Range<usize>)> {
-        let varying = |load: &&Load| !matches!(load.law, LoadLaw::Constant(_));
+        let varying = |load: &&Load| load.law.as_constant().is_none();
         let loads = self.model.loads.iter().filter(varying);
         let guarded = loads.zip(&self.frozen.loads).filter_map(|(load, frozen)| {
             let components = frozen.written.as_ref()?.components();
@@ -355,9 +355,8 @@ impl System {
             .iter()
             .position(|load| load.written.as_ref().is_some_and(holds))?;
         // Constant loads have no place of their own in the layout.
-        let constant = |law: &LoadLaw| matches!(law, LoadLaw::Constant(_));
-        let mut varying =
-            (0..self.model.loads.len()).filter(|&load| !constant(&self.model.loads[load].law));
+        let loads = &self.model.loads;
+        let mut varying = (0..loads.len()).filter(|&load| loads[load].law.as_constant().is_none());
         Some((index, varying.nth(index)?))
     }
 

@@ -22,14 +22,13 @@ impl<'m> Builder<'m> {
         let mass = &mut self.trees[on.tree].problem.masses[on.mass];
         let r = on.ratio;
         match &load.law {
-            LoadLaw::Constant(force) => add_constant(mass, r * force),
-            LoadLaw::Spring { rate, preload } => {
-                mass.ground_stiffness += r * r * rate;
-                add_constant(mass, -r * preload);
+            LoadLaw::Linear(own) => {
+                mass.ground_stiffness += r * r * own.rate;
+                mass.ground_damping += r * r * own.damping;
+                add_constant(mass, r * own.force);
                 // The mass's own offset is in its spring's force already.
-                add_constant(mass, -r * rate * on.offset);
+                add_constant(mass, -r * own.rate * on.offset);
             }
-            LoadLaw::Viscous(damping) => mass.ground_damping += r * r * damping,
             LoadLaw::Pieces { track, pieces } => {
                 let track = &self.model.tracks[*track];
                 let breaks = &track.breaks;
@@ -52,16 +51,12 @@ impl<'m> Builder<'m> {
                     ),
                 }
             }
-            LoadLaw::Friction { .. } => {
-                self.refuse_load(load, on, "is friction, which is not linear")
-            }
             LoadLaw::Stop(_) => {
                 self.refuse_load(load, on, "presses on one side alone, at a place of its own");
             }
             LoadLaw::Written(written) => self.written(load, on, written),
-            LoadLaw::Custom { .. } => self.refuse_load(load, on, "is not known to be linear"),
-            LoadLaw::LinearMotor { .. } | LoadLaw::Kloss { .. } | LoadLaw::SpeedTable(_) => {
-                self.refuse_load(load, on, "is a motor's torque over its speed");
+            LoadLaw::Function { function, .. } => {
+                self.refuse_load(load, on, function.why_not_linear());
             }
         }
     }

@@ -95,11 +95,8 @@ fn motor(angle: f64) -> Part {
         inertia: 0.2,
         angle,
         speed: 3.0,
-        torque: TorqueSpec::Linear {
-            stall_torque: 10.0,
-            no_load_speed: 100.0,
-        },
-        loads: vec![load("drag", LoadLawSpec::Viscous(0.1))],
+        torque: LoadLawSpec::Declared(Declared::linear_motor(10.0, 100.0)),
+        loads: vec![load("drag", LoadLawSpec::Declared(Declared::viscous(0.1)))],
     };
     Part(Coordinate::Turning, Spec::Drive(DriveSpec::Motor(spec)))
 }

@@ -96,8 +96,7 @@ fn windows_and_tables_become_pieces_over_shared_tracks() {
             let piece = pieces[piece];
             piece.value + piece.slope * (x - turned - piece.start)
         }
-        LoadLaw::Constant(force) => *force,
-        _ => panic!(),
+        law => law.as_constant().expect("a constant"),
     };
     for turn in [-2.0, 0.0, 3.0] {
         let at = |x: f64| x + turn * TAU;
@@ -129,10 +128,7 @@ fn weight_acts_on_the_mass_of_its_node_in_a_slider_alone() {
     let total: f64 = model
         .loads
         .iter()
-        .map(|load| match load.law {
-            LoadLaw::Constant(force) => force,
-            _ => panic!(),
-        })
+        .map(|load| load.law.as_constant().expect("a constant"))
         .sum();
     approx::assert_relative_eq!(total, -0.1 * FREE_FALL, max_relative = 1e-14);
     spec.coordinate = Coordinate::Turning;
@@ -153,13 +149,7 @@ fn every_fault_is_found_at_once_with_its_property() {
     let mut number = chain(Coordinate::Turning, ratio(), uniform(2));
     number.loads = vec![
         load("push", LoadLawSpec::Constant(1.0)),
-        load(
-            "stop",
-            LoadLawSpec::Friction {
-                force: 1.0,
-                width: 0.0,
-            },
-        ),
+        load("stop", LoadLawSpec::Declared(Declared::friction(1.0, 0.0))),
     ];
     number.loads[0].mass = MassChoice::Number(3);
     let bad = chain(Coordinate::Sliding, slider_crank(-1.0), uniform(1));

@@ -1,11 +1,12 @@
 //! Loads in the equations of motion.
 
 use super::{Section, of_mass, of_object};
+use crate::dynamics::laws::{Declared, Measure};
 use crate::dynamics::model::{
     ContactLaw, Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop,
     TrackSource, WrittenLoad,
 };
-use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
+use crate::report::math::{Expr, Index, Relation, Symbol, of_program, symbol};
 use crate::report::quantity::{significant, with_unit};
 use crate::report::show::contact::summary_of as contact_summary;
 use crate::report::show::{load_word, units};
@@ -58,7 +59,7 @@ pub(super) fn write(model: &Model, object: usize, section: &mut Section) {
     let mut written: Vec<&str> = Vec::new();
     for mass in 1..=part.nodes.len() {
         for load in on_mass(model, part, mass) {
-            let constant = matches!(load.law, LoadLaw::Constant(_));
+            let constant = load.law.as_constant().is_some();
             if written.contains(&load.name.as_str()) && !constant {
                 continue;
             }
@@ -110,34 +111,23 @@ impl OneLoad<'_> {
     fn write(&self, section: &mut Section) {
         let unit = units(self.part().coordinate);
         let (phi, rate) = (self.displacement(), self.displacement().rate());
+        if let Some(value) = self.load.law.as_constant() {
+            section.entry(self.letter("W"), value, unit.force, "load");
+            return;
+        }
         let law = match &self.load.law {
-            LoadLaw::Constant(value) => {
-                section.entry(self.letter("W"), *value, unit.force, "load");
-                return;
-            }
             LoadLaw::Pieces { track, pieces } => self.pieces(*track, pieces),
-            LoadLaw::Spring { rate, preload } => {
-                let (k, p) = (self.letter("k"), self.letter("P"));
-                section.entry(k.clone(), *rate, unit.stiffness, "spring rate");
-                section.entry(p.clone(), *preload, unit.force, "preload");
-                p.expr().negative().minus(k.expr().times(phi))
-            }
-            LoadLaw::Viscous(damping) => {
-                let b = self.letter("b");
-                section.entry(b.clone(), *damping, unit.damping, "viscous damping");
-                b.expr().times(rate).negative()
-            }
-            LoadLaw::Friction { force, width } => {
-                let (r, v) = (self.letter("R"), self.letter("v"));
-                section.entry(r.clone(), *force, unit.force, "sliding friction");
-                section.entry(v.clone(), *width, unit.speed, "regularisation width");
-                let argument = Box::new(rate.expr().over(v));
-                r.expr().times(Expr::Function("tanh", argument)).negative()
-            }
+            LoadLaw::Linear(own) => self.declared([phi, rate], section).unwrap_or_else(|| {
+                let [phi, rate] = [self.displacement(), self.displacement().rate()];
+                let part = |factor: f64, symbol: Symbol| Expr::Number(-factor).times(symbol);
+                let parts = [part(own.rate, phi), part(own.damping, rate)];
+                Expr::sum([vec![Expr::Number(own.force)], parts.to_vec()].concat())
+            }),
             LoadLaw::Stop(stop) => return self.stop(*stop, phi, section),
-            LoadLaw::Custom { function, .. } => Expr::Words(function.description()),
+            LoadLaw::Function { function, .. } => self
+                .declared([phi, rate], section)
+                .unwrap_or_else(|| Expr::Words(function.description())),
             LoadLaw::Written(written) => self.written(written, section),
-            motor => self.motor(motor, rate, section),
         };
         let remark = match self.track_period() {
             Some(period) => format!("repeats every {}", significant(period, 6)),
@@ -233,42 +223,28 @@ impl OneLoad<'_> {
         section.line(self.letter("W"), law, self.remark.clone());
     }
 
-    /// Torque characteristics.
-    fn motor(&self, law: &LoadLaw, rate: Symbol, section: &mut Section) -> Expr {
-        let one = || Expr::Number(1.0);
-        match law {
-            LoadLaw::LinearMotor {
-                stall_torque,
-                no_load_speed,
-            } => {
-                let (t, w) = (symbol("T", Index::Mass(0)), symbol("ω", Index::Mass(0)));
-                section.entry(t.clone(), *stall_torque, "N m", "stall torque");
-                section.entry(w.clone(), *no_load_speed, "rad/s", "no-load speed");
-                t.expr().times(one().minus(rate.expr().over(w)))
-            }
-            LoadLaw::Kloss {
-                breakdown_torque,
-                breakdown_slip,
-                synchronous_speed,
-            } => {
-                let b = || Index::Word("b".into());
-                let (t, sb) = (symbol("T", b()), symbol("s", b()));
-                let (s, ws) = (
-                    symbol("s", Index::None),
-                    symbol("ω", Index::Word("s".into())),
-                );
-                section.line(s.clone(), one().minus(rate.expr().over(ws.clone())), "slip");
-                section.entry(t.clone(), *breakdown_torque, "N m", "breakdown torque");
-                section.entry(sb.clone(), *breakdown_slip, "", "breakdown slip");
-                section.entry(ws, *synchronous_speed, "rad/s", "synchronous speed");
-                let top = Expr::Number(2.0)
-                    .times(t)
-                    .times(s.clone())
-                    .times(sb.clone());
-                top.over(s.expr().squared().plus(sb.expr().squared()))
-            }
-            other => Expr::Words(summary(other, self.part().coordinate)),
+    /// A law as it is declared: its formula, its numbers as entries.
+    fn declared(&self, motion: [Symbol; 2], section: &mut Section) -> Option<Expr> {
+        let (declared, factor) = self.load.law.declared()?;
+        let mut symbols = motion.to_vec();
+        for (parameter, value) in declared.parameters() {
+            let symbol = match parameter.letter {
+                (letter, "") => self.letter(letter),
+                (letter, "0") => symbol(letter, Index::Mass(0)),
+                (letter, index) => symbol(letter, Index::Word(index.into())),
+            };
+            let unit = unit_of(parameter.measure, self.part().coordinate);
+            section.entry(symbol.clone(), value, unit, parameter.meaning);
+            symbols.push(symbol);
         }
+        let formula = declared.formula()?;
+        let expr = of_program(&formula.program().value, &|index| {
+            symbols[index].clone().expr()
+        })?;
+        Some(match factor == 1.0 {
+            true => expr,
+            false => Expr::Number(factor).times(expr),
+        })
     }
 
     /// Period of the axis that the load's pieces lie on.
@@ -347,48 +323,56 @@ fn between(from: f64, axis: &Symbol, to: f64) -> Expr {
 pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
     let unit = units(coordinate);
     let show = |value: f64, unit: &str| with_unit(value, unit, 6);
+    if let Some(value) = law.as_constant() {
+        return format!("constant {}", show(value, unit.force));
+    }
+    if let Some((declared, _)) = law.declared() {
+        return words(&declared, coordinate);
+    }
     match law {
-        LoadLaw::Constant(value) => format!("constant {}", show(*value, unit.force)),
         LoadLaw::Pieces { pieces, .. } => format!("piecewise linear, {} pieces", pieces.len()),
-        LoadLaw::Spring { rate, preload } => format!(
-            "spring, rate {}, preload {}",
-            show(*rate, unit.stiffness),
-            show(*preload, unit.force)
+        LoadLaw::Linear(own) => format!(
+            "{} − {}·φ − {}·φ̇",
+            show(own.force, unit.force),
+            show(own.rate, unit.stiffness),
+            show(own.damping, unit.damping)
         ),
-        LoadLaw::Viscous(damping) => format!("viscous {}", show(*damping, unit.damping)),
-        LoadLaw::Friction { force, width } => format!(
-            "friction {}, regularised over {}",
-            show(*force, unit.force),
-            show(*width, unit.speed)
-        ),
-        LoadLaw::LinearMotor {
-            stall_torque,
-            no_load_speed,
-        } => format!(
-            "motor, {} at rest, none at {}",
-            show(*stall_torque, "N m"),
-            show(*no_load_speed, "rad/s")
-        ),
-        LoadLaw::Kloss {
-            breakdown_torque,
-            breakdown_slip,
-            synchronous_speed,
-        } => format!(
-            "asynchronous motor, breakdown {} at slip {}, synchronous {}",
-            show(*breakdown_torque, "N m"),
-            significant(*breakdown_slip, 4),
-            show(*synchronous_speed, "rad/s")
-        ),
-        LoadLaw::SpeedTable(points) => {
-            format!("table over speed, {} points", points.len())
-        }
         LoadLaw::Stop(stop) => format!(
             "stop, {}; {}",
             stop_words(stop, coordinate),
             contact_summary(stop.law, stop.stiffness, coordinate)
         ),
-        LoadLaw::Custom { function, .. } => function.description(),
+        LoadLaw::Function { function, .. } => function.description(),
         LoadLaw::Written(written) => format!("expression: {}", written.expression.text()),
+    }
+}
+
+/// The words of a declared law, with its numbers.
+fn words(declared: &Declared, coordinate: Coordinate) -> String {
+    let mut words = declared.law.words.to_owned();
+    for (parameter, value) in declared.parameters() {
+        let key = match parameter.key {
+            "" => declared.law.key,
+            key => key,
+        };
+        let shown = match parameter.measure {
+            Measure::Number => significant(value, 4),
+            measure => with_unit(value, unit_of(measure, coordinate), 6),
+        };
+        words = words.replace(&format!("{{{key}}}"), &shown);
+    }
+    words
+}
+
+/// Unit of a number of a law.
+fn unit_of(measure: Measure, coordinate: Coordinate) -> &'static str {
+    let unit = units(coordinate);
+    match measure {
+        Measure::Force => unit.force,
+        Measure::Stiffness => unit.stiffness,
+        Measure::Damping => unit.damping,
+        Measure::Speed => unit.speed,
+        Measure::Number => "",
     }
 }
 

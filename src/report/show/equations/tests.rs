@@ -1,4 +1,5 @@
 use super::{Index, equations, inertia_side, latex, reflected, symbol, text};
+use crate::dynamics::laws::Declared;
 use crate::dynamics::model::{
     Coordinate, Law, LoadLaw, Model, Node, NodeMotion, ObjectPart, PartInput,
 };
@@ -68,12 +69,9 @@ fn modes_behind_a_contact_are_called_so_and_leave_no_column_empty() {
 fn latex_is_balanced_for_every_kind_of_load() {
     let mut model = fixture::rocker(7);
     for law in [
-        LoadLaw::Viscous(2.0),
-        LoadLaw::LinearMotor {
-            stall_torque: 3.0,
-            no_load_speed: 9.0,
-        },
-        LoadLaw::SpeedTable(vec![(0.0, 1.0), (3.0, 0.5)]),
+        LoadLaw::viscous(2.0),
+        Declared::linear_motor(3.0, 9.0).law(),
+        LoadLaw::speed_table(vec![(0.0, 1.0), (3.0, 0.5)]),
     ] {
         for node in 2..5 {
             let name = format!("rocker.loads.a_{node}%");

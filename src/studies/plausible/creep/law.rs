@@ -117,21 +117,15 @@ pub(super) fn frictions(model: &Model, object: usize) -> Vec<Friction<'_>> {
 fn friction(law: &LoadLaw, node: NodeIndex) -> Vec<Friction<'_>> {
     // (All laws by name: a new one is not taken for one without friction.)
     match law {
-        LoadLaw::Friction { force, width } if *force != 0.0 => vec![Friction::Stated {
-            force: force.abs(),
-            width: *width,
-        }],
+        LoadLaw::Function { function, factor } => match function.dry_friction() {
+            Some([force, width]) if force * factor != 0.0 => vec![Friction::Stated {
+                force: (force * factor).abs(),
+                width,
+            }],
+            _ => Vec::new(),
+        },
         LoadLaw::Written(load) => written(load, node),
-        LoadLaw::Friction { .. }
-        | LoadLaw::Constant(_)
-        | LoadLaw::Pieces { .. }
-        | LoadLaw::Spring { .. }
-        | LoadLaw::Viscous(_)
-        | LoadLaw::LinearMotor { .. }
-        | LoadLaw::Kloss { .. }
-        | LoadLaw::SpeedTable(_)
-        | LoadLaw::Stop(_)
-        | LoadLaw::Custom { .. } => Vec::new(),
+        LoadLaw::Linear(_) | LoadLaw::Pieces { .. } | LoadLaw::Stop(_) => Vec::new(),
     }
 }
 
