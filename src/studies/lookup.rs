@@ -3,6 +3,7 @@
 //! `forces.press.drive.greatest`. They are found when they are asked for.
 
 use super::cam::{CamForce, Reserve, disc_cam};
+use super::expectations::{Verdict, judged};
 use super::steady::{self, Answer, steady_motion_within};
 use super::studied;
 use super::{Control, RunSettings};
@@ -245,6 +246,28 @@ fn steady_motion(subject: Subject<'_>) -> Result<Answer, Vec<Fault>> {
         }
         Answer::Rigid(_) | Answer::Periodic(_) => Ok(found),
     }
+}
+
+/// Judges what is expected of the cam of an object, in its order.
+pub fn check_cam(
+    expectations: &[Expectation],
+    model: &Model,
+    (id, cam): (&str, &DiscCam),
+) -> Vec<Verdict> {
+    let judge = |expectation: &Expectation| {
+        let Expected::Figure { figure, allowed } = &expectation.what else {
+            return None;
+        };
+        match StudyAddress::of(figure)? {
+            StudyAddress::Cam { object, name } if object == id => Some(Verdict {
+                source: expectation.source.clone(),
+                // What has no value, for whatever reason, does not hold.
+                ..judged(figure, allowed, of_cam(cam, model, id, name).ok().flatten())
+            }),
+            _ => None,
+        }
+    };
+    expectations.iter().filter_map(judge).collect()
 }
 
 /// A result of a cam; those of forces are at the speed of the scene.

@@ -502,3 +502,82 @@ fn a_text_without_a_unit_and_turns_a_minute_are_told_apart_for_linkages_too() {
         assert_eq!(output.status.code(), Some(code), "{accuracy}");
     }
 }
+
+/// What each command says on standard error of a scene that expects something of every study.
+#[test]
+fn every_study_judges_its_own_and_names_the_command_for_the_rest() {
+    let mut scene = machine();
+    let figures = [
+        ("kinematics.press.slide.stroke", "dam kinematics"),
+        ("forces.press.drive.greatest", "dam forces"),
+        ("cam.valve.base_radius", "dam cam"),
+        ("steady.period", "dam steady"),
+        ("valve.delta_abs", "dam run"),
+        ("frequency.1", "dam run"),
+    ];
+    let expected = figures.map(|(figure, _)| json!({ "figure": figure, "at_most": 0 }));
+    scene["expect"] = json!(expected);
+    let (_folder, path) = written(&scene);
+    for command in ["kinematics", "forces", "cam", "steady", "run"] {
+        let own = |figure: &str, judge: &str| {
+            judge == format!("dam {command}") || command == "run" && figure.starts_with("cam.")
+        };
+        let run = |more: &[&str]| {
+            let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+                .args([&[command, &path], more].concat())
+                .output()
+                .unwrap();
+            (
+                output.status.code(),
+                String::from_utf8(output.stderr).unwrap(),
+            )
+        };
+        let (code, said) = run(&[]);
+        assert_eq!(code, Some(1), "{command}: {said}");
+        for (figure, judge) in figures {
+            let mut lines = said
+                .lines()
+                .filter(|line| line.starts_with("expectation") && line.contains(figure));
+            let line = lines
+                .next()
+                .unwrap_or_else(|| panic!("{command} {figure}: {said}"));
+            match own(figure, judge) {
+                true => assert!(line.starts_with("expectation failed:"), "{line}"),
+                false => {
+                    assert!(line.starts_with("expectations not judged here:"), "{line}");
+                    assert!(line.contains(&format!("`{judge}` judges them")), "{line}");
+                }
+            }
+        }
+        // Another machine than the scene's has no expectations.
+        let (code, said) = run(&["--set", "name=other"]);
+        assert_eq!(code, Some(0), "{command}: {said}");
+        let words = "expectations: not judged, the options change what the scene asks";
+        assert!(said.contains(words), "{command}: {said}");
+        assert!(!said.contains("not judged here"), "{command}: {said}");
+    }
+}
+
+/// What several objects have is judged one object at a time.
+#[test]
+fn the_object_that_was_not_chosen_is_named() {
+    let mut scene = machine();
+    scene["objects"]["other"] = scene["objects"]["press"].clone();
+    let figures = [
+        "kinematics.press.slide.stroke",
+        "kinematics.other.slide.stroke",
+    ];
+    scene["expect"] = json!(figures.map(|figure| json!({ "figure": figure, "at_least": 0 })));
+    let (_folder, path) = written(&scene);
+    let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["kinematics", &path, "--object", "press"])
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    let words = "kinematics.other.slide.stroke; `dam kinematics --object other` judges them";
+    assert!(
+        said.contains("1 of 1 hold") && said.contains(words),
+        "{said}"
+    );
+}

@@ -6,7 +6,7 @@ use crate::cli::answer::{Answer, Content, PAGE, Shown, ignores_until, picture, w
 use crate::cli::args::{ConventionName, ForcesArgs};
 use crate::cli::asker::Asker;
 use crate::cli::console;
-use crate::cli::expected;
+use crate::cli::expected::Expectations;
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::output::OutputFolder;
@@ -16,7 +16,6 @@ use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{ForceFailure, Kinetostatics};
 use crate::report::findings::Source;
 use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
-use crate::studies::expectations::Verdict;
 use crate::studies::forces::{
     Course, ForceStudy, LinkagePositions, MasslessComparison, compare_massless, several_forces,
     study,
@@ -59,7 +58,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         name: &ready.scene().name,
         hash: &ready.scene().hash,
     };
-    let verdicts = verdicts(args, &ready, object, &found);
+    let expected = expectations(args, &ready, object, &found);
     let mut files = vec![
         (FILES[0].into(), Content::made(|| rows(&found).csv())),
         (FILES[1].into(), Content::Document),
@@ -84,7 +83,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     let answer = Answer {
         command: "forces",
         findings: &shown,
-        document: expected::beside(written, &verdicts).into(),
+        document: expected.beside(written).into(),
         files,
         quiet: args.scene.quiet,
     };
@@ -99,9 +98,9 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         if found.settings.output.is_none() && found.several.is_none() {
             console::talk("no transmission ratio: name the loaded output with --load");
         }
-        expected::talk(&verdicts);
+        expected.talk();
     }
-    Ok(match found.missing() == 0 && expected::hold(&verdicts) {
+    Ok(match found.missing() == 0 && expected.hold() {
         true => answer.status(),
         false => Status::NotTrusted,
     })
@@ -198,7 +197,12 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
 }
 
 /// Another mechanism than the scene's, or another question, has no expectations.
-fn verdicts(args: &ForcesArgs, ready: &Ready, object: &str, found: &ForceStudy) -> Vec<Verdict> {
+fn expectations<'r>(
+    args: &ForcesArgs,
+    ready: &'r Ready,
+    object: &str,
+    found: &ForceStudy,
+) -> Expectations<'r> {
     let same_course = args.course.is_of_scene()
         && args.record.is_none()
         && args.compare_massless.is_empty()
@@ -208,10 +212,10 @@ fn verdicts(args: &ForcesArgs, ready: &Ready, object: &str, found: &ForceStudy) 
         && args.convention == ConventionName::Paper
         && !args.frictionless
         && args.direction.is_none();
-    match same_course && same_forces {
-        true => check_forces(&ready.scene().expect, object, found),
-        false => Vec::new(),
-    }
+    let all = &ready.scene().expect;
+    Expectations::judged("forces", all, same_course && same_forces, |all| {
+        check_forces(all, object, found)
+    })
 }
 
 /// Faults with their place in the scene where they have one.
