@@ -17,8 +17,8 @@ use crate::kinematics::linkage::kinetostatics::{ForceFailure, Kinetostatics};
 use crate::report::findings::Source;
 use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
 use crate::studies::forces::{
-    Course, ForceStudy, LinkagePositions, MasslessComparison, compare_massless, several_forces,
-    study,
+    Course, ForceStudy, LinkagePositions, MasslessComparison, Row, compare_massless,
+    several_forces, study,
 };
 use crate::studies::kinematics::{linkage_of, several_of};
 use crate::studies::rigid::Rigid;
@@ -130,6 +130,7 @@ fn of_several(
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let found = several_forces(&asked, question::options(args));
     let found = found.map_err(|faults| faults_of(ready, &object, faults))?;
+    unused_convention(args, &found)?;
     let motion = found.several.as_ref().map(|several| several.motion.clone());
     Ok(Solved {
         folder,
@@ -153,6 +154,20 @@ fn unused(args: &ForcesArgs, friction: bool, course: &Course) -> Result<(), Fail
         _ => return Ok(()),
     };
     Err(Failure::Other(why.to_owned()))
+}
+
+/// Refuses a sign for a transmission ratio that there is none of.
+fn unused_convention(args: &ForcesArgs, found: &ForceStudy) -> Result<(), Failure> {
+    let has_ratio = |row: &Row| row.forces.as_ref().is_ok_and(|forces| forces.chi.is_some());
+    if args.convention.is_none() || found.rows.iter().any(has_ratio) {
+        return Ok(());
+    }
+    let why = match (&found.several, found.settings.output) {
+        (Some(_), _) => "a linkage of several inputs has no transmission ratio",
+        (None, None) => "there is no transmission ratio; name the loaded output with --load",
+        (None, Some(_)) => "there is no transmission ratio without a load on the output",
+    };
+    Err(Failure::Other(format!("--convention has no effect: {why}")))
 }
 
 fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
@@ -187,6 +202,7 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
         list => Some(compare_massless(spec, &mut source, &course, &settings, list).map_err(told)?),
     };
     let found = study(spec, &mut source, course, settings).map_err(told)?;
+    unused_convention(args, &found)?;
     Ok(Solved {
         folder,
         object: object.to_owned(),
@@ -209,7 +225,9 @@ fn expectations<'r>(
         && args.positions as usize == POSITIONS;
     let same_forces = args.scene.set.is_empty()
         && args.load.is_none()
-        && args.convention == ConventionName::Paper
+        && args
+            .convention
+            .is_none_or(|one| one == ConventionName::Paper)
         && !args.frictionless
         && args.direction.is_none();
     let all = &ready.scene().expect;
