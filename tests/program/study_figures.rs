@@ -581,3 +581,104 @@ fn the_object_that_was_not_chosen_is_named() {
         "{said}"
     );
 }
+
+/// `cam` and `frequency` may be ids: what an object has and what a study has differ in name.
+#[test]
+fn objects_called_as_a_study_have_their_own_figures() {
+    let text = machine().to_string();
+    for (id, code) in [
+        ("cam", 0),
+        ("frequency", 0),
+        ("kinematics", 2),
+        ("forces", 2),
+        ("steady", 2),
+        ("run", 2),
+    ] {
+        let mut scene: Value =
+            serde_json::from_str(&text.replace("\"valve\"", &format!("\"{id}\""))).unwrap();
+        let own = format!("{id}.delta_abs");
+        let of_cam = format!("cam.{id}.base_radius");
+        scene["expect"] = json!([
+            { "figure": own, "at_least": "1 nm" },
+            { "figure": of_cam, "value": "40 mm", "within": "1 nm" },
+            { "figure": "frequency.1", "at_least": "1 Hz" },
+            { "figure": "frequency.open.1", "at_least": 0 },
+        ]);
+        let (_folder, path) = written(&scene);
+        let output = dam(&["run", &path, "--json"]);
+        assert_eq!(output.status.code(), Some(code), "{id}");
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        match code {
+            0 => {
+                let judged = found["expect"].as_array().unwrap();
+                assert!(
+                    judged.iter().all(|one| one["holds"] == true),
+                    "{id}: {judged:?}"
+                );
+                let (delta, told) = (&found["objects"][id]["delta_abs"], &judged[0]["found"]);
+                assert_eq!(delta, told, "{id}");
+            }
+            _ => {
+                let said = String::from_utf8(dam(&["run", &path]).stderr).unwrap();
+                let words = format!("`{id}` cannot be the id of an object");
+                assert!(
+                    said.contains(&words) && said.contains("scene.json:"),
+                    "{said}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_figure_of_a_study_that_is_mistyped_is_not_taken_for_an_object() {
+    for (figure, message, hint) in [
+        (
+            "cam.valve.least_radiu",
+            "`cam.valve` has no figure `least_radiu`",
+            "did you mean `cam.valve.least_radius`?",
+        ),
+        (
+            "cam.valv.least_radius",
+            "unknown object `valv`",
+            "did you mean `valve`?",
+        ),
+        (
+            "cam.valve",
+            "`cam.valve` names no figure",
+            "as in `cam.valve.least_radius`",
+        ),
+        (
+            "frequency.x",
+            "there is no figure `frequency.x`",
+            "write `frequency.1`",
+        ),
+        (
+            "frequency",
+            "there is no figure `frequency`",
+            "write `frequency.1`",
+        ),
+        (
+            "steady",
+            "`steady` names no figure",
+            "write `steady.` and one of",
+        ),
+        ("run", "`run` names no figure", "write `run.` and one of"),
+        (
+            "valve",
+            "`valve` names no figure",
+            "write `valve.` and one of",
+        ),
+    ] {
+        let mut scene = machine();
+        scene["expect"] = json!([{ "figure": figure, "at_least": 0 }]);
+        let (_folder, path) = written(&scene);
+        let output = dam(&["check", &path]);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{figure}");
+        assert!(
+            said.contains(message) && said.contains(hint),
+            "{figure}: {said}"
+        );
+    }
+}

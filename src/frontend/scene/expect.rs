@@ -366,6 +366,23 @@ fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
     let (owner, name) = owner_of(&address, |id| {
         known.objects.contains_key(id) || known.stops.contains_key(id)
     });
+    if !known.objects.contains_key(owner) {
+        match owner {
+            "cam" => {
+                no_cam_figure(slot, known, name);
+                return None;
+            }
+            "frequency" => {
+                let fault =
+                    slot.refuse("unknown-figure", format!("there is no figure `{address}`"));
+                let hint = "write `frequency.1` for the lowest natural frequency with all pairs \
+                            closed, `frequency.open.1` with all open";
+                fault.hints.push(hint.to_owned());
+                return None;
+            }
+            _ => {}
+        }
+    }
     if owner == "run" {
         if name.starts_with("first_times.") {
             return Some(About::Figure(address, q::TIME.into()));
@@ -449,18 +466,46 @@ fn study_figure(slot: &mut Slot<'_>, known: &Known, address: String) -> Option<A
     None
 }
 
+/// Refuses `cam.NAME`, which is no figure of a cam.
+fn no_cam_figure(slot: &mut Slot<'_>, known: &Known, name: &str) {
+    let named = name.rsplit_once('.');
+    let objects = || known.objects.keys().map(String::as_str);
+    let Some((object, figure)) = named.filter(|(object, _)| known.objects.contains_key(*object))
+    else {
+        let object = named.map_or(name, |(object, _)| object);
+        let hint = match known.objects.contains_key(object) {
+            true => Some(format!(
+                "write cam.object.figure, as in `cam.{object}.least_radius`"
+            )),
+            false => did_you_mean(object, objects()),
+        };
+        let message = match known.objects.contains_key(object) {
+            true => format!("`cam.{name}` names no figure"),
+            false => format!("unknown object `{object}`"),
+        };
+        slot.refuse("unknown-figure", message).hints.extend(hint);
+        return;
+    };
+    let names = CAM_FIGURES.iter().map(|figure| figure.0);
+    unknown(slot, &format!("cam.{object}"), figure, names);
+}
+
 fn unknown<'a>(
     slot: &mut Slot<'_>,
     owner: &str,
     name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
 ) {
-    let fault = slot.refuse(
-        "unknown-figure",
-        format!("`{owner}` has no figure `{name}`"),
-    );
+    let message = match name {
+        "" => format!("`{owner}` names no figure"),
+        name => format!("`{owner}` has no figure `{name}`"),
+    };
+    let fault = slot.refuse("unknown-figure", message);
     fault.hints.push(match closest(name, names.clone()) {
         Some(guess) => format!("did you mean `{owner}.{guess}`?"),
+        None if name.is_empty() => {
+            format!("write `{owner}.` and one of {}", quoted_list(names, "or"))
+        }
         None => format!("its figures are {}", quoted_list(names, "and")),
     });
 }

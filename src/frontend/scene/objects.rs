@@ -223,8 +223,14 @@ fn only_input(fields: &mut Fields<'_>, context: &mut Context<'_>, kind: &str) ->
 fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
     let place = slot.name_place();
     let (message, hint) = if RESERVED.contains(&id) {
+        let what = match id {
+            "kinematics" | "forces" | "steady" => {
+                format!("addresses of results of `dam {id}` begin with it")
+            }
+            _ => "it addresses the scene itself".to_owned(),
+        };
         (
-            format!("`{id}` cannot be the id of an object: it addresses the scene itself"),
+            format!("`{id}` cannot be the id of an object: {what}"),
             "choose another id".to_owned(),
         )
     } else if !is_name(id) {
