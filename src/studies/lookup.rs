@@ -155,14 +155,14 @@ fn did_you_mean(owner: &str, close: Option<&str>) -> String {
     close.map_or_else(String::new, |name| format!("did you mean `{owner}{name}`?"))
 }
 
-/// SI unit of the result at an address of a study; empty of pure numbers, and where the study
-/// alone knows it.
-pub fn unit(address: &str) -> &'static str {
+/// SI unit of the result at an address of a study of this model; empty of pure numbers.
+pub fn unit(address: &str, model: &Model) -> String {
     match StudyAddress::of(address) {
-        Some(StudyAddress::Steady { name }) => unit_in(STEADY_FIGURES, name),
-        Some(StudyAddress::Cam { name, .. }) => unit_in(CAM_FIGURES, name),
-        Some(StudyAddress::Frequency { .. }) => FREQUENCY.si(),
-        Some(StudyAddress::Linkage { .. }) | None => "",
+        Some(StudyAddress::Steady { name }) => unit_in(STEADY_FIGURES, name).to_owned(),
+        Some(StudyAddress::Cam { name, .. }) => unit_in(CAM_FIGURES, name).to_owned(),
+        Some(StudyAddress::Frequency { .. }) => FREQUENCY.si().to_owned(),
+        Some(StudyAddress::Linkage { .. }) => studied::unit(address, model).unwrap_or_default(),
+        None => String::new(),
     }
 }
 
@@ -225,7 +225,7 @@ fn find(
     };
     Ok(Some(StudyFigure {
         value: value.filter(|value| value.is_finite()),
-        unit: unit(address).to_owned(),
+        unit: unit(address, model),
     }))
 }
 

@@ -179,6 +179,14 @@ pub(super) fn unknown(figure: &str, model: &Model) -> Option<(String, String)> {
     Some((message, did_you_mean(close.as_slice())))
 }
 
+/// SI unit of a figure of kinematics or forces; empty of pure numbers; `None`: the model has no
+/// such figure.
+pub(super) fn unit(figure: &str, model: &Model) -> Option<String> {
+    let at = Address::of(figure)?;
+    let known = figures_at(model, at).ok()?;
+    unit_of(at, &known).map(str::to_owned)
+}
+
 /// Faults of numbers whose unit is none of what their figure measures, once the model says it.
 pub fn wrong_units(measured: &[Measured], model: &Model) -> Vec<Fault> {
     let wrong = |one: &Measured| {

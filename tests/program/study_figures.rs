@@ -146,6 +146,17 @@ fn kinematics_are_figures() {
     let wanted = judged.next().unwrap()["found"].as_f64().unwrap();
     let row = compared(scene, "kinematics.shaper.ram.time_ratio");
     near(&row["values"][1], wanted, 1e-12);
+    for (figure, unit) in [
+        ("kinematics.shaper.ram.time_ratio", ""),
+        ("kinematics.shaper.ram.stroke", "m"),
+        ("kinematics.shaper.lever.acceleration.greatest", "rad/s²"),
+        ("forces.shaper.drive.greatest", "N m"),
+    ] {
+        assert_eq!(compared(scene, figure)["unit"], unit, "{figure}");
+        let x = ["--x", "run.tolerance=1e-6:1e-5:2"];
+        let found = document(&["map", scene, x[0], x[1], "--figure", figure]);
+        assert_eq!(found["unit"], unit, "{figure}");
+    }
     // The ram moves at the speed of the motor in the run too.
     let row = compared(scene, "kinematics.shaper.ram.acceleration.greatest");
     let run = document(&["run", scene]);
