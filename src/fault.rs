@@ -10,6 +10,10 @@ pub struct Fault {
     pub message: String,
     /// Hint: what would be right; empty when there is nothing to say.
     pub hint: String,
+    /// Code of the kind of fault: `model` unless it is another.
+    pub code: &'static str,
+    /// Remark under the property in the text; empty: none.
+    pub label: String,
 }
 
 impl Fault {
@@ -23,6 +27,8 @@ impl Fault {
             path: path.into(),
             message: message.into(),
             hint: hint.into(),
+            code: "model",
+            label: String::new(),
         }
     }
 }

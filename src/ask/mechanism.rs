@@ -12,6 +12,7 @@ use crate::studies::expectations::unknown_figures;
 use crate::studies::order::{Certificate, choose};
 use crate::studies::run::{RunResult, run};
 use crate::studies::steady::{Answer, steady_motion_within};
+use crate::studies::studied::wrong_units;
 use crate::studies::{Control, RunSettings, clock, defined, lookup, plausible};
 
 /// A scene that was checked, lowered and frozen: it is asked without being read again.
@@ -184,6 +185,7 @@ impl Judging {
 fn sound_settings(scene: &TypedScene, model: &Model) -> Result<RunSettings, Vec<Fault>> {
     let mut faults = unknown_figures(&scene.expect, model);
     faults.extend(lookup::unknown_figures(&scene.expect, model));
+    faults.extend(wrong_units(&scene.measured, model));
     if !faults.is_empty() {
         return Err(faults);
     }

@@ -10,6 +10,7 @@ use crate::cli::args::scene::SceneArgs;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::object::Registry;
 use crate::frontend::scene::{schema, schema_of, schema_text};
+use crate::report::quantity::counted;
 use crate::studies::kinematics::reaches;
 use serde_json::{Value, json};
 
@@ -46,9 +47,10 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
     }
     let coordinates = start.y.len() / 2;
     console::text(&format!(
-        "{} is right: {} objects, {coordinates} coordinates, hash {}\n",
+        "{} is valid: {}, {}, hash {}\n",
         scene.name,
-        scene.objects.len(),
+        counted(scene.objects.len(), "object"),
+        counted(coordinates, "coordinate"),
         &scene.hash[..16]
     ))?;
     for reach in reaches {

@@ -4,6 +4,7 @@ use super::answer::{Answer, Content, Document as Written, PAGE, Shown};
 use super::args::{Columns, RunArgs};
 use super::asker::Asker;
 use super::console;
+use super::expected::Expectations;
 use super::failure::Failure;
 use super::input::Ready;
 use super::interrupt::{self, Stage};
@@ -22,7 +23,7 @@ use crate::report::findings::Source;
 use crate::report::machine::Machine;
 use crate::report::run::{RunReport, findings, switches_csv};
 use crate::studies::cam::disc_cams;
-use crate::studies::expectations::{Verdict, check, of_run};
+use crate::studies::expectations::{Verdict, check};
 use crate::studies::judgement::Judged;
 use crate::studies::limit::without_limit;
 use crate::studies::order::Certificate;
@@ -125,17 +126,14 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let shortfalls = ready.shortfalls();
     result.figures.warnings.extend(shortfalls.iter().cloned());
     // Another mechanism than the scene's has no expectations.
-    let changed = !args.scene.set.is_empty();
-    let verdicts = if changed {
-        Vec::new()
-    } else {
-        check(&ready.scene().expect, &result)
-    };
+    let as_scene = args.scene.set.is_empty();
+    let all = &ready.scene().expect;
+    let expected = Expectations::judged("run", all, as_scene, |all| check(all, &result));
     let document = Document {
         judged: Judged::of(&result.figures),
         spread: spread.as_ref(),
         rigid: rigid.as_ref(),
-        expect: &verdicts,
+        expect: expected.verdicts(),
         diagnostics: doubts(&ready),
     };
     let certificate = ready.certificate.as_ref();
@@ -175,15 +173,17 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let shown = Shown::json_or(args.scene.json, Shown::Text);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !quiet {
-        talk(&ready, &result, &verdicts, seconds);
+        talk(&ready, &result, &expected, seconds);
         if let Some(folder) = &folder {
             folder.tell_report();
         }
     }
-    Ok(match (status(&result, &verdicts), shortfalls.is_empty()) {
-        (Status::Answered, false) => Status::NotTrusted,
-        (status, _) => status,
-    })
+    Ok(
+        match (status(&result, expected.verdicts()), shortfalls.is_empty()) {
+            (Status::Answered, false) => Status::NotTrusted,
+            (status, _) => status,
+        },
+    )
 }
 
 /// Refuses columns that no record has.
@@ -247,21 +247,13 @@ pub(crate) fn run_with_progress(
     Ok(result)
 }
 
-fn talk(ready: &Ready, result: &RunResult, verdicts: &[Verdict], seconds: f64) {
+fn talk(ready: &Ready, result: &RunResult, expected: &Expectations<'_>, seconds: f64) {
     let known_before = &ready.system.model().warnings;
     let found = result.figures.warnings.iter();
     for warning in found.filter(|warning| !known_before.contains(warning)) {
         console::talk(&format!("warning: {warning}"));
     }
-    for verdict in verdicts.iter().filter(|verdict| !verdict.holds) {
-        console::talk(&format!("expectation failed: {}", verdict.message));
-    }
-    let held = verdicts.iter().filter(|verdict| verdict.holds).count();
-    if !verdicts.is_empty() {
-        console::talk(&format!("expectations: {held} of {} hold", verdicts.len()));
-    } else if ready.scene().expect.iter().any(of_run) {
-        console::talk("expectations: not judged, --set changes the scene");
-    }
+    expected.talk();
     console::talk(&format!("computed in {seconds:.3} s"));
 }
 

@@ -230,7 +230,7 @@ pub fn shortened(text: &str, length: usize) -> String {
 }
 
 /// `1 position`, `3 positions`.
-pub(super) fn counted(count: usize, what: &str) -> String {
+pub(crate) fn counted(count: usize, what: &str) -> String {
     match count {
         1 => format!("1 {what}"),
         _ => format!("{count} {what}s"),

@@ -9,7 +9,7 @@ use crate::dynamics::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, O
 use crate::dynamics::record::{
     CreepFigures, EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures,
     ObjectFigures, PairFigures, PressingFigures, Recorded, RunSummary, StopFigures, Units,
-    drive_cycle,
+    acceleration_rounding, drive_cycle,
 };
 use crate::units::shown;
 
@@ -142,6 +142,7 @@ pub(super) fn warnings_of(
         }),
     );
     for object in 0..model.objects.len() {
+        warnings.extend(rounded_acceleration(model, object, recorded));
         warnings.extend(pair_warnings(model, object, recorded, run.time));
         let part = &model.objects[object];
         warnings.extend(recorded.figures[object].creep.map(|creep| Warning::Creeps {
@@ -151,6 +152,21 @@ pub(super) fn warnings_of(
         }));
     }
     warnings
+}
+
+/// An acceleration of which rounding may be more than this share is said to be rounded.
+const ROUNDED: f64 = 0.01;
+
+fn rounded_acceleration(model: &Model, object: usize, recorded: &Recorded) -> Option<Warning> {
+    let (part, own) = (&model.objects[object], &recorded.figures[object]);
+    let rounding = acceleration_rounding(model, object, own);
+    (rounding > ROUNDED * own.peak_acceleration).then(|| Warning::RoundedAcceleration {
+        object: part.id.clone(),
+        rounding,
+        peak: own.peak_acceleration,
+        force: own.peak_reaction,
+        units: units(part.coordinate),
+    })
 }
 
 /// How often a pair that has just switched switches again at the same instant, to

@@ -3,6 +3,7 @@
 //! `forces.press.drive.greatest`. They are found when they are asked for.
 
 use super::cam::{CamForce, Reserve, disc_cam};
+use super::expectations::{Verdict, judged};
 use super::steady::{self, Answer, steady_motion_within};
 use super::studied;
 use super::{Control, RunSettings};
@@ -154,14 +155,14 @@ fn did_you_mean(owner: &str, close: Option<&str>) -> String {
     close.map_or_else(String::new, |name| format!("did you mean `{owner}{name}`?"))
 }
 
-/// SI unit of the result at an address of a study; empty of pure numbers, and where the study
-/// alone knows it.
-pub fn unit(address: &str) -> &'static str {
+/// SI unit of the result at an address of a study of this model; empty of pure numbers.
+pub fn unit(address: &str, model: &Model) -> String {
     match StudyAddress::of(address) {
-        Some(StudyAddress::Steady { name }) => unit_in(STEADY_FIGURES, name),
-        Some(StudyAddress::Cam { name, .. }) => unit_in(CAM_FIGURES, name),
-        Some(StudyAddress::Frequency { .. }) => FREQUENCY.si(),
-        Some(StudyAddress::Linkage { .. }) | None => "",
+        Some(StudyAddress::Steady { name }) => unit_in(STEADY_FIGURES, name).to_owned(),
+        Some(StudyAddress::Cam { name, .. }) => unit_in(CAM_FIGURES, name).to_owned(),
+        Some(StudyAddress::Frequency { .. }) => FREQUENCY.si().to_owned(),
+        Some(StudyAddress::Linkage { .. }) => studied::unit(address, model).unwrap_or_default(),
+        None => String::new(),
     }
 }
 
@@ -224,7 +225,7 @@ fn find(
     };
     Ok(Some(StudyFigure {
         value: value.filter(|value| value.is_finite()),
-        unit: unit(address).to_owned(),
+        unit: unit(address, model),
     }))
 }
 
@@ -245,6 +246,28 @@ fn steady_motion(subject: Subject<'_>) -> Result<Answer, Vec<Fault>> {
         }
         Answer::Rigid(_) | Answer::Periodic(_) => Ok(found),
     }
+}
+
+/// Judges what is expected of the cam of an object, in its order.
+pub fn check_cam(
+    expectations: &[Expectation],
+    model: &Model,
+    (id, cam): (&str, &DiscCam),
+) -> Vec<Verdict> {
+    let judge = |expectation: &Expectation| {
+        let Expected::Figure { figure, allowed } = &expectation.what else {
+            return None;
+        };
+        match StudyAddress::of(figure)? {
+            StudyAddress::Cam { object, name } if object == id => Some(Verdict {
+                source: expectation.source.clone(),
+                // What has no value, for whatever reason, does not hold.
+                ..judged(figure, allowed, of_cam(cam, model, id, name).ok().flatten())
+            }),
+            _ => None,
+        }
+    };
+    expectations.iter().filter_map(judge).collect()
 }
 
 /// A result of a cam; those of forces are at the speed of the scene.

@@ -9,12 +9,16 @@ use super::forces::{
     ForceSettings, ForceStudy, LinkagePositions, course_of, figures, figures_of_inputs,
     only_loaded_output, several_forces, study,
 };
-use super::kinematics::{self, Asked, AskedSeveral, Kinematics, Question, linkage_of, several_of};
+use super::kinematics::{
+    self, Asked, AskedSeveral, Kinematics, NamedFigure, Question, linkage_of, several_of,
+};
 use crate::dynamics::model::Model;
 use crate::fault::Fault;
-use crate::frontend::read::closest;
-use crate::frontend::scene::{Expectation, Expected};
+use crate::frontend::read::{UnitFault, Wanted, closest};
+use crate::frontend::scene::{Expectation, Expected, Measured};
 use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
+use crate::units::quantities::{ALL, NUMBER};
+use crate::units::{Mismatch, Quantity, parse};
 
 pub use super::kinematics::POSITIONS;
 
@@ -162,18 +166,71 @@ pub fn check_all(
 /// one, or the address is another.
 pub(super) fn unknown(figure: &str, model: &Model) -> Option<(String, String)> {
     let at = Address::of(figure)?;
-    let names = match names(model, at) {
-        Ok(names) => names,
+    let known = match figures_at(model, at) {
+        Ok(known) => known,
         Err(reason) => return Some((reason, String::new())),
     };
-    let of_zone = at.study == "forces" && is_zone(at.figure);
-    if of_zone || names.iter().any(|name| name == at.figure) {
+    if unit_of(at, &known).is_some() {
         return None;
     }
-    let close = closest(at.figure, names.iter().map(String::as_str));
+    let close = closest(at.figure, known.all.iter().map(|one| one.name.as_str()));
     let close = close.map(|name| format!("{}.{}.{name}", at.study, at.object));
     let message = format!("there is no figure `{figure}`");
     Some((message, did_you_mean(close.as_slice())))
+}
+
+/// SI unit of a figure of kinematics or forces; empty of pure numbers; `None`: the model has no
+/// such figure.
+pub(super) fn unit(figure: &str, model: &Model) -> Option<String> {
+    let at = Address::of(figure)?;
+    let known = figures_at(model, at).ok()?;
+    unit_of(at, &known).map(str::to_owned)
+}
+
+/// Faults of numbers whose unit is none of what their figure measures, once the model says it.
+pub fn wrong_units(measured: &[Measured], model: &Model) -> Vec<Fault> {
+    let wrong = |one: &Measured| {
+        let at = Address::of(&one.figure)?;
+        let known = figures_at(model, at).ok()?;
+        wrong_unit(one, unit_of(at, &known)?)
+    };
+    measured.iter().filter_map(wrong).collect()
+}
+
+/// Why a number has another unit than one that is wanted; `None`: it has not.
+fn wrong_unit(one: &Measured, unit: &str) -> Option<Fault> {
+    let si = if unit.is_empty() { "1" } else { unit };
+    let dimension = match si {
+        "1" => NUMBER.dimension,
+        unit => parse(&format!("1 {unit}")).ok()?.dimension,
+    };
+    let known = ALL.iter().find(|known| known.dimension == dimension);
+    let quantity = known.copied().unwrap_or(Quantity {
+        name: "quantity",
+        dimension,
+        angle_may_be_left_out: true,
+        units: &[],
+    });
+    let words = match known {
+        Some(known) => Wanted::from(*known).words(),
+        None => format!("in {si}"),
+    };
+    let mismatch = match quantity.accept(one.measure) {
+        // Turns a minute: the number was read as a frequency before it was known.
+        Ok(value) if value != one.measure.value => Mismatch::FrequencyForSpeed,
+        Ok(_) => return None,
+        Err(mismatch) => mismatch,
+    };
+    let refused = UnitFault::new(
+        (&one.path, &one.text),
+        (one.measure, mismatch),
+        (si, &words),
+    );
+    Some(Fault {
+        code: refused.code,
+        label: refused.label,
+        ..Fault::new(one.path.as_str(), refused.message, refused.hint)
+    })
 }
 
 /// `zones.3.from`: how many zones there will be is not known beforehand.
@@ -187,19 +244,44 @@ fn is_zone(figure: &str) -> bool {
     index.parse::<usize>().is_ok() && ["from", "to"].contains(&end)
 }
 
-fn names(model: &Model, at: Address<'_>) -> Result<Vec<String>, String> {
-    let several = several_of(model, Some(at.object));
-    if at.study == "forces" {
-        if let Some(body) = several {
-            return Ok(figures_of_inputs(body.linkage.spec()));
-        }
+/// The figures of a study, but those of zones, and the SI unit of places on its course.
+struct KnownFigures {
+    all: Vec<NamedFigure>,
+    place: &'static str,
+}
+
+/// SI unit of a figure of a study; `None`: it has none of that name.
+fn unit_of<'k>(at: Address<'_>, known: &'k KnownFigures) -> Option<&'k str> {
+    if at.study == "forces" && is_zone(at.figure) {
+        return Some(known.place);
+    }
+    let found = known.all.iter().find(|one| one.name == at.figure)?;
+    Some(&found.unit)
+}
+
+fn figures_at(model: &Model, at: Address<'_>) -> Result<KnownFigures, String> {
+    let question = question(at.object, 1.0);
+    let of_forces = at.study == "forces";
+    if let Some(body) = several_of(model, Some(at.object)) {
+        let asked = AskedSeveral::new(model, body, &question)?;
+        let (_, place) = asked.axis();
+        let all = match of_forces {
+            true => figures_of_inputs(body.linkage.spec(), place),
+            false => asked.figures(),
+        };
+        return Ok(KnownFigures { all, place });
+    }
+    if of_forces {
+        // (What else moves by a position function has kinematics and no forces.)
         let spec = linkage_of(model, Some(at.object))?.linkage.spec();
         let solver = Kinetostatics::new(spec).map_err(in_words)?;
-        return Ok(figures(spec, only_loaded_output(&solver)));
+        let place = Asked::new(model, &question)?.axis_unit();
+        let all = figures(spec, only_loaded_output(&solver), place);
+        return Ok(KnownFigures { all, place });
     }
-    let question = question(at.object, 1.0);
-    Ok(match several {
-        Some(body) => AskedSeveral::new(model, body, &question)?.figures(),
-        None => Asked::new(model, &question)?.figures(),
+    let asked = Asked::new(model, &question)?;
+    Ok(KnownFigures {
+        all: asked.figures(),
+        place: asked.axis_unit(),
     })
 }

@@ -91,6 +91,19 @@ pub enum Warning {
         /// Its units.
         units: Units,
     },
+    /// Rounding alone may be a good part of the peak acceleration of an object.
+    RoundedAcceleration {
+        /// The object.
+        object: String,
+        /// What rounding may change the acceleration by.
+        rounding: f64,
+        /// The peak acceleration shown.
+        peak: f64,
+        /// The peak reaction.
+        force: f64,
+        /// Its units.
+        units: Units,
+    },
     /// Contact without damping that switches often: the motion is chaotic.
     Undetermined {
         /// The object.
@@ -114,6 +127,7 @@ impl Warning {
             | Self::SwitchesUndetermined { .. }
             | Self::FirstTimeUndetermined { .. }
             | Self::Creeps { .. }
+            | Self::RoundedAcceleration { .. }
             | Self::Undetermined { .. } => false,
         }
     }
@@ -240,6 +254,23 @@ impl fmt::Display for Warning {
                 shown(creep.from, 4),
                 force = shown(creep.force, 4),
                 unit = units.force
+            ),
+            Self::RoundedAcceleration {
+                object,
+                rounding,
+                peak,
+                force,
+                units,
+            } => write!(
+                f,
+                "the peak acceleration of {object}, {} {unit}/s², is not determined: the rounding \
+                 of its link force of {} {} may alone change it by {} {unit}/s². Its motion and \
+                 its forces are not affected",
+                shown(*peak, 4),
+                shown(*force, 4),
+                units.force,
+                shown(*rounding, 2),
+                unit = units.displacement
             ),
             Self::Undetermined { object, switches } => write!(
                 f,

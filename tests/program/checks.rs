@@ -166,3 +166,66 @@ fn documents_hold_checks_and_the_exit_status_follows_them() {
         assert_eq!(output.status.code(), Some(0), "{command:?}");
     }
 }
+
+/// F·sin(Ωt) on a mass that a stiff link holds: it gives way by F/k, and its acceleration Ω²F/k is
+/// what forces leave over that are far greater. The start leaves out what damping takes, which
+/// stays as a vibration of the acceleration c·ΩF/(kJ).
+#[test]
+fn a_stiff_link_gets_one_verdict_from_every_command_and_the_truth_about_its_acceleration() {
+    let (force, inertia, damping, rate) = (2.0, 0.05, 0.05, 6.0 * std::f64::consts::PI);
+    for stiffness in [1e8, 1e12, 1e13, 1e14, 1e15, 1e16] {
+        let scene = serde_json::json!({
+            "dam": 1, "name": "t",
+            "objects": {
+                "d": { "kind": "drive", "motion": { "speed": "10 rad/s" } },
+                "w": { "kind": "shaft", "input": "d", "masses": 1, "inertia": inertia,
+                       "stiffness": stiffness, "damping": damping,
+                       "loads": { "h": { "harmonic": { "amplitude": force, "frequency": "3 Hz" } } } }
+            },
+            "run": { "duration": 1 }
+        });
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("scene.json");
+        std::fs::write(&path, scene.to_string()).unwrap();
+        let path = path.to_str().unwrap();
+        let json = |arguments: &[&str]| -> serde_json::Value {
+            let output = std::process::Command::new(env!("CARGO_BIN_EXE_dam"))
+                .args(arguments)
+                .args(["--json", "--quiet"])
+                .output()
+                .unwrap();
+            serde_json::from_slice(&output.stdout).unwrap()
+        };
+        let found = json(&["run", path]);
+        let by_name = json(&["run", path, "--set", "run.method=exact"]);
+        let inertias = format!("w.inertia={inertia}:0.06:2");
+        let map = json(&["map", path, "--x", &inertias]);
+        assert_eq!(found["verdict"], "in_working_order", "{stiffness:e}");
+        assert_eq!(by_name["verdict"], "in_working_order", "{stiffness:e}");
+        assert_eq!(map["panels"][0]["judgements"][0], "in_working_order");
+        let object = &found["objects"]["w"];
+        let number = |name: &str| object[name].as_f64().unwrap();
+        let close = |name: &str, wanted: f64| {
+            let off = (number(name) / wanted - 1.0).abs();
+            assert!(off < 1e-6, "{stiffness:e} {name}: {off:e}");
+        };
+        close("delta_abs", force / stiffness);
+        close("peak_reaction", force);
+        let warnings = found["warnings"].as_array().unwrap().iter();
+        let mut told = warnings.filter_map(|text| {
+            let (_, rest) = text.as_str()?.split_once("may alone change it by ")?;
+            rest.split(' ').next()?.parse::<f64>().ok()
+        });
+        let rounding = told.next();
+        assert_eq!(rounding.is_some(), stiffness > 2e13, "{stiffness:e}");
+        let peak = number("peak_acceleration");
+        let smooth = rate * rate * force / stiffness;
+        let vibration = damping * rate * force / stiffness / inertia;
+        let off = rounding.unwrap_or(0.01 * peak) + 1e-3 * smooth;
+        let range = smooth - off..=smooth + vibration + off;
+        assert!(
+            range.contains(&peak),
+            "{stiffness:e}: {peak:e} in {range:?}"
+        );
+    }
+}

@@ -10,6 +10,11 @@ const CLOSED: &str = "scenarios/rocker/ten_masses_closed.json";
 const PUMP: &str = "scenarios/rigid/pump.json";
 const CRANK: &str = "scenarios/kinetostatics/slider_crank.json";
 const FIVE_BAR: &str = "scenarios/linkages/five_bar.json";
+/// Its one output carries no load.
+const SHAPER: &str = "scenarios/linkages/shaper.json";
+const PUNCH: &str = "scenarios/linkages/toggle_press.json";
+/// A machine in place of a scene.
+const TABLE: &str = "tests/program/machine.csv";
 
 /// Commands with what they need, on scenes of several kinds.
 const BASES: &[(&str, &[&str])] = &[
@@ -46,6 +51,21 @@ const BASES: &[(&str, &[&str])] = &[
     ("steady", &["scenarios/steady/press_motor.json"]),
     ("steady", &["scenarios/steady/press_elastic.json"]),
     ("steady", &[ROCKER]),
+    ("steady", &["scenarios/rocker/ten_masses_closed.json"]),
+    ("steady", &["--table", TABLE, "--mean-speed", "10 rad/s"]),
+    (
+        "steady",
+        &[
+            "--inertia",
+            "2 + cos(phi)",
+            "--moment",
+            "30*sin(phi)",
+            "--mean-speed",
+            "10 rad/s",
+            "--fluctuation",
+            "0.01",
+        ],
+    ),
     (
         "steady",
         &[
@@ -62,6 +82,9 @@ const BASES: &[(&str, &[&str])] = &[
     ("kinematics", &[FIVE_BAR, "--input", "left=10 deg:20 deg"]),
     ("forces", &[CRANK]),
     ("forces", &["scenarios/linkages/eccentric_cam.json"]),
+    ("forces", &[FIVE_BAR, "--input", "left=10 deg:20 deg"]),
+    ("forces", &[SHAPER]),
+    ("forces", &[PUNCH, "--range", "10 deg:20 deg"]),
     ("cam", &["scenarios/cams/flat_tappet.json"]),
     ("cam", &["scenarios/cams/yarn_traverse.json"]),
     ("cam", &["scenarios/cams/eccentric_jump.json"]),
@@ -91,7 +114,34 @@ const BASES: &[(&str, &[&str])] = &[
             "1",
         ],
     ),
+    (
+        "methods",
+        &[
+            CLOSED,
+            "--set",
+            "run.duration=0.05",
+            "--methods",
+            "exact,dop853",
+            "--tolerances",
+            "1e-4,1e-6",
+            "--models",
+            "--repeats",
+            "1",
+        ],
+    ),
     ("reduce", &[CLOSED, "--set", "run.duration=0.1"]),
+    (
+        "reduce",
+        &[
+            CLOSED,
+            "--set",
+            "run.duration=0.1",
+            "--figure",
+            "rocker.delta_abs",
+            "--accuracy",
+            "2 %",
+        ],
+    ),
     (
         "law compare",
         &[
@@ -163,6 +213,8 @@ const BASES: &[(&str, &[&str])] = &[
 
 /// Plausible values; an option that lists its own is tried with each of them.
 const VALUES: &[(&str, &[&str])] = &[
+    ("--set", &["name=Another"]),
+    ("--table", &["no_such_file.csv"]),
     ("--accuracy", &["5 %"]),
     ("--over", &["rocker.inertia=0.4,0.5"]),
     ("--figure", &["frequency.1", "rocker.delta_min"]),
@@ -229,11 +281,6 @@ const EXEMPT: &[(&str, &str)] = &[
     ("--threads", "results do not depend on it"),
     ("--resume", "goes on with a map that is not finished"),
     ("--merge", "has a test of its own, with the parts of a map"),
-    (
-        "--table",
-        "a machine in place of a scene, tested with `dam steady`",
-    ),
-    ("--set", "a property of the scene, tested with the schema"),
 ];
 
 /// Values that state a default, and settings that may change nothing by their nature.

@@ -43,6 +43,39 @@ fn the_reduced_scene_runs_and_gives_what_is_said_of_it() {
     assert_eq!(kept["steps"], found["steps"]);
 }
 
+/// The model of one mass is off by some percent, and more coordinates are needed.
+#[test]
+fn a_scene_that_is_itself_inaccurate_is_said_to_be() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let reduce = |accuracy: &str| {
+        let scene = "scenarios/rocker/ten_masses_closed.json";
+        let arguments = [
+            "reduce",
+            scene,
+            "--figure",
+            "rocker.delta_max",
+            "--accuracy",
+        ];
+        let arguments = [&arguments[..], &[accuracy, "--json"]].concat();
+        json(&dam(&arguments, folder.path()))
+    };
+    for (accuracy, holds) in [("1e-9 rad", false), ("0.1 mrad", true)] {
+        let found = reduce(accuracy);
+        let given = found["models"].as_array().expect("models").iter();
+        let mut given = given.filter(|model| model["role"] == "given");
+        let given = given.next().expect("the scene as given");
+        let error = given["errors"]["rocker.delta_max"]
+            .as_f64()
+            .expect("an error");
+        let asked = found["accuracy"]["rocker.delta_max"]["asked"].as_f64();
+        assert_eq!(error <= asked.expect("a bound"), holds, "{error}");
+        assert_eq!(found["given_holds"], holds, "{accuracy}");
+        let answer = found["answer"].as_str().expect("an answer");
+        let words = "The scene as given is not that accurate: rocker.delta_max is up to";
+        assert_eq!(answer.contains(words), !holds, "{answer}");
+    }
+}
+
 #[test]
 fn a_figure_that_has_no_limit_or_does_not_exist_is_told() {
     let folder = tempfile::tempdir().expect("a folder");

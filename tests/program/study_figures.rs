@@ -146,6 +146,17 @@ fn kinematics_are_figures() {
     let wanted = judged.next().unwrap()["found"].as_f64().unwrap();
     let row = compared(scene, "kinematics.shaper.ram.time_ratio");
     near(&row["values"][1], wanted, 1e-12);
+    for (figure, unit) in [
+        ("kinematics.shaper.ram.time_ratio", ""),
+        ("kinematics.shaper.ram.stroke", "m"),
+        ("kinematics.shaper.lever.acceleration.greatest", "rad/s²"),
+        ("forces.shaper.drive.greatest", "N m"),
+    ] {
+        assert_eq!(compared(scene, figure)["unit"], unit, "{figure}");
+        let x = ["--x", "run.tolerance=1e-6:1e-5:2"];
+        let found = document(&["map", scene, x[0], x[1], "--figure", figure]);
+        assert_eq!(found["unit"], unit, "{figure}");
+    }
     // The ram moves at the speed of the motor in the run too.
     let row = compared(scene, "kinematics.shaper.ram.acceleration.greatest");
     let run = document(&["run", scene]);
@@ -236,6 +247,449 @@ fn results_that_no_study_has_are_refused() {
         assert!(
             error.contains(words) && error.contains("scene.json:"),
             "{error}"
+        );
+    }
+}
+
+/// A slider-crank on a motor with a cam beside it, which every study has results of.
+fn machine() -> Value {
+    json!({
+        "dam": 1, "name": "t",
+        "objects": {
+            "drive": { "kind": "drive", "motion": { "speed": "300 rpm" } },
+            "press": { "from": "linkage/slider-crank", "input": "drive",
+                       "assembly": { "slide": { "near": [0.25, 0] } } },
+            "valve": {
+                "kind": "cam_follower", "input": "drive", "motion": "sliding", "masses": 1,
+                "inertia": "1 kg", "stiffness": "1 MN/m", "damping_capacity": 0.4,
+                "pair": { "closure": "force" },
+                "position": { "cam": { "lift": "20 mm", "rise": "120 deg", "dwell": "30 deg",
+                                       "return": "120 deg", "law": "cycloidal" } },
+                "cam": { "base_radius": "40 mm", "contact": { "roller": "10 mm" } },
+                "loads": { "spring": { "spring": { "rate": "20 N/mm", "preload": "500 N" } } }
+            }
+        },
+        "run": { "duration": 0.8 }
+    })
+}
+
+/// Figures of every study, the command that judges them, a value in a unit of theirs that they
+/// exceed, one in a unit that is none of theirs, and what they are.
+const MEASURED: &[(&str, &str, &str, &str, &str)] = &[
+    (
+        "kinematics",
+        "kinematics.press.slide.stroke",
+        "99 mm",
+        "1 s",
+        "length in m",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.slide.speed.greatest",
+        "100 cm/s",
+        "1 m",
+        "speed in m/s",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.slide.acceleration.greatest",
+        "1 m/s^2",
+        "1 m/s",
+        "acceleration in m/s^2",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.slide.time_ratio",
+        "90 %",
+        "1 rad",
+        "a pure number",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.slide.input_while_rising",
+        "170 deg",
+        "1 mm",
+        "angle in rad",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.links.rod.angular_speed.greatest",
+        "1 rpm",
+        "1 m/s",
+        "angular speed in rad/s",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.slide.first_transfer.greatest",
+        "0.1 mm/rad",
+        "1 m/s",
+        "length per angle in m/rad",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.slide.third_transfer.greatest",
+        "0.1 mm/rad^3",
+        "1 m/s",
+        "in m/rad³",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.slide.speed.greatest_at",
+        "1 deg",
+        "1 s",
+        "angle in rad",
+    ),
+    (
+        "kinematics",
+        "kinematics.press.transmission_angles.rod.greatest",
+        "80 deg",
+        "1 m",
+        "angle in rad",
+    ),
+    (
+        "forces",
+        "forces.press.drive.greatest",
+        "1 N mm",
+        "1 N",
+        "moment in N m",
+    ),
+    (
+        "forces",
+        "forces.press.A.force.greatest",
+        "1e-3 kN",
+        "1 N m",
+        "force in N",
+    ),
+    (
+        "forces",
+        "forces.press.power.drive.greatest",
+        "1e-3 kW",
+        "1 N",
+        "power in W",
+    ),
+    (
+        "forces",
+        "forces.press.drive.greatest_at",
+        "0.01 deg",
+        "1 m",
+        "angle in rad",
+    ),
+    (
+        "forces",
+        "forces.press.cycle.duration",
+        "199 ms",
+        "1 m",
+        "time in s",
+    ),
+    (
+        "forces",
+        "forces.press.cycle.rms_drive",
+        "1e-3 N m",
+        "1 J/s",
+        "moment in N m",
+    ),
+    (
+        "forces",
+        "forces.press.counterweight.mass_radius",
+        "1 kg mm",
+        "1 kg",
+        "in kg m",
+    ),
+    (
+        "forces",
+        "forces.press.zones.count",
+        "-1",
+        "1 m",
+        "a pure number",
+    ),
+    (
+        "cam",
+        "cam.valve.base_radius",
+        "39 mm",
+        "1 N",
+        "length in m",
+    ),
+    (
+        "cam",
+        "cam.valve.greatest_contact_force",
+        "0.1 kN",
+        "1 m",
+        "force in N",
+    ),
+    (
+        "cam",
+        "cam.valve.greatest_pressure_angle",
+        "1 deg",
+        "1 m",
+        "angle in rad",
+    ),
+    (
+        "run",
+        "cam.valve.greatest_torque",
+        "1 N mm",
+        "1 N",
+        "moment in N m",
+    ),
+    ("run", "frequency.1", "0.01 kHz", "1 m", "frequency in Hz"),
+    ("run", "valve.delta_abs", "1 nm", "1 rad", "length in m"),
+    ("steady", "steady.period", "100 ms", "1 m", "time in s"),
+];
+
+/// Each is right in its unit, wrong beyond its value, and refused in another unit, at its place
+/// and with the message that figures of a run have.
+#[test]
+fn expectations_of_every_study_take_the_units_of_their_figures() {
+    for &(command, figure, below, wrong, words) in MEASURED {
+        let judged = |property: &str, value: &str| {
+            let mut scene = machine();
+            scene["expect"] = json!([{ "figure": figure, property: value }]);
+            let (folder, path) = written(&scene);
+            (dam(&[command, &path, "--json"]), folder)
+        };
+        let (output, _folder) = judged("at_least", below);
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(found["expect"][0]["holds"], true, "{figure}: {found}");
+        let (output, _folder) = judged("at_most", below);
+        assert_eq!(output.status.code(), Some(1), "{figure}");
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(found["expect"][0]["holds"], false, "{figure}");
+        let mut scene = machine();
+        scene["expect"] = json!([{ "figure": figure, "at_most": wrong }]);
+        let (_folder, path) = written(&scene);
+        // Whatever command reads the scene.
+        for command in [command, "check"] {
+            let output = dam(&[command, &path]);
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert_eq!(output.status.code(), Some(2), "{figure}: {said}");
+            for part in [
+                "error[wrong-unit]: `at_most` has the wrong unit",
+                "this is in",
+                words,
+            ] {
+                assert!(said.contains(part), "{figure}: {part}: {said}");
+            }
+            assert!(
+                said.contains("scene.json:") && said.contains("\"at_most\""),
+                "{said}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_text_without_a_unit_and_turns_a_minute_are_told_apart_for_linkages_too() {
+    let stroke = "kinematics.press.slide.stroke";
+    let speed = "kinematics.press.input.speed.greatest";
+    for (expectation, words) in [
+        (
+            json!({ "figure": stroke, "at_most": "100" }),
+            "write 100 without quotes, or \"100 m\"",
+        ),
+        (
+            json!({ "figure": stroke, "value": "0.1 m", "within": "1 s" }),
+            "`within` has the wrong unit",
+        ),
+        (
+            json!({ "figure": speed, "at_most": "300 1/min" }),
+            "not a frequency",
+        ),
+        (json!({ "figure": speed, "at_most": "5 Hz" }), "\"5 rev/s\""),
+    ] {
+        let mut scene = machine();
+        scene["expect"] = json!([expectation]);
+        let (_folder, path) = written(&scene);
+        let output = dam(&["check", &path]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{expectation}");
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let mut scene = machine();
+    scene["expect"] = json!([{ "figure": stroke, "value": "100 mm", "within": "1e-9 %" }]);
+    let (_folder, path) = written(&scene);
+    assert_eq!(document(&["kinematics", &path])["expect"][0]["holds"], true);
+    for (accuracy, code) in [("1 mm", 0), ("1 s", 2)] {
+        let accuracy = format!("{stroke}={accuracy}");
+        let output = dam(&["run", &path, "--accuracy", &accuracy]);
+        assert_eq!(output.status.code(), Some(code), "{accuracy}");
+    }
+}
+
+/// What each command says on standard error of a scene that expects something of every study.
+#[test]
+fn every_study_judges_its_own_and_names_the_command_for_the_rest() {
+    let mut scene = machine();
+    let figures = [
+        ("kinematics.press.slide.stroke", "dam kinematics"),
+        ("forces.press.drive.greatest", "dam forces"),
+        ("cam.valve.base_radius", "dam cam"),
+        ("steady.period", "dam steady"),
+        ("valve.delta_abs", "dam run"),
+        ("frequency.1", "dam run"),
+    ];
+    let expected = figures.map(|(figure, _)| json!({ "figure": figure, "at_most": 0 }));
+    scene["expect"] = json!(expected);
+    let (_folder, path) = written(&scene);
+    for command in ["kinematics", "forces", "cam", "steady", "run"] {
+        let own = |figure: &str, judge: &str| {
+            judge == format!("dam {command}") || command == "run" && figure.starts_with("cam.")
+        };
+        let run = |more: &[&str]| {
+            let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+                .args([&[command, &path], more].concat())
+                .output()
+                .unwrap();
+            (
+                output.status.code(),
+                String::from_utf8(output.stderr).unwrap(),
+            )
+        };
+        let (code, said) = run(&[]);
+        assert_eq!(code, Some(1), "{command}: {said}");
+        for (figure, judge) in figures {
+            let mut lines = said
+                .lines()
+                .filter(|line| line.starts_with("expectation") && line.contains(figure));
+            let line = lines
+                .next()
+                .unwrap_or_else(|| panic!("{command} {figure}: {said}"));
+            match own(figure, judge) {
+                true => assert!(line.starts_with("expectation failed:"), "{line}"),
+                false => {
+                    assert!(line.starts_with("expectations not judged here:"), "{line}");
+                    assert!(line.contains(&format!("`{judge}` judges them")), "{line}");
+                }
+            }
+        }
+        // Another machine than the scene's has no expectations.
+        let (code, said) = run(&["--set", "name=other"]);
+        assert_eq!(code, Some(0), "{command}: {said}");
+        let words = "expectations: not judged, the options change what the scene asks";
+        assert!(said.contains(words), "{command}: {said}");
+        assert!(!said.contains("not judged here"), "{command}: {said}");
+    }
+}
+
+/// What several objects have is judged one object at a time.
+#[test]
+fn the_object_that_was_not_chosen_is_named() {
+    let mut scene = machine();
+    scene["objects"]["other"] = scene["objects"]["press"].clone();
+    let figures = [
+        "kinematics.press.slide.stroke",
+        "kinematics.other.slide.stroke",
+    ];
+    scene["expect"] = json!(figures.map(|figure| json!({ "figure": figure, "at_least": 0 })));
+    let (_folder, path) = written(&scene);
+    let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["kinematics", &path, "--object", "press"])
+        .output()
+        .unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    let words = "kinematics.other.slide.stroke; `dam kinematics --object other` judges them";
+    assert!(
+        said.contains("1 of 1 hold") && said.contains(words),
+        "{said}"
+    );
+}
+
+/// `cam` and `frequency` may be ids: what an object has and what a study has differ in name.
+#[test]
+fn objects_called_as_a_study_have_their_own_figures() {
+    let text = machine().to_string();
+    for (id, code) in [
+        ("cam", 0),
+        ("frequency", 0),
+        ("kinematics", 2),
+        ("forces", 2),
+        ("steady", 2),
+        ("run", 2),
+    ] {
+        let mut scene: Value =
+            serde_json::from_str(&text.replace("\"valve\"", &format!("\"{id}\""))).unwrap();
+        let own = format!("{id}.delta_abs");
+        let of_cam = format!("cam.{id}.base_radius");
+        scene["expect"] = json!([
+            { "figure": own, "at_least": "1 nm" },
+            { "figure": of_cam, "value": "40 mm", "within": "1 nm" },
+            { "figure": "frequency.1", "at_least": "1 Hz" },
+            { "figure": "frequency.open.1", "at_least": 0 },
+        ]);
+        let (_folder, path) = written(&scene);
+        let output = dam(&["run", &path, "--json"]);
+        assert_eq!(output.status.code(), Some(code), "{id}");
+        let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+        match code {
+            0 => {
+                let judged = found["expect"].as_array().unwrap();
+                assert!(
+                    judged.iter().all(|one| one["holds"] == true),
+                    "{id}: {judged:?}"
+                );
+                let (delta, told) = (&found["objects"][id]["delta_abs"], &judged[0]["found"]);
+                assert_eq!(delta, told, "{id}");
+            }
+            _ => {
+                let said = String::from_utf8(dam(&["run", &path]).stderr).unwrap();
+                let words = format!("`{id}` cannot be the id of an object");
+                assert!(
+                    said.contains(&words) && said.contains("scene.json:"),
+                    "{said}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_figure_of_a_study_that_is_mistyped_is_not_taken_for_an_object() {
+    for (figure, message, hint) in [
+        (
+            "cam.valve.least_radiu",
+            "`cam.valve` has no figure `least_radiu`",
+            "did you mean `cam.valve.least_radius`?",
+        ),
+        (
+            "cam.valv.least_radius",
+            "unknown object `valv`",
+            "did you mean `valve`?",
+        ),
+        (
+            "cam.valve",
+            "`cam.valve` names no figure",
+            "as in `cam.valve.least_radius`",
+        ),
+        (
+            "frequency.x",
+            "there is no figure `frequency.x`",
+            "write `frequency.1`",
+        ),
+        (
+            "frequency",
+            "there is no figure `frequency`",
+            "write `frequency.1`",
+        ),
+        (
+            "steady",
+            "`steady` names no figure",
+            "write `steady.` and one of",
+        ),
+        ("run", "`run` names no figure", "write `run.` and one of"),
+        (
+            "valve",
+            "`valve` names no figure",
+            "write `valve.` and one of",
+        ),
+    ] {
+        let mut scene = machine();
+        scene["expect"] = json!([{ "figure": figure, "at_least": 0 }]);
+        let (_folder, path) = written(&scene);
+        let output = dam(&["check", &path]);
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{figure}");
+        assert!(
+            said.contains(message) && said.contains(hint),
+            "{figure}: {said}"
         );
     }
 }

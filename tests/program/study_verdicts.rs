@@ -64,6 +64,22 @@ const STUDIES: &[Study] = &[
         &[],
     ),
     (&["steady", ROCKER], BAD.0, BAD.1, 0, &[]),
+    // Nothing damps it: from its own start it goes on beside the periodic motion.
+    (
+        &["steady", "scenarios/indexing/residual_vibration.json"],
+        OPEN.0,
+        "on which the scene does not settle from its own start",
+        0,
+        &[],
+    ),
+    // Its pair stays closed, and its long run ends early.
+    (
+        &["steady", "scenarios/valve_train/valve_lash.json"],
+        OPEN.0,
+        "its long run ended early",
+        0,
+        &[],
+    ),
     (
         &[
             "steady",

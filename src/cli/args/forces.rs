@@ -22,9 +22,9 @@ pub(crate) struct ForcesArgs {
     /// are this load: ram, or ram=cutting,drag; default the only output with a force on its link
     #[arg(long, value_name = "OUTPUT[=FORCES]")]
     pub(crate) load: Option<String>,
-    /// Sign of the dynamic transmission ratio
-    #[arg(long, value_enum, default_value_t = ConventionName::Paper)]
-    pub(crate) convention: ConventionName,
+    /// Sign of the dynamic transmission ratio [default: paper]
+    #[arg(long, value_enum)]
+    pub(crate) convention: Option<ConventionName>,
     /// Leave all friction out
     #[arg(long)]
     pub(crate) frictionless: bool,

@@ -7,15 +7,18 @@ use super::answer::{Answer, Content, PAGE, Shown};
 use super::args::{CamArgs, CamForm};
 use super::asker::Asker;
 use super::console;
+use super::expected::Expectations;
 use super::failure::Failure;
 use super::input::Ready;
 use super::interrupt;
 use super::law::told;
 use super::output::OutputFolder;
 use super::status::Status;
+use crate::kinematics::cam::DiscCam;
 use crate::report::cam::{CamReport, curves, cycle_rows, dxf, findings, picture, polygon_rows};
 use crate::report::findings::Source;
 use crate::studies::cam::{CamForce, disc_cam, figures, objects_with_cam};
+use crate::studies::lookup::check_cam;
 
 const FILES: [&str; 6] = [
     "cam.json",
@@ -85,10 +88,11 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
         curves: &curves,
         tolerance: asked.tolerance,
     };
+    let expected = expectations(args, &ready, &id, &cam);
     let answer = Answer {
         command: "cam",
         findings: &findings(&report, Source::scene(input.text(), hash)),
-        document: report.document(hash).into(),
+        document: expected.beside(report.document(hash)).into(),
         files: vec![
             (FILES[0].into(), Content::Document),
             (
@@ -120,7 +124,22 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     };
     let shown = Shown::json_or(args.scene.json, shown);
     asker.deliver(&answer, folder.as_ref(), shown)?;
-    Ok(status)
+    if !args.scene.quiet {
+        expected.talk();
+    }
+    Ok(match (status, expected.hold()) {
+        (Status::Answered, false) => Status::NotTrusted,
+        (status, _) => status,
+    })
+}
+
+/// Another mechanism than the scene's, or another speed, has no expectations.
+fn expectations<'r>(args: &CamArgs, ready: &'r Ready, id: &str, cam: &DiscCam) -> Expectations<'r> {
+    let as_scene = args.scene.set.is_empty() && args.speed.is_none();
+    let all = &ready.scene().expect;
+    Expectations::judged("cam", all, as_scene, |all| {
+        check_cam(all, ready.system.model(), (id, cam))
+    })
 }
 
 /// The object asked for, or the only one with a cam.

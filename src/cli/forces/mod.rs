@@ -6,7 +6,7 @@ use crate::cli::answer::{Answer, Content, PAGE, Shown, ignores_until, picture, w
 use crate::cli::args::{ConventionName, ForcesArgs};
 use crate::cli::asker::Asker;
 use crate::cli::console;
-use crate::cli::expected;
+use crate::cli::expected::Expectations;
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::output::OutputFolder;
@@ -16,10 +16,9 @@ use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{ForceFailure, Kinetostatics};
 use crate::report::findings::Source;
 use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
-use crate::studies::expectations::Verdict;
 use crate::studies::forces::{
-    Course, ForceStudy, LinkagePositions, MasslessComparison, compare_massless, several_forces,
-    study,
+    Course, ForceStudy, LinkagePositions, MasslessComparison, Row, compare_massless,
+    several_forces, study,
 };
 use crate::studies::kinematics::{linkage_of, several_of};
 use crate::studies::rigid::Rigid;
@@ -59,7 +58,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         name: &ready.scene().name,
         hash: &ready.scene().hash,
     };
-    let verdicts = verdicts(args, &ready, object, &found);
+    let expected = expectations(args, &ready, object, &found);
     let mut files = vec![
         (FILES[0].into(), Content::made(|| rows(&found).csv())),
         (FILES[1].into(), Content::Document),
@@ -84,7 +83,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     let answer = Answer {
         command: "forces",
         findings: &shown,
-        document: expected::beside(written, &verdicts).into(),
+        document: expected.beside(written).into(),
         files,
         quiet: args.scene.quiet,
     };
@@ -99,9 +98,9 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         if found.settings.output.is_none() && found.several.is_none() {
             console::talk("no transmission ratio: name the loaded output with --load");
         }
-        expected::talk(&verdicts);
+        expected.talk();
     }
-    Ok(match found.missing() == 0 && expected::hold(&verdicts) {
+    Ok(match found.missing() == 0 && expected.hold() {
         true => answer.status(),
         false => Status::NotTrusted,
     })
@@ -131,6 +130,7 @@ fn of_several(
     let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
     let found = several_forces(&asked, question::options(args));
     let found = found.map_err(|faults| faults_of(ready, &object, faults))?;
+    unused_convention(args, &found)?;
     let motion = found.several.as_ref().map(|several| several.motion.clone());
     Ok(Solved {
         folder,
@@ -154,6 +154,20 @@ fn unused(args: &ForcesArgs, friction: bool, course: &Course) -> Result<(), Fail
         _ => return Ok(()),
     };
     Err(Failure::Other(why.to_owned()))
+}
+
+/// Refuses a sign for a transmission ratio that there is none of.
+fn unused_convention(args: &ForcesArgs, found: &ForceStudy) -> Result<(), Failure> {
+    let has_ratio = |row: &Row| row.forces.as_ref().is_ok_and(|forces| forces.chi.is_some());
+    if args.convention.is_none() || found.rows.iter().any(has_ratio) {
+        return Ok(());
+    }
+    let why = match (&found.several, found.settings.output) {
+        (Some(_), _) => "a linkage of several inputs has no transmission ratio",
+        (None, None) => "there is no transmission ratio; name the loaded output with --load",
+        (None, Some(_)) => "there is no transmission ratio without a load on the output",
+    };
+    Err(Failure::Other(format!("--convention has no effect: {why}")))
 }
 
 fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
@@ -188,6 +202,7 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
         list => Some(compare_massless(spec, &mut source, &course, &settings, list).map_err(told)?),
     };
     let found = study(spec, &mut source, course, settings).map_err(told)?;
+    unused_convention(args, &found)?;
     Ok(Solved {
         folder,
         object: object.to_owned(),
@@ -198,20 +213,27 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
 }
 
 /// Another mechanism than the scene's, or another question, has no expectations.
-fn verdicts(args: &ForcesArgs, ready: &Ready, object: &str, found: &ForceStudy) -> Vec<Verdict> {
+fn expectations<'r>(
+    args: &ForcesArgs,
+    ready: &'r Ready,
+    object: &str,
+    found: &ForceStudy,
+) -> Expectations<'r> {
     let same_course = args.course.is_of_scene()
         && args.record.is_none()
         && args.compare_massless.is_empty()
         && args.positions as usize == POSITIONS;
     let same_forces = args.scene.set.is_empty()
         && args.load.is_none()
-        && args.convention == ConventionName::Paper
+        && args
+            .convention
+            .is_none_or(|one| one == ConventionName::Paper)
         && !args.frictionless
         && args.direction.is_none();
-    match same_course && same_forces {
-        true => check_forces(&ready.scene().expect, object, found),
-        false => Vec::new(),
-    }
+    let all = &ready.scene().expect;
+    Expectations::judged("forces", all, same_course && same_forces, |all| {
+        check_forces(all, object, found)
+    })
 }
 
 /// Faults with their place in the scene where they have one.

@@ -62,8 +62,8 @@ pub(super) fn settings(
         output,
         loads,
         convention: match args.convention {
-            ConventionName::Paper => Convention::Paper,
-            ConventionName::LoadPositive => Convention::LoadPositive,
+            None | Some(ConventionName::Paper) => Convention::Paper,
+            Some(ConventionName::LoadPositive) => Convention::LoadPositive,
         },
     })
 }

@@ -6,7 +6,7 @@ pub(super) mod several;
 use super::answer::{Answer, Content, PAGE, Shown, ignores_until, warn};
 use super::args::{CourseArgs, KinematicsArgs};
 use super::asker::Asker;
-use super::expected;
+use super::expected::Expectations;
 use super::failure::Failure;
 use super::input::Ready;
 use super::output::OutputFolder;
@@ -18,7 +18,6 @@ use crate::frontend::read::{Bounds, Wanted};
 use crate::kinematics::linkage::Linkage;
 use crate::report::findings::Source;
 use crate::report::kinematics::{document, drawing, findings, picture, rows};
-use crate::studies::expectations::Verdict;
 use crate::studies::kinematics::{
     Asked, AskedSeveral, Kinematics, Over, Question, Subject, kinematics, several_kinematics,
     several_of, whole_travel,
@@ -64,7 +63,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
         Study::One(asked) => kinematics(asked),
         Study::Several(asked) => several_kinematics(asked),
     };
-    let verdicts = verdicts(args, &ready, &found);
+    let expected = expectations(args, &ready, &found);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
     let at = question.also;
     let at = at.and_then(|at| found.axis.values.iter().position(|&place| place == at));
@@ -81,7 +80,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     let answer = Answer {
         command: "kinematics",
         findings: &shown,
-        document: expected::beside(written, &verdicts).into(),
+        document: expected.beside(written).into(),
         files: vec![
             (FILES[0].into(), Content::made(|| rows(&found).csv())),
             (FILES[1].into(), Content::Document),
@@ -98,10 +97,10 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     };
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
-        expected::talk(&verdicts);
+        expected.talk();
     }
     let whole = found.stopped.is_none() && found.warnings.is_empty();
-    Ok(match whole && expected::hold(&verdicts) {
+    Ok(match whole && expected.hold() {
         true => Status::Answered,
         false => Status::NotTrusted,
     })
@@ -114,15 +113,19 @@ enum Study<'a> {
 }
 
 /// Another mechanism than the scene's, or another question, has no expectations.
-fn verdicts(args: &KinematicsArgs, ready: &Ready, found: &Kinematics) -> Vec<Verdict> {
+fn expectations<'r>(
+    args: &KinematicsArgs,
+    ready: &'r Ready,
+    found: &Kinematics,
+) -> Expectations<'r> {
     let as_scene = args.scene.set.is_empty()
         && args.course.is_of_scene()
         && args.svg.is_none()
         && args.positions as usize == POSITIONS;
-    match as_scene {
-        true => check_kinematics(&ready.scene().expect, found),
-        false => Vec::new(),
-    }
+    let all = &ready.scene().expect;
+    Expectations::judged("kinematics", all, as_scene, |all| {
+        check_kinematics(all, found)
+    })
 }
 
 pub(super) fn quantity(name: &str, text: &str, wanted: Wanted) -> Result<f64, Failure> {

@@ -14,7 +14,7 @@ pub(crate) struct SteadyArgs {
     #[arg(required_unless_present_any = ["table", "inertia"])]
     pub(crate) scene: Option<PathBuf>,
     /// Set a property before anything else: crank.inertia=0.02
-    #[arg(long = "set", value_name = "PATH=VALUE", requires = "scene")]
+    #[arg(long = "set", value_name = "PATH=VALUE", conflicts_with_all = ["table", "inertia"])]
     pub(crate) set: Vec<String>,
     #[command(flatten)]
     pub(crate) machine: MachineArgs,

@@ -6,7 +6,7 @@ mod machine;
 use super::answer::{self, Content, PAGE, Shown as Shape, ignores_until, warn};
 use super::asker::Asker;
 use super::console;
-use super::expected;
+use super::expected::Expectations;
 use super::failure::Failure;
 use super::input::Ready;
 use super::output::OutputFolder;
@@ -76,10 +76,10 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     let answer = steady_motion_within(&ready.system, &ready.settings, &spec, asker.budget())
         .map_err(|faults| Failure::from(ready.reading.places.diagnose(&faults)))?;
     unused(&args.question, &spec, &answer)?;
-    let verdicts = verdicts(args, &ready, &answer);
+    let expected = expectations(args, &ready, &answer);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
     let label = answer.label(ready.system.model());
-    let document = document(&ready, &answer, (&answer.checks(), &verdicts))?;
+    let document = document(&ready, &answer, (&answer.checks(), expected.verdicts()))?;
     let source = Source::scene(input.text(), hash);
     let mut found = match &answer {
         Answer::Rigid(answer) => {
@@ -110,9 +110,9 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     warn(&mut found.findings, &mut found.document, until);
     let status = tell((args, asker), found, folder.as_ref())?;
     if !args.quiet {
-        expected::talk(&verdicts);
+        expected.talk();
     }
-    match expected::hold(&verdicts) {
+    match expected.hold() {
         true => Ok(status),
         false => Ok(Status::NotTrusted),
     }
@@ -174,7 +174,7 @@ fn folder(args: &SteadyArgs, name: &str) -> Result<Option<OutputFolder>, Failure
 }
 
 /// Another machine than the scene's, or another question, has no expectations.
-fn verdicts(args: &SteadyArgs, ready: &Ready, answer: &Answer) -> Vec<Verdict> {
+fn expectations<'r>(args: &SteadyArgs, ready: &'r Ready, answer: &Answer) -> Expectations<'r> {
     let asked = &args.question;
     let same = args.set.is_empty()
         && !asked.balance
@@ -183,10 +183,8 @@ fn verdicts(args: &SteadyArgs, ready: &Ready, answer: &Answer) -> Vec<Verdict> {
         && [&asked.mean_speed, &asked.cycle, &asked.fluctuation]
             .iter()
             .all(|text| text.is_none());
-    match same {
-        true => check(&ready.scene().expect, answer),
-        false => Vec::new(),
-    }
+    let all = &ready.scene().expect;
+    Expectations::judged("steady", all, same, |all| check(all, answer))
 }
 
 /// The JSON document of a scene's steady motion.

@@ -3,7 +3,7 @@
 
 use super::tally::{CLAIMS, Tally, read};
 use super::{EquationCheck, Log, ObjectFigures, Recorded, Stretch};
-use crate::dynamics::model::Model;
+use crate::dynamics::model::{Link, LinkBase, Model, NodeMotion};
 use crate::dynamics::segment::Signal;
 use crate::dynamics::system::ObjectState;
 
@@ -12,6 +12,9 @@ const RESOLVED: f64 = 1e-5;
 
 /// Roundings of a time at the ends of a stretch.
 const EDGE: f64 = 64.0 * f64::EPSILON;
+
+/// Roundings by which an acceleration that is left over from great forces may be off.
+const LEFT_OVER: f64 = 32.0 * f64::EPSILON;
 
 /// A greatest value that was seen again.
 #[derive(Clone, Copy, Debug)]
@@ -95,10 +98,41 @@ pub(crate) fn judge_confirmed(
         let kind = figures.map(|figures| size(own.signal, figures));
         let size = own.told.abs().max(RESOLVED * kind.fold(0.0, f64::max));
         if size > 0.0 {
+            let rounding = match own.signal {
+                Signal::Acceleration => {
+                    acceleration_rounding(model, own.object, &recorded.figures[own.object])
+                }
+                _ => 0.0,
+            };
+            let bound = bound + rounding / size;
             let (defect, id) = ((own.seen - own.told).abs(), &*model.objects[own.object].id);
             check.see(defect / size, bound, (own.time, id), name(own.signal));
         }
     }
+}
+
+/// What rounding alone may change the acceleration of the last mass of an object by: it is what
+/// the forces on it leave over, and those of its links are stiffnesses times displacements that
+/// are rounded.
+pub(crate) fn acceleration_rounding(model: &Model, object: usize, figures: &ObjectFigures) -> f64 {
+    let Some(&node) = model.objects[object].nodes.last() else {
+        return 0.0;
+    };
+    let own = &model.nodes[node];
+    if !matches!(own.motion, NodeMotion::Mass { .. }) || own.inertia <= 0.0 {
+        return 0.0;
+    }
+    let holds = |link: &&Link| match link.base {
+        LinkBase::Mass(base) => link.mass == node || base == node,
+        LinkBase::Law { .. } => link.mass == node,
+    };
+    let stiffness: f64 = model
+        .links
+        .iter()
+        .filter(holds)
+        .map(|one| one.stiffness)
+        .sum();
+    LEFT_OVER * (stiffness * figures.delta_abs + figures.peak_reaction) / own.inertia
 }
 
 /// The greatest value of the kind of a signal that figures of an object tell.

@@ -28,6 +28,7 @@ mod wanted;
 
 pub use bounds::Bounds;
 pub use fields::Fields;
+pub(crate) use number::UnitFault;
 pub use one_of::OneOf;
 pub use own::{OWN, Own};
 pub use parse::{parse, parse_fragment};

@@ -15,6 +15,66 @@ use std::ops::RangeInclusive;
 pub(super) const NUMBER_PATTERN: &str =
     r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$";
 
+/// Why a text with a unit is refused.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct UnitFault {
+    /// Code of the fault.
+    pub(crate) code: &'static str,
+    /// What is wrong.
+    pub(crate) message: String,
+    /// What the text says instead; empty: nothing.
+    pub(crate) label: String,
+    /// What would be right.
+    pub(crate) hint: String,
+}
+
+impl UnitFault {
+    /// Of the property at a path with its text: how its measure does not fit the SI unit that is wanted,
+    /// which stands also in `words` with others.
+    pub(crate) fn new(
+        (path, text): (&str, &str),
+        (measure, mismatch): (Measure, Mismatch),
+        (si, words): (&str, &str),
+    ) -> Self {
+        let (name, value) = (last_name(path), measure.value);
+        let (code, message, hint) = match mismatch {
+            Mismatch::Bare => (
+                "missing-unit",
+                format!("{name} is a text without a unit: \"{}\"", shorten(text)),
+                format!("write {0} without quotes, or \"{0} {si}\"", plain(value)),
+            ),
+            Mismatch::FrequencyForSpeed => (
+                "wrong-unit",
+                format!("{name} is an angular speed, not a frequency"),
+                format!(
+                    "\"{value} rev/s\" or \"{} rad/s\"",
+                    shown(value * std::f64::consts::TAU, 3)
+                ),
+            ),
+            Mismatch::SpeedForFrequency => (
+                "wrong-unit",
+                format!("{name} is a frequency, not an angular speed"),
+                format!("\"{} Hz\"", shown(value / std::f64::consts::TAU, 3)),
+            ),
+            Mismatch::Dimension => (
+                "wrong-unit",
+                format!("{name} has the wrong unit: \"{}\"", shorten(text)),
+                format!("it is {words}"),
+            ),
+        };
+        let label = match mismatch {
+            Mismatch::Bare => String::new(),
+            _ => format!("this is in {}", measure.dimension),
+        };
+        Self {
+            code,
+            message,
+            label,
+            hint,
+        }
+    }
+}
+
 impl Slot<'_> {
     /// Reads a number in SI units, or a text with a unit.
     pub fn quantity(mut self, wanted: impl Into<Wanted>, bounds: Bounds) -> Option<f64> {
@@ -234,44 +294,14 @@ impl Slot<'_> {
         mismatch: Mismatch,
         wanted: &Wanted,
     ) {
-        let name = last_name(&self.path);
-        let value = measure.value;
-        let (code, message, hint) = match mismatch {
-            Mismatch::Bare => (
-                "missing-unit",
-                format!("{name} is a text without a unit: \"{}\"", shorten(text)),
-                format!(
-                    "write {0} without quotes, or \"{0} {1}\"",
-                    plain(value),
-                    wanted.first.si()
-                ),
-            ),
-            Mismatch::FrequencyForSpeed => (
-                "wrong-unit",
-                format!("{name} is an angular speed, not a frequency"),
-                format!(
-                    "\"{value} rev/s\" or \"{} rad/s\"",
-                    shown(value * std::f64::consts::TAU, 3)
-                ),
-            ),
-            Mismatch::SpeedForFrequency => (
-                "wrong-unit",
-                format!("{name} is a frequency, not an angular speed"),
-                format!("\"{} Hz\"", shown(value / std::f64::consts::TAU, 3)),
-            ),
-            Mismatch::Dimension => (
-                "wrong-unit",
-                format!("{name} has the wrong unit: \"{}\"", shorten(text)),
-                format!("it is {}", wanted.words()),
-            ),
-        };
-        let found = measure.dimension;
-        let fault = self.refuse(code, message);
-        fault.label = match mismatch {
-            Mismatch::Bare => String::new(),
-            _ => format!("this is in {found}"),
-        };
-        fault.hints.push(hint);
+        let refused = UnitFault::new(
+            (&self.path, text),
+            (measure, mismatch),
+            (wanted.first.si(), &wanted.words()),
+        );
+        let fault = self.refuse(refused.code, refused.message);
+        fault.label = refused.label;
+        fault.hints.push(refused.hint);
     }
 }
 

@@ -55,7 +55,7 @@ impl Wanted {
     }
 
     /// `angular speed in rad/s, rev/s, rpm or deg/s`.
-    pub(super) fn words(&self) -> String {
+    pub(crate) fn words(&self) -> String {
         let words = |quantity: Quantity| match quantity.units {
             ["1", ..] => "a pure number".to_owned(),
             units => {

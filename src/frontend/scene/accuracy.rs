@@ -25,8 +25,12 @@ fn one(mut slot: Slot<'_>, address: &str, known: &Known) -> Option<Accuracy> {
     };
     match expect::is_share(&slot) {
         true => slot.number(Bounds::POSITIVE).map(Accuracy::Share),
-        false => slot
-            .quantity(wanted, Bounds::NOT_NEGATIVE)
-            .map(Accuracy::Bound),
+        false => {
+            if wanted == Wanted::anything() {
+                known.keep_measure(address, &slot);
+            }
+            slot.quantity(wanted, Bounds::NOT_NEGATIVE)
+                .map(Accuracy::Bound)
+        }
     }
 }

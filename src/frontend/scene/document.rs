@@ -188,6 +188,7 @@ impl Document {
                     run: read.run,
                     steady: read.steady,
                     expect: read.expect,
+                    measured: read.measured,
                     hash: hash(&canonical),
                 };
                 scene.set_levels(&self.levels);
@@ -375,8 +376,9 @@ impl Places {
     pub fn diagnose(&self, faults: &[Fault]) -> Diagnostics {
         let items = faults.iter().map(|fault| {
             let hint = (!fault.hint.is_empty()).then(|| fault.hint.clone());
-            Diagnostic::error("model", fault.message.clone())
+            Diagnostic::error(fault.code, fault.message.clone())
                 .at(self.locate(&fault.path))
+                .label(fault.label.clone())
                 .path(fault.path.clone())
                 .maybe_hint(hint)
         });

@@ -162,7 +162,19 @@ fn expectation(fields: &mut Fields<'_>, known: &Known) -> Option<Expectation> {
         Some(About::Stop(_)) => q::TIME.into(),
         None => Wanted::anything(),
     };
-    let number = move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
+    let figure = match &about {
+        Some(About::Figure(figure, _)) if wanted == Wanted::anything() => Some(figure.clone()),
+        _ => None,
+    };
+    let keep = |slot: &Slot<'_>| {
+        if let Some(figure) = &figure {
+            known.keep_measure(figure, slot);
+        }
+    };
+    let number = |slot: Slot<'_>| {
+        keep(&slot);
+        slot.quantity(wanted, Bounds::ANY)
+    };
     let value = fields.maybe(
         "value",
         "Expected value of the figure; true or false where it says so",
@@ -178,7 +190,14 @@ fn expectation(fields: &mut Fields<'_>, known: &Known) -> Option<Expectation> {
     let within = fields.maybe(
         "within",
         "Greatest difference to `value` or `time`, which need it: a number, or a text such as \"0.1 %\" of the value",
-        |slot| within(slot, wanted),
+        |slot| match is_share(&slot) {
+            true => slot.number(Bounds::NOT_NEGATIVE).map(Within::Share),
+            false => {
+                keep(&slot);
+                let bound = slot.quantity(wanted, Bounds::NOT_NEGATIVE);
+                bound.map(Within::Absolute)
+            }
+        },
     );
     let source = fields.maybe("source", "Where the figure comes from.", |slot| slot.text());
     let (about, value, time, within) = (about?, value?, time?, within?);
@@ -297,15 +316,6 @@ enum Within {
     Share(f64),
 }
 
-fn within(slot: Slot<'_>, wanted: Wanted) -> Option<Within> {
-    match is_share(&slot) {
-        true => slot.number(Bounds::NOT_NEGATIVE).map(Within::Share),
-        false => slot
-            .quantity(wanted, Bounds::NOT_NEGATIVE)
-            .map(Within::Absolute),
-    }
-}
-
 fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> {
     match within {
         Within::Absolute(bound) => Some(bound),
@@ -356,6 +366,23 @@ fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
     let (owner, name) = owner_of(&address, |id| {
         known.objects.contains_key(id) || known.stops.contains_key(id)
     });
+    if !known.objects.contains_key(owner) {
+        match owner {
+            "cam" => {
+                no_cam_figure(slot, known, name);
+                return None;
+            }
+            "frequency" => {
+                let fault =
+                    slot.refuse("unknown-figure", format!("there is no figure `{address}`"));
+                let hint = "write `frequency.1` for the lowest natural frequency with all pairs \
+                            closed, `frequency.open.1` with all open";
+                fault.hints.push(hint.to_owned());
+                return None;
+            }
+            _ => {}
+        }
+    }
     if owner == "run" {
         if name.starts_with("first_times.") {
             return Some(About::Figure(address, q::TIME.into()));
@@ -413,7 +440,7 @@ fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
 
 /// The address of a figure of a linkage's kinematics or forces,
 /// `forces.press.drive.greatest`. Which figures there are is known only when the
-/// linkage is; so they are plain numbers in SI units.
+/// linkage is, and what each measures; until then any unit will do.
 fn study_figure(slot: &mut Slot<'_>, known: &Known, address: String) -> Option<About> {
     let mut parts = address.splitn(3, '.');
     let (study, object, name) = (parts.next()?, parts.next(), parts.next());
@@ -431,12 +458,36 @@ fn study_figure(slot: &mut Slot<'_>, known: &Known, address: String) -> Option<A
         return None;
     };
     if known.objects.contains_key(object) {
-        return Some(About::Figure(address, q::NUMBER.into()));
+        return Some(About::Figure(address, Wanted::anything()));
     }
     let hint = did_you_mean(object, known.objects.keys().map(String::as_str));
     let fault = slot.refuse("unknown-object", format!("unknown object `{object}`"));
     fault.hints.extend(hint);
     None
+}
+
+/// Refuses `cam.NAME`, which is no figure of a cam.
+fn no_cam_figure(slot: &mut Slot<'_>, known: &Known, name: &str) {
+    let named = name.rsplit_once('.');
+    let objects = || known.objects.keys().map(String::as_str);
+    let Some((object, figure)) = named.filter(|(object, _)| known.objects.contains_key(*object))
+    else {
+        let object = named.map_or(name, |(object, _)| object);
+        let hint = match known.objects.contains_key(object) {
+            true => Some(format!(
+                "write cam.object.figure, as in `cam.{object}.least_radius`"
+            )),
+            false => did_you_mean(object, objects()),
+        };
+        let message = match known.objects.contains_key(object) {
+            true => format!("`cam.{name}` names no figure"),
+            false => format!("unknown object `{object}`"),
+        };
+        slot.refuse("unknown-figure", message).hints.extend(hint);
+        return;
+    };
+    let names = CAM_FIGURES.iter().map(|figure| figure.0);
+    unknown(slot, &format!("cam.{object}"), figure, names);
 }
 
 fn unknown<'a>(
@@ -445,12 +496,16 @@ fn unknown<'a>(
     name: &str,
     names: impl Iterator<Item = &'a str> + Clone,
 ) {
-    let fault = slot.refuse(
-        "unknown-figure",
-        format!("`{owner}` has no figure `{name}`"),
-    );
+    let message = match name {
+        "" => format!("`{owner}` names no figure"),
+        name => format!("`{owner}` has no figure `{name}`"),
+    };
+    let fault = slot.refuse("unknown-figure", message);
     fault.hints.push(match closest(name, names.clone()) {
         Some(guess) => format!("did you mean `{owner}.{guess}`?"),
+        None if name.is_empty() => {
+            format!("write `{owner}.` and one of {}", quoted_list(names, "or"))
+        }
         None => format!("its figures are {}", quoted_list(names, "and")),
     });
 }

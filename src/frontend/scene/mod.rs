@@ -39,6 +39,7 @@ use crate::dynamics::model::Condition;
 use crate::dynamics::steady::Mean;
 use crate::frontend::graph::MechanismGraph;
 use crate::frontend::object::{Connection, Object};
+use crate::units::Measure;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -55,6 +56,8 @@ pub struct TypedScene {
     pub steady: Option<SteadySpec>,
     /// Expectations of the run.
     pub expect: Vec<Expectation>,
+    /// Numbers with units of figures whose quantity follows from the model.
+    pub measured: Vec<Measured>,
     /// SHA-256 (hex) of the canonical scene: defaults filled in, SI, keys sorted.
     pub hash: String,
 }
@@ -200,6 +203,19 @@ pub struct Expectation {
     pub what: Expected,
     /// Source of the figure.
     pub source: Option<String>,
+}
+
+/// A number written with a unit, of a figure whose quantity follows from the model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measured {
+    /// Address of the figure.
+    pub figure: String,
+    /// Address of the number.
+    pub path: String,
+    /// The number as it is written.
+    pub text: String,
+    /// What it says.
+    pub measure: Measure,
 }
 
 /// Values that a figure may have (booleans as 0 and 1).

@@ -1,13 +1,15 @@
 //! The objects of a scene, and who drives whom.
 
 use super::address::RESERVED;
-use super::{Catalogue, SceneObject};
+use super::{Catalogue, Measured, SceneObject};
 use crate::dynamics::model::Coordinate;
 use crate::frontend::diagnostics::{Diagnostic, Related};
 use crate::frontend::graph::MechanismGraph;
 use crate::frontend::object::{Context, Inputs, Kind, KnownObject, Object, OwnObject, Registry};
 use crate::frontend::read::{Fields, Node, Slot, Value, is_name};
+use crate::units::parse;
 use serde_json::{Value as Json, json};
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 /// Objects of a scene, also faulty ones, as the rest of the scene must know them.
@@ -19,6 +21,8 @@ pub(super) struct Known {
     pub(super) objects: BTreeMap<String, KnownObject>,
     /// Stops of objects as `object.stop`, with what their object does: turn or slide.
     pub(super) stops: BTreeMap<String, Option<Coordinate>>,
+    /// Numbers with units of figures whose quantity follows from the model.
+    pub(super) measured: RefCell<Vec<Measured>>,
     /// Names that editors offer for `from`, with the kind of each.
     offered: Vec<(String, String)>,
 }
@@ -30,6 +34,7 @@ impl Known {
             registry: registry.clone(),
             objects: BTreeMap::new(),
             stops: BTreeMap::new(),
+            measured: RefCell::default(),
             offered: Vec::new(),
         }
     }
@@ -52,6 +57,21 @@ impl Known {
             .map(|(kind, name)| (name, kind))
             .collect();
         self
+    }
+
+    /// Keeps a number that was written with a unit, until it is known what the figure measures.
+    pub(super) fn keep_measure(&self, figure: &str, slot: &Slot<'_>) {
+        let text = slot.node().and_then(Node::text);
+        if let Some(text) = text
+            && let Ok(measure) = parse(text)
+        {
+            self.measured.borrow_mut().push(Measured {
+                figure: figure.to_owned(),
+                path: slot.path().to_owned(),
+                text: text.to_owned(),
+                measure,
+            });
+        }
     }
 
     /// What the catalogue has of a kind.
@@ -203,8 +223,14 @@ fn only_input(fields: &mut Fields<'_>, context: &mut Context<'_>, kind: &str) ->
 fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
     let place = slot.name_place();
     let (message, hint) = if RESERVED.contains(&id) {
+        let what = match id {
+            "kinematics" | "forces" | "steady" => {
+                format!("addresses of results of `dam {id}` begin with it")
+            }
+            _ => "it addresses the scene itself".to_owned(),
+        };
         (
-            format!("`{id}` cannot be the id of an object: it addresses the scene itself"),
+            format!("`{id}` cannot be the id of an object: {what}"),
             "choose another id".to_owned(),
         )
     } else if !is_name(id) {

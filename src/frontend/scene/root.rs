@@ -1,7 +1,7 @@
 //! The top level of a scene.
 
 use super::objects::{self, Known};
-use super::{Expectation, RunSpec, SceneObject, SteadySpec, expect, run, steady};
+use super::{Expectation, Measured, RunSpec, SceneObject, SteadySpec, expect, run, steady};
 use crate::frontend::read::Slot;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -13,6 +13,7 @@ pub(super) struct Root {
     pub(super) run: RunSpec,
     pub(super) steady: Option<SteadySpec>,
     pub(super) expect: Vec<Expectation>,
+    pub(super) measured: Vec<Measured>,
 }
 
 /// Reads (or describes) a whole scene.
@@ -43,6 +44,7 @@ pub(super) fn read(slot: Slot<'_>, mut known: Known) -> Option<Root> {
             run: run?,
             steady: steady?,
             expect: expect?,
+            measured: known.measured.take(),
         })
     })
 }

@@ -70,11 +70,30 @@ impl<'a> StudyAddress<'a> {
         }
     }
 
+    /// The commands that judge what is expected of it, the study's own first.
+    pub(crate) fn judged_by(self) -> &'static [&'static str] {
+        match self {
+            Self::Linkage {
+                study: "kinematics",
+                ..
+            } => &["kinematics"],
+            Self::Linkage { .. } => &["forces"],
+            Self::Steady { .. } => &["steady"],
+            Self::Cam { .. } => &["cam", "run"],
+            Self::Frequency { .. } => &["run"],
+        }
+    }
+
+    /// The object that the study is of; `None`: it is of the whole scene.
+    pub(crate) fn object(self) -> Option<&'a str> {
+        match self {
+            Self::Linkage { object, .. } | Self::Cam { object, .. } => Some(object),
+            Self::Steady { .. } | Self::Frequency { .. } => None,
+        }
+    }
+
     /// True where `dam run` judges what is expected of it.
     pub(crate) fn is_of_run(self) -> bool {
-        match self {
-            Self::Cam { .. } | Self::Frequency { .. } => true,
-            Self::Linkage { .. } | Self::Steady { .. } => false,
-        }
+        self.judged_by().contains(&"run")
     }
 }

@@ -47,7 +47,9 @@ impl Linkage {
                 let off = mismatch(choice, &state, plan.size);
                 (off > OFF).then(|| {
                     format!(
-                        "the approximate position of `{}` is {} m away from the nearest assembly",
+                        "the approximate position of `{}` is {} m away from the nearest assembly, \
+                         which is taken; `near` in its `assembly` means its place where the input \
+                         starts",
                         spec.links[choice.link].name,
                         short(off * plan.size)
                     )

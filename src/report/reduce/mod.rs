@@ -19,8 +19,8 @@ fn answer(reduction: &Reduction) -> String {
             .to_owned();
     }
     if !reduction.holds() {
-        return "Not even the finest model is as accurate as is asked for: nothing is left out."
-            .to_owned();
+        let none = "Not even the finest model is as accurate as is asked for: nothing is left out.";
+        return format!("{none}{}", excess(reduction));
     }
     let left_out = reduction.removed().count();
     if let Some(cost) = reduction.cost.as_ref().filter(|_| !reduction.is_offered()) {
@@ -33,12 +33,8 @@ fn answer(reduction: &Reduction) -> String {
     let coordinates = |role| reduction.model(role).map(|model| model.coordinates);
     let size = match (coordinates(Role::Given), coordinates(Role::Reduced)) {
         (Some(given), Some(reduced)) if given != reduced => {
-            let not = match reduction.given_holds() {
-                true => "",
-                false => " As given it is not that accurate.",
-            };
             format!(
-                "{not} Its elastic objects need {} in place of {given}.",
+                " Its elastic objects need {} in place of {given}.",
                 counted(reduced, "coordinate")
             )
         }
@@ -52,6 +48,7 @@ fn answer(reduction: &Reduction) -> String {
         Some(cost) => format!("{size} Time of a run: {}.", times(cost)),
         None => size,
     };
+    let size = format!("{}{size}", excess(reduction));
     match left_out {
         0 => format!("Nothing can be left out of the scene within the accuracy asked for.{size}"),
         _ => format!(
@@ -64,6 +61,23 @@ fn answer(reduction: &Reduction) -> String {
             },
             if judged == 1 { "its" } else { "their" },
         ),
+    }
+}
+
+/// By how much the scene as given misses the accuracy asked for, as a sentence; empty where it
+/// does not.
+fn excess(reduction: &Reduction) -> String {
+    let Some((figure, error, accuracy)) = reduction.given_excess() else {
+        return String::new();
+    };
+    let size = |value: f64| with_unit(value, &accuracy.unit, 2);
+    match error {
+        Some(error) => format!(
+            " The scene as given is not that accurate: {figure} is up to {} off, {} is allowed.",
+            size(error),
+            size(accuracy.asked)
+        ),
+        None => format!(" The scene as given is not that accurate: it has no {figure}."),
     }
 }
 
@@ -128,6 +142,7 @@ pub fn document(reduction: &Reduction) -> Value {
         "scene": reduction.scene,
         "complete": reduction.complete,
         "holds": reduction.holds(),
+        "given_holds": reduction.given_holds(),
         "offered": reduction.is_offered(),
         "cost": reduction.cost,
         "answer": answer(reduction),

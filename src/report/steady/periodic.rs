@@ -220,6 +220,16 @@ fn verdict(answer: &PeriodicAnswer) -> Verdict {
             "A periodic motion was found that repels its neighbours."
         }
         Judgement::NotInWorkingOrder => "A periodic motion was found in which a pair opens.",
+        Judgement::NotJudged if !any(Stability::Undecided) => match answer.unsettled() {
+            Some(part) if part.long_run.missing.is_none() => {
+                "A periodic motion was found on which the scene does not settle from its own start."
+            }
+            Some(_) => {
+                "A periodic motion was found. Whether the scene settles on it is not known: its \
+                 long run ended early."
+            }
+            None => "A periodic motion was found. Whether a pair opens is not known.",
+        },
         Judgement::NotJudged => {
             "A periodic motion was found. Whether small disturbances leave it is not decided."
         }

@@ -3,57 +3,66 @@
 use super::{Column, CycleForces, Extremes, ForceStudy, columns, columns_of_inputs};
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
-use crate::studies::kinematics::ENDS;
+use crate::studies::kinematics::NamedFigure;
 
-/// Sums over the cycle.
-const CYCLE: [&str; 8] = [
-    "duration",
-    "drive_work",
-    "load_work",
-    "applied_work",
-    "loss",
-    "efficiency",
-    "mean_drive",
-    "rms_drive",
+/// Sums over the cycle with their units; `None`: that of the driving force.
+const CYCLE: [(&str, Option<&str>); 8] = [
+    ("duration", Some("s")),
+    ("drive_work", Some("N m")),
+    ("load_work", Some("N m")),
+    ("applied_work", Some("N m")),
+    ("loss", Some("N m")),
+    ("efficiency", Some("")),
+    ("mean_drive", None),
+    ("rms_drive", None),
 ];
-/// What is told of the counterweight.
-const COUNTERWEIGHT: [&str; 6] = [
-    "mass_radius",
-    "angle",
-    "rms_without",
-    "rms_with",
-    "greatest_without",
-    "greatest_with",
+/// Results of the counterweight, likewise.
+const COUNTERWEIGHT: [(&str, Option<&str>); 6] = [
+    ("mass_radius", Some("kg m")),
+    ("angle", Some("rad")),
+    ("rms_without", Some("N")),
+    ("rms_with", Some("N")),
+    ("greatest_without", Some("N")),
+    ("greatest_with", Some("N")),
 ];
 
-/// Names of all figures that a study of this linkage can have, but those of its
-/// zones (`zones.0.from`), whose number is not known before.
-pub fn figures(linkage: &LinkageSpec, output: Option<usize>) -> Vec<String> {
-    let mut names = names(&columns(linkage, output), linkage, &CYCLE);
-    names.extend(COUNTERWEIGHT.map(|name| format!("counterweight.{name}")));
-    names
+/// All figures that a study of this linkage can have, but those of its zones
+/// (`zones.0.from`), whose number is not known before; `place`: the unit of places on the
+/// course.
+pub fn figures(linkage: &LinkageSpec, output: Option<usize>, place: &str) -> Vec<NamedFigure> {
+    let columns = columns(linkage, output);
+    let drive = columns.iter().find(|column| column.name == "drive");
+    let drive = drive.map_or("", |column| column.unit.as_str());
+    let sum = |(name, unit): (&str, Option<&str>), of: &str| {
+        NamedFigure::new(format!("{of}.{name}"), unit.unwrap_or(drive))
+    };
+    let mut all = of_columns(&columns, linkage, place);
+    all.extend(CYCLE.map(|one| sum(one, "cycle")));
+    all.extend(COUNTERWEIGHT.map(|one| sum(one, "counterweight")));
+    all
 }
 
 /// The same of a linkage of several inputs.
-pub fn figures_of_inputs(spec: &MultiSpec) -> Vec<String> {
-    // There is no one driving force whose mean could be told.
-    names(
-        &columns_of_inputs(spec),
-        &spec.linkage,
-        &CYCLE[..CYCLE.len() - 2],
-    )
+pub fn figures_of_inputs(spec: &MultiSpec, place: &str) -> Vec<NamedFigure> {
+    let mut all = of_columns(&columns_of_inputs(spec), &spec.linkage, place);
+    // There is no one driving force that has a mean.
+    let sums = CYCLE.into_iter().filter_map(|(name, unit)| {
+        let unit = unit?;
+        Some(NamedFigure::new(format!("cycle.{name}"), unit))
+    });
+    all.extend(sums);
+    all
 }
 
-fn names(columns: &[Column], linkage: &LinkageSpec, cycle: &[&str]) -> Vec<String> {
-    let columns = columns.iter().filter(|column| column.figure);
-    let mut names: Vec<String> = columns
-        .flat_map(|column| ENDS.map(|end| format!("{}.{end}", column.name)))
-        .collect();
-    names.extend(cycle.iter().map(|name| format!("cycle.{name}")));
+fn of_columns(columns: &[Column], linkage: &LinkageSpec, place: &str) -> Vec<NamedFigure> {
+    let mut all = Vec::new();
+    for column in columns.iter().filter(|column| column.figure) {
+        all.extend(NamedFigure::ends(&column.name, &column.unit, place));
+    }
     let pairs = linkage.pairs.iter();
-    names.extend(pairs.map(|pair| format!("cycle.losses.{}", pair.name)));
-    names.push("zones.count".to_owned());
-    names
+    all.extend(pairs.map(|pair| NamedFigure::new(format!("cycle.losses.{}", pair.name), "N m")));
+    all.push(NamedFigure::new("zones.count", ""));
+    all
 }
 
 impl ForceStudy {
@@ -81,7 +90,7 @@ impl ForceStudy {
                 found.greatest[0],
                 found.greatest[1],
             ];
-            let index = COUNTERWEIGHT.iter().position(|known| *known == name)?;
+            let index = COUNTERWEIGHT.iter().position(|known| known.0 == name)?;
             return Some(values[index]);
         }
         let (column, what) = name.rsplit_once('.')?;

@@ -1,11 +1,11 @@
 //! Figures of a study by name, as a scene's expectations address them.
 
-use super::columns::{Heading, headings, name};
-use super::{Asked, Extremes, Kinematics};
+use super::columns::{Heading, headings, name, unit_of};
+use super::{Asked, Extremes, Kinematics, Over};
 use crate::kinematics::linkage::spec::LinkageSpec;
 
 /// Ends of a quantity: value and place.
-pub(in crate::studies) const ENDS: [&str; 4] = ["least", "greatest", "least_at", "greatest_at"];
+const ENDS: [&str; 4] = ["least", "greatest", "least_at", "greatest_at"];
 /// What is told of a stroke.
 const STROKE: [&str; 4] = [
     "stroke",
@@ -14,32 +14,99 @@ const STROKE: [&str; 4] = [
     "input_while_falling",
 ];
 
-impl Asked<'_> {
-    /// Names of all figures that a study of this question can have.
-    pub fn figures(&self) -> Vec<String> {
-        names_of(&headings(self), self.linkage.spec())
+/// A figure that a study can have.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NamedFigure {
+    /// Name within the study: `ram.speed.greatest`.
+    pub name: String,
+    /// SI unit; empty for a plain number.
+    pub unit: String,
+}
+
+impl NamedFigure {
+    /// A figure of this name and SI unit.
+    pub(in crate::studies) fn new(name: impl Into<String>, unit: &str) -> Self {
+        let unit = if unit == "1" { "" } else { unit };
+        Self {
+            name: name.into(),
+            unit: unit.to_owned(),
+        }
+    }
+
+    /// The ends of a quantity with their places.
+    pub(in crate::studies) fn ends<'a>(
+        quantity: &'a str,
+        unit: &'a str,
+        place: &'a str,
+    ) -> impl Iterator<Item = Self> + 'a {
+        ENDS.into_iter().map(move |end| {
+            let unit = if end.ends_with("_at") { place } else { unit };
+            Self::new(format!("{quantity}.{end}"), unit)
+        })
     }
 }
 
-/// Names of all figures of a study with these columns.
-pub(super) fn names_of(headings: &[Heading], spec: &LinkageSpec) -> Vec<String> {
-    let mut names = Vec::new();
+impl Asked<'_> {
+    /// All figures that a study of this question can have.
+    pub fn figures(&self) -> Vec<NamedFigure> {
+        let input = unit_of(self.input);
+        let places = Places {
+            rows: self.axis_unit(),
+            input,
+            limits: input,
+        };
+        let outputs = self.outputs.iter().map(|output| unit_of(*output));
+        let outputs: Vec<_> = outputs.collect();
+        figures_of(&headings(self), self.linkage.spec(), &outputs, places)
+    }
+
+    /// SI unit of what leads from row to row.
+    pub(in crate::studies) fn axis_unit(&self) -> &'static str {
+        match self.over {
+            Over::Time { .. } => "s",
+            Over::Turn | Over::Range { .. } => unit_of(self.input),
+        }
+    }
+}
+
+/// SI units of places.
+#[derive(Clone, Copy)]
+pub(super) struct Places {
+    /// Of rows and extremes.
+    pub(super) rows: &'static str,
+    /// Of the input while something rises and falls.
+    pub(super) input: &'static str,
+    /// Of the ends of the reach.
+    pub(super) limits: &'static str,
+}
+
+/// All figures of a study with these columns; `outputs`: the units of what the outputs do.
+pub(super) fn figures_of(
+    headings: &[Heading],
+    spec: &LinkageSpec,
+    outputs: &[&str],
+    places: Places,
+) -> Vec<NamedFigure> {
+    let mut all = Vec::new();
     for heading in headings {
         let column = name(&heading.owner, heading.quantity, heading.by.as_deref());
-        names.extend(ENDS.map(|end| format!("{column}.{end}")));
+        all.extend(NamedFigure::ends(&column, &heading.unit, places.rows));
     }
-    let outputs = spec.outputs.iter().map(|output| output.name.clone());
+    let outputs = (spec.outputs.iter().zip(outputs)).map(|(one, unit)| (one.name.clone(), *unit));
     let slides = spec.pairs.iter().filter(|pair| pair.slides());
-    let slides = slides.map(|pair| format!("pairs.{}", pair.name));
-    for owner in outputs.chain(slides) {
-        names.extend(STROKE.map(|what| format!("{owner}.{what}")));
+    let slides = slides.map(|pair| (format!("pairs.{}", pair.name), "m"));
+    for (owner, unit) in outputs.chain(slides) {
+        let units = [unit, "", places.input, places.input];
+        let strokes = STROKE.into_iter().zip(units);
+        all.extend(strokes.map(|(what, unit)| NamedFigure::new(format!("{owner}.{what}"), unit)));
     }
     for link in &spec.links {
         let owner = format!("transmission_angles.{}", link.name);
-        names.extend(ENDS.map(|end| format!("{owner}.{end}")));
+        all.extend(NamedFigure::ends(&owner, "rad", places.rows));
     }
-    names.extend(["limits.lower".to_owned(), "limits.upper".to_owned()]);
-    names
+    let limits = ["limits.lower", "limits.upper"];
+    all.extend(limits.map(|name| NamedFigure::new(name, places.limits)));
+    all
 }
 
 impl Kinematics {

@@ -19,7 +19,7 @@ pub use ask::{
 };
 pub use columns::Quantity;
 pub use equilibria::Equilibrium;
-pub(in crate::studies) use figures::ENDS;
+pub use figures::NamedFigure;
 pub use several::{AskedSeveral, several_kinematics};
 pub use study::{even_motion, kinematics};
 pub use subject::{Subject, linkage_of, reaches, several_of};

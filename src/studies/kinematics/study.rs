@@ -51,17 +51,14 @@ pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
 }
 
 fn axis(asked: &Asked<'_>, values: Vec<f64>) -> Axis {
-    match asked.over {
-        Over::Time { .. } => Axis {
-            name: "time",
-            unit: "s",
-            values,
-        },
-        _ => Axis {
-            name: "input coordinate",
-            unit: unit_of(asked.input),
-            values,
-        },
+    let name = match asked.over {
+        Over::Time { .. } => "time",
+        Over::Turn | Over::Range { .. } => "input coordinate",
+    };
+    Axis {
+        name,
+        unit: asked.axis_unit(),
+        values,
     }
 }
 

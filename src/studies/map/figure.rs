@@ -180,7 +180,7 @@ fn whole(model: &Model, settings: &RunSettings, found: &Motion) -> Figures {
 /// SI unit of a figure; empty for counts and answers.
 pub(super) fn unit(figure: &str, model: &Model) -> String {
     match lookup::is_address(figure) {
-        true => lookup::unit(figure).to_owned(),
+        true => lookup::unit(figure, model),
         false => blank(model).unit(figure),
     }
 }

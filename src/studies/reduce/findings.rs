@@ -3,7 +3,7 @@
 use super::cost::Cost;
 use super::removal::{Part, Removal};
 use crate::frontend::scene::{Document, Levels};
-use crate::studies::order::Certificate;
+use crate::studies::order::{Certificate, FigureAccuracy};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fmt;
@@ -121,6 +121,20 @@ impl Reduction {
         };
         let given = self.model(Role::Given);
         given.is_some_and(|model| model.errors.iter().all(within))
+    }
+
+    /// The figure of the scene as given that is farthest beyond its bound, with its error
+    /// (`None`: it has no value) and the bound; `None`: the scene as given is as accurate as it
+    /// is asked to be, or could not be run.
+    pub fn given_excess(&self) -> Option<(&str, Option<f64>, &FigureAccuracy)> {
+        let given = self.model(Role::Given)?;
+        let beyond = given.errors.iter().filter_map(|(figure, error)| {
+            let accuracy = self.certificate.accuracy.get(figure)?;
+            let within = error.is_some_and(|error| error <= accuracy.asked);
+            (!within).then_some((figure.as_str(), *error, accuracy))
+        });
+        let share = |error: Option<f64>, asked: f64| error.map_or(f64::INFINITY, |e| e / asked);
+        beyond.max_by(|a, b| share(a.1, a.2.asked).total_cmp(&share(b.1, b.2.asked)))
     }
 
     /// False when the reduced scene runs slower than the scene as given, which is accurate enough:

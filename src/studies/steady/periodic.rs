@@ -65,14 +65,25 @@ impl PeriodicAnswer {
         checks
     }
 
-    /// The verdict: small disturbances leave the motion, or a pair opens over the period.
+    /// The first part on whose motion the scene does not settle from its own start: another
+    /// motion may be its steady one.
+    pub fn unsettled(&self) -> Option<&PartMotion> {
+        self.parts.iter().find(|part| !part.long_run.settles)
+    }
+
+    /// The verdict: small disturbances leave the motion, or a pair opens over the period. A
+    /// motion on which the scene does not settle is not certified.
     pub fn judgement(&self) -> Judgement {
         let any = |stability| self.parts.iter().any(|part| part.stability == stability);
         Judgement::decide(Ending::Complete, &self.checks(), || {
             let pairs = self.over_period.as_ref().map(|found| found.pairs);
             match pairs.unwrap_or(Judgement::NotJudged) {
                 _ if any(Stability::Repels) => Judgement::NotInWorkingOrder,
-                Judgement::InWorkingOrder if any(Stability::Undecided) => Judgement::NotJudged,
+                Judgement::InWorkingOrder
+                    if any(Stability::Undecided) || self.unsettled().is_some() =>
+                {
+                    Judgement::NotJudged
+                }
                 pairs => pairs,
             }
         })

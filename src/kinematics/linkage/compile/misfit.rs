@@ -28,6 +28,11 @@ pub(super) fn misfit(
     let count = mobility(spec);
     if count != 1 {
         let hint = match count {
+            ..=0 if spec.assembly.is_empty() => {
+                "leave out pairs or add links until one degree of freedom is left. Parallel links that \
+                 move together in one assembly mode alone need the approximate position of one of them \
+                 in `assembly`"
+            }
             ..=0 => "leave out pairs or add links until one degree of freedom is left",
             2 => {
                 "name both coordinates as `inputs` in place of `driver`; or tie a second input to the first \

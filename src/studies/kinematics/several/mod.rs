@@ -11,7 +11,7 @@ mod values;
 pub use ask::AskedSeveral;
 
 use super::columns::unit_of;
-use super::figures::names_of;
+use super::figures::{NamedFigure, Places, figures_of};
 use super::rows::{Course, Rows, evenly, warnings};
 use super::summary::{stroke_of, transmission_of};
 use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, Stopped, Stroke, Transmission};
@@ -64,9 +64,17 @@ pub fn several_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
 }
 
 impl AskedSeveral<'_> {
-    /// Names of all figures that a study of this question can have.
-    pub fn figures(&self) -> Vec<String> {
-        names_of(&values::headings(self), &self.linkage.spec().linkage)
+    /// All figures that a study of this question can have.
+    pub fn figures(&self) -> Vec<NamedFigure> {
+        let (_, way) = self.axis();
+        let places = Places {
+            rows: way,
+            input: way,
+            limits: way,
+        };
+        let outputs: Vec<_> = self.outputs.iter().map(|output| unit_of(*output)).collect();
+        let spec = &self.linkage.spec().linkage;
+        figures_of(&values::headings(self), spec, &outputs, places)
     }
 
     /// Why a group cannot be assembled, in words.
