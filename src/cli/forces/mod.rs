@@ -101,7 +101,8 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         }
         expected::talk(&verdicts);
     }
-    Ok(match found.missing() == 0 && expected::hold(&verdicts) {
+    let answered = found.missing() == 0 && found.solved().next().is_some();
+    Ok(match answered && expected::hold(&verdicts) {
         true => answer.status(),
         false => Status::NotTrusted,
     })
