@@ -7,6 +7,7 @@ use dam::lower::lower;
 use dam::model::Model;
 use dam::report::kinematics::document;
 use dam::studies::forces::{ZoneKind, several_forces};
+use dam::studies::judgement::Judgement;
 use dam::studies::kinematics::{
     AskedSeveral, InputCourse, InputOver, Question, kinematics_of, several_of,
 };
@@ -148,6 +149,38 @@ fn singular_curves_of_a_circle_are_those_of_a_rod() {
     // None is missing: one curve about what cannot be assembled, and the same a turn further.
     let ends = curves.len();
     assert!(ends <= 4, "{ends}");
+}
+
+/// A range that was asked for, and a single position, end the reach as the whole of it does.
+#[test]
+fn forces_of_several_inputs_at_a_dead_position_have_no_bounds() {
+    let model = free(CIRCLE);
+    let body = several_of(&model, None).expect("a linkage of several inputs");
+    let left = |over: InputOver| {
+        let mut question = question(0.9, 1.3);
+        question.inputs[0].over = Some(over);
+        AskedSeveral::new(&model, body, &question).expect("a question")
+    };
+    let forces = |over| several_forces(&left(over), Options::default()).expect("a study");
+    let whole = forces(InputOver::Free);
+    for zone in &whole.zones {
+        let end = zone.from;
+        let middle = 0.5 * (whole.zones[0].from + whole.zones[1].from);
+        // The linkage can still be assembled there.
+        let inside = end + 1e-9 * (middle - end);
+        let alone = forces(InputOver::At(inside));
+        assert_eq!((alone.rows.len(), alone.solved().count()), (1, 0));
+        for [from, to] in [[middle, inside], [inside, middle], [middle, end]] {
+            let part = forces(InputOver::Range { from, to });
+            assert_eq!(part.rows.len() - part.solved().count(), 1);
+            let rod = part.extremes.iter().find(|one| one.name == "B.force");
+            assert_eq!(rod.expect("extremes").greatest.value, f64::INFINITY);
+            assert_eq!(part.judgement(), Judgement::NotInWorkingOrder);
+        }
+        assert_eq!(alone.judgement(), Judgement::NotInWorkingOrder);
+        let beside = forces(InputOver::At(end + 1e-3 * (middle - end)));
+        assert_eq!(beside.judgement(), Judgement::InWorkingOrder);
+    }
 }
 
 #[test]

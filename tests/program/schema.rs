@@ -115,41 +115,97 @@ fn the_committed_scenes_are_read_and_name_the_schema() {
 /// What a catalogue object may leave to the scene that copies it.
 const LEFT_TO_THE_SCENE: [&str; 2] = ["input", "position"];
 
+/// A scene with a catalogue object and what that needs, behind a drive with this motion.
+fn scene_of(name: &str, drive: &serde_json::Value) -> serde_json::Value {
+    use dam::scene::Catalogue;
+    let (_, text) = BuiltIn.lookup(name).expect("a built-in object");
+    let own: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    for property in ["kind", "source", "description"] {
+        assert!(own[property].is_string(), "{name} has no `{property}`");
+    }
+    let mut object = serde_json::json!({ "from": name });
+    // (Of several inputs each hangs on what it says, or on nothing.)
+    let is_drive = own["kind"] == "drive" || own.get("inputs").is_some();
+    for property in LEFT_TO_THE_SCENE {
+        if own.get(property).is_none() && !is_drive {
+            let several = own["kind"] == "differential";
+            match (property, several) {
+                ("input", false) => object["input"] = "the_drive".into(),
+                ("input", true) => {
+                    let drive = serde_json::json!({ "object": "the_drive" });
+                    object["inputs"] = serde_json::json!({ "sun": drive, "ring": drive });
+                }
+                (_, false) => object[property] = serde_json::json!({ "ratio": 1 }),
+                (_, true) => {}
+            }
+        }
+    }
+    serde_json::json!({
+        "dam": 1, "name": "catalogue", "run": { "duration": 1 },
+        "objects": { "it": object, "the_drive": drive },
+    })
+}
+
 #[test]
 fn built_in_catalogue_objects_can_be_read() {
     use dam::scene::Catalogue;
+    let drive = serde_json::json!({ "kind": "drive", "motion": { "speed": 1 } });
     for name in BuiltIn.names() {
-        let (_, text) = BuiltIn.lookup(&name).expect("a built-in object");
-        let own: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        for property in ["kind", "source", "description"] {
-            assert!(own[property].is_string(), "{name} has no `{property}`");
-        }
-        let mut object = serde_json::json!({ "from": name });
-        // (Of several inputs each hangs on what it says, or on nothing.)
-        let drive = own["kind"] == "drive" || own.get("inputs").is_some();
-        for property in LEFT_TO_THE_SCENE {
-            if own.get(property).is_none() && !drive {
-                let several = own["kind"] == "differential";
-                match (property, several) {
-                    ("input", false) => object["input"] = "the_drive".into(),
-                    ("input", true) => {
-                        let drive = serde_json::json!({ "object": "the_drive" });
-                        object["inputs"] = serde_json::json!({ "sun": drive, "ring": drive });
-                    }
-                    (_, false) => object[property] = serde_json::json!({ "ratio": 1 }),
-                    (_, true) => {}
-                }
-            }
-        }
-        let scene = serde_json::json!({
-            "dam": 1, "name": "catalogue", "run": { "duration": 1 },
-            "objects": { "it": object, "the_drive": { "kind": "drive", "motion": { "speed": 1 } } },
-        });
+        let scene = scene_of(&name, &drive);
         let document =
             Document::parse("catalogue.json", scene.to_string().as_bytes()).expect("JSON");
         if let Err(diagnostics) = document.scene(&BuiltIn, &Overrides::none()) {
             panic!("{name}: {diagnostics}");
         }
+    }
+}
+
+/// Whether `dam check` finds a scene right, and everything that it says of it but that.
+fn checked(scene: &str) -> (bool, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("scene.json");
+    fs::write(&path, scene).expect("writing");
+    let check = std::process::Command::new(env!("CARGO_BIN_EXE_dam"))
+        .arg("check")
+        .arg(&path)
+        .output()
+        .expect("the program");
+    let said = String::from_utf8_lossy(&check.stderr).into_owned();
+    (check.status.success(), said)
+}
+
+/// Wherever the drive stands at the start: what a catalogue object says of itself suits it there.
+#[test]
+fn catalogue_objects_and_templates_give_no_warning_of_themselves() {
+    use dam::scene::Catalogue;
+    for name in BuiltIn.names() {
+        let mut right = 0;
+        for k in 0..8 {
+            let turning = serde_json::json!({ "speed": 1, "angle": 0.1 + 0.8 * f64::from(k) });
+            let sliding =
+                serde_json::json!({ "speed": 0.01, "displacement": 0.21 + 0.02 * f64::from(k) });
+            let drives = [
+                serde_json::json!({ "kind": "drive", "motion": turning }),
+                serde_json::json!({ "kind": "drive", "coordinate": "sliding", "motion": sliding }),
+            ];
+            // What is driven by a sliding input says so of a turning one.
+            let checks = drives.map(|drive| checked(&scene_of(&name, &drive).to_string()));
+            let fit = checks.iter().filter(|(is_right, _)| *is_right);
+            for (_, said) in fit {
+                assert!(!said.contains("approximate"), "{name}, {k}: {said}");
+                assert!(!said.contains("warning"), "{name}, {k}: {said}");
+                right += 1;
+            }
+        }
+        assert!(right >= 8, "{name} is right {right} times");
+    }
+    for template in ["lever", "cam", "linkage", "press", "shaft"] {
+        let new = std::process::Command::new(env!("CARGO_BIN_EXE_dam"))
+            .args(["new", template])
+            .output()
+            .expect("the program");
+        let (is_right, said) = checked(&String::from_utf8_lossy(&new.stdout));
+        assert!(is_right && !said.contains("warning"), "{template}: {said}");
     }
 }
 

@@ -100,7 +100,8 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         }
         expected.talk();
     }
-    Ok(match found.missing() == 0 && expected.hold() {
+    let answered = found.missing() == 0 && found.solved().next().is_some();
+    Ok(match answered && expected.hold() {
         true => answer.status(),
         false => Status::NotTrusted,
     })

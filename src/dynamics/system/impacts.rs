@@ -38,8 +38,15 @@ struct Response {
     own: f64,
     /// Impulse N of every contact that is held, by component; 0 of all others.
     held: Vec<f64>,
-    /// Work of the prescribed drives (J).
-    drives: f64,
+    /// Work of every prescribed drive (J), with its node.
+    drives: Vec<(usize, f64)>,
+}
+
+impl Response {
+    /// Work of all prescribed drives (J).
+    fn work(&self) -> f64 {
+        self.drives.iter().map(|(_, work)| work).sum()
+    }
 }
 
 impl Frozen {
@@ -133,16 +140,17 @@ impl Frozen {
             _ => 0.0,
         });
         let held = held.collect();
-        let drives = self.steps.iter().map(|step| match step {
-            Step::Prescribed(drive) => -work.force[drive.node] * speeds[drive.node],
-            _ => 0.0,
+        let drives = self.steps.iter().filter_map(|step| match step {
+            Step::Prescribed(drive) => {
+                Some((drive.node, -work.force[drive.node] * speeds[drive.node]))
+            }
+            _ => None,
         });
-        let drives = drives.sum();
         Response {
             rates,
             own,
             held,
-            drives,
+            drives: drives.collect(),
         }
     }
 

@@ -25,7 +25,14 @@ const FARTHEST_PLACE: f64 = 0.25;
 /// … unless it is still clearly nearer than in the other assembly: at most this part as far.
 const STILL_CLEARLY: f64 = 0.75;
 
-/// Chooses the branches and leaves the position at the start in `state`.
+/// A linkage put together at its start.
+#[derive(Clone, Debug)]
+pub(super) struct Assembly {
+    pub(super) state: State,
+    pub(super) branches: Vec<Branch>,
+}
+
+/// Puts the linkage together at the start, as it is said.
 ///
 /// # Errors
 /// A group cannot be assembled at the start, or it is not said how.
@@ -33,13 +40,21 @@ pub(super) fn assemble(
     spec: &LinkageSpec,
     plan: &Plan,
     groups: &[Group],
-    state: &mut State,
-) -> Result<Vec<Branch>, Vec<Fault>> {
-    drive::<1>(plan, state, spec.start);
-    state.reduced = spec.start;
-    driven_angle(plan, state);
-    placed_by_the_driver(spec, plan, state)?;
-    self::groups(spec, plan, groups, state, &mut |_, _| {})
+) -> Result<Assembly, Vec<Fault>> {
+    let mut state = at_start(plan, spec.start);
+    placed_by_the_driver(spec, plan, &state)?;
+    let branches = self::groups(spec, plan, groups, &mut state, &mut |_, _| {})?;
+    plan.attach::<1>(&mut state);
+    Ok(Assembly { state, branches })
+}
+
+/// What the driver places, at the start.
+pub(super) fn at_start(plan: &Plan, start: f64) -> State {
+    let mut state = plan.state();
+    drive::<1>(plan, &mut state, start);
+    state.reduced = start;
+    driven_angle(plan, &mut state);
+    state
 }
 
 /// Chooses the branches of all groups, what the inputs place being in its place; `before`

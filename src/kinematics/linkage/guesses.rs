@@ -39,6 +39,31 @@ pub(super) fn assemble(
             "give the approximate angle of one or more of these links at the start".to_owned(),
         ));
     }
+    let (found, closest) = found(plan, group, choices, state);
+    let start = start_in_words(spec);
+    let chosen = choose(&names, choices, &found, closest * plan.size, &start)?;
+    chosen.put(group, state);
+    Ok(chosen.margin)
+}
+
+/// All assemblies of a group that the trials find, and their margins.
+pub(super) fn all(plan: &Plan, group: &NewtonGroup, state: &State) -> Vec<(State, Margin)> {
+    let (found, _) = found(plan, group, &[], &mut state.clone());
+    let put = |one: Assembly| {
+        let mut state = state.clone();
+        one.put(group, &mut state);
+        (state, one.margin)
+    };
+    found.into_iter().map(put).collect()
+}
+
+/// The assemblies that the trials find, and the least closing error that they left.
+fn found(
+    plan: &Plan,
+    group: &NewtonGroup,
+    choices: &[&AssemblySpec],
+    state: &mut State,
+) -> (Vec<Assembly>, f64) {
     let mut scratch = Scratch::new(group.bodies.len());
     let mut found: Vec<Assembly> = Vec::new();
     let mut closest = f64::INFINITY;
@@ -74,13 +99,18 @@ pub(super) fn assemble(
             break;
         }
     }
-    let start = start_in_words(spec);
-    let chosen = choose(&names, choices, &found, closest * plan.size, &start)?;
-    for (unknown, value) in scratch.unknowns.iter_mut().zip(&chosen.unknowns) {
-        unknown[0] = *value;
+    (found, closest)
+}
+
+impl Assembly {
+    /// Leaves its positions in a state.
+    fn put(&self, group: &NewtonGroup, state: &mut State) {
+        let mut scratch = Scratch::new(group.bodies.len());
+        for (unknown, value) in scratch.unknowns.iter_mut().zip(&self.unknowns) {
+            unknown[0] = *value;
+        }
+        put(group, &scratch, state);
     }
-    put(group, &scratch, state);
-    Ok(chosen.margin)
 }
 
 fn choose<'a>(

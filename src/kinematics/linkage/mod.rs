@@ -18,6 +18,7 @@
 //! SI units; angles in radians, counterclockwise.
 
 mod assemble;
+mod assemblies;
 mod change;
 mod check;
 mod choice;
@@ -62,6 +63,7 @@ pub use workspace::{Pose, Workspace};
 
 use crate::fault::Fault;
 use crate::math::order::Total;
+use assemble::Assembly;
 use course::Course;
 use plan::Plan;
 use range::Cause::DeadPosition;
@@ -111,17 +113,47 @@ impl Linkage {
     /// Of a linkage whose numbers are right and whose redundant constraints are known.
     fn built(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         let skeleton = Skeleton::of(&spec);
-        let (plan, mut groups) = compile::compile(&skeleton, closed_forms)?;
-        let mut state = plan.state();
-        let branches = assemble::assemble(&skeleton.spec, &plan, &groups, &mut state)?;
-        plan.attach::<1>(&mut state);
-        redundant::holds_at_start(&spec, &state, plan.size)?;
+        let (plan, groups) = compile::compile(&skeleton, closed_forms)?;
+        let assembly = assemble::assemble(&skeleton.spec, &plan, &groups)?;
+        redundant::holds_at_start(&spec, &assembly.state, plan.size)?;
+        Self::explored(spec, &skeleton.spec, (plan, groups), assembly)
+    }
+
+    /// Of a linkage whose redundant constraints are known, in the assembly nearest to what is said
+    /// approximately in which these hold.
+    fn built_as_it_moves(spec: &LinkageSpec, closed_forms: bool) -> Option<Self> {
+        let skeleton = Skeleton::of(spec);
+        let (plan, groups) = compile::compile(&skeleton, closed_forms).ok()?;
+        let solved = &skeleton.spec.assembly;
+        if assemblies::asks_in_vain(&plan, solved) {
+            return None;
+        }
+        let ways = assemblies::all(&plan, spec.start, &spec.assembly, solved).into_iter();
+        let mut ways =
+            ways.filter(|way| redundant::holds_at_start(spec, &way.state, plan.size).is_ok());
+        let made = (&plan, &groups);
+        ways.find_map(|way| {
+            let made = (made.0.clone(), made.1.clone());
+            Self::explored(spec.clone(), &skeleton.spec, made, way).ok()
+        })
+    }
+
+    /// A linkage that is put together, with its range.
+    fn explored(
+        spec: LinkageSpec,
+        solved: &LinkageSpec,
+        (plan, mut groups): (Plan, Vec<Group>),
+        Assembly {
+            mut state,
+            branches,
+        }: Assembly,
+    ) -> Result<Self, Vec<Fault>> {
         for (group, branch) in groups[1..].iter_mut().zip(&branches) {
             let two_ways = matches!(group.kind, GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr);
             group.branch = two_ways.then_some(branch.sign);
         }
         let mut course = assemble::course(&spec, branches);
-        let ends = explore(&skeleton.spec, &plan, &mut course, &mut state)?;
+        let ends = explore(solved, &plan, &mut course, &mut state)?;
         let range = ranged(&course, ends);
         let structure = Structure::new(&spec, groups);
         let core = Core {

@@ -116,14 +116,14 @@ impl Range {
         }
     }
 
-    /// The ends of the reach that are dead positions.
-    pub fn dead_ends(&self) -> Vec<f64> {
+    /// The ends of the reach that are dead positions, each with the other end.
+    pub fn dead_ends(&self) -> Vec<[f64; 2]> {
         let Reach::Interval { lower, upper } = self.reach else {
             return Vec::new();
         };
-        let dead = |end: &End| matches!(end.cause, Cause::DeadPosition { .. });
-        let ends = [lower, upper].into_iter().filter(dead);
-        ends.map(|end| end.at).collect()
+        let dead = |[end, _]: &[End; 2]| matches!(end.cause, Cause::DeadPosition { .. });
+        let ends = [[lower, upper], [upper, lower]].into_iter().filter(dead);
+        ends.map(|ends| ends.map(|end| end.at)).collect()
     }
 
     /// The range in words, `turning` telling degrees from metres.

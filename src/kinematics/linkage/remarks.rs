@@ -6,7 +6,7 @@ use super::choice::{mismatch, short};
 use super::couplings;
 use super::elements::slides;
 use super::solve::{Guess, solve};
-use super::spec::{AssemblyChoice, OutputKind};
+use super::spec::{AssemblyChoice, AssemblySpec, OutputKind};
 
 /// An output that moves less than this, in radians or sizes of the linkage for each radian
 /// or size of the input, stands still.
@@ -15,6 +15,8 @@ const STILL: f64 = 1e-9;
 const POSITIONS: usize = 100;
 /// An approximate position this far from the assembly, in sizes, is worth a word.
 const OFF: f64 = 0.1;
+/// An approximate angle this far from the only assembly that moves is worth a word (rad).
+const TURNED: f64 = 0.25;
 /// Points nearer than this, in sizes, lie in the same place.
 const SAME_PLACE: f64 = 1e-9;
 
@@ -38,24 +40,28 @@ impl Linkage {
         if solve::<1>(plan, course, guess, &mut state, at, plan.steps.len()).is_err() {
             return Vec::new();
         }
-        let near = |choice: &&super::spec::AssemblySpec| {
-            matches!(choice.choice, AssemblyChoice::Near { .. })
+        plan.attach::<1>(&mut state);
+        let far = |choice: &AssemblySpec| {
+            let off = mismatch(choice, &state, plan.size);
+            let name = &spec.links[choice.link].name;
+            match choice.choice {
+                AssemblyChoice::Near { .. } if off > OFF => Some(format!(
+                    "the approximate position of `{name}` is {} m away from the nearest assembly, \
+                     which is taken; `near` in its `assembly` means its place where the input starts",
+                    short(off * plan.size)
+                )),
+                // Of others the angle chooses the assembly, however far it is.
+                AssemblyChoice::Angle(_) if off > TURNED && !spec.redundant.is_empty() => {
+                    Some(format!(
+                        "the approximate angle of `{name}` is {} deg away from the nearest \
+                         assembly that moves",
+                        short(off.to_degrees())
+                    ))
+                }
+                _ => None,
+            }
         };
-        let choices = spec.assembly.iter().filter(near);
-        choices
-            .filter_map(|choice| {
-                let off = mismatch(choice, &state, plan.size);
-                (off > OFF).then(|| {
-                    format!(
-                        "the approximate position of `{}` is {} m away from the nearest assembly, \
-                         which is taken; `near` in its `assembly` means its place where the input \
-                         starts",
-                        spec.links[choice.link].name,
-                        short(off * plan.size)
-                    )
-                })
-            })
-            .collect()
+        spec.assembly.iter().filter_map(far).collect()
     }
 
     /// Links of which all pins lie in one place.

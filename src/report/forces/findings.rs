@@ -97,16 +97,20 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
         true if study.indeterminate.drive => {
             Sentence::from("The driving force is statically indeterminate.")
         }
+        true if study.missing() < study.rows.len() => {
+            Sentence::from("Forces grow without bound towards the dead position.")
+        }
         true => Sentence::from("No position has forces."),
     };
-    let missing = study.missing();
+    let (of, solved) = (study.rows.len(), study.solved().count());
+    let without = format!("{} of {of} positions have no forces", of - solved);
     let checks = study.checks();
     let closes = checks.first().map_or(String::new(), judged);
-    let mut text = format!("The balance of power closes to {closes}");
-    if missing > 0 {
-        let of = study.rows.len();
-        let _ = write!(text, "; {missing} of {of} positions have no forces");
-    }
+    let text = match solved {
+        0 => without,
+        _ if solved == of => format!("The balance of power closes to {closes}"),
+        _ => format!("The balance of power closes to {closes}; {without}"),
+    };
     let judgement = study.judgement();
     let headline = match judgement {
         Judgement::NotToBeTrusted => Sentence::from("Not to be trusted. ").sentence(headline),

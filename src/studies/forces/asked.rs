@@ -3,6 +3,7 @@
 use super::{Course, Instant, PositionSource, loads};
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics};
 use crate::kinematics::linkage::{Linkage, Workspace};
+use crate::studies::endless::DeadEnd;
 use crate::studies::kinematics::{Asked, Over};
 
 /// Positions of a linkage, solved one after another.
@@ -38,8 +39,9 @@ impl PositionSource for LinkagePositions<'_> {
         (changes.collect(), range.period.map(|period| period.length))
     }
 
-    fn limits(&self) -> Vec<f64> {
-        self.linkage.range().dead_ends()
+    fn limits(&self) -> Vec<DeadEnd> {
+        let ends = self.linkage.range().dead_ends();
+        ends.into_iter().map(DeadEnd::new).collect()
     }
 }
 

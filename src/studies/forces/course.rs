@@ -1,6 +1,7 @@
 //! The motion for which forces are asked.
 
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Positions};
+use crate::studies::endless::DeadEnd;
 
 /// Gives the positions of a linkage at an input coordinate.
 pub trait PositionSource {
@@ -19,8 +20,8 @@ pub trait PositionSource {
         (Vec::new(), None)
     }
 
-    /// Input coordinates of dead positions at which the reach ends, as far as they are known.
-    fn limits(&self) -> Vec<f64> {
+    /// Dead positions at which the reach ends, by input coordinates, as far as they are known.
+    fn limits(&self) -> Vec<DeadEnd> {
         Vec::new()
     }
 }
@@ -186,6 +187,15 @@ impl Course {
             Self::Instants { times, .. } => [*times.first()?, *times.last()?],
         };
         (from != to && (to - from).is_finite()).then(|| [from.min(to), from.max(to)])
+    }
+
+    /// Parameter of a position at a dead position: of an even course that of the dead position
+    /// itself.
+    pub(super) fn place_of(&self, index: usize, end: &DeadEnd) -> f64 {
+        match self {
+            Self::Even { .. } => end.at,
+            Self::Instants { times, .. } => times[index],
+        }
     }
 
     /// Number of rows that are shown: the positions, and of a turn its end, at which

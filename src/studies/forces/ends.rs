@@ -1,25 +1,67 @@
 //! Positions at dead positions that end the reach: they have no forces.
 
-use super::Course;
-use super::row::{Row, Trouble};
-use super::zones::{Zone, ZoneKind};
-use crate::studies::endless::ROOM;
+use super::row::{Row, Solver, Trouble};
+use super::{Course, Instant, PositionSource};
+use crate::studies::endless::{DeadEnd, approach, unbounded};
 
-/// Takes the forces off the positions of a course at a dead position at its end towards which
-/// they grow without bound: how great they are there tells how near to it the course ends.
-pub(super) fn leave_out(rows: &mut [Row], course: &Course, zones: &[Zone]) {
-    let Some([first, last]) = course.ends() else {
-        return;
-    };
-    let near = ROOM * (last - first);
-    let endless = |zone: &&Zone| zone.kind == ZoneKind::Dead && zone.unbounded != [false; 2];
-    let ends = zones.iter().filter(endless).map(|zone| zone.from);
-    let ends = ends.filter(|at| (at - first).abs() <= near || (at - last).abs() <= near);
-    for at in ends {
-        for (index, row) in rows.iter_mut().enumerate() {
-            if (course.parameter(index) - at).abs() <= near {
+/// Takes the forces off the positions of a course at a dead position that ends the reach,
+/// towards which they grow without bound: how great they are there tells how near it is.
+pub(super) fn leave_out<S: PositionSource>(
+    solver: &mut Solver<'_, S>,
+    course: &Course,
+    rows: &mut [Row],
+) {
+    for end in solver.limits() {
+        let there = rows.iter_mut().enumerate();
+        for (index, row) in there.filter(|(_, row)| end.is_at(row.motion.coordinate)) {
+            if row.forces.is_ok()
+                && unbounded(&sizes(&rows_towards(solver, &course.instant(index), &end)))
+            {
                 row.forces = Err(Trouble::EndOfReach);
             }
         }
     }
+}
+
+/// Stays of a course at a dead position that ends the reach: the parameters of the first and the
+/// last of positions that follow one another.
+pub(super) fn stays(course: &Course, end: &DeadEnd) -> Vec<[f64; 2]> {
+    let there: Vec<usize> = (0..course.rows())
+        .filter(|&index| end.is_at(course.instant(index).motion.coordinate))
+        .collect();
+    let stays = there.chunk_by(|one, next| one + 1 == *next);
+    let place = |index: usize| course.place_of(index, end);
+    let stays = stays.filter_map(|stay| Some([place(*stay.first()?), place(*stay.last()?)]));
+    stays.map(|[a, b]| [a.min(b), a.max(b)]).collect()
+}
+
+/// Rows ever nearer to the dead position at the end of the reach at which a place of the course
+/// lies, in the motion and under the loads that belong to the place.
+pub(super) fn towards<S: PositionSource>(
+    solver: &mut Solver<'_, S>,
+    course: &Course,
+    place: f64,
+) -> Option<[Row; 4]> {
+    let instant = course.between(place);
+    let mut ends = solver.limits().into_iter();
+    let end = ends.find(|end| end.is_at(instant.motion.coordinate))?;
+    Some(rows_towards(solver, &instant, &end))
+}
+
+fn rows_towards<S: PositionSource>(
+    solver: &mut Solver<'_, S>,
+    instant: &Instant,
+    end: &DeadEnd,
+) -> [Row; 4] {
+    approach(end.at, end.other).map(|coordinate| {
+        let mut near = instant.clone();
+        near.motion.coordinate = coordinate;
+        solver.row(&near, true)
+    })
+}
+
+/// The greatest force of a pair in each row.
+pub(super) fn sizes(rows: &[Row; 4]) -> [f64; 4] {
+    let size = |row: &Row| row.size().unwrap_or(f64::NAN);
+    rows.each_ref().map(size)
 }

@@ -2,10 +2,10 @@
 
 use super::columns::Column;
 use super::row::{Row, Solver};
-use super::zones::{Zone, ZoneKind, free_sides};
+use super::zones::{Zone, ZoneKind, free_sides, rows_towards};
 use super::{Course, PositionSource};
 use crate::math::optimise::golden;
-use crate::studies::endless::{approach, unbounded};
+use crate::studies::endless::unbounded;
 
 /// Steps of golden section: the place to about 10⁻⁸ of a step of the course.
 const STEPS: u32 = 38;
@@ -123,8 +123,7 @@ fn edges<S: PositionSource>(
         let zone = &zones[index];
         for (side, at) in [zone.from, zone.to].into_iter().enumerate() {
             if zone.unbounded[side] {
-                let places = approach(at, free[side]);
-                let rows = places.map(|place| solver.row(&course.between(place), true));
+                let rows = rows_towards(solver, course, [at, free[side]], true);
                 edges.push(Edge { at, rows });
             }
         }

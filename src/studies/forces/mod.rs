@@ -18,6 +18,7 @@ mod scan;
 mod several;
 mod zones;
 
+pub use crate::studies::endless::DeadEnd;
 pub use asked::{LinkagePositions, course_of, course_of_record, only_loaded_output};
 pub use columns::{Column, columns, columns_of_inputs};
 pub use counterweight::Counterweight;
@@ -136,7 +137,7 @@ fn solved<S: PositionSource>(
         })
         .collect();
     let zones = zones::find(&mut solver, &course);
-    ends::leave_out(&mut rows, &course, &zones);
+    ends::leave_out(&mut solver, &course, &mut rows);
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
     let indeterminate = open::joined(&rows);
@@ -240,14 +241,15 @@ impl ForceStudy {
 
     /// The verdict: the forces are known at all positions, and their checks hold.
     pub fn judgement(&self) -> Judgement {
-        Judgement::decide(Ending::Complete, &self.checks(), || match self.missing() {
-            0 => Judgement::InWorkingOrder,
-            _ => Judgement::NotInWorkingOrder,
+        let known = self.solved().count() == self.rows.len();
+        Judgement::decide(Ending::Complete, &self.checks(), || match known {
+            true => Judgement::InWorkingOrder,
+            false => Judgement::NotInWorkingOrder,
         })
     }
 
-    /// Number of positions that have no forces where there should be some: where the reach
-    /// ends there are none.
+    /// Number of positions that have no forces where there should be some: at a dead position
+    /// that ends the reach there are none.
     pub fn missing(&self) -> usize {
         let rows = self.rows.iter();
         rows.filter(|row| matches!(&row.forces, Err(why) if *why != Trouble::EndOfReach))
@@ -276,7 +278,7 @@ impl ForceStudy {
         let ends = self.rows.len() - self.solved().count() - missing;
         if ends > 0 {
             warnings.push(
-                "the way ends in a dead position, towards which forces grow without bound; a range that ends before it has greatest forces, and work"
+                "the reach ends in a dead position, towards which forces grow without bound: they cannot be known there; a range that ends before it has greatest forces, and work"
                     .to_owned(),
             );
         }

@@ -5,6 +5,7 @@ use crate::kinematics::linkage::kinetostatics::{
     Balance, Convention, CouplingForce, ForceFailure, ForceWorkspace, Indeterminate, InputMotion,
     Kinetostatics, Positions, Reaction, Sensitivities, Solved, Transmission, WeldForce,
 };
+use crate::studies::endless::DeadEnd;
 use std::fmt;
 
 /// Row: a position of the course.
@@ -16,6 +17,15 @@ pub struct Row {
     pub motion: InputMotion,
     /// The forces, or why there are none.
     pub forces: Result<Forces, Trouble>,
+}
+
+impl Row {
+    /// Greatest force of a pair (N); `None` without forces.
+    pub(super) fn size(&self) -> Option<f64> {
+        let forces = self.forces.as_ref().ok()?;
+        let pairs = forces.pairs.iter().map(PairForces::size);
+        Some(pairs.fold(0.0, f64::max))
+    }
 }
 
 /// Why a position has no forces.
@@ -158,7 +168,7 @@ impl<'a, S: PositionSource> Solver<'a, S> {
     }
 
     /// Dead positions at which the reach ends.
-    pub(super) fn limits(&self) -> Vec<f64> {
+    pub(super) fn limits(&self) -> Vec<DeadEnd> {
         self.source.limits()
     }
 

@@ -8,6 +8,7 @@ use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
 use crate::kinematics::linkage::multi::MultiMotion;
 use crate::kinematics::linkage::multi::spec::MultiSpec;
+use crate::studies::endless::DeadEnd;
 use crate::studies::kinematics::AskedSeveral;
 
 /// What belongs to several inputs.
@@ -81,12 +82,17 @@ impl PositionSource for Source<'_, '_> {
     type At = MultiMotion;
 
     fn at(&mut self, place: f64) -> Result<&MultiMotion, String> {
-        let gone = self.motion.go(&self.asked.inputs_at(place));
-        gone.map_err(|why| self.asked.cause(why))?;
+        let inputs = self.asked.inputs_at(place);
+        if let Err(why) = self.motion.go(&inputs) {
+            // From a singular position on it does not find its way: it starts anew.
+            let mut anew = MultiMotion::new(self.asked.linkage());
+            anew.go(&inputs).map_err(|_| self.asked.cause(why))?;
+            self.motion = anew;
+        }
         Ok(&self.motion)
     }
 
-    fn limits(&self) -> Vec<f64> {
-        self.asked.limits().collect()
+    fn limits(&self) -> Vec<DeadEnd> {
+        self.asked.dead_ends()
     }
 }

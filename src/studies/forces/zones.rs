@@ -6,6 +6,7 @@
 //! whatever lies between is told apart; between two that agree the least distance from a
 //! change is looked for.
 
+use super::ends;
 use super::row::{Row, Solver, Trouble};
 use super::scan::{scan, singular_places};
 use super::{Course, PositionSource};
@@ -13,7 +14,7 @@ use crate::kinematics::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
 use crate::math::roots::{BISECTIONS, bisect};
-use crate::studies::endless::{ROOM, approach, grow};
+use crate::studies::endless::{approach, unbounded};
 
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
@@ -119,7 +120,7 @@ struct Mark {
 pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Course) -> Vec<Zone> {
     let mut scanner = Scanner { solver, course };
     let Some(marks) = scanner.marks() else {
-        return Vec::new();
+        return single(solver, course).into_iter().collect();
     };
     let mut zones: Vec<Zone> = Vec::new();
     let mut open = marks[0].state.map(|kind| (kind, marks[0].place));
@@ -152,6 +153,20 @@ pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Cours
         }
     }
     zones
+}
+
+/// The zone of a single position at a dead position that ends the reach.
+fn single<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Course) -> Option<Zone> {
+    let at = course.instant(0).motion.coordinate;
+    let end = solver.limits().into_iter().find(|end| end.is_at(at))?;
+    let place = course.place_of(0, &end);
+    let grows = unbounded(&ends::sizes(&ends::towards(solver, course, place)?));
+    Some(Zone {
+        kind: ZoneKind::Dead,
+        from: place,
+        to: place,
+        unbounded: [end.other < end.at, end.at < end.other].map(|side| side && grows),
+    })
 }
 
 /// How far there are forces below and above a zone: to the next that has none. Where
@@ -193,29 +208,29 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         }
     }
 
-    /// Adds the dead positions at which both the reach and the course end, where there is no
-    /// zone yet. How far the zones are looked at.
+    /// Adds the dead positions at the end of the reach to which the course comes, where there is
+    /// no zone yet. How far the zones are looked at.
     fn limits(&self, zones: &mut Vec<Zone>, [first, last]: [f64; 2]) -> [f64; 2] {
-        let (mut ends, near) = ([first, last], ROOM * (last - first));
-        if !matches!(self.course, Course::Even { closed: false, .. }) {
-            return ends;
-        }
-        for at in self.solver.limits() {
-            let dead = Zone {
-                kind: ZoneKind::Dead,
-                from: at,
-                to: at,
-                unbounded: [false; 2],
-            };
-            if (at - first).abs() <= near && zones.first().is_none_or(|zone| zone.from > first) {
-                zones.insert(0, dead);
-                ends[0] = at;
-            } else if (at - last).abs() <= near && zones.last().is_none_or(|zone| zone.to < last) {
-                zones.push(dead);
-                ends[1] = at;
+        for end in self.solver.limits() {
+            for [from, to] in ends::stays(self.course, &end) {
+                // (The dead position may lie just beyond the course.)
+                let [low, high] = [from, to].map(|place| place.clamp(first, last));
+                if zones.iter().all(|zone| zone.to < low || high < zone.from) {
+                    zones.push(Zone {
+                        kind: ZoneKind::Dead,
+                        from,
+                        to,
+                        unbounded: [false; 2],
+                    });
+                }
             }
         }
-        ends
+        zones.sort_by_cached_key(|zone| Total(zone.from));
+        let [low, high] = [zones.first(), zones.last()];
+        [
+            low.map_or(first, |zone| first.min(zone.from)),
+            high.map_or(last, |zone| last.max(zone.to)),
+        ]
     }
 
     /// Places with their states, ascending; `None` for a course without length.
@@ -337,16 +352,24 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
 
     /// Whether forces grow without bound from a free place towards an end.
     fn grows(&mut self, end: f64, free: f64) -> bool {
-        let sizes = approach(end, free).map(|place| size(&self.row(place)).unwrap_or(f64::NAN));
-        free != end && grow(&sizes)
+        free != end && {
+            let rows = rows_towards(self.solver, self.course, [end, free], false);
+            unbounded(&ends::sizes(&rows))
+        }
     }
 }
 
-/// Greatest force of a pair.
-fn size(row: &Row) -> Option<f64> {
-    let forces = row.forces.as_ref().ok()?;
-    let pairs = forces.pairs.iter().map(|pair| pair.size());
-    Some(pairs.fold(0.0, f64::max))
+/// Rows ever nearer to an end from a free place. At a dead position that ends the reach they go
+/// there by the input coordinate: a motion over time may stop short of it.
+pub(super) fn rows_towards<S: PositionSource>(
+    solver: &mut Solver<'_, S>,
+    course: &Course,
+    [end, free]: [f64; 2],
+    full: bool,
+) -> [Row; 4] {
+    let dead = ends::towards(solver, course, end);
+    let along = |place| solver.row(&course.between(place), full);
+    dead.unwrap_or_else(|| approach(end, free).map(along))
 }
 
 /// How far a free position is from one that locks: what is left of the power of a load that

@@ -3,7 +3,7 @@
 use super::columns::Heading;
 use super::extremes::{Edge, extremes};
 use super::{Column, Extremes};
-use crate::studies::endless::{ROOM, approach};
+use crate::studies::endless::{DeadEnd, approach};
 use crate::units::shown;
 
 /// Share of its own size, or of what is ordinary for it, that the error of a value may have.
@@ -33,7 +33,7 @@ pub(super) trait Course {
     fn resume(&mut self, _row: usize) {}
 
     /// Places of dead positions at which the reach ends, as far as they are known.
-    fn limits(&self) -> Vec<f64> {
+    fn limits(&self) -> Vec<DeadEnd> {
         Vec::new()
     }
 }
@@ -130,17 +130,18 @@ impl<C: Course> Rows<C> {
         let (Some(&first), Some(&last)) = (self.places.first(), self.places.last()) else {
             return Vec::new();
         };
-        let near = ROOM * (last - first).abs();
         let mut edges = Vec::new();
-        for at in self.course.limits() {
-            let (row, far) = match ((at - first).abs() <= near, (at - last).abs() <= near) {
-                (true, _) => (0, last),
-                (_, true) => (self.places.len() - 1, first),
-                _ => continue,
+        for end in self.course.limits() {
+            let (row, far) = match (end.is_at(first), end.is_at(last)) {
+                // All rows are there.
+                (true, true) => (0, end.other),
+                (true, false) => (0, last),
+                (false, true) => (self.places.len() - 1, first),
+                (false, false) => continue,
             };
             self.course.resume(row);
-            let rows = approach(at, far).map(|place| self.determined(place));
-            edges.push(Edge { at, rows });
+            let rows = approach(end.at, far).map(|place| self.determined(place));
+            edges.push(Edge { at: end.at, rows });
         }
         edges
     }

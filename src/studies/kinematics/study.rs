@@ -12,6 +12,7 @@ use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::{Cause, OutOfReach, Reach, Rounding, Workspace};
 use crate::math::jet::Jet;
 use crate::math::roots::bisect;
+use crate::studies::endless::DeadEnd;
 use crate::units::shown;
 
 /// Positions, speeds and accelerations of a linkage over what was asked.
@@ -151,9 +152,10 @@ impl Course for OneInput<'_, '_> {
         columns::headings(self.asked)
     }
 
-    fn limits(&self) -> Vec<f64> {
+    fn limits(&self) -> Vec<DeadEnd> {
+        let ends = self.asked.linkage.range().dead_ends();
         match self.asked.over {
-            Over::Range { .. } => self.asked.linkage.range().dead_ends(),
+            Over::Range { .. } => ends.into_iter().map(DeadEnd::new).collect(),
             _ => Vec::new(),
         }
     }

@@ -8,11 +8,13 @@ use crate::dynamics::model::{
 use crate::dynamics::steady::MOST_TURNS;
 use crate::exact::{PrescribedMotion, Rhythm};
 use crate::fault::Fault;
+use crate::kinematics::constraint::Constraint;
 use crate::kinematics::linkage::spec::ForceLaw;
 use crate::kinematics::motion::DriveMotion;
 use crate::kinematics::position::Position;
 use crate::math::expression::Repetition;
 use crate::math::fraction::Fraction;
+use crate::units::shown;
 use std::f64::consts::TAU;
 
 /// Relative differences of inertias and accelerations after a cycle that are rounding.
@@ -22,8 +24,8 @@ pub(super) const AFTER_A_CYCLE: f64 = 1e-8;
 /// what never does.
 #[derive(Debug, Default)]
 pub(super) struct Rhythms {
-    /// Angles after which something repeats (rad).
-    periods: Vec<f64>,
+    /// What repeats, and after which angle (rad).
+    periods: Vec<(String, f64)>,
     /// Faults of what goes on without ever coming back.
     pub(super) growing: Vec<Fault>,
 }
@@ -48,11 +50,87 @@ fn courses(model: &Model, drive: Option<NodeIndex>, speed: f64) -> Vec<Option<Pr
                 let driver = found[law.driver].as_ref();
                 driver.map(|driver| driver.through(&law.position, law.lever))
             }
+            NodeMotion::Constrained {
+                drivers,
+                constraint,
+            } => {
+                let drivers = drivers.iter().map(|&driver| found[driver].as_ref());
+                let drivers: Option<Vec<&PrescribedMotion>> = drivers.collect();
+                drivers.map(|drivers| combined(&drivers, constraint))
+            }
             _ => None,
         };
         found.push(course);
     }
     found
+}
+
+/// A course that stands for all that are rhythmic alike.
+fn rhythmic(rhythm: Rhythm) -> PrescribedMotion {
+    match rhythm {
+        Rhythm::Uniform(speed) => turning(speed),
+        Rhythm::Periodic(period, advance) => {
+            let wave = Position::Sine {
+                amplitude: 1.0,
+                harmonic: TAU / period,
+                phase: 0.0,
+                offset: 0.0,
+            };
+            let wave = turning(1.0).through(&wave, 1.0);
+            match advance {
+                0.0 => wave,
+                _ => {
+                    PrescribedMotion::sum(vec![(1.0, turning(advance / period)), (1.0, wave)], 0.0)
+                }
+            }
+        }
+        Rhythm::None => PrescribedMotion::new(&DriveMotion::Accelerated {
+            speed: 0.0,
+            acceleration: 1.0,
+            angle: 0.0,
+        }),
+    }
+}
+
+/// The course of what follows several nodes. Of functions other than sums it is not known what
+/// they do with inputs that turn on. (Linkages of several inputs are refused.)
+fn combined(drivers: &[&PrescribedMotion], constraint: &Constraint) -> PrescribedMotion {
+    let rhythms = drivers.iter().map(|driver| driver.rhythm());
+    let rhythm = match constraint {
+        Constraint::Linear { ratios, .. } => together(rhythms.zip(ratios.iter().copied())),
+        Constraint::Custom(_) if rhythms.clone().any(grows) => None,
+        Constraint::Custom(_) => together(rhythms.map(|rhythm| (rhythm, 0.0))),
+    };
+    rhythmic(rhythm.unwrap_or(Rhythm::None))
+}
+
+/// The rhythm of Σ ratio·φ; `None`: the terms have no period in common.
+fn together(terms: impl Iterator<Item = (Rhythm, f64)>) -> Option<Rhythm> {
+    let (mut speed, mut cycle, mut periods) = (0.0, None, Vec::new());
+    for (rhythm, ratio) in terms {
+        match rhythm {
+            Rhythm::Uniform(own) => speed += ratio * own,
+            Rhythm::Periodic(period, advance) => {
+                let turns = Fraction::of(period / TAU)?;
+                cycle = match cycle {
+                    None => Some(turns),
+                    Some(cycle) => Some(turns.common_multiple(cycle)?),
+                };
+                periods.push((period, ratio * advance));
+            }
+            Rhythm::None => return None,
+        }
+    }
+    let Some(cycle) = cycle.map(|cycle| TAU * cycle.value()) else {
+        return Some(Rhythm::Uniform(speed));
+    };
+    let advances = periods
+        .iter()
+        .map(|(period, advance)| advance * cycle / period);
+    Some(Rhythm::Periodic(
+        cycle,
+        speed * cycle + advances.sum::<f64>(),
+    ))
 }
 
 /// Something that repeats with a period over a node's displacement.
@@ -144,17 +222,27 @@ fn repetition_of_speed(rhythm: Rhythm) -> Option<Repetition> {
     }
 }
 
-/// Why there is no cycle: ratios and loads have no common period.
-pub(super) fn no_cycle() -> Vec<Fault> {
+/// Why there is no cycle: something has no period in common with the drive, or the rest.
+fn no_cycle((name, period): &(String, f64)) -> Fault {
     let message = format!(
-        "the ratios and loads of the scene do not repeat together after any angle of the drive \
-         up to {MOST_TURNS} turns: there is no periodic motion"
+        "it repeats after {} turns of the drive: {}",
+        shown(period / TAU, 9),
+        nothing_together()
     );
-    let hint = "ratios of whole numbers of teeth, \"ratio\": 0.4878048780487805 for 20/41, and \
-                loads over time whose frequency is to that of the drive as small whole numbers; \
-                `dam run` follows the scene as it is";
-    vec![Fault::new("steady.cycle", message, hint)]
+    Fault::new(name, message, TOGETHER)
 }
+
+fn nothing_together() -> String {
+    format!(
+        "the ratios and loads of the scene do not repeat together after any angle of the drive \
+         up to {MOST_TURNS} turns, there is no periodic motion"
+    )
+}
+
+/// What repeats together.
+const TOGETHER: &str = "ratios of whole numbers of teeth, \"ratio\": 0.4878048780487805 for 20/41, and \
+                        loads over time whose frequency is to that of the drive as small whole numbers; \
+                        `dam run` follows the scene as it is";
 
 /// Why something never repeats, and what does.
 const LEFT_BEHIND: (&str, &str) = (
@@ -213,7 +301,7 @@ impl Rhythms {
         for part in &model.objects {
             match known(part.nodes[0]).map(PrescribedMotion::rhythm) {
                 Some(Rhythm::None) => rhythms.never(&part.id, NEVER_BACK),
-                Some(rhythm) => rhythms.add(rhythm),
+                Some(rhythm) => rhythms.add(&part.id, rhythm),
                 None => {}
             }
         }
@@ -221,7 +309,7 @@ impl Rhythms {
             if let (Some(course), Some(period)) =
                 (known(body.node), body.linkage.range().period.as_ref())
             {
-                rhythms.add(over(course, period.length));
+                rhythms.add(&model.objects[body.object].id, over(course, period.length));
             }
             if let Some(course) = known(body.node) {
                 rhythms.tables_of(&model.objects[body.object].id, body, course);
@@ -233,9 +321,9 @@ impl Rhythms {
         rhythms
     }
 
-    fn add(&mut self, rhythm: Rhythm) {
+    fn add(&mut self, name: &str, rhythm: Rhythm) {
         if let Rhythm::Periodic(period, _) = rhythm {
-            self.periods.push(period);
+            self.periods.push((name.to_owned(), period));
         }
     }
 
@@ -252,7 +340,9 @@ impl Rhythms {
             };
             match period {
                 _ if points.iter().all(|point| point.1 == points[0].1) => {}
-                Some(period) => self.add(over(course, period)),
+                Some(period) => {
+                    self.add(&format!("{id}.forces.{}", force.name), over(course, period));
+                }
                 None if grows(course.rhythm()) => {
                     self.never(&format!("{id}.forces.{}", force.name), LEFT_BEHIND);
                 }
@@ -275,7 +365,8 @@ impl Rhythms {
                 match (track.source, track.breaks.period) {
                     _ if is_constant(pieces) => {}
                     (TrackSource::Time, Some(period)) => {
-                        self.periods.extend(speed.map(|speed| period * speed));
+                        let own = speed.map(|speed| (load.name.clone(), period * speed));
+                        self.periods.extend(own);
                     }
                     // (Where a motor decides the speed, loads over time are refused anyway.)
                     (TrackSource::Time, None) if speed.is_some() => {
@@ -284,7 +375,7 @@ impl Rhythms {
                     (TrackSource::Time, None) => {}
                     (TrackSource::Node(node), Some(period)) => {
                         if let Some(course) = known(node) {
-                            self.add(over(course, period));
+                            self.add(&load.name, over(course, period));
                         }
                     }
                     (TrackSource::Node(node), None) if growing(node).is_some() => {
@@ -341,7 +432,7 @@ impl Rhythms {
             Some(Repetition::Cycles {
                 period,
                 advance: 0.0,
-            }) => self.periods.push(period),
+            }) => self.periods.push((name.to_owned(), period)),
             Some(_) | None => self.never(name, OVER_TIME),
         }
     }
@@ -349,7 +440,7 @@ impl Rhythms {
     /// A force over whole turns of what goes on and on; `None`: it repeats after none.
     fn turns(&mut self, name: &str, course: &PrescribedMotion, turns: Option<f64>) {
         match turns {
-            Some(turns) => self.add(over(course, TAU * turns)),
+            Some(turns) => self.add(name, over(course, TAU * turns)),
             None => self.never(name, NO_WHOLE_TURNS),
         }
     }
@@ -362,7 +453,7 @@ impl Rhythms {
     /// [`Rhythms::cycle`], but where the ratios ask for more than `least` they alone decide.
     /// A motor is the same at every angle, so that it need not have come to whole turns.
     pub(super) fn cycle_of_motor(&self, least: f64) -> Option<f64> {
-        let turns = |angle: &f64| Fraction::of(angle / TAU);
+        let turns = |(_, angle): &(String, f64)| Fraction::of(angle / TAU);
         let periods: Option<Vec<Fraction>> = self.periods.iter().map(turns).collect();
         let mut periods = periods?.into_iter();
         let first = periods.next();
@@ -378,17 +469,101 @@ impl Rhythms {
     }
 
     /// The least angle after which everything that is known here repeats, and that is a
-    /// whole multiple of `least` (rad); `None`: there is none up to [`MOST_TURNS`].
-    pub(super) fn cycle(&self, least: f64) -> Option<f64> {
-        let turns = |angle: f64| Fraction::of(angle / TAU);
-        let mut cycle = turns(least)?;
-        for &period in &self.periods {
-            cycle = cycle.common_multiple(turns(period)?)?;
+    /// whole multiple of `least` (rad).
+    ///
+    /// # Errors
+    /// What never repeats, and what does not with the rest up to [`MOST_TURNS`], by name.
+    pub(super) fn whole_cycle(self, least: f64) -> Result<f64, Vec<Fault>> {
+        let common = self.cycle(least);
+        if let (Some(cycle), true) = (common, self.growing.is_empty()) {
+            return Ok(cycle);
         }
-        let angle = TAU * cycle.value();
-        match cycle.value() {
-            value if (value * TAU - least).abs() <= 1e-12 * least => Some(least),
-            value => (value <= MOST_TURNS).then_some(angle),
+        let mut faults = self.growing;
+        if Fraction::of(least / TAU).is_none() {
+            let fault = Fault::new("steady.cycle", nothing_together(), TOGETHER);
+            return Err(faults.into_iter().chain([fault]).collect());
+        }
+        let alone = |period: &(String, f64)| common_cycle(least, [period]).is_none();
+        let (apart, others): (Vec<_>, Vec<_>) = self.periods.into_iter().partition(alone);
+        // Each may repeat with the drive, and all of them do not together.
+        let none = apart.is_empty() && common.is_none();
+        let named = apart.into_iter().chain(others.into_iter().filter(|_| none));
+        let mut named: Vec<(String, f64)> = named
+            .filter(|(_, period)| (period - least).abs() > 1e-12 * least)
+            .collect();
+        // (An object may repeat by more than one of its parts.)
+        named.dedup_by(|one, other| one.0 == other.0);
+        faults.extend(named.iter().map(no_cycle));
+        Err(faults)
+    }
+
+    /// The least angle after which everything that is known here repeats, and that is a
+    /// whole multiple of `least` (rad); `None`: there is none up to [`MOST_TURNS`].
+    fn cycle(&self, least: f64) -> Option<f64> {
+        common_cycle(least, &self.periods)
+    }
+}
+
+fn common_cycle<'p>(
+    least: f64,
+    periods: impl IntoIterator<Item = &'p (String, f64)>,
+) -> Option<f64> {
+    let turns = |angle: f64| Fraction::of(angle / TAU);
+    let mut cycle = turns(least)?;
+    for (_, period) in periods {
+        cycle = cycle.common_multiple(turns(*period)?)?;
+    }
+    let angle = TAU * cycle.value();
+    match cycle.value() {
+        value if (value * TAU - least).abs() <= 1e-12 * least => Some(least),
+        value => (value <= MOST_TURNS).then_some(angle),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Rhythm, rhythmic, together};
+    use std::f64::consts::TAU;
+
+    fn near(found: Option<Rhythm>, turns: f64, advance: f64) {
+        let Some(Rhythm::Periodic(period, gained)) = found else {
+            panic!("{found:?}");
+        };
+        approx::assert_relative_eq!(period, turns * TAU, max_relative = 1e-13);
+        approx::assert_abs_diff_eq!(gained, advance, epsilon = 1e-12);
+    }
+
+    #[test]
+    fn sums_repeat_when_all_terms_do_together() {
+        let periodic = |turns: f64, advance: f64| Rhythm::Periodic(turns * TAU, advance);
+        let sum = |terms: &[(Rhythm, f64)]| together(terms.iter().copied());
+        let line = Rhythm::Uniform(0.5);
+        assert_eq!(
+            sum(&[(line, 3.0), (line, -1.0)]),
+            Some(Rhythm::Uniform(1.0))
+        );
+        // Neither period is a whole multiple of the other.
+        let both = [(periodic(2.0, 0.3), 2.0), (periodic(3.0, -0.1), 1.0)];
+        near(sum(&both), 6.0, 3.0 * 0.6 - 0.2);
+        near(sum(&[both[1], (line, 0.2)]), 3.0, -0.1 + 0.3 * TAU);
+        let irrational = [both[0], (periodic(2.0f64.sqrt(), 0.0), 1.0)];
+        assert_eq!(sum(&irrational), None);
+        assert_eq!(sum(&[(Rhythm::None, 1.0), (line, 1.0)]), None);
+    }
+
+    #[test]
+    fn a_course_that_stands_for_a_rhythm_has_it() {
+        assert_eq!(
+            rhythmic(Rhythm::Uniform(0.75)).rhythm(),
+            Rhythm::Uniform(0.75)
+        );
+        assert_eq!(rhythmic(Rhythm::None).rhythm(), Rhythm::None);
+        for (turns, advance) in [(1.5, 0.0), (6.0, 2.0), (0.75, -0.5)] {
+            near(
+                Some(rhythmic(Rhythm::Periodic(turns * TAU, advance)).rhythm()),
+                turns,
+                advance,
+            );
         }
     }
 }

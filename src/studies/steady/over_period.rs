@@ -269,8 +269,9 @@ struct Worked {
     of: DriveWork,
 }
 
-/// Integrates the power of each drive: its moment by its speed.
+/// Integrates the power of each drive, its moment by its speed, and adds its works in impacts.
 struct Driving<'s> {
+    system: &'s System,
     observer: Observer<'s>,
     rule: Vec<(f64, f64)>,
     works: Vec<Worked>,
@@ -290,6 +291,7 @@ impl<'s> Driving<'s> {
             },
         });
         Self {
+            system,
             observer: Observer::new(system),
             rule: rule(PLACES),
             works: works.collect(),
@@ -321,5 +323,10 @@ impl Sink for Driving<'_> {
         }
     }
 
-    fn switch(&mut self, _: &SwitchEvent<'_>) {}
+    fn switch(&mut self, event: &SwitchEvent<'_>) {
+        for (object, work) in self.system.works_in_impact(event) {
+            let own = self.works.iter_mut().filter(|own| own.object == object);
+            own.for_each(|own| own.of.work += work);
+        }
+    }
 }

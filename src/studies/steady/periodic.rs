@@ -1,7 +1,7 @@
 //! The periodic motion of an elastic scene behind prescribed drives: shooting.
 
 use super::answer::DriveFigures;
-use super::cycle::{Rhythms, no_cycle};
+use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
 use super::multipliers::{self, Multiplier, Stability};
 use super::over_period::{OverPeriod, RETURN};
@@ -370,10 +370,7 @@ pub(super) fn answer(
     })?;
     unused(spec)?;
     let rhythms = Rhythms::of_all(system.model(), TAU / once);
-    if !rhythms.growing.is_empty() {
-        return Err(rhythms.growing);
-    }
-    let cycle = rhythms.cycle(spec.cycle).ok_or_else(no_cycle)?;
+    let cycle = rhythms.whole_cycle(spec.cycle)?;
     let turn = once * cycle / TAU;
     let initial = system.initial_state()?;
     let parts = Parts::of(system);

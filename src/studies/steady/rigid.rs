@@ -3,7 +3,7 @@
 use super::answer::Agreement;
 use super::answer::Forces;
 use super::answer::RigidAnswer;
-use super::cycle::{Rhythms, no_cycle};
+use super::cycle::Rhythms;
 use super::machine::Machine;
 use super::machine::behind;
 use super::simulate::simulate;
@@ -41,10 +41,7 @@ pub(super) fn answer(
 ) -> Result<RigidAnswer, Vec<Fault>> {
     let node = model.objects[drive].nodes[0];
     let rhythms = Rhythms::behind(model, node, &behind(model, node));
-    if !rhythms.growing.is_empty() {
-        return Err(rhythms.growing);
-    }
-    let cycle = rhythms.cycle(spec.cycle).ok_or_else(no_cycle)?;
+    let cycle = rhythms.whole_cycle(spec.cycle)?;
     let machine = Machine::new(model, drive, cycle)?;
     let refuse = |refusal: Refusal| refusal.faults("steady");
     let mut answer = if machine.depends_on_speed() {

@@ -181,6 +181,18 @@ fn a_redundant_parallel_crank_is_named() {
         said.contains("redundant: the length of `c2` between its pins `A2` and `O2`"),
         "{said}"
     );
+    // Nothing needs to be said of its position; what is wrong is a warning.
+    scene["objects"]["p"]["assembly"] = json!({});
+    let (code, said) = check(&scene);
+    assert!(code == Some(0) && !said.contains("approximate"), "{said}");
+    scene["objects"]["p"]["assembly"] = json!({ "c1": { "angle": "270 deg" } });
+    let (code, said) = check(&scene);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(
+        said.contains("the approximate angle of `c1` is 180 deg away"),
+        "{said}"
+    );
+    scene["objects"]["p"]["assembly"] = json!({ "rod": { "angle": 0 } });
     // Another distance is no parallel rod, but a rigid part.
     scene["objects"]["p"]["ground"]["O2"] = json!([2.1, 0]);
     let (_, said) = check(&scene);

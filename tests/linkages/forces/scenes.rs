@@ -2,13 +2,14 @@
 //! tells them.
 
 use super::{number, reference};
-use dam::linkage::kinetostatics::Kinetostatics;
+use dam::linkage::kinetostatics::{InputMotion, Kinetostatics};
 use dam::lower::lower;
 use dam::scene::{BuiltIn, Document, Overrides};
 use dam::studies::forces::{
-    Course, Extremes, ForceSettings, ForceStudy, LinkagePositions, ZoneKind, only_loaded_output,
-    study,
+    Course, Extremes, ForceSettings, ForceStudy, Instant, LinkagePositions, ZoneKind,
+    only_loaded_output, study,
 };
+use dam::studies::judgement::Judgement;
 use serde_json::Value;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
@@ -140,6 +141,149 @@ fn towards_dead_positions_at_the_ends_forces_grow_without_bound() {
     assert!(found.zones.len() == 2 && found.zones.iter().all(|zone| zone.unbounded == [false; 2]));
     let ends = |one: &Extremes| one.least.value.is_finite() && one.greatest.value.is_finite();
     assert!(found.extremes.iter().all(ends));
+}
+
+/// A slider-crank that its slider drives, between dead positions at 0.15 m and 0.25 m.
+const PISTON: &str = r#"{ "dam": 1, "name": "piston", "run": { "duration": 1 }, "objects": {
+    "drive": { "kind": "drive", "coordinate": "sliding", "motion": { "speed": "25 mm/s", "displacement": "0.2 m" } },
+    "engine": { "kind": "linkage", "input": "drive", "driver": "guide", "start": "0.2 m",
+        "ground": { "O": [0, 0], "G": [0, 0] },
+        "links": { "crank": { "points": { "A": [0.05, 0] }, "moment": 0.01 }, "rod": { "points": { "B": [0.2, 0] } },
+            "piston": { "mass": 1 } },
+        "pairs": { "O": { "revolute": ["ground.O", "crank.origin"] }, "A": { "revolute": ["crank.A", "rod.origin"] },
+            "B": { "revolute": ["rod.B", "piston.origin"] },
+            "guide": { "sliding": { "guide": "ground.G", "block": "piston.origin" } } },
+        "assembly": { "crank": { "angle": "60 deg" } },
+        "forces": { "load": { "force": { "point": "piston.origin", "force": [-400, 0] } } },
+        "outputs": { "piston": { "point": "piston.origin" } } } } }"#;
+
+fn of_piston(course: Course) -> ForceStudy {
+    let document = Document::parse("piston", PISTON.as_bytes()).unwrap();
+    let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
+    let model = lower(&reading.scene).unwrap();
+    let linkage = &model.linkages[0].linkage;
+    let settings = ForceSettings::default();
+    study(
+        linkage.spec(),
+        &mut LinkagePositions::new(linkage),
+        course,
+        settings,
+    )
+    .unwrap()
+}
+
+fn sliding([from, to]: [f64; 2], count: usize) -> Course {
+    Course::Even {
+        from,
+        to,
+        count,
+        speed: 0.025,
+        acceleration: 0.0,
+        closed: false,
+    }
+}
+
+/// However long the course is, and on whichever side of it: at a dead position the crank, which
+/// has inertia, is driven with any angular acceleration.
+#[test]
+fn no_course_has_forces_at_a_dead_position_that_ends_the_reach() {
+    for (at, inwards) in [(0.25, -1.0), (0.15, 1.0)] {
+        // Ranges over the reach keep off its ends by a millionth of it.
+        for off in [0.0, 1e-7] {
+            let end = at + inwards * off;
+            let alone = of_piston(sliding([end; 2], 1));
+            assert!(alone.rows.len() == 1 && alone.solved().next().is_none());
+            assert_eq!(alone.zones[0].unbounded, [inwards < 0.0, inwards > 0.0]);
+            for length in [0.09, 0.02, 1e-3, 1e-5] {
+                let far = at + inwards * length;
+                for (course, without) in [([far, end], 10), ([end, far], 0)] {
+                    let found = of_piston(sliding(course, 11));
+                    let solved = found.rows.iter().map(|row| row.forces.is_ok());
+                    let expected = (0..11).map(|row| row != without);
+                    assert!(solved.eq(expected), "{course:?}");
+                    let drive = found.extremes.iter().find(|one| one.name == "A.force");
+                    assert!(drive.unwrap().greatest.value.is_infinite(), "{course:?}");
+                    assert!(found.cycle.is_none());
+                    assert_eq!(found.judgement(), Judgement::NotInWorkingOrder);
+                    assert!(
+                        found
+                            .warnings()
+                            .iter()
+                            .any(|one| one.contains("dead position"))
+                    );
+                }
+            }
+        }
+        // A position beside it has forces: those of the crank's inertia, and the load.
+        let beside = of_piston(sliding([at + inwards * 1e-6; 2], 1));
+        assert_eq!(beside.solved().count(), 1);
+        assert_eq!(beside.judgement(), Judgement::InWorkingOrder);
+    }
+}
+
+/// A motion over time that turns back at the dead position, and one that ends there.
+#[test]
+fn a_motion_over_time_has_no_forces_where_it_touches_a_dead_position() {
+    // Cubics between instants go a little beyond the motion.
+    let (rate, stroke) = (std::f64::consts::PI, 0.05 * (1.0 - 1e-7));
+    let instant = |time: f64| Instant {
+        motion: InputMotion {
+            coordinate: 0.2 + stroke * (rate * time).sin(),
+            speed: stroke * rate * (rate * time).cos(),
+            acceleration: -stroke * rate * rate * (rate * time).sin(),
+        },
+        ..Instant::default()
+    };
+    for count in [11, 21] {
+        let times: Vec<f64> = (0..count).map(|k| 0.05 * f64::from(k)).collect();
+        let found = of_piston(Course::Instants {
+            instants: times.iter().map(|time| instant(*time)).collect(),
+            times,
+            closed: false,
+        });
+        let without = found.rows.iter().filter(|row| row.forces.is_err());
+        let without: Vec<f64> = without.filter_map(|row| row.time).collect();
+        assert_eq!(without, [0.5]);
+        let dead = &found.zones[0];
+        assert_eq!((found.zones.len(), dead.kind), (1, ZoneKind::Dead));
+        assert_eq!([dead.from, dead.to], [0.5; 2]);
+        assert!(dead.unbounded[0]);
+        assert_eq!(found.judgement(), Judgement::NotInWorkingOrder);
+    }
+}
+
+#[test]
+fn the_program_says_that_forces_at_a_dead_position_grow_without_bound() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("piston.json"), PISTON).unwrap();
+    for (range, code) in [("0.25:0.25 m", 1), ("0.23:0.25 m", 0), ("0.15:0.2 m", 0)] {
+        let asked = [
+            "forces",
+            "piston.json",
+            "--range",
+            range,
+            "--positions",
+            "9",
+        ];
+        let out = dam(&asked, folder.path());
+        assert_eq!(out.status.code(), Some(code), "{out:?}");
+        let text = String::from_utf8(out.stdout).unwrap();
+        assert!(text.contains("Not in working order."), "{text}");
+        assert!(!text.contains("GN") && text.contains("forces unbounded towards"));
+        let said = String::from_utf8(out.stderr).unwrap();
+        assert!(said.contains("towards which forces grow without bound"));
+        // So do speeds, but that of the input.
+        let out = dam(&[&["kinematics"], &asked[1..]].concat(), folder.path());
+        let text = String::from_utf8(out.stdout).unwrap();
+        let row = |name: &str| {
+            let mut rows = text
+                .lines()
+                .filter(|line| line.trim_start().starts_with(name));
+            rows.next().unwrap_or_default().contains("unbounded")
+        };
+        assert!(row("links.crank.angular_speed") && row("links.rod.angular_speed"));
+        assert!(!row("input.speed") && !row("links.crank.angle "));
+    }
 }
 
 fn dam(arguments: &[&str], folder: &Path) -> Output {

@@ -135,3 +135,90 @@ fn a_motion_that_never_repeats_has_no_periodic_motion() {
     let found = faults(&own, |_| ());
     assert!(found[0].message.contains("does not repeat"), "{found:?}");
 }
+
+/// A follower behind a differential on drives of 600 rpm, or on one that is held.
+fn behind_a_differential(ratios: [f64; 2], second: &str, loads: &str) -> String {
+    let [one, two] = ratios;
+    format!(
+        r#"{{ "dam": 1, "name": "sum", "objects": {{
+            "a": {{ "kind": "drive", "motion": {{ "speed": "600 rpm" }} }},
+            "b": {{ "kind": "drive", "motion": {second} }},
+            "sum": {{ "kind": "differential", "masses": 0, "inertia": 0.01, "inputs": {{
+                "one": {{ "object": "a", "ratio": {one} }}, "two": {{ "object": "b", "ratio": {two} }} }} }},
+            "f": {{ "kind": "slider", "input": "sum", "masses": 1, "inertia": "1 kg",
+                "stiffness": "20 N/mm", "damping": "20 N s/m",
+                "position": {{ "sine": {{ "amplitude": "10 mm" }} }}, "loads": {{ {loads} }} }} }},
+          "run": {{ "duration": 5 }} }}"#
+    )
+}
+
+/// What follows Σ ratio·φ at the speed Σ ratio·ω moves as on a single drive of that speed.
+#[test]
+fn several_inputs_lengthen_the_cycle_by_the_speed_of_their_sum() {
+    let (held, turning) = (r#"{ "fixed": 0 }"#, r#"{ "speed": "600 rpm" }"#);
+    for (ratios, second, turns) in [
+        ([0.75, 0.25], held, 4.0),
+        ([0.75, 0.25], turning, 1.0),
+        ([0.5, 0.1], turning, 5.0),
+        ([1.5, -0.25], turning, 4.0),
+        ([2.0, 1.0], held, 1.0),
+    ] {
+        let (system, settings, spec) = of_text(&behind_a_differential(ratios, second, ""), &[]);
+        let Answer::Periodic(found) = steady_motion(&system, &settings, &spec).unwrap() else {
+            panic!("it is elastic");
+        };
+        approx::assert_relative_eq!(found.cycle, turns * TAU, max_relative = 1e-12);
+        assert!(
+            found.is_trusted() && found.parts[0].long_run.settles,
+            "{ratios:?}"
+        );
+        let second = if second == held { 0.0 } else { ratios[1] };
+        let speed = SPEED * (ratios[0] + second);
+        let law = response(MASS * LIFT * speed * speed, speed, 0.0);
+        for (entry, scale) in [(0, 1e-3), (1, 0.1)] {
+            let off = (found.state[entry] - law[entry]).abs() / scale;
+            assert!(off < 1e-8, "{ratios:?}, {entry}: off by {off:e}");
+        }
+    }
+}
+
+/// Everything that has no cycle in common with the drive is named, each by itself.
+#[test]
+fn what_stands_against_a_cycle_is_named_singly() {
+    let held = r#"{ "fixed": 0 }"#;
+    let paths = |text: &str| -> Vec<String> {
+        let found = faults(text, |_| ());
+        let whole = found
+            .iter()
+            .all(|fault| fault.message.contains("no periodic motion") && !fault.hint.is_empty());
+        assert!(whole, "{found:?}");
+        found.into_iter().map(|fault| fault.path).collect()
+    };
+    // The ratio of the sum.
+    let irrational = 2.0f64.sqrt() - 1.0;
+    let own = behind_a_differential([irrational, 0.25], held, "");
+    assert_eq!(paths(&own), ["f"]);
+    // Loads over time, beside such as never repeat; one repeats with the drive.
+    let loads = r#""five": { "harmonic": { "amplitude": 20, "frequency": "5 Hz" } },
+        "odd": { "harmonic": { "amplitude": 20, "frequency": "7.31415926 Hz" } },
+        "other": { "expression": "20*sin(2*pi*11.41421356*t)" },
+        "fading": { "expression": "-20*exp(-t)" }, "growing": { "expression": "t*sin(2*pi*5*t)" }"#;
+    let mut named = paths(&behind_a_differential([0.5, 0.5], held, loads));
+    named.sort();
+    assert_eq!(
+        named,
+        [
+            "f.loads.fading",
+            "f.loads.growing",
+            "f.loads.odd",
+            "f.loads.other"
+        ]
+    );
+    // Each repeats with the drive, after 13 turns and after 11, and not with the other.
+    let loads = r#""one": { "harmonic": { "amplitude": 20, "frequency": 0.7692307692307692 } },
+        "two": { "harmonic": { "amplitude": 20, "frequency": 0.9090909090909091 } }"#;
+    assert_eq!(
+        paths(&behind_a_differential([1.0, 1.0], held, loads)),
+        ["f.loads.one", "f.loads.two"]
+    );
+}

@@ -3,7 +3,8 @@
 use super::super::System;
 use super::super::pairs::OPEN;
 use super::super::passes::{Extent, Work};
-use crate::dynamics::integrate::{EventFunction, Impact, Modes, PhysicalStop};
+use crate::dynamics::integrate::{EventFunction, Impact, Modes, PhysicalStop, SwitchEvent};
+use crate::dynamics::model::ObjectPart;
 use crate::dynamics::restitution;
 
 /// Roundings of a displacement within which a contact touches at t = 0.
@@ -101,9 +102,32 @@ impl System {
             approach,
             impulse,
             lost: 0.5 * impulse * (approach - rate),
-            drives: impulse * response.drives,
+            drives: impulse * response.work(),
             rests,
         }))
+    }
+
+    /// Works of the prescribed drives in the impact of a switch (J), with their objects; none where
+    /// it is none.
+    pub fn works_in_impact(&self, event: &SwitchEvent<'_>) -> Vec<(usize, f64)> {
+        let Some((impact, before)) = event.impact else {
+            return Vec::new();
+        };
+        let frozen = &self.frozen;
+        let mut modes = event.before.0.clone();
+        modes[impact.component] = OPEN;
+        let contact = (impact.component, impact.side);
+        let mut work = Work::new(frozen);
+        let response = frozen.complementary(event.time, before, &mut modes, contact, &mut work);
+        let parts = self.model.objects.iter().enumerate();
+        let drives = parts.filter(|(_, part)| part.is_drive());
+        let works = response.map_or(Vec::new(), |response| response.drives);
+        let own = |(object, part): (usize, &ObjectPart)| {
+            let node = frozen.internal[*part.nodes.last()?];
+            let (_, share) = works.iter().find(|(drive, _)| *drive == node)?;
+            Some((object, impact.impulse * share))
+        };
+        drives.filter_map(own).collect()
     }
 
     fn jammed(&self, time: f64, component: usize) -> PhysicalStop {

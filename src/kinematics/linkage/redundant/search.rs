@@ -9,10 +9,9 @@ use crate::kinematics::linkage::Linkage;
 use crate::kinematics::linkage::elements::slides;
 use crate::kinematics::linkage::skeleton::Skeleton;
 use crate::kinematics::linkage::spec::{
-    AssemblySpec, CouplingSpec, LinkageSpec, PairSpec, Redundant, RedundantPart,
+    AssemblyChoice, AssemblySpec, CouplingSpec, LinkageSpec, PairSpec, Redundant, RedundantPart,
 };
 use crate::kinematics::linkage::structure::mobility;
-use std::ops::Range;
 
 /// Most equations that are left out together.
 const MOST_EQUATIONS: usize = 4;
@@ -20,38 +19,50 @@ const MOST_EQUATIONS: usize = 4;
 const MOST_TRIED: usize = 1000;
 
 /// The linkage that moves although the count of its degrees of freedom says no; `None` where it
-/// does not move, or the search finds no reason. Where a single entry of `assembly` is why it does
-/// not move, that entry is what is wrong.
+/// does not move, or the search finds no reason. What is said approximately of its links chooses
+/// among the assemblies in which it moves, and is no reason to refuse it. A branch may be: where a
+/// single one is why it does not move, that is what is wrong.
 pub(in crate::kinematics::linkage) fn found(
     spec: &LinkageSpec,
     closed_forms: bool,
 ) -> Option<Result<Linkage, Vec<Fault>>> {
-    if let Some(linkage) = search(spec, closed_forms) {
+    if let Some(linkage) = moving(spec, closed_forms) {
         return Some(Ok(linkage));
     }
-    if spec.assembly.is_empty() {
+    let of_branch =
+        |&index: &usize| matches!(spec.assembly[index].choice, AssemblyChoice::Branch(_));
+    let branches: Vec<usize> = (0..spec.assembly.len()).filter(of_branch).collect();
+    if branches.is_empty() {
         return None;
     }
-    let all = 0..spec.assembly.len();
-    let each = all.clone().map(|index| index..index + 1);
-    let (left_out, linkage) = each.chain([all]).find_map(|left_out| {
+    let each = branches.iter().map(|&index| vec![index]);
+    let (left_out, linkage) = each.chain([branches.clone()]).find_map(|left_out| {
         let mut bare = spec.clone();
-        bare.assembly.drain(left_out.clone());
-        Some((left_out, search(&bare, closed_forms)?))
+        let mut index = 0..;
+        let stays = |_: &AssemblySpec| !left_out.contains(&index.next().unwrap_or_default());
+        bare.assembly.retain(stays);
+        Some((left_out, moving(&bare, closed_forms)?))
     })?;
     let mut redundant = spec.clone();
     redundant.redundant.clone_from(&linkage.spec().redundant);
-    // What choices contradict each other, or are as near to both assemblies, says the assembly itself.
+    // What choices contradict each other says the assembly itself.
     match Linkage::built(redundant, closed_forms) {
         Err(faults) if !faults.iter().any(|fault| fault.path.starts_with("pairs")) => {
             Some(Err(faults))
         }
-        _ => Some(Err(misleading(spec, left_out))),
+        _ => Some(Err(misleading(spec, &left_out))),
     }
 }
 
+/// The linkage as it is said, or else in another assembly in which it moves.
+fn moving(spec: &LinkageSpec, closed_forms: bool) -> Option<Linkage> {
+    let as_said = |trial: &LinkageSpec| Linkage::built(trial.clone(), closed_forms).ok();
+    let as_it_moves = |trial: &LinkageSpec| Linkage::built_as_it_moves(trial, closed_forms);
+    search(spec, &as_said).or_else(|| search(spec, &as_it_moves))
+}
+
 /// Entries of `assembly` without which the linkage moves.
-fn misleading(spec: &LinkageSpec, entries: Range<usize>) -> Vec<Fault> {
+fn misleading(spec: &LinkageSpec, entries: &[usize]) -> Vec<Fault> {
     let fault = |choice: &AssemblySpec| {
         let name = &spec.links[choice.link].name;
         Fault::new(
@@ -60,13 +71,14 @@ fn misleading(spec: &LinkageSpec, entries: Range<usize>) -> Vec<Fault> {
                 "this puts the linkage together in a way in which it cannot move; without what is \
                  said of `{name}` it has one degree of freedom"
             ),
-            "leave it out, or give another position",
+            "leave it out, or give an approximate position",
         )
     };
-    spec.assembly[entries].iter().map(fault).collect()
+    let entries = entries.iter().map(|&index| &spec.assembly[index]);
+    entries.map(fault).collect()
 }
 
-fn search(spec: &LinkageSpec, closed_forms: bool) -> Option<Linkage> {
+fn search(spec: &LinkageSpec, built: &Built<'_>) -> Option<Linkage> {
     let missing = usize::try_from(1 - mobility(spec)).ok()?;
     if !spec.redundant.is_empty() || missing == 0 || missing > MOST_EQUATIONS {
         return None;
@@ -75,26 +87,29 @@ fn search(spec: &LinkageSpec, closed_forms: bool) -> Option<Linkage> {
         candidates: candidates(&Skeleton::of(spec).spec),
         trial: spec.clone(),
         left: MOST_TRIED,
-        closed_forms,
+        built,
     };
     search.leave_out(0, missing)
 }
 
-struct Search {
+/// Makes a linkage of which it is known what is redundant, if it moves.
+type Built<'a> = dyn Fn(&LinkageSpec) -> Option<Linkage> + 'a;
+
+struct Search<'a> {
     candidates: Vec<Redundant>,
     /// The linkage with what is left out at present.
     trial: LinkageSpec,
     /// Choices that may still be tried.
     left: usize,
-    closed_forms: bool,
+    built: &'a Built<'a>,
 }
 
-impl Search {
+impl Search<'_> {
     /// Leaves out `missing` more equations by candidates from the one given on.
     fn leave_out(&mut self, from: usize, missing: usize) -> Option<Linkage> {
         if missing == 0 {
             self.left = self.left.checked_sub(1)?;
-            return Linkage::built(self.trial.clone(), self.closed_forms).ok();
+            return (self.built)(&self.trial);
         }
         for index in from..self.candidates.len() {
             let next = self.candidates[index];

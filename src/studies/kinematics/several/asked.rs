@@ -3,9 +3,14 @@
 use super::super::columns::unit_of;
 use super::ask::{Advance, AskedSeveral, Leg};
 use crate::dynamics::model::Coordinate;
-use crate::kinematics::linkage::multi::MultiLinkage;
+use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion};
 use crate::math::jet::Jet;
+use crate::math::roots::{BISECTIONS, bisect};
+use crate::studies::endless::DeadEnd;
 use crate::units::shown;
+
+/// Part of a way beside its ends in which singular positions are looked for.
+const BESIDE: f64 = 1e-6;
 
 impl AskedSeveral<'_> {
     /// The linkage.
@@ -73,9 +78,36 @@ impl AskedSeveral<'_> {
         }
     }
 
-    /// Places on the axis of the singular positions between which the input goes.
-    pub(in crate::studies) fn limits(&self) -> impl Iterator<Item = f64> + '_ {
-        self.limits.iter().map(|limit| limit.0)
+    /// Places on the axis of the singular positions at which the way ends, each with a place
+    /// inwards.
+    pub(in crate::studies) fn dead_ends(&self) -> Vec<DeadEnd> {
+        if let [(lower, _), (upper, _)] = self.limits[..] {
+            return vec![DeadEnd::new([lower, upper]), DeadEnd::new([upper, lower])];
+        }
+        match self.way {
+            Advance::Path { along, span, .. } if !self.closed => self.dead_ends_of(along, span),
+            _ => Vec::new(),
+        }
+    }
+
+    /// Singular positions just beyond, or just before, the ends of a range.
+    fn dead_ends_of(&self, along: Option<usize>, [from, to]: [f64; 2]) -> Vec<DeadEnd> {
+        let length = match along.map(|input| self.inputs[input]) {
+            _ if from != to => to - from,
+            Some(Coordinate::Sliding) => self.linkage.size(),
+            _ => 1.0,
+        };
+        let ends = [[from, length], [to, -length]].into_iter();
+        let ends = ends.filter_map(|[place, inwards]| {
+            let mut motion = MultiMotion::new(&self.linkage);
+            let mut go = |part: f64| motion.go(&self.inputs_at(place + part * inwards)).is_ok();
+            if !go(BESIDE) || go(-BESIDE) {
+                return None;
+            }
+            let [last, _] = bisect([BESIDE, -BESIDE], BISECTIONS, &mut go);
+            Some(DeadEnd::new([place + last * inwards, place + inwards]))
+        });
+        ends.collect()
     }
 
     /// Rate of the axis.

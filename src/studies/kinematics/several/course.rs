@@ -7,6 +7,7 @@ use super::values;
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiMotion, MultiRounding, NotAssembled};
 use crate::math::jet::Jet;
+use crate::studies::endless::DeadEnd;
 
 /// The course of several inputs.
 pub(super) struct SeveralInputs<'q, 'a> {
@@ -40,8 +41,8 @@ impl Course for SeveralInputs<'_, '_> {
         values::headings(self.asked)
     }
 
-    fn limits(&self) -> Vec<f64> {
-        self.asked.limits().collect()
+    fn limits(&self) -> Vec<DeadEnd> {
+        self.asked.dead_ends()
     }
 
     fn at(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), NotAssembled> {
