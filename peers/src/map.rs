@@ -6,7 +6,7 @@ use crate::diffsol_peer;
 use crate::exact_peer;
 use crate::solution::Timing;
 use crate::table::table;
-use dam::exact::{Asked, Request};
+use dam::exact::{Request, RequestedFigures};
 use dam::scene::{BuiltIn, Document};
 use dam::studies::Control;
 use dam::studies::axis::Axis;
@@ -51,7 +51,7 @@ fn peak(index: usize, load: f64) -> f64 {
     let chain = cell(index, load);
     let request = Request {
         figures: true,
-        asked: Asked::DEVIATION,
+        asked: RequestedFigures::DEVIATION,
         ..Request::new(chain.duration, 0)
     };
     let run = exact_peer::run(&exact_peer::tree(&chain), &request);

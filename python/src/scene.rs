@@ -9,7 +9,7 @@ use dam::ask::{CamQuestion, Judging, StrokeQuestion};
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::motion::stroke::{Criterion, Skewness};
 use dam::object::law::read_argument;
-use dam::read::{Bounds, Wanted};
+use dam::read::{Bounds, QuantityChoice};
 use dam::scene::{Document, Folder, schema as schema_of_kinds, schema_text};
 use dam::studies::Control;
 use dam::studies::axis::Axis;
@@ -58,7 +58,7 @@ fn wrong(what: impl Into<String>) -> Error {
 fn quantity(
     name: &str,
     value: Option<String>,
-    wanted: impl Into<Wanted>,
+    wanted: impl Into<QuantityChoice>,
     bounds: Bounds,
 ) -> Result<Option<f64>, Error> {
     let Some(text) = value else {
@@ -430,7 +430,7 @@ impl Scene {
         let read = || -> Result<(CamQuestion, cam::Drawn), Error> {
             let angle = |name: &str, text| quantity(name, text, q::ANGLE, any);
             let length = |name: &str, text| quantity(name, text, q::LENGTH, any);
-            let forces = Wanted::either(q::FORCE, q::MOMENT);
+            let forces = QuantityChoice::either(q::FORCE, q::MOMENT);
             let wanted = match reserve_is_force {
                 true => forces,
                 false => q::NUMBER.into(),
@@ -515,13 +515,13 @@ fn wanted(
     check: bool,
     digits: u8,
     threads: Option<usize>,
-) -> PyResult<map::Wanted> {
+) -> PyResult<map::QuantityChoice> {
     let axis = |text: &str| Axis::parse(text).map_err(|what| fault::scene_error(py, &wrong(what)));
     if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
         let message = format!("between 1 and {MOST_THREADS} threads work on a map");
         return Err(PyValueError::new_err(message));
     }
-    Ok(map::Wanted {
+    Ok(map::QuantityChoice {
         x: axis(x)?,
         y: y.map(axis).transpose()?,
         figure,

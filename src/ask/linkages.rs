@@ -9,8 +9,8 @@ use crate::studies::forces::{
     study,
 };
 use crate::studies::kinematics::{
-    Asked, AskedSeveral, Column, Kinematics, Quantity, Question, kinematics_of, linkage_of,
-    several_of, whole_travel,
+    AskedSeveral, Column, Kinematics, KinematicsRequest, Quantity, Question, kinematics_of,
+    linkage_of, several_of, whole_travel,
 };
 
 impl Mechanism {
@@ -44,7 +44,7 @@ impl Mechanism {
         if question.over.is_none() && question.speed.or(question.acceleration).is_some() {
             question.over = Some(whole_travel(&body.linkage));
         }
-        let asked = Asked::new(model, &question).map_err(Error::question)?;
+        let asked = KinematicsRequest::new(model, &question).map_err(Error::question)?;
         let course = course_of(&asked).map_err(Error::question)?;
         let settings = ForceSettings {
             options: Options::default(),

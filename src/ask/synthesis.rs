@@ -3,7 +3,7 @@
 use crate::Error;
 use crate::fault::Fault;
 use crate::frontend::object::law::{read_argument, run_up_law};
-use crate::frontend::read::{Bounds, Wanted};
+use crate::frontend::read::{Bounds, QuantityChoice};
 use crate::kinematics::motion::stroke::{Skewness, Stroke, StrokeFigures, StrokeSpec};
 use crate::units::{Quantity, parse, quantities as q};
 use serde_json::{Value, json};
@@ -81,15 +81,15 @@ impl StrokeQuestion {
             Some(text) => run_up_law(text)?,
             None => run_up.clone(),
         };
-        let read = |name: &str, text: &Option<String>, wanted: Wanted| match text {
+        let read = |name: &str, text: &Option<String>, wanted: QuantityChoice| match text {
             None => Ok(None),
             Some(text) => {
                 let name = format!("{prefix}{name}");
                 read_argument(&name, text, |slot| slot.quantity(wanted, Bounds::ANY)).map(Some)
             }
         };
-        let displacement = Wanted::either(q::LENGTH, q::ANGLE);
-        let per_angle = Wanted::either(q::LENGTH_PER_ANGLE, q::NUMBER);
+        let displacement = QuantityChoice::either(q::LENGTH, q::ANGLE);
+        let per_angle = QuantityChoice::either(q::LENGTH_PER_ANGLE, q::NUMBER);
         let spec = StrokeSpec {
             run_up,
             run_out,

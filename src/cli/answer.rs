@@ -92,7 +92,7 @@ pub(crate) fn ignores_until(model: &Model) -> Option<String> {
 
 /// Form in which an answer is shown.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Shown {
+pub(crate) enum AnswerForm {
     /// As one JSON document.
     Json,
     /// As text.
@@ -103,7 +103,7 @@ pub(crate) enum Shown {
     Made(String),
 }
 
-impl Shown {
+impl AnswerForm {
     /// JSON where it is asked for, else the given form.
     pub(crate) fn json_or(json: bool, form: Self) -> Self {
         if json { Self::Json } else { form }
@@ -116,7 +116,7 @@ impl Answer<'_> {
     pub(crate) fn deliver(
         &self,
         folder: Option<&OutputFolder>,
-        shown: Shown,
+        shown: AnswerForm,
     ) -> Result<(), Failure> {
         let file = |(name, content): &(String, Content<'_>)| {
             Ok(ResultFile::new(name.as_str(), self.content(content)?))
@@ -164,12 +164,12 @@ impl Answer<'_> {
         }
     }
 
-    fn show(&self, shown: Shown) -> Result<(), Failure> {
+    fn show(&self, shown: AnswerForm) -> Result<(), Failure> {
         match shown {
-            Shown::Json => console::json_text(&self.document.text()?),
-            Shown::Text => console::findings(self.findings),
-            Shown::Made(content) => console::data(&content),
-            Shown::File(name) => console::data(&self.file(name)?.unwrap_or_default()),
+            AnswerForm::Json => console::json_text(&self.document.text()?),
+            AnswerForm::Text => console::findings(self.findings),
+            AnswerForm::Made(content) => console::data(&content),
+            AnswerForm::File(name) => console::data(&self.file(name)?.unwrap_or_default()),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Who asks a command: the terminal that it was typed in, or a window of the studio.
 
-use super::answer::{Answer, Shown};
+use super::answer::{Answer, AnswerForm};
 use super::args::scene::SceneArgs;
 use super::failure::Failure;
 use super::input::Input;
@@ -34,7 +34,7 @@ pub(crate) trait Asker {
         &self,
         answer: &Answer<'_>,
         folder: Option<&OutputFolder>,
-        shown: Shown,
+        shown: AnswerForm,
     ) -> Result<(), Failure>;
 }
 
@@ -59,7 +59,7 @@ impl Asker for Terminal {
         &self,
         answer: &Answer<'_>,
         folder: Option<&OutputFolder>,
-        shown: Shown,
+        shown: AnswerForm,
     ) -> Result<(), Failure> {
         answer.deliver(folder, shown)
     }

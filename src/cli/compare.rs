@@ -1,6 +1,6 @@
 //! `dam compare`: the same scene for several values of a parameter.
 
-use super::answer::{Answer, Content, Document, PAGE, Shown, Warned};
+use super::answer::{Answer, AnswerForm, Content, Document, PAGE, Warned};
 use super::args::CompareArgs;
 use super::asker::Terminal;
 use super::failure::Failure;
@@ -104,7 +104,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     };
     answer.deliver(
         folder.as_ref(),
-        Shown::json_or(args.scene.json, Shown::Text),
+        AnswerForm::json_or(args.scene.json, AnswerForm::Text),
     )?;
     let accurate = ready.iter().all(|ready| ready.shortfalls().is_empty());
     Ok(match (status(&comparison), accurate) {

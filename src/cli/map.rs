@@ -1,6 +1,6 @@
 //! `dam map`: a figure over one or two parameters, with a cause for every point.
 
-use super::answer::{Answer, Content, Document, PAGE, Shown, Warned};
+use super::answer::{Answer, AnswerForm, Content, Document, PAGE, Warned};
 use super::args::MapArgs;
 use super::console;
 use super::failure::Failure;
@@ -86,7 +86,10 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
         quiet: args.scene.quiet,
     };
     // With the files of the whole map its journal goes.
-    answer.deliver(whole, Shown::json_or(args.scene.json, Shown::Text))?;
+    answer.deliver(
+        whole,
+        AnswerForm::json_or(args.scene.json, AnswerForm::Text),
+    )?;
     drop(keeping);
     if !args.scene.quiet {
         match args.merge.len() {

@@ -1,7 +1,7 @@
 //! `dam reduce`: the smallest scene that gives figures within their accuracy.
 
 use super::accuracy;
-use super::answer::{Answer, Content, PAGE, Shown};
+use super::answer::{Answer, AnswerForm, Content, PAGE};
 use super::args::ReduceArgs;
 use super::asker::Asker;
 use super::console;
@@ -56,7 +56,7 @@ pub(crate) fn command(args: &ReduceArgs, asker: &dyn Asker) -> Result<Status, Fa
         ],
         quiet,
     };
-    let shown = Shown::json_or(args.scene.json, Shown::Text);
+    let shown = AnswerForm::json_or(args.scene.json, AnswerForm::Text);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     Ok(match (found.complete, found.holds()) {
         (true, true) => Status::Answered,

@@ -1,6 +1,6 @@
 //! `dam run`: the motion of a scene and its figures.
 
-use super::answer::{Answer, Content, Document as Written, PAGE, Shown};
+use super::answer::{Answer, AnswerForm, Content, Document as Written, PAGE};
 use super::args::{Columns, RunArgs};
 use super::asker::Asker;
 use super::console;
@@ -24,7 +24,7 @@ use crate::report::machine::Machine;
 use crate::report::run::{RunReport, findings, switches_csv};
 use crate::studies::cam::disc_cams;
 use crate::studies::expectations::{Verdict, check};
-use crate::studies::judgement::Judged;
+use crate::studies::judgement::RunDocument;
 use crate::studies::limit::without_limit;
 use crate::studies::order::Certificate;
 use crate::studies::rigid::{Rigid, elastic};
@@ -47,7 +47,7 @@ const FILES: [&str; 5] = [
 #[derive(Serialize)]
 struct Document<'a> {
     #[serde(flatten)]
-    judged: Judged<'a>,
+    judged: RunDocument<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     spread: Option<&'a Spread>,
     /// The label of results in `studies` that take elastic objects for rigid.
@@ -130,7 +130,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let all = &ready.scene().expect;
     let expected = Expectations::judged("run", all, as_scene, |all| check(all, &result));
     let document = Document {
-        judged: Judged::of(&result.figures),
+        judged: RunDocument::of(&result.figures),
         spread: spread.as_ref(),
         rigid: rigid.as_ref(),
         expect: expected.verdicts(),
@@ -170,7 +170,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         // Warnings are told in their time.
         quiet: true,
     };
-    let shown = Shown::json_or(args.scene.json, Shown::Text);
+    let shown = AnswerForm::json_or(args.scene.json, AnswerForm::Text);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !quiet {
         talk(&ready, &result, &expected, seconds);

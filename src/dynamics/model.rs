@@ -18,7 +18,7 @@ mod part;
 mod pressing;
 mod stop;
 
-pub use crate::dynamics::stated::Stated;
+pub use crate::dynamics::stated::SceneStatements;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::linkage::Linkage;
@@ -70,7 +70,7 @@ pub struct Model {
     /// Warnings to the user before the run.
     pub warnings: Vec<String>,
     /// Motions and loads as the scene states them, for the check of a run.
-    pub stated: Stated,
+    pub stated: SceneStatements,
     /// Conditions whose first times are figures of the run.
     pub conditions: Vec<Condition>,
 }

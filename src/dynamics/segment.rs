@@ -38,7 +38,7 @@ pub(crate) const MAGNITUDES: [Signal; 4] = [
 
 /// A signal of one of the objects of a segment, turned round for its least values.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Asked {
+pub(crate) struct SegmentSignal {
     /// Index of the object in the model of the segment.
     pub(crate) object: usize,
     /// Signal that is looked at.
@@ -96,12 +96,12 @@ pub(crate) trait Segment {
 
     /// Raises a peak to the greatest value of a signal over the segment, if that is
     /// greater; what cannot be costs next to nothing.
-    fn raise(&mut self, asked: Asked, peak: &mut Peak);
+    fn raise(&mut self, asked: SegmentSignal, peak: &mut Peak);
 
     /// Raises the peak of the magnitude of a signal.
     fn raise_magnitude(&mut self, object: usize, signal: Signal, peak: &mut Peak) {
         for sign in [1.0, -1.0] {
-            let asked = Asked {
+            let asked = SegmentSignal {
                 object,
                 signal,
                 sign,

@@ -4,7 +4,7 @@
 /// climbed to for them. Extremes of accelerations and forces are what takes the
 /// time of a run with many switches.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Asked {
+pub struct RequestedFigures {
     /// Extremes of δ.
     pub deviation: bool,
     /// Mean of |δ|.
@@ -19,7 +19,7 @@ pub struct Asked {
     pub lift: bool,
 }
 
-impl Asked {
+impl RequestedFigures {
     /// All figures.
     pub const ALL: Self = Self {
         deviation: true,

@@ -4,7 +4,7 @@ use super::hermite::End;
 use super::phase::Exponentials;
 use super::problem::{PairState, Refusal};
 use super::request::{ExactRun, ExactSwitch, Halt, Request};
-use super::run::Passed;
+use super::run::CompletedPhase;
 use super::track::{Ahead, TreeFigures};
 use super::workspace::{self, Workspace};
 use super::{ExactTree, observe};
@@ -16,7 +16,7 @@ use crate::dynamics::energy::EnergyAudit;
 pub struct Cursor<'a> {
     work: Workspace<'a>,
     request: Request,
-    passed: Option<Passed>,
+    passed: Option<CompletedPhase>,
     /// States of the pairs over the present phase.
     states: Vec<PairState>,
     /// Switches taken before the present phase ended.
@@ -190,7 +190,7 @@ impl<'a> Cursor<'a> {
 
     fn ahead(&self, what: (usize, usize), span: [f64; 2]) -> Ahead {
         let passed = self.passed.filter(|_| !self.work.tracks.is_empty());
-        let ahead = |passed: Passed| observe::ahead(&self.work, passed.regime, what, span);
+        let ahead = |passed: CompletedPhase| observe::ahead(&self.work, passed.regime, what, span);
         passed.map_or(Ahead::UNKNOWN, ahead)
     }
 

@@ -134,7 +134,7 @@ mod track;
 pub(crate) mod walk;
 mod workspace;
 
-pub use asked::Asked;
+pub use asked::RequestedFigures;
 pub use cursor::Cursor;
 pub use from_model::{KeptLaws, Part, Parts, Rest};
 pub(crate) use from_model::{PrescribedMotion, Rhythm, straight};

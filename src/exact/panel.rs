@@ -18,7 +18,7 @@ use super::lanes::{V, WIDTH};
 
 /// A lane in the four functionals.
 #[derive(Clone, Copy, Debug, Default)]
-struct Seen {
+struct LaneFunctionals {
     /// Weight in value and slope: re, im each.
     weight: [V; 4],
     /// |weight|.
@@ -48,7 +48,7 @@ pub(crate) struct Panel {
     law: [V; 3],
     constant: V,
     /// By lane, filled up with nothing to whole vectors.
-    lanes: Vec<[Seen; WIDTH]>,
+    lanes: Vec<[LaneFunctionals; WIDTH]>,
     /// By functional and vector of lanes.
     own: Vec<Own>,
     /// Weight/λ of the first functional, its primitive, by block: re, im.
@@ -62,7 +62,7 @@ pub(crate) struct Panel {
 
 impl Panel {
     pub(crate) fn new(basis: &Basis, functionals: [Functional; WIDTH]) -> Self {
-        let mut lanes = vec![[Seen::default(); WIDTH]; basis.blocks];
+        let mut lanes = vec![[LaneFunctionals::default(); WIDTH]; basis.blocks];
         let mut own = vec![Own::default(); WIDTH * basis.blocks];
         let mut primitive = vec![[V::ZERO; 2]; basis.blocks];
         let mut resting = Vec::new();
@@ -72,7 +72,7 @@ impl Panel {
             let modulus = lane.lambda.norm_sqr();
             let size = w.map(|x| x.norm_sqr().sqrt());
             let slope = w.map(|x| x * lane.lambda);
-            lanes[b][i] = Seen {
+            lanes[b][i] = LaneFunctionals {
                 weight: [
                     w.map(|x| x.re),
                     w.map(|x| x.im),
@@ -150,7 +150,7 @@ impl Panel {
     }
 
     #[inline(always)]
-    fn seen(&self, k: usize) -> &Seen {
+    fn seen(&self, k: usize) -> &LaneFunctionals {
         &self.lanes[k / WIDTH][k % WIDTH]
     }
 }

@@ -1,6 +1,6 @@
 //! What is asked of a run, and what it leaves behind.
 
-use super::asked::Asked;
+use super::asked::RequestedFigures;
 use super::problem::PairState;
 use super::track::TreeFigures;
 use crate::dynamics::energy::EnergyAudit;
@@ -27,7 +27,7 @@ pub struct Request {
     /// Figures between samples, wanted or not.
     pub figures: bool,
     /// Figures that are asked for, if any.
-    pub asked: Asked,
+    pub asked: RequestedFigures,
     /// Energy audit, wanted or not.
     pub audit: bool,
 }
@@ -43,7 +43,7 @@ impl Request {
             steps: 10_000_000,
             all_steps: u64::MAX,
             figures: false,
-            asked: Asked::ALL,
+            asked: RequestedFigures::ALL,
             audit: false,
         }
     }

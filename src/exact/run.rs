@@ -23,7 +23,7 @@ const WALKED: u64 = 1 << 18;
 
 /// A phase gone through.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Passed {
+pub(super) struct CompletedPhase {
     /// Number of its regime.
     pub(super) regime: usize,
     /// Length of the phase (s).
@@ -38,7 +38,7 @@ fn not_finite() -> Refusal {
 }
 
 /// Passes one phase more in the best arithmetic of this processor.
-fn forward(work: &mut Workspace<'_>, end: f64) -> Result<Passed, Refusal> {
+fn forward(work: &mut Workspace<'_>, end: f64) -> Result<CompletedPhase, Refusal> {
     apart(work.plain, Pass { work, end })
 }
 
@@ -49,7 +49,7 @@ struct Pass<'a, 'p> {
 }
 
 impl Task for Pass<'_, '_> {
-    type Output = Result<Passed, Refusal>;
+    type Output = Result<CompletedPhase, Refusal>;
 
     #[inline(always)]
     fn run<A: Arith>(self) -> Self::Output {
@@ -60,7 +60,7 @@ impl Task for Pass<'_, '_> {
 impl Workspace<'_> {
     /// The next phase with the switch that ends it; what is said of the run in the end
     /// is up to date.
-    pub(super) fn advance(&mut self, request: &Request) -> Result<Passed, Refusal> {
+    pub(super) fn advance(&mut self, request: &Request) -> Result<CompletedPhase, Refusal> {
         let passed = forward(self, request.end)?;
         self.settle(&passed)?;
         if passed.event.is_some() || self.phase.reach < self.regimes[passed.regime].basis.longest {
@@ -139,7 +139,7 @@ impl Workspace<'_> {
     /// One phase, up to its switch or to the end of its validity; the run then
     /// stands there, the switch not yet taken.
     #[inline(always)]
-    fn pass_phase<A: Arith>(&mut self, end: f64) -> Result<Passed, Refusal> {
+    fn pass_phase<A: Arith>(&mut self, end: f64) -> Result<CompletedPhase, Refusal> {
         let regime = self.regime()?;
         self.out.phases += 1;
         let entry = &self.regimes[regime];
@@ -161,7 +161,11 @@ impl Workspace<'_> {
 
     /// The phase that has begun, up to its switch or to the end of its validity.
     #[inline(always)]
-    fn follow_phase<A: Arith>(&mut self, regime: usize, end: f64) -> Result<Passed, Refusal> {
+    fn follow_phase<A: Arith>(
+        &mut self,
+        regime: usize,
+        end: f64,
+    ) -> Result<CompletedPhase, Refusal> {
         let horizon = self.phase.local(end).min(self.phase.reach);
         self.search.restart(&self.phase);
         self.begin_tracks::<A>(regime);
@@ -188,7 +192,7 @@ impl Workspace<'_> {
         self.end_ledger::<A>(regime);
         self.at = self.phase.time(s);
         self.keep_zeros::<A>(regime, event);
-        Ok(Passed {
+        Ok(CompletedPhase {
             regime,
             length: s,
             event,
@@ -227,7 +231,7 @@ impl Workspace<'_> {
     }
 
     /// Takes the switch that ended a phase, if one did.
-    fn settle(&mut self, passed: &Passed) -> Result<(), Refusal> {
+    fn settle(&mut self, passed: &CompletedPhase) -> Result<(), Refusal> {
         if let Some(number) = passed.event {
             self.stalled = if passed.length > 0.0 {
                 0

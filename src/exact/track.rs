@@ -22,7 +22,7 @@ pub(crate) use ahead::Ahead;
 pub(crate) use back::LookBack;
 pub use figures::{FigureTimes, TreeFigures};
 
-use super::asked::Asked;
+use super::asked::RequestedFigures;
 use super::basis::Basis;
 use super::hermite::{Bounds, End, Piece, Point};
 use super::lanes::{Arith, V, WIDTH};
@@ -75,7 +75,7 @@ pub(crate) struct Track {
     pub(crate) area: f64,
     state: PanelPhase,
     engaged: bool,
-    asked: Asked,
+    asked: RequestedFigures,
     /// Cap on the clearance (half the gap).
     cap: f64,
     /// Start of the phase (s).
@@ -119,7 +119,7 @@ impl Track {
         flights: usize,
         delta: f64,
         cap: f64,
-        asked: Asked,
+        asked: RequestedFigures,
     ) -> Self {
         Self {
             figures: TreeFigures {

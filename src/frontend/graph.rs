@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BTreeSet};
 /// to the driven. An object may drive several others, or one of them twice.
 #[derive(Clone, Debug, Default)]
 pub struct MechanismGraph<'a> {
-    graph: DiGraph<Vertex<'a>, Joint<'a>>,
+    graph: DiGraph<Vertex<'a>, Edge<'a>>,
     by_id: BTreeMap<&'a str, NodeIndex>,
     dangling: Vec<Dangling<'a>>,
 }
@@ -28,7 +28,7 @@ pub struct Vertex<'a> {
 
 /// A connection: displacement and speed go along it, the reaction goes back.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Joint<'a> {
+pub struct Edge<'a> {
     /// Address of the output that is connected to, as a scene names it: `press`,
     /// `press.ram`.
     pub output: &'a str,
@@ -81,7 +81,7 @@ impl<'a> MechanismGraph<'a> {
         let coordinate = driver.map(|driver| self.output_of(driver, output));
         match (driver, coordinate) {
             (Some(driver), Some(Some(coordinate))) => {
-                let joint = Joint {
+                let joint = Edge {
                     output,
                     input,
                     coordinate,
@@ -116,7 +116,7 @@ impl<'a> MechanismGraph<'a> {
 
     /// The connections of an object's inputs, in their order, each with the driver's
     /// id.
-    pub fn inputs(&self, id: &str) -> Vec<(&'a str, &Joint<'a>)> {
+    pub fn inputs(&self, id: &str) -> Vec<(&'a str, &Edge<'a>)> {
         let Some(&node) = self.by_id.get(id) else {
             return Vec::new();
         };

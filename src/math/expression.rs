@@ -38,7 +38,7 @@ pub(crate) use enclosed::Enclosed;
 pub(crate) use evaluate::Scalar;
 pub(crate) use function::Function;
 pub(crate) use interval::Interval;
-pub(crate) use moving::Moving;
+pub(crate) use moving::RateBounds;
 pub(crate) use of_one::{MOST, OfOne, Repetition};
 pub(crate) use ordered::{Ordered, about};
 pub(crate) use program::{Code, OPEN, Op, Program};

@@ -227,7 +227,7 @@ fn samples(from: f64, to: f64, count: usize, value: &impl Fn(f64) -> f64) -> Sam
 #[cfg(test)]
 mod tests {
     use super::{Narrow, narrow};
-    use crate::math::expression::{Expression, Interval, Moving};
+    use crate::math::expression::{Expression, Interval, RateBounds};
 
     /// The narrow stretches of the speed of an expression of t.
     fn of(text: &str, from: f64, to: f64) -> Vec<Narrow> {
@@ -235,7 +235,7 @@ mod tests {
         let code = &expression.program().value;
         let none = |_: u16| crate::math::expression::OPEN;
         let bounds = |a: f64, b: f64| {
-            let moving = Moving {
+            let moving = RateBounds {
                 value: Interval::between(a, b),
                 rate: Interval::of(1.0),
             };

@@ -7,7 +7,7 @@ pub(crate) const BISECTIONS: u32 = 60;
 
 /// Result of the search for a root.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Found {
+pub(crate) struct Root {
     /// The place with the smaller miss.
     pub(crate) at: f64,
     /// The function there.
@@ -31,7 +31,7 @@ pub(crate) fn bracketed(
     f: &mut dyn FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],
     tolerance: f64,
-) -> Found {
+) -> Root {
     let (mut at_a, mut at_b) = (f(a), f(b));
     let mut iterations = 2;
     let (mut c, mut at_c);
@@ -47,7 +47,7 @@ pub(crate) fn bracketed(
         // Written so that a number that is none ends the search.
         let goes_on = miss.abs() > tolerance && width > resolution && iterations < MOST;
         if !goes_on {
-            return Found {
+            return Root {
                 at: best,
                 miss,
                 bracket: [a.min(b), a.max(b)],

@@ -4,7 +4,7 @@
 use super::compare;
 use super::diagram::Diagram;
 use super::findings::{Findings, Layout, Section, WIDE};
-use super::html::runs::{RunSeries, Shown};
+use super::html::runs::{ObjectCharts, RunSeries};
 use super::html::{STYLE, verdict_banner, warnings};
 use super::machine::Machine;
 use super::map::picture;
@@ -80,7 +80,7 @@ pub(crate) struct Charts {
 
 /// What is shown beside a run.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Beside<'a> {
+pub(crate) struct RunExtras<'a> {
     /// Earlier runs, by names.
     pub(crate) pins: Vec<(&'a str, &'a RunResult)>,
     /// A signal over another: horizontal and vertical axis, as columns of the record by name.
@@ -95,7 +95,7 @@ pub(crate) fn run(
     model: &Model,
     cams: &[(String, DiscCam)],
     (figures, record): (&Figures, &Record),
-    beside: &Beside<'_>,
+    beside: &RunExtras<'_>,
     before: &Charts,
 ) -> LiveRun {
     let merged = record.merged();
@@ -113,7 +113,7 @@ pub(crate) fn run(
     let boxes = Diagram::of(model).boxes;
     let shown = boxes.iter().filter_map(|one| {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
-        Shown::of(&series, &one.id, &kind)
+        ObjectCharts::of(&series, &one.id, &kind)
     });
     let mut charts = charts(&shown.collect::<Vec<_>>(), over, before);
     let machine = Machine { model, cams };
@@ -184,7 +184,7 @@ pub(crate) fn model(system: &System) -> [String; 2] {
 
 /// The figures of runs side by side, those of the present one first; differences are from the one
 /// that was pinned first.
-fn compared<'a>(figures: &Figures, beside: &Beside<'_>) -> Vec<Section<'a>> {
+fn compared<'a>(figures: &Figures, beside: &RunExtras<'_>) -> Vec<Section<'a>> {
     let Some((first, _)) = beside.pins.first() else {
         return Vec::new();
     };
@@ -253,13 +253,15 @@ fn over(runs: &[RunSeries<'_>], [x, y]: &[String; 2]) -> Option<Plot> {
 /// Height of the chart of a signal over another (pixels), and its link.
 const OVER: (f64, &str) = (420.0, "over");
 
-fn charts(shown: &[Shown], over: Option<Plot>, before: &Charts) -> Charts {
+fn charts(shown: &[ObjectCharts], over: Option<Plot>, before: &Charts) -> Charts {
     let mut plots = Plots::live(0);
     let first = over.iter().map(|plot| {
         let labels: Vec<&str> = plot.series.iter().map(|one| one.label.as_str()).collect();
         format!("{} {labels:?}", plot.title)
     });
-    let likeness: String = first.chain(shown.iter().map(Shown::likeness)).collect();
+    let likeness: String = first
+        .chain(shown.iter().map(ObjectCharts::likeness))
+        .collect();
     if likeness == before.likeness {
         if let Some(plot) = &over {
             plots.again(plot, [WIDE, OVER.0], OVER.1);

@@ -13,7 +13,7 @@ const MOST_COLUMNS: usize = 300;
 
 /// The record of a page: with closeups among its samples, without what no chart would show apart.
 #[derive(Debug)]
-pub(in crate::report) struct Drawn {
+pub(in crate::report) struct PageRecord {
     pub(in crate::report) record: Record,
     /// Columns that have no chart.
     pub(in crate::report) left_out: usize,
@@ -22,11 +22,11 @@ pub(in crate::report) struct Drawn {
 /// The record with closeups among its samples. Of every stretch the first sample stays, and those
 /// with the least and the greatest value of each column; columns of masses and links are left out
 /// where there are very many.
-pub(in crate::report) fn drawn(record: &Record) -> Drawn {
+pub(in crate::report) fn drawn(record: &Record) -> PageRecord {
     let mut record = record.merged();
     let left_out = leave_out_columns(&mut record, MOST_COLUMNS);
     let most = (MOST / (record.columns.len() + 1)).max(LEAST);
-    Drawn {
+    PageRecord {
         record: thinned(record, most),
         left_out,
     }

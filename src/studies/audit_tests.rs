@@ -4,7 +4,7 @@
 use super::demand::Demand;
 use super::run::{Motion, motion, run};
 use super::{Control, RunSettings};
-use crate::dynamics::audit::{self, Asked};
+use crate::dynamics::audit::{self, AuditScope};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
 use crate::dynamics::record::judge_confirmed;
@@ -168,7 +168,7 @@ fn a_rise_that_is_stepped_over_is_found() {
     let (model, settings) = lowered(text.as_bytes());
     let system = System::new(model).unwrap();
     let found = moved(&system, settings, (Method::Radau, 0.1));
-    let asked = Asked {
+    let asked = AuditScope {
         tolerance: 1e-9,
         recorded: true,
         closed: false,
@@ -186,7 +186,7 @@ fn a_run_that_ends_late_and_one_whose_states_drift_are_found() {
         let (model, settings) = lowered(text);
         let system = System::new(model).unwrap();
         let found = moved(&system, settings, (Method::Dop853, 1e-9));
-        let asked = Asked {
+        let asked = AuditScope {
             tolerance: 1e-9,
             recorded: true,
             closed: false,

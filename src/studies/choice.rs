@@ -1,7 +1,7 @@
 //! The choice of a method, with its reason.
 
 use super::settings::RunSettings;
-use crate::dynamics::integrate::{Cause, Change, Chosen, Method, Reserve};
+use crate::dynamics::integrate::{Cause, Change, Method, MethodChoice, Reserve};
 use crate::exact::{Parts, Rest};
 use crate::units::shown;
 
@@ -25,7 +25,7 @@ pub(super) struct Choice {
 
 impl Choice {
     /// One method for everything.
-    pub(super) fn general(chosen: Chosen) -> Self {
+    pub(super) fn general(chosen: MethodChoice) -> Self {
         Self {
             method: chosen.method,
             tolerance: chosen.tolerance,
@@ -69,8 +69,8 @@ impl Choice {
 }
 
 /// A method with the tolerance of the scene.
-pub(super) fn plain(method: Method, settings: &RunSettings, why: &str) -> Chosen {
-    Chosen {
+pub(super) fn plain(method: Method, settings: &RunSettings, why: &str) -> MethodChoice {
+    MethodChoice {
         method,
         tolerance: settings.tolerance,
         why: why.to_owned(),

@@ -12,7 +12,7 @@ pub struct CycleFigures {
     /// Length of the cycle (rad or m of the driver).
     pub period: f64,
     /// The function on both sides of each place where its formula changes.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<FormulaChange>,
     /// Greatest U′.
     pub speed: Peak,
     /// Least U′.
@@ -32,7 +32,7 @@ pub struct CycleFigures {
 
 /// A place where the formula changes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Joint {
+pub struct FormulaChange {
     /// The driver's displacement.
     pub at: f64,
     /// U just before and just after.
@@ -67,11 +67,11 @@ pub fn cycle(position: &Position, lever: f64) -> Result<CycleFigures, String> {
             ..found
         }
     };
-    let joints: Vec<Joint> = (0..count)
+    let joints: Vec<FormulaChange> = (0..count)
         .map(|index| {
             let at = breaks.points[index];
             let sides = [jet(index as i64 - 1, at), jet(index as i64, at)];
-            Joint {
+            FormulaChange {
                 at,
                 value: sides.map(|side| side.value),
                 first: sides.map(|side| side.first),
@@ -101,7 +101,7 @@ pub fn cycle(position: &Position, lever: f64) -> Result<CycleFigures, String> {
     })
 }
 
-fn jumps(joints: &[Joint], sizes: [f64; 3]) -> Vec<Jump> {
+fn jumps(joints: &[FormulaChange], sizes: [f64; 3]) -> Vec<Jump> {
     let mut found = Vec::new();
     for joint in joints {
         let sides = [joint.first, joint.second, joint.third];

@@ -2,7 +2,7 @@
 
 use super::exact;
 use crate::dynamics::system::System;
-use crate::exact::{Asked, KeptLaws, Parts};
+use crate::exact::{KeptLaws, Parts, RequestedFigures};
 use crate::fault::Fault;
 use std::cell::RefCell;
 
@@ -12,7 +12,7 @@ pub(super) struct Demand<'d> {
     /// Where the whole system is propagated exactly: the figures of its elastic objects
     /// that are wanted, and no others, no samples and no energy audit; `None`:
     /// everything.
-    pub(super) figures: Option<&'d dyn Fn(usize) -> Asked>,
+    pub(super) figures: Option<&'d dyn Fn(usize) -> RequestedFigures>,
     /// Laws of systems before that move by the same ones.
     pub(super) laws: Option<&'d RefCell<KeptLaws>>,
     /// True: the equations of motion are checked.

@@ -22,7 +22,7 @@ pub enum Judgement {
 
 /// The figures of a run with its verdict and its checks: the document of a run.
 #[derive(Clone, Debug, Serialize)]
-pub struct Judged<'f> {
+pub struct RunDocument<'f> {
     /// The figures.
     #[serde(flatten)]
     pub figures: &'f Figures,
@@ -32,7 +32,7 @@ pub struct Judged<'f> {
     pub checks: Vec<Check>,
 }
 
-impl<'f> Judged<'f> {
+impl<'f> RunDocument<'f> {
     /// The figures of a run, judged.
     pub fn of(figures: &'f Figures) -> Self {
         Self {

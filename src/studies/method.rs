@@ -8,7 +8,9 @@ use super::exact::{Mixed, mixed, tried};
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::dynamics::energy::EnergyAudit;
-use crate::dynamics::integrate::{Chosen, Dynamics, Method, Reserve, Situation, Vibration, choose};
+use crate::dynamics::integrate::{
+    Dynamics, Method, MethodChoice, Reserve, Situation, Vibration, choose,
+};
 use crate::dynamics::model::{Model, NodeMotion, Start};
 use crate::dynamics::system::{MANY_COORDINATES, System};
 use crate::exact::Parts;
@@ -123,7 +125,7 @@ fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choic
         name: format!("{} + {}", Method::Exact, chosen.method),
         parts: Some(parts),
         rest: Some(rest),
-        ..Choice::general(Chosen { why, ..chosen })
+        ..Choice::general(MethodChoice { why, ..chosen })
     }
 }
 
@@ -131,7 +133,7 @@ fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choic
 pub(super) fn choose_general(system: &System, settings: &RunSettings, because: &str) -> Choice {
     let chosen = choose(&situation(system, settings));
     let why = format!("{because}; {}", chosen.why);
-    Choice::general(Chosen { why, ..chosen })
+    Choice::general(MethodChoice { why, ..chosen })
 }
 
 /// The next general method, where the results of those that were tried are in doubt; `None`
@@ -158,7 +160,7 @@ pub(super) fn choose_next(
         true => format!("{because}; {}", chosen.why),
         false => format!("{because}; {} instead", next.method),
     };
-    Some(Choice::general(Chosen {
+    Some(Choice::general(MethodChoice {
         method: next.method,
         tolerance: next.tolerance,
         reserve: left.collect(),

@@ -376,7 +376,7 @@ fn attempt(
             let sink = &mut Tee(&mut all);
             let (outcome, changes) = follow(system, &initial, duration, plan, &limits, sink);
             changed.replace(changes);
-            exact::Found {
+            exact::MotionFindings {
                 recorded: recorder.finish(),
                 outcome,
                 grazing: 0,
@@ -392,7 +392,7 @@ fn attempt(
     let peaks: Vec<[f64; 3]> = figures
         .map(|own| [own.peak_speed, own.peak_acceleration, own.peak_reaction])
         .collect();
-    let asked = audit::Asked {
+    let asked = audit::AuditScope {
         tolerance: settings.tolerance,
         recorded: !light,
         closed: whole,

@@ -10,11 +10,12 @@ use super::forces::{
     only_loaded_output, several_forces, study,
 };
 use super::kinematics::{
-    self, Asked, AskedSeveral, Kinematics, NamedFigure, Question, linkage_of, several_of,
+    self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Question, linkage_of,
+    several_of,
 };
 use crate::dynamics::model::Model;
 use crate::fault::Fault;
-use crate::frontend::read::{UnitFault, Wanted, closest};
+use crate::frontend::read::{QuantityChoice, UnitFault, closest};
 use crate::frontend::scene::{Expectation, Expected, Measured};
 use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
 use crate::units::quantities::{ALL, NUMBER};
@@ -71,7 +72,7 @@ pub fn forces_of(model: &Model, object: &str, duration: f64) -> Result<ForceStud
         return several_forces(&asked, Options::default()).map_err(in_words);
     }
     let linkage = &linkage_of(model, Some(object))?.linkage;
-    let asked = Asked::new(model, &question(object, duration))?;
+    let asked = KinematicsRequest::new(model, &question(object, duration))?;
     let course = course_of(&asked)?;
     let settings = ForceSettings {
         output: only_loaded_output(&Kinetostatics::new(linkage.spec()).map_err(in_words)?),
@@ -212,7 +213,7 @@ fn wrong_unit(one: &Measured, unit: &str) -> Option<Fault> {
         units: &[],
     });
     let words = match known {
-        Some(known) => Wanted::from(*known).words(),
+        Some(known) => QuantityChoice::from(*known).words(),
         None => format!("in {si}"),
     };
     let mismatch = match quantity.accept(one.measure) {
@@ -275,11 +276,11 @@ fn figures_at(model: &Model, at: Address<'_>) -> Result<KnownFigures, String> {
         // (What else moves by a position function has kinematics and no forces.)
         let spec = linkage_of(model, Some(at.object))?.linkage.spec();
         let solver = Kinetostatics::new(spec).map_err(in_words)?;
-        let place = Asked::new(model, &question)?.axis_unit();
+        let place = KinematicsRequest::new(model, &question)?.axis_unit();
         let all = figures(spec, only_loaded_output(&solver), place);
         return Ok(KnownFigures { all, place });
     }
-    let asked = Asked::new(model, &question)?;
+    let asked = KinematicsRequest::new(model, &question)?;
     Ok(KnownFigures {
         all: asked.figures(),
         place: asked.axis_unit(),

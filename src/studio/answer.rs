@@ -37,7 +37,7 @@ pub(super) struct Checked {
 
 /// A text that is looked at.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Asked<'a, C> {
+pub(super) struct TextRequest<'a, C> {
     /// Its version.
     pub(super) version: u64,
     /// Its name.
@@ -48,7 +48,7 @@ pub(super) struct Asked<'a, C> {
     pub(super) catalogue: &'a C,
 }
 
-impl<C: Catalogue + Sync> Asked<'_, C> {
+impl<C: Catalogue + Sync> TextRequest<'_, C> {
     /// Reads it.
     pub(super) fn check(&self) -> Checked {
         match Document::parse(self.name, self.text.as_bytes()) {
@@ -234,7 +234,7 @@ impl Ran {
             let numbers = column.iter().map(|value| value.unwrap_or(f64::NAN));
             numbers.flat_map(f64::to_le_bytes).collect()
         };
-        let drawn = |plot: &Value| Drawn {
+        let drawn = |plot: &Value| ChartOutline {
             text: plot.to_string(),
             columns: live::columns_of(plot),
         };
@@ -302,14 +302,14 @@ pub(super) struct Answer {
     pictures_html: String,
     /// Columns that what moves reads.
     moves: Vec<usize>,
-    plots: Vec<Drawn>,
+    plots: Vec<ChartOutline>,
     /// Columns of the charts, as bytes.
     columns: Vec<Vec<u8>>,
 }
 
 /// A chart without its numbers.
 #[derive(Debug)]
-struct Drawn {
+struct ChartOutline {
     text: String,
     /// The columns that it shows.
     columns: Vec<usize>,
@@ -343,7 +343,8 @@ impl Answer {
         let sight = had.sight.as_ref().filter(|_| had.charts == self.charts);
         let seen = |chart: usize| sight.is_none_or(|sight| sight.contains(&chart));
         let plots = self.plots.iter().enumerate();
-        let plots: Vec<Option<&Drawn>> = plots.map(|(k, one)| seen(k).then_some(one)).collect();
+        let plots: Vec<Option<&ChartOutline>> =
+            plots.map(|(k, one)| seen(k).then_some(one)).collect();
         let texts = plots
             .iter()
             .map(|one| one.map_or("null", |one| one.text.as_str()));

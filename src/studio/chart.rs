@@ -1,7 +1,7 @@
 //! The live map: a figure over two numbers of the text, first coarse, then finer.
 
 use super::limits::{CELLS, RUN};
-use super::messages::Asked;
+use super::messages::MapRequest;
 use crate::budget::Budget;
 use crate::frontend::scene::{BuiltIn, Catalogue, Document, Layered, Overrides};
 use crate::report::live;
@@ -17,11 +17,11 @@ pub(super) struct Task<'a, C> {
     pub(super) name: &'a str,
     pub(super) text: &'a str,
     pub(super) catalogue: &'a C,
-    pub(super) asked: &'a Asked,
+    pub(super) asked: &'a MapRequest,
 }
 
 /// What becomes of it on the way.
-pub(super) trait Told: Sync {
+pub(super) trait ChartProgress: Sync {
     /// A map, as a message; false: something newer waits, and this is enough.
     fn map(&self, message: String) -> bool;
     /// So many cells are done of so many.
@@ -45,7 +45,7 @@ impl<C: Catalogue + Sync> Task<'_, C> {
 
     /// Makes it, from the coarse one on; what cannot be asked is told as a map without cells.
     /// False: it was ended.
-    pub(super) fn make(&self, stop: &AtomicBool, told: &impl Told) -> bool {
+    pub(super) fn make(&self, stop: &AtomicBool, told: &impl ChartProgress) -> bool {
         let Ok(document) = Document::parse(self.name, self.text.as_bytes()) else {
             return false;
         };
@@ -130,7 +130,7 @@ struct Counted<'t, T> {
     told: &'t T,
 }
 
-impl<'t, T: Told> Counted<'t, T> {
+impl<'t, T: ChartProgress> Counted<'t, T> {
     fn new(of: usize, silent: bool, told: &'t T) -> Self {
         Self {
             done: AtomicUsize::new(0),
@@ -141,7 +141,7 @@ impl<'t, T: Told> Counted<'t, T> {
     }
 }
 
-impl<T: Told> Listener for Counted<'_, T> {
+impl<T: ChartProgress> Listener for Counted<'_, T> {
     fn row(&self, _row: usize, cells: &[Cell]) -> Result<(), String> {
         let done = self.done.fetch_add(cells.len(), Ordering::Relaxed) + cells.len();
         if !self.silent {

@@ -23,7 +23,7 @@ pub(crate) struct Question {
 
 /// The scene that is asked.
 #[derive(Clone, Copy)]
-pub(crate) struct Asked<'a> {
+pub(crate) struct CommandScene<'a> {
     /// Its name.
     pub(crate) name: &'a str,
     /// Its text.
@@ -36,7 +36,7 @@ pub(crate) struct Asked<'a> {
     pub(crate) tell: &'a dyn Fn(usize, usize, &str),
 }
 
-impl<'a> Asked<'a> {
+impl<'a> CommandScene<'a> {
     /// A scene that is asked in silence, for as long as a run may take.
     pub(super) fn new(
         (name, text): (&'a str, &'a str),
@@ -56,13 +56,13 @@ impl<'a> Asked<'a> {
 /// The commands that answer questions.
 pub(crate) trait Commands: Debug + Sync {
     /// The questions with their options, and of a scene why it does not fit some of them.
-    fn forms(&self, asked: &Asked<'_>) -> Value;
+    fn forms(&self, asked: &CommandScene<'_>) -> Value;
 
     /// What a command finds, as a message without its kind.
     ///
     /// # Errors
     /// In words: the options are wrong, the scene is, or it has no answer to this.
-    fn answer(&self, question: &Question, asked: &Asked<'_>) -> Result<Value, String>;
+    fn answer(&self, question: &Question, asked: &CommandScene<'_>) -> Result<Value, String>;
 
     /// Content of one of the files that the command writes; `None`: there is none of this name.
     ///
@@ -71,7 +71,7 @@ pub(crate) trait Commands: Debug + Sync {
     fn file(
         &self,
         question: &Question,
-        asked: &Asked<'_>,
+        asked: &CommandScene<'_>,
         name: &str,
     ) -> Result<Option<String>, String>;
 }

@@ -1,6 +1,6 @@
 //! The questions that there are, and the files that their commands write.
 
-use super::commands::{Asked, Question};
+use super::commands::{CommandScene, Question};
 use super::limits::{ANSWER, MEMORY};
 use super::questions::{Opened, refused};
 use super::served::Studio;
@@ -18,9 +18,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 pub(super) const FILE: &str = "/api/file";
 
 /// Ends the work of whoever does not wait for it any more.
-struct Ends(Arc<AtomicBool>);
+struct CancelOnDrop(Arc<AtomicBool>);
 
-impl Drop for Ends {
+impl Drop for CancelOnDrop {
     fn drop(&mut self) {
         self.0.store(true, Ordering::Relaxed);
     }
@@ -28,11 +28,11 @@ impl Drop for Ends {
 
 /// The questions with their forms, for a scene as it is edited at present.
 pub(super) async fn forms(State(studio): State<Arc<Studio>>, Opened(room): Opened) -> Response {
-    let ends = Ends(Arc::default());
+    let ends = CancelOnDrop(Arc::default());
     let (stop, commands) = (ends.0.clone(), studio.commands);
     let work = move || {
         let (version, text) = room.newest();
-        let asked = Asked::new((room.name(), &text), room.catalogue(), &stop);
+        let asked = CommandScene::new((room.name(), &text), room.catalogue(), &stop);
         let mut forms = commands.forms(&asked);
         forms["version"] = version.into();
         forms
@@ -55,7 +55,7 @@ fn plain(text: String) -> Response {
 
 /// A file of a command.
 #[derive(Deserialize)]
-pub(super) struct Wanted {
+pub(super) struct FileRequest {
     /// The question, as JSON.
     question: String,
     name: String,
@@ -65,7 +65,7 @@ pub(super) struct Wanted {
 pub(super) async fn file(
     State(studio): State<Arc<Studio>>,
     Opened(room): Opened,
-    Query(wanted): Query<Wanted>,
+    Query(wanted): Query<FileRequest>,
 ) -> Response {
     let question: Question = match serde_json::from_str(&wanted.question) {
         Ok(question) => question,
@@ -73,11 +73,11 @@ pub(super) async fn file(
     };
     // One at a time: what a file takes of memory and time is its own.
     let _turn = studio.making.lock().await;
-    let ends = Ends(Arc::default());
+    let ends = CancelOnDrop(Arc::default());
     let (stop, commands) = (ends.0.clone(), studio.commands);
     let work = tokio::task::spawn_blocking(move || {
         let (_, text) = room.newest();
-        let asked = Asked::new((room.name(), &text), room.catalogue(), &stop);
+        let asked = CommandScene::new((room.name(), &text), room.catalogue(), &stop);
         commands.file(&question, &asked, &wanted.name)
     });
     let done = tokio::select! {

@@ -1,6 +1,6 @@
 //! The questions of windows, answered anew as the text changes: the newest version wins.
 
-use super::commands::{Asked, Commands, Question};
+use super::commands::{CommandScene, Commands, Question};
 use super::folder::Shelf;
 use super::limits::ANSWER;
 use super::window::Window;
@@ -28,12 +28,12 @@ pub(super) struct Inquirer {
     /// Raised where memory ran out.
     exhausted: Arc<AtomicBool>,
     /// What windows were told last.
-    known: BTreeMap<u64, Known>,
+    known: BTreeMap<u64, WindowState>,
 }
 
 /// What a window was told.
 #[derive(Debug)]
-struct Known {
+struct WindowState {
     /// Of which scene; `None`: of a text that was none.
     hash: Option<String>,
     question: Question,
@@ -109,7 +109,7 @@ impl Inquirer {
             window.question(told.into());
             self.known.insert(
                 window.id,
-                Known {
+                WindowState {
                     hash: hash.clone(),
                     question: question.clone(),
                     version: *version,
@@ -136,9 +136,9 @@ impl Inquirer {
                 json!({ "type": "question_progress", "done": done, "of": of, "now": now });
             window.send(message.to_string().into());
         };
-        let asked = Asked {
+        let asked = CommandScene {
             tell: &tell,
-            ..Asked::new(scene, &self.shelf, stop)
+            ..CommandScene::new(scene, &self.shelf, stop)
         };
         self.commands.answer(question, &asked)
     }

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 /// A message of a window.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
-pub(super) enum Said {
+pub(super) enum WindowMessage {
     /// Who it is: the first message.
     Hello {
         /// The token.
@@ -65,7 +65,7 @@ pub(super) enum Said {
     /// Asks for a map that follows the text; without one it ends.
     Map {
         /// The question.
-        question: Option<Asked>,
+        question: Option<MapRequest>,
     },
     /// Asks a question that follows the text; without one it ends.
     Question {
@@ -142,7 +142,7 @@ pub(super) struct Update {
 /// A map that is asked for.
 #[derive(Clone, Debug, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Asked {
+pub(super) struct MapRequest {
     /// The parameter along the map.
     pub(super) x: Range,
     /// The parameter up the map; without one it is a curve.

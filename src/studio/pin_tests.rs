@@ -1,7 +1,7 @@
 //! Pinned runs: in a window, in a tab that is loaded anew, in a later program.
 
 use super::room_tests::{Opened, room};
-use super::window::{Sent, Taken, Window};
+use super::window::{Sent, Window, WindowInput};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
     // The other window sees nothing of it.
     let mut seen = 0;
     while let Some(sent) = other.next().unwrap() {
-        other.shown(Taken::Answer);
+        other.shown(WindowInput::Answer);
         if let Sent::Binary(bytes) = sent {
             assert!(!String::from_utf8_lossy(&bytes).contains("pinned runs"));
             seen += 1;

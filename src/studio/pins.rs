@@ -29,7 +29,7 @@ pub(super) struct KeptPin {
 
 /// What was pinned last in a scene, by one of its windows.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Kept {
+pub(super) struct PinRecord {
     /// The window's tab.
     pub(super) tab: String,
     /// The runs.
@@ -39,7 +39,7 @@ pub(super) struct Kept {
     given: bool,
 }
 
-impl Kept {
+impl PinRecord {
     /// What a window has.
     pub(super) fn of_window(tab: &str, pins: Vec<KeptPin>) -> Self {
         Self {
@@ -77,8 +77,8 @@ impl Pins {
     }
 
     /// Those of a file, no more of them than may be.
-    pub(super) fn find(&self, path: &Path) -> Kept {
-        let mut kept: Kept = self.0.find(path).unwrap_or_default();
+    pub(super) fn find(&self, path: &Path) -> PinRecord {
+        let mut kept: PinRecord = self.0.find(path).unwrap_or_default();
         kept.pins.retain(|pin| pin.source.text.len() <= BODY);
         kept.pins.truncate(PINS);
         kept
@@ -88,7 +88,7 @@ impl Pins {
     ///
     /// # Errors
     /// They cannot be written.
-    pub(super) fn keep(&self, path: &Path, kept: &Kept) -> Result<(), String> {
+    pub(super) fn keep(&self, path: &Path, kept: &PinRecord) -> Result<(), String> {
         if kept.pins.is_empty() {
             self.0.forget(path);
             return Ok(());
@@ -99,7 +99,7 @@ impl Pins {
 
 #[cfg(test)]
 mod tests {
-    use super::{Kept, KeptPin, Pins, Source};
+    use super::{KeptPin, PinRecord, Pins, Source};
     use std::path::Path;
 
     fn pin(name: &str, text: &str) -> KeptPin {
@@ -117,9 +117,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let pins = Pins::within(&folder.path().join("pins"));
         let (one, other) = (Path::new("/a/one.json"), Path::new("/a/other.json"));
-        assert_eq!(pins.find(one), Kept::default());
+        assert_eq!(pins.find(one), PinRecord::default());
         let all = vec![pin("first", "{}"), pin("second", "[]")];
-        pins.keep(one, &Kept::of_window("tab", all.clone()))
+        pins.keep(one, &PinRecord::of_window("tab", all.clone()))
             .unwrap();
         assert_eq!(pins.find(other).pins, []);
         let mut found = pins.find(one);
@@ -127,8 +127,9 @@ mod tests {
         assert_eq!(found.give("newer"), None);
         assert_eq!(found.give(""), None);
         assert_eq!(found.give("tab").unwrap(), all);
-        pins.keep(one, &Kept::of_window("tab", Vec::new())).unwrap();
-        assert_eq!(pins.find(one), Kept::default());
+        pins.keep(one, &PinRecord::of_window("tab", Vec::new()))
+            .unwrap();
+        assert_eq!(pins.find(one), PinRecord::default());
         assert_eq!(
             std::fs::read_dir(folder.path().join("pins"))
                 .unwrap()
@@ -145,7 +146,7 @@ mod tests {
         let large = " ".repeat((1 << 20) + 1);
         let mut many = vec![pin("large", &large)];
         many.extend((0..5).map(|k| pin(&k.to_string(), "{}")));
-        pins.keep(path, &Kept::of_window("", many)).unwrap();
+        pins.keep(path, &PinRecord::of_window("", many)).unwrap();
         let names: Vec<_> = pins
             .find(path)
             .pins

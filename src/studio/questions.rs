@@ -23,7 +23,7 @@ use std::sync::Arc;
 
 /// A scene in the query.
 #[derive(Deserialize)]
-struct Named {
+struct SceneQuery {
     scene: String,
 }
 
@@ -34,7 +34,7 @@ impl FromRequestParts<Arc<Studio>> for Opened {
     type Rejection = Response;
 
     async fn from_request_parts(parts: &mut Parts, studio: &Arc<Studio>) -> Result<Self, Response> {
-        let named = Query::<Named>::from_request_parts(parts, studio).await;
+        let named = Query::<SceneQuery>::from_request_parts(parts, studio).await;
         let Query(named) = named.map_err(IntoResponse::into_response)?;
         let room = studio.room(&named.scene);
         room.map(Self)

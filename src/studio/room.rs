@@ -15,7 +15,7 @@ use super::state::State;
 use super::text::Text;
 use super::window::Window;
 use super::work::{Desk, Rank};
-use desks::{Kept, failed, failed_question};
+use desks::{AnswerCache, failed, failed_question};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -53,7 +53,7 @@ struct RunQuestion {
 struct MapQuestion {
     version: u64,
     text: String,
-    asked: Vec<(Arc<Window>, messages::Asked)>,
+    asked: Vec<(Arc<Window>, messages::MapRequest)>,
 }
 
 impl Room {
@@ -83,7 +83,7 @@ impl Room {
             exhausted_question: Arc::default(),
         });
         let (one, other) = (Arc::downgrade(&room), Arc::downgrade(&room));
-        let mut kept = Kept::default();
+        let mut kept = AnswerCache::default();
         let run = move |question, stop: &AtomicBool| {
             if let Some(room) = one.upgrade() {
                 room.work(&question, stop, &mut kept);
@@ -281,7 +281,7 @@ impl Room {
     }
 
     /// Asks for a map that follows the text.
-    pub(super) fn map(&self, window: u64, question: Option<messages::Asked>) {
+    pub(super) fn map(&self, window: u64, question: Option<messages::MapRequest>) {
         let mut state = self.lock();
         match question {
             Some(question) => state.asked.insert(window, question),

@@ -6,7 +6,7 @@ use super::folder::Folder;
 use super::messages::Update;
 use super::pins::Pins;
 use super::room::Room;
-use super::window::{Sent, Taken, Window};
+use super::window::{Sent, Window, WindowInput};
 use crate::cli::questions::Program;
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -73,7 +73,7 @@ impl Opened {
                 let message: Value = match sent {
                     Sent::Text(text) => serde_json::from_str(&text).unwrap(),
                     Sent::Binary(bytes) => {
-                        self.window.shown(Taken::Answer);
+                        self.window.shown(WindowInput::Answer);
                         let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
                         assert_eq!((4 + length) % 8, 0);
                         let mut head: Value =
@@ -126,7 +126,7 @@ fn a_question_is_answered_anew_as_the_text_changes_and_no_longer_than_it_is_aske
     opened.room.question(7, Some(asked.clone()));
     let told = |version: u64| {
         let answer = opened.told("question", |one| one["version"] == version);
-        opened.window.shown(Taken::Question);
+        opened.window.shown(WindowInput::Question);
         answer
     };
     let first = told(0);

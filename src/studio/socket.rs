@@ -3,10 +3,10 @@
 use super::atomic;
 use super::gallery;
 use super::limits::{HELLO, WINDOWS};
-use super::messages::Said;
+use super::messages::WindowMessage;
 use super::room::Room;
 use super::served::Studio;
-use super::window::{Sent, Taken, Window};
+use super::window::{Sent, Window, WindowInput};
 use axum::extract::ws::{Message, WebSocket};
 use serde_json::json;
 use std::io::Write;
@@ -40,7 +40,7 @@ pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
         return;
     };
     let tab = match serde_json::from_str(&text) {
-        Ok(Said::Hello { token, tab }) if studio.token().is(&token) => tab,
+        Ok(WindowMessage::Hello { token, tab }) if studio.token().is(&token) => tab,
         _ => return,
     };
     let Some(_place) = Place::take(&studio) else {
@@ -106,21 +106,21 @@ impl Visit {
         Some(())
     }
 
-    fn obey(&mut self, said: Said) -> Result<(), String> {
+    fn obey(&mut self, said: WindowMessage) -> Result<(), String> {
         let id = self.window.id;
         match said {
-            Said::Open { scene } => return self.open(&scene),
-            Said::Ping { number } => {
+            WindowMessage::Open { scene } => return self.open(&scene),
+            WindowMessage::Ping { number } => {
                 let told = json!({ "type": "pong", "number": number });
                 self.window.send(told.to_string().into());
                 return Ok(());
             }
-            Said::Keep { name, value } => return self.studio.settings.keep(&name, &value),
-            Said::Shown => self.window.shown(Taken::Answer),
-            Said::MapShown => self.window.shown(Taken::Map),
-            Said::QuestionShown => self.window.shown(Taken::Question),
-            Said::Hello { .. } => return Err("it is known who you are".to_owned()),
-            Said::New { scene, from } => {
+            WindowMessage::Keep { name, value } => return self.studio.settings.keep(&name, &value),
+            WindowMessage::Shown => self.window.shown(WindowInput::Answer),
+            WindowMessage::MapShown => self.window.shown(WindowInput::Map),
+            WindowMessage::QuestionShown => self.window.shown(WindowInput::Question),
+            WindowMessage::Hello { .. } => return Err("it is known who you are".to_owned()),
+            WindowMessage::New { scene, from } => {
                 let text = match from {
                     None => empty(&scene),
                     Some(of) => gallery::beginning(&of)?,
@@ -132,42 +132,42 @@ impl Visit {
         }
         let room = self.room.clone().ok_or("no scene is open")?;
         match said {
-            Said::Push {
+            WindowMessage::Push {
                 version,
                 heard,
                 updates,
             } => room.push(&self.window, version, heard.unwrap_or(version), &updates),
-            Said::Save => room.save(),
-            Said::Pin { name } => {
+            WindowMessage::Save => room.save(),
+            WindowMessage::Pin { name } => {
                 room.pin(id, &name)?;
                 keep_pins(room);
                 Ok(())
             }
-            Said::Unpin { pin } => {
+            WindowMessage::Unpin { pin } => {
                 room.look_at(id, |view| view.unpin(pin));
                 keep_pins(room);
                 Ok(())
             }
-            Said::Rename { pin, name } => {
+            WindowMessage::Rename { pin, name } => {
                 room.look_at(id, |view| view.rename(pin, &name));
                 keep_pins(room);
                 Ok(())
             }
-            Said::SaveAs { scene } => {
+            WindowMessage::SaveAs { scene } => {
                 self.write(&scene, &room.text())?;
                 self.open(&scene)
             }
-            Said::Reload => room.decide(true),
-            Said::KeepMine => room.decide(false),
+            WindowMessage::Reload => room.decide(true),
+            WindowMessage::KeepMine => room.decide(false),
             other => {
                 match other {
-                    Said::Undo => room.step(true),
-                    Said::Redo => room.step(false),
-                    Said::Draft { restore } => room.draft(restore),
-                    Said::Map { question } => room.map(id, question),
-                    Said::Question { question } => room.question(id, question),
-                    Said::Over { signals } => room.look_at(id, |view| view.over = signals),
-                    Said::Sight { charts } => room.sight(&self.window, charts),
+                    WindowMessage::Undo => room.step(true),
+                    WindowMessage::Redo => room.step(false),
+                    WindowMessage::Draft { restore } => room.draft(restore),
+                    WindowMessage::Map { question } => room.map(id, question),
+                    WindowMessage::Question { question } => room.question(id, question),
+                    WindowMessage::Over { signals } => room.look_at(id, |view| view.over = signals),
+                    WindowMessage::Sight { charts } => room.sight(&self.window, charts),
                     // Heard above.
                     _ => {}
                 }

@@ -4,8 +4,8 @@ use super::answer::Answer;
 use super::commands::Question;
 use super::disk::OnDisk;
 use super::limits::LEFT;
-use super::messages::Asked;
-use super::pins::Kept;
+use super::messages::MapRequest;
+use super::pins::PinRecord;
 use super::text::Text;
 use super::view::{SourcedRun, View};
 use super::window::Window;
@@ -20,7 +20,7 @@ pub(super) struct State {
     pub(super) disk: OnDisk,
     pub(super) windows: BTreeMap<u64, Arc<Window>>,
     /// The maps that windows ask for.
-    pub(super) asked: BTreeMap<u64, Asked>,
+    pub(super) asked: BTreeMap<u64, MapRequest>,
     /// The questions that they ask.
     pub(super) questions: BTreeMap<u64, Question>,
     /// What was last told of faults, and of a run.
@@ -34,14 +34,14 @@ pub(super) struct State {
     /// What windows saw that are gone, by their tabs, the last one last.
     left: Vec<(String, View)>,
     /// What was pinned last, and stays when the program ends.
-    pub(super) pins: Kept,
+    pub(super) pins: PinRecord,
     status: String,
     /// Who made the last edits, and the version from which on all are theirs.
     stretch: (u64, u64),
 }
 
 impl State {
-    pub(super) fn new(text: Text, disk: OnDisk, pins: Kept) -> Self {
+    pub(super) fn new(text: Text, disk: OnDisk, pins: PinRecord) -> Self {
         Self {
             text,
             disk,
@@ -116,7 +116,7 @@ impl State {
         let pins = view.kept();
         if pins != before {
             let tab = self.windows.get(&window).map_or("", |window| &window.tab);
-            self.pins = Kept::of_window(tab, pins);
+            self.pins = PinRecord::of_window(tab, pins);
         }
         told
     }

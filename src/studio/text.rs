@@ -6,7 +6,7 @@
 
 use super::history::{Edit, EditGroup, History};
 use super::limits::BODY;
-use super::units::{Walk, length};
+use super::units::{UnitTraversal, length};
 use serde_json::{Value, json};
 use std::ops::Range;
 
@@ -170,7 +170,7 @@ impl Text {
     fn pieces(&self, changes: &Value) -> Result<Vec<(Range<usize>, String)>, String> {
         const WRONG: &str = "these changes do not fit the text";
         let mut pieces = Vec::new();
-        let mut walk = Walk::new(&self.text);
+        let mut walk = UnitTraversal::new(&self.text);
         for part in changes.as_array().ok_or(WRONG)? {
             if let Some(kept) = part.as_u64() {
                 walk.go(kept).ok_or(WRONG)?;

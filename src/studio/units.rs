@@ -2,13 +2,13 @@
 //! byte or two.
 
 /// Goes through a text in the units of windows.
-pub(super) struct Walk<'t> {
+pub(super) struct UnitTraversal<'t> {
     text: &'t str,
     /// The byte that it has come to.
     pub(super) at: usize,
 }
 
-impl<'t> Walk<'t> {
+impl<'t> UnitTraversal<'t> {
     pub(super) fn new(text: &'t str) -> Self {
         Self { text, at: 0 }
     }

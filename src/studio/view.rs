@@ -2,7 +2,7 @@
 
 use super::limits::{NAME, PINS};
 use super::pins::{KeptPin, Source};
-use crate::report::live::Beside;
+use crate::report::live::RunExtras;
 use crate::studies::run::RunResult;
 use std::sync::Arc;
 
@@ -86,10 +86,10 @@ impl View {
         self.pins.iter().map(|pin| pin.name.as_str()).collect()
     }
 
-    pub(super) fn beside(&self) -> Beside<'_> {
+    pub(super) fn beside(&self) -> RunExtras<'_> {
         let pins = self.pins.iter();
         let pins = pins.filter_map(|pin| Some((pin.name.as_str(), &**pin.result.as_ref()?)));
-        Beside {
+        RunExtras {
             pins: pins.collect(),
             over: self.over.as_ref(),
         }

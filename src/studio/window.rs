@@ -51,7 +51,7 @@ impl Slot {
 
 /// What a window takes up.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Taken {
+pub(super) enum WindowInput {
     Answer,
     Map,
     Question,
@@ -116,12 +116,12 @@ impl Window {
     }
 
     /// What was sent last was taken up.
-    pub(super) fn shown(&self, taken: Taken) {
+    pub(super) fn shown(&self, taken: WindowInput) {
         let mut queue = self.lock();
         match taken {
-            Taken::Answer => queue.showing = false,
-            Taken::Map => queue.map.showing = false,
-            Taken::Question => queue.question.showing = false,
+            WindowInput::Answer => queue.showing = false,
+            WindowInput::Map => queue.map.showing = false,
+            WindowInput::Question => queue.question.showing = false,
         }
         drop(queue);
         self.wake.notify_one();

@@ -4,7 +4,7 @@
 use dam::lower::lower;
 use dam::model::Model;
 use dam::scene::{BuiltIn, Document, Overrides};
-use dam::studies::kinematics::{Asked, Kinematics, Over, Question, kinematics};
+use dam::studies::kinematics::{Kinematics, KinematicsRequest, Over, Question, kinematics};
 use std::f64::consts::{PI, TAU};
 use std::process::{Command, Output};
 
@@ -67,7 +67,7 @@ fn slide(q: f64) -> [f64; 4] {
 #[test]
 fn a_slider_crank_moves_as_its_formula_says() {
     let model = slider_crank();
-    let asked = Asked::new(&model, &question(None, 72)).unwrap();
+    let asked = KinematicsRequest::new(&model, &question(None, 72)).unwrap();
     let found = kinematics(&asked);
     assert!(found.closed && found.stopped.is_none());
     assert_eq!(found.axis.values.len(), 73);
@@ -97,7 +97,8 @@ fn one_position_is_a_range() {
     let model = slider_crank();
     for (q, positions) in [(0.7, 1), (0.7, 360), (0.0, 1)] {
         let over = Over::Range { from: q, to: q };
-        let found = kinematics(&Asked::new(&model, &question(Some(over), positions)).unwrap());
+        let found =
+            kinematics(&KinematicsRequest::new(&model, &question(Some(over), positions)).unwrap());
         assert_eq!(found.axis.values, [q]);
         assert!(found.stopped.is_none() && !found.closed && found.warnings.is_empty());
         let [x, x1, ..] = slide(q);
@@ -152,7 +153,7 @@ fn one_position_of_several_inputs_is_a_range() {
 fn strokes_extremes_and_transmission_angles_are_those_of_the_triangle() {
     let model = slider_crank();
     let found = {
-        let asked = Asked::new(&model, &question(Some(Over::Turn), 360)).unwrap();
+        let asked = KinematicsRequest::new(&model, &question(Some(Over::Turn), 360)).unwrap();
         kinematics(&asked)
     };
     let stroke = found.strokes.iter().find(|s| s.owner == "slide").unwrap();
@@ -193,7 +194,8 @@ fn the_block_of_a_slotted_link_moves_with_the_link_along_it_and_by_coriolis() {
             "link": { "from": "linkage/slotted-link", "input": "drive" } },
           "run": { "duration": 20, "samples": 100 } }"#,
     );
-    let asked = Asked::new(&model, &question(Some(Over::Time { to: 20.0 }), 500)).unwrap();
+    let asked =
+        KinematicsRequest::new(&model, &question(Some(Over::Time { to: 20.0 }), 500)).unwrap();
     let found = kinematics(&asked);
     let body = &model.linkages[0];
     let spec = body.linkage.spec();
@@ -236,7 +238,7 @@ fn the_block_of_a_slotted_link_moves_with_the_link_along_it_and_by_coriolis() {
 fn a_shaper_returns_faster_than_it_cuts() {
     let text = include_str!("../../scenarios/linkages/shaper.json");
     let model = model(text);
-    let asked = Asked::new(&model, &question(None, 360)).unwrap();
+    let asked = KinematicsRequest::new(&model, &question(None, 360)).unwrap();
     let found = kinematics(&asked);
     let stroke = found.strokes.iter().find(|s| s.owner == "ram").unwrap();
     assert!(

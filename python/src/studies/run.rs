@@ -12,7 +12,7 @@ use dam::report::findings::Findings;
 use dam::report::machine::Machine;
 use dam::report::run::{RunReport, findings};
 use dam::studies::cam::disc_cams;
-use dam::studies::judgement::Judged;
+use dam::studies::judgement::RunDocument;
 use dam::studies::run::{RunResult, run};
 use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
@@ -130,7 +130,7 @@ impl Table for Run {
 
 impl Told for Run {
     fn document(&self) -> Result<Value, Error> {
-        let mut document = plain(&Judged::of(&self.result.figures))?;
+        let mut document = plain(&RunDocument::of(&self.result.figures))?;
         if let Some(certificate) = &self.asked.ready.certificate {
             accuracy::add_to(&mut document, certificate);
         }

@@ -5,7 +5,9 @@ use crate::answer::{Columns, Told};
 use crate::work::Watch;
 use dam::ask::Judging;
 use dam::report::findings::Findings;
-use dam::report::steady::{Shown, periodic_findings, periodic_rows, rigid_findings, rigid_rows};
+use dam::report::steady::{
+    SteadyReport, periodic_findings, periodic_rows, rigid_findings, rigid_rows,
+};
 use dam::steady::Row;
 use dam::studies::steady::{Answer, ROWS, RigidAnswer};
 use dam::{Error, Scene};
@@ -38,8 +40,13 @@ impl Steady {
         super::columns(&rows)
     }
 
-    fn shown<T>(&self, found: &RigidAnswer, rows: &[Row], to: impl FnOnce(&Shown<'_>) -> T) -> T {
-        to(&Shown {
+    fn shown<T>(
+        &self,
+        found: &RigidAnswer,
+        rows: &[Row],
+        to: impl FnOnce(&SteadyReport<'_>) -> T,
+    ) -> T {
+        to(&SteadyReport {
             title: self.asked.name(),
             cycle: found.cycle,
             figures: &found.figures,

@@ -3,7 +3,7 @@
 mod lift_off;
 mod question;
 
-use super::answer::{Answer, Content, PAGE, Shown};
+use super::answer::{Answer, AnswerForm, Content, PAGE};
 use super::args::{CamArgs, CamForm};
 use super::asker::Asker;
 use super::console;
@@ -116,13 +116,13 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
         quiet: args.scene.quiet,
     };
     let shown = match args.form {
-        CamForm::Text => Shown::Text,
-        CamForm::Cycle => Shown::File(FILES[1]),
-        CamForm::Profile => Shown::File(FILES[2]),
-        CamForm::Dxf => Shown::File(FILES[3]),
-        CamForm::Svg => Shown::File(FILES[4]),
+        CamForm::Text => AnswerForm::Text,
+        CamForm::Cycle => AnswerForm::File(FILES[1]),
+        CamForm::Profile => AnswerForm::File(FILES[2]),
+        CamForm::Dxf => AnswerForm::File(FILES[3]),
+        CamForm::Svg => AnswerForm::File(FILES[4]),
     };
-    let shown = Shown::json_or(args.scene.json, shown);
+    let shown = AnswerForm::json_or(args.scene.json, shown);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
         expected.talk();

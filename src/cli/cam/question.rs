@@ -3,7 +3,7 @@
 use crate::cli::args::CamArgs;
 use crate::cli::failure::Failure;
 use crate::frontend::object::law::read_argument;
-use crate::frontend::read::{Bounds, Wanted};
+use crate::frontend::read::{Bounds, QuantityChoice};
 use crate::kinematics::cam::DiscCam;
 use crate::kinematics::cam::sizing::PressureLimits;
 use crate::studies::cam::{Question, Reserve};
@@ -11,7 +11,7 @@ use crate::units::{parse, quantities as q};
 use std::f64::consts::FRAC_PI_2;
 
 /// The question, and what the curves are to be like.
-pub(super) struct Asked {
+pub(super) struct CamRequest {
     pub(super) question: Question,
     /// Speed of the cam (rad/s).
     pub(super) speed: Option<f64>,
@@ -22,7 +22,7 @@ pub(super) struct Asked {
 }
 
 /// Reads the arguments.
-pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<Asked, Failure> {
+pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<CamRequest, Failure> {
     let angle = Bounds {
         lower: Some((0.0, false)),
         upper: Some((FRAC_PI_2, false)),
@@ -54,7 +54,7 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<Asked, Failure> {
     let least = length("--least-radius", &args.least_radius, Bounds::NOT_NEGATIVE)?;
     let tolerance = Some(args.tolerance.clone());
     let tolerance = length("--tolerance", &tolerance, Bounds::POSITIVE)?;
-    Ok(Asked {
+    Ok(CamRequest {
         question: Question {
             pressure: PressureLimits {
                 outward,
@@ -72,7 +72,7 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<Asked, Failure> {
 
 /// A share without, a force or moment with unit.
 fn reserve(text: &str) -> Result<Reserve, Failure> {
-    let forces = Wanted::either(q::FORCE, q::MOMENT);
+    let forces = QuantityChoice::either(q::FORCE, q::MOMENT);
     let share = text.trim().parse::<f64>().is_ok();
     let wanted = if share || parse(text).is_err() {
         q::NUMBER.into()
@@ -90,7 +90,7 @@ fn reserve(text: &str) -> Result<Reserve, Failure> {
 fn quantity(
     name: &str,
     text: &Option<String>,
-    wanted: impl Into<Wanted>,
+    wanted: impl Into<QuantityChoice>,
     bounds: Bounds,
 ) -> Result<Option<f64>, Failure> {
     let Some(text) = text else {

@@ -2,7 +2,7 @@
 
 mod question;
 
-use crate::cli::answer::{Answer, Content, PAGE, Shown, ignores_until, picture, warn};
+use crate::cli::answer::{Answer, AnswerForm, Content, PAGE, ignores_until, picture, warn};
 use crate::cli::args::{ConventionName, ForcesArgs};
 use crate::cli::asker::Asker;
 use crate::cli::console;
@@ -37,7 +37,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     let input = asker.input(&args.scene)?;
     let ready = input.prepare(&[])?;
     let model = ready.system.model();
-    let Solved {
+    let ForceAnswer {
         folder,
         object,
         found,
@@ -88,11 +88,11 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         quiet: args.scene.quiet,
     };
     let form = if args.csv {
-        Shown::File(FILES[0])
+        AnswerForm::File(FILES[0])
     } else {
-        Shown::Text
+        AnswerForm::Text
     };
-    let shown = Shown::json_or(args.scene.json, form);
+    let shown = AnswerForm::json_or(args.scene.json, form);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
         if found.settings.output.is_none() && found.several.is_none() {
@@ -108,7 +108,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
 }
 
 /// A study with what belongs to it.
-struct Solved {
+struct ForceAnswer {
     folder: Option<OutputFolder>,
     object: String,
     found: ForceStudy,
@@ -120,7 +120,7 @@ fn of_several(
     args: &ForcesArgs,
     ready: &Ready,
     body: &MultiLinkageBody,
-) -> Result<Solved, Failure> {
+) -> Result<ForceAnswer, Failure> {
     let pairs = &body.linkage.spec().linkage.pairs;
     if args.frictionless && pairs.iter().all(|pair| pair.friction == 0.0) {
         let why = "--frictionless has no effect: no pair has friction";
@@ -133,7 +133,7 @@ fn of_several(
     let found = found.map_err(|faults| faults_of(ready, &object, faults))?;
     unused_convention(args, &found)?;
     let motion = found.several.as_ref().map(|several| several.motion.clone());
-    Ok(Solved {
+    Ok(ForceAnswer {
         folder,
         object,
         found,
@@ -171,7 +171,7 @@ fn unused_convention(args: &ForcesArgs, found: &ForceStudy) -> Result<(), Failur
     Err(Failure::Other(format!("--convention has no effect: {why}")))
 }
 
-fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
+fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<ForceAnswer, Failure> {
     let model = ready.system.model();
     let body = linkage_of(model, args.course.object.as_deref())?;
     let object = model.objects[body.object].id.as_str();
@@ -204,7 +204,7 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<Solved, Failure> {
     };
     let found = study(spec, &mut source, course, settings).map_err(told)?;
     unused_convention(args, &found)?;
-    Ok(Solved {
+    Ok(ForceAnswer {
         folder,
         object: object.to_owned(),
         found,

@@ -12,7 +12,9 @@ use crate::kinematics::linkage::kinetostatics::{Convention, Kinetostatics, Optio
 use crate::studies::forces::{
     Course, ForceSettings, course_of, course_of_record, only_loaded_output,
 };
-use crate::studies::kinematics::{Asked, AskedSeveral, Question, even_motion, whole_travel};
+use crate::studies::kinematics::{
+    AskedSeveral, KinematicsRequest, Question, even_motion, whole_travel,
+};
 use std::path::Path;
 
 /// A linkage of several inputs, and what is asked of it.
@@ -123,7 +125,7 @@ pub(super) fn course(
         return Ok((course, format!("motion of the record {}", path.display())));
     }
     let question = question(args, ready, &body.linkage, part.coordinate)?;
-    let asked = Asked::new(model, &question)?;
+    let asked = KinematicsRequest::new(model, &question)?;
     let course = course_of(&asked)?;
     let unit = match part.coordinate {
         Coordinate::Turning => "rad",

@@ -3,7 +3,7 @@
 
 pub(super) mod several;
 
-use super::answer::{Answer, Content, PAGE, Shown, ignores_until, warn};
+use super::answer::{Answer, AnswerForm, Content, PAGE, ignores_until, warn};
 use super::args::{CourseArgs, KinematicsArgs};
 use super::asker::Asker;
 use super::expected::Expectations;
@@ -14,13 +14,13 @@ use super::status::Status;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::Measures;
 use crate::frontend::object::law::read_argument;
-use crate::frontend::read::{Bounds, Wanted};
+use crate::frontend::read::{Bounds, QuantityChoice};
 use crate::kinematics::linkage::Linkage;
 use crate::report::findings::Source;
 use crate::report::kinematics::{document, drawing, findings, picture, rows};
 use crate::studies::kinematics::{
-    Asked, AskedSeveral, Kinematics, Over, Question, Subject, kinematics, several_kinematics,
-    several_of, whole_travel,
+    AskedSeveral, Kinematics, KinematicsRequest, Over, Question, Subject, kinematics,
+    several_kinematics, several_of, whole_travel,
 };
 use crate::studies::rigid::Rigid;
 use crate::studies::studied::{POSITIONS, check_kinematics};
@@ -54,7 +54,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
             if let Some(at) = &args.svg {
                 place(&mut question, at, &subject.linkage, subject.input)?;
             }
-            let asked = Asked::of(model, subject, &question)?;
+            let asked = KinematicsRequest::of(model, subject, &question)?;
             (question, Study::One(asked))
         }
     };
@@ -90,10 +90,10 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
         quiet: args.scene.quiet,
     };
     let shown = match (at, args.scene.json, args.csv) {
-        (Some(row), ..) => Shown::Made(picture(&found, row)),
-        (_, true, _) => Shown::Json,
-        (_, _, true) => Shown::File(FILES[0]),
-        _ => Shown::Text,
+        (Some(row), ..) => AnswerForm::Made(picture(&found, row)),
+        (_, true, _) => AnswerForm::Json,
+        (_, _, true) => AnswerForm::File(FILES[0]),
+        _ => AnswerForm::Text,
     };
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
@@ -108,7 +108,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
 
 /// What is studied: a linkage of one input or of several.
 enum Study<'a> {
-    One(Asked<'a>),
+    One(KinematicsRequest<'a>),
     Several(AskedSeveral<'a>),
 }
 
@@ -128,7 +128,7 @@ fn expectations<'r>(
     })
 }
 
-pub(super) fn quantity(name: &str, text: &str, wanted: Wanted) -> Result<f64, Failure> {
+pub(super) fn quantity(name: &str, text: &str, wanted: QuantityChoice) -> Result<f64, Failure> {
     Ok(read_argument(name, text, |slot| {
         slot.quantity(wanted, Bounds::ANY)
     })?)
@@ -181,7 +181,7 @@ fn of_one(args: &CourseArgs, own: Measures) -> Result<[Option<f64>; 2], Failure>
             "--input {input}: the linkage has one input; give --range, --turn or --time"
         )));
     }
-    let read = |name: &str, texts: &[String], wanted: Wanted| match texts {
+    let read = |name: &str, texts: &[String], wanted: QuantityChoice| match texts {
         [] => Ok(None),
         [text] => quantity(name, text, wanted).map(Some),
         [_, again, ..] => {

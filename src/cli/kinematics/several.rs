@@ -7,7 +7,7 @@ use crate::cli::input::Ready;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::Measures;
 use crate::frontend::object::law::read_argument;
-use crate::frontend::read::{Bounds, Wanted};
+use crate::frontend::read::{Bounds, QuantityChoice};
 use crate::kinematics::linkage::multi::MultiLinkage;
 use crate::studies::kinematics::{InputCourse, InputOver, Over, Question};
 use crate::units::quantities as q;
@@ -90,7 +90,7 @@ fn of_input(
     linkage: &MultiLinkage,
     option: &str,
     text: &str,
-    wanted: fn(Measures) -> Wanted,
+    wanted: fn(Measures) -> QuantityChoice,
 ) -> Result<(String, f64), Failure> {
     let Some((name, value)) = text.split_once('=') else {
         let first = &linkage.inputs()[0].name;

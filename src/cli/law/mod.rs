@@ -5,7 +5,7 @@ mod compare;
 mod cycle;
 mod synthesize;
 
-use super::answer::{Answer, Content, PAGE, Shown, picture};
+use super::answer::{Answer, AnswerForm, Content, PAGE, picture};
 use super::args::scene::OutArgs;
 use super::asker::Asker;
 use super::console;
@@ -61,11 +61,11 @@ fn deliver(
         quiet,
     };
     let form = match form {
-        LawForm::Text => Shown::Text,
-        LawForm::Csv => Shown::File(FILES[1]),
-        LawForm::Svg => Shown::File(FILES[2]),
+        LawForm::Text => AnswerForm::Text,
+        LawForm::Csv => AnswerForm::File(FILES[1]),
+        LawForm::Svg => AnswerForm::File(FILES[2]),
     };
-    asker.deliver(&answer, folder.as_ref(), Shown::json_or(json, form))
+    asker.deliver(&answer, folder.as_ref(), AnswerForm::json_or(json, form))
 }
 
 fn list(args: &ListArgs) -> Result<(), Failure> {

@@ -2,7 +2,7 @@
 
 mod bar;
 
-use super::answer::{Answer, Content, Document, PAGE, Shown};
+use super::answer::{Answer, AnswerForm, Content, Document, PAGE};
 use super::args::MethodsArgs;
 use super::asker::Asker;
 use super::failure::Failure;
@@ -81,7 +81,7 @@ pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, F
             files,
             quiet: args.scene.quiet,
         };
-        let shown = Shown::json_or(args.scene.json, Shown::Text);
+        let shown = AnswerForm::json_or(args.scene.json, AnswerForm::Text);
         asker.deliver(&answer, folder.as_ref(), shown)
     };
     let (complete, doubted) = match &axis {

@@ -54,7 +54,7 @@ pub(crate) struct Field {
 
 /// What a command takes besides its options.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Taken {
+pub(super) struct Positionals {
     pub(super) scene: bool,
     pub(super) quiet: bool,
 }
@@ -80,10 +80,10 @@ pub(super) fn of(command: &str) -> Vec<Field> {
     })
 }
 
-pub(super) fn taken(command: &str) -> Taken {
+pub(super) fn taken(command: &str) -> Positionals {
     with(command, |found| {
         let has = |id: &str| found.get_arguments().any(|arg| arg.get_id() == id);
-        Taken {
+        Positionals {
             scene: has("scene"),
             quiet: has("quiet"),
         }

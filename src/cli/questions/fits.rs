@@ -9,7 +9,7 @@ use crate::studies::cam::objects_with_cam;
 use crate::studies::kinematics::{Subject, linkage_of, several_of};
 use crate::studies::methods::all_methods;
 use crate::studies::steady;
-use crate::studio::commands::Asked;
+use crate::studio::commands::CommandScene;
 use serde::Serialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -25,7 +25,7 @@ pub(super) struct Fit {
 }
 
 /// Of every question; empty: the scene has faults.
-pub(super) fn of(asked: &Asked<'_>) -> Vec<Fit> {
+pub(super) fn of(asked: &CommandScene<'_>) -> Vec<Fit> {
     let Ok(document) = Document::parse(asked.name, asked.text.as_bytes()) else {
         return Vec::new();
     };

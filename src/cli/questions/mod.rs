@@ -6,7 +6,7 @@ mod fits;
 #[cfg(test)]
 mod tests;
 
-use super::answer::{Answer, Shown};
+use super::answer::{Answer, AnswerForm};
 use super::args::scene::SceneArgs;
 use super::args::{Cli, Command};
 use super::asker::Asker;
@@ -17,7 +17,7 @@ use super::{cam, forces, kinematics, law, methods, reduce, run, steady};
 use crate::budget::Budget;
 use crate::frontend::scene::Catalogue;
 use crate::report::live;
-use crate::studio::commands::{Asked, Commands, Question};
+use crate::studio::commands::{CommandScene, Commands, Question};
 use clap::Parser;
 use serde_json::{Value, json};
 use std::borrow::Cow;
@@ -56,7 +56,7 @@ pub(super) const TABS: [Tab; 10] = [
 const RUN: &str = "run";
 
 impl Commands for Program {
-    fn forms(&self, asked: &Asked<'_>) -> Value {
+    fn forms(&self, asked: &CommandScene<'_>) -> Value {
         let found = fits::of(asked);
         let one = |tab: &Tab| {
             let fit = found.iter().find(|fit| fit.command == tab.command);
@@ -73,7 +73,7 @@ impl Commands for Program {
         json!({ "fits": !found.is_empty(), "questions": TABS.iter().map(one).collect::<Vec<_>>() })
     }
 
-    fn answer(&self, question: &Question, asked: &Asked<'_>) -> Result<Value, String> {
+    fn answer(&self, question: &Question, asked: &CommandScene<'_>) -> Result<Value, String> {
         let window = Window::new(asked, None);
         window.ask(question)?;
         Ok(window.shown.into_inner())
@@ -82,7 +82,7 @@ impl Commands for Program {
     fn file(
         &self,
         question: &Question,
-        asked: &Asked<'_>,
+        asked: &CommandScene<'_>,
         name: &str,
     ) -> Result<Option<String>, String> {
         let window = Window::new(asked, Some(name));
@@ -93,7 +93,7 @@ impl Commands for Program {
 
 /// A window that asks: it has the text of the scene, and takes the answer.
 struct Window<'a> {
-    asked: &'a Asked<'a>,
+    asked: &'a CommandScene<'a>,
     /// The file that is wanted in place of what is shown.
     wanted: Option<&'a str>,
     shown: RefCell<Value>,
@@ -101,7 +101,7 @@ struct Window<'a> {
 }
 
 impl<'a> Window<'a> {
-    fn new(asked: &'a Asked<'a>, wanted: Option<&'a str>) -> Self {
+    fn new(asked: &'a CommandScene<'a>, wanted: Option<&'a str>) -> Self {
         Self {
             asked,
             wanted,
@@ -132,7 +132,7 @@ impl<'a> Window<'a> {
 
 impl Asker for Window<'_> {
     fn input(&self, _: &SceneArgs) -> Result<Input<'_>, Failure> {
-        let Asked {
+        let CommandScene {
             name,
             text,
             catalogue,
@@ -158,7 +158,7 @@ impl Asker for Window<'_> {
         &self,
         answer: &Answer<'_>,
         _: Option<&OutputFolder>,
-        _: Shown,
+        _: AnswerForm,
     ) -> Result<(), Failure> {
         match self.wanted {
             Some(name) => *self.file.borrow_mut() = answer.file(name)?,

@@ -3,7 +3,7 @@
 use super::{Program, TABS, arguments, fields};
 use crate::budget::Budget;
 use crate::frontend::scene::{BuiltIn, Folder};
-use crate::studio::commands::{Asked, Commands, Question};
+use crate::studio::commands::{CommandScene, Commands, Question};
 use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
@@ -17,8 +17,8 @@ fn text(scene: &str) -> String {
 }
 
 /// Asks of a scene's text.
-fn with<T>(text: &str, ask: impl FnOnce(&Asked<'_>) -> T) -> T {
-    ask(&Asked {
+fn with<T>(text: &str, ask: impl FnOnce(&CommandScene<'_>) -> T) -> T {
+    ask(&CommandScene {
         name: "scene.json",
         text,
         catalogue: &BuiltIn,
@@ -220,7 +220,7 @@ fn what_is_wrong_is_told_in_words() {
 fn an_ended_question_is_not_answered() {
     let (stop, text) = (AtomicBool::new(true), text("valve_train/lift_off"));
     let folder = Folder::beside(Path::new("scenarios/valve_train/lift_off.json"));
-    let asked = Asked {
+    let asked = CommandScene {
         name: "scene.json",
         text: &text,
         catalogue: &folder,

@@ -1,16 +1,16 @@
 //! Machines that are no scene: tables and expressions.
 
 use super::args::SteadyArgs;
-use super::{Found, RIGID_REPEATS, asked, folder, machine_document, machine_source, tell};
+use super::{RIGID_REPEATS, SteadyOutput, asked, folder, machine_document, machine_source, tell};
 use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
 use crate::cli::status::Status;
 use crate::dynamics::steady::flywheel::{Flywheel, size_of_table};
 use crate::dynamics::steady::{
-    Formula, Given, Profile, Question, Refusal, TableFigures, least_cycle,
+    Formula, FunctionKind, Profile, Question, Refusal, TableFigures, least_cycle,
 };
 use crate::frontend::scene::SteadySpec;
-use crate::report::steady::Shown;
+use crate::report::steady::SteadyReport;
 use crate::studies::steady::{ROWS, by_energy, csv, rigid_checks};
 use serde::Serialize;
 use std::io::Read;
@@ -101,7 +101,7 @@ fn table(
         },
         &rigid_checks(&motion.figures.steady, None),
     );
-    let motion = Shown {
+    let motion = SteadyReport {
         title: &shown,
         cycle: table.cycle(),
         figures: &motion.figures.steady,
@@ -111,7 +111,7 @@ fn table(
         agreement: None,
         halving: motion.figures.halving.as_ref(),
     };
-    let found = Found::rigid(&motion, document, machine_source(&shown));
+    let found = SteadyOutput::rigid(&motion, document, machine_source(&shown));
     tell((args, asker), found, folder.as_ref())
 }
 
@@ -125,8 +125,8 @@ fn formulas(
     let machine = &args.machine;
     let inertia = read("inertia", machine.inertia.as_deref().unwrap_or_default())?;
     let (given, other, symbol) = match (&machine.work, &machine.moment) {
-        (Some(work), None) => (Given::Work, read("work", work)?, "A"),
-        (None, Some(moment)) => (Given::Moment, read("moment", moment)?, "M"),
+        (Some(work), None) => (FunctionKind::Work, read("work", work)?, "A"),
+        (None, Some(moment)) => (FunctionKind::Moment, read("moment", moment)?, "M"),
         _ => {
             let why = "--inertia needs --work or --moment beside it";
             return Err(Failure::Other(why.to_owned()));
@@ -149,7 +149,7 @@ fn formulas(
     let folder = folder(args, &title)?;
     let rows = answer.motion.rows(ROWS);
     let document = machine_document(&title, &answer, &answer.checks());
-    let motion = Shown {
+    let motion = SteadyReport {
         title: &title,
         cycle: answer.cycle,
         figures: &answer.figures,
@@ -159,6 +159,6 @@ fn formulas(
         agreement: Some(&answer.agreement),
         halving: None,
     };
-    let found = Found::rigid(&motion, document, machine_source(&title));
+    let found = SteadyOutput::rigid(&motion, document, machine_source(&title));
     tell((args, asker), found, folder.as_ref())
 }

@@ -3,7 +3,7 @@
 pub(crate) mod args;
 mod machine;
 
-use super::answer::{self, Content, PAGE, Shown as Shape, ignores_until, warn};
+use super::answer::{self, Content, PAGE, AnswerForm as Shape, ignores_until, warn};
 use super::asker::Asker;
 use super::console;
 use super::expected::Expectations;
@@ -20,7 +20,7 @@ use crate::report::csv::Rows;
 use crate::report::findings::{Findings, Source};
 use crate::report::plot::Plot;
 use crate::report::steady::{
-    Shown, periodic_findings, periodic_rows, rigid_findings, rigid_rows, wittenbauer,
+    SteadyReport, periodic_findings, periodic_rows, rigid_findings, rigid_rows, wittenbauer,
 };
 use crate::studies::check::Check;
 use crate::studies::expectations::Verdict;
@@ -39,7 +39,7 @@ const RIGID_REPEATS: &str = "a machine with rigid objects repeats after one cycl
 const PICTURE: (f64, f64) = (900.0, 560.0);
 
 /// What goes to the terminal and into files.
-struct Found<'a> {
+struct SteadyOutput<'a> {
     findings: Findings<'a>,
     document: Value,
     rows: Rows,
@@ -47,8 +47,8 @@ struct Found<'a> {
     diagram: Option<Plot>,
 }
 
-impl<'a> Found<'a> {
-    fn rigid(shown: &Shown<'_>, mut document: Value, source: Source<'a>) -> Self {
+impl<'a> SteadyOutput<'a> {
+    fn rigid(shown: &SteadyReport<'_>, mut document: Value, source: Source<'a>) -> Self {
         let findings = rigid_findings(shown, source);
         findings.judge(&mut document, None);
         Self {
@@ -83,7 +83,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     let source = Source::scene(input.text(), hash);
     let mut found = match &answer {
         Answer::Rigid(answer) => {
-            let shown = Shown {
+            let shown = SteadyReport {
                 title: name,
                 cycle: answer.cycle,
                 figures: &answer.figures,
@@ -93,9 +93,9 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
                 agreement: Some(&answer.agreement),
                 halving: None,
             };
-            Found::rigid(&shown, document, source)
+            SteadyOutput::rigid(&shown, document, source)
         }
-        Answer::Periodic(answer) => Found {
+        Answer::Periodic(answer) => SteadyOutput {
             findings: periodic_findings(name, answer, source),
             document,
             rows: periodic_rows(answer),
@@ -224,7 +224,7 @@ fn document(
 /// Prints the answer and writes its files: the status by its checks.
 fn tell(
     (args, asker): (&SteadyArgs, &dyn Asker),
-    found: Found<'_>,
+    found: SteadyOutput<'_>,
     folder: Option<&OutputFolder>,
 ) -> Result<Status, Failure> {
     let shown = match (args.form, &found.diagram) {

@@ -1,7 +1,7 @@
 //! Laws at the places where one formula follows another, and the end of a run.
 
 use super::judge::Judge;
-use super::look::Looks;
+use super::look::DrawnInstants;
 use crate::dynamics::model::{Node, NodeMotion};
 use crate::kinematics::breaks::Breaks;
 use crate::units::shown;
@@ -36,7 +36,7 @@ impl Judge<'_> {
     }
 
     /// A run ends when it was asked to, not later.
-    pub(super) fn judge_end(&mut self, looks: &Looks) {
+    pub(super) fn judge_end(&mut self, looks: &DrawnInstants) {
         let [reached, duration] = looks.end;
         if duration > 0.0 && reached > duration {
             let late = (reached - duration) / duration;

@@ -1,7 +1,7 @@
 //! The equations of motion put to the test.
 
 use super::check::EquationCheck;
-use super::look::{Look, Looks, PLACES, SEED, WEIGHTS, Window};
+use super::look::{DrawnInstant, DrawnInstants, PLACES, SEED, WEIGHTS, Window};
 use super::mechanics::{At, Mechanics};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::{LinkBase, Model, NodeMotion, ObjectPart};
@@ -81,7 +81,7 @@ pub(super) struct Judge<'s> {
     pub(super) system: &'s System,
     pub(super) mechanics: Mechanics<'s>,
     pub(super) scratch: Scratch,
-    pub(super) asked: Asked,
+    pub(super) asked: AuditScope,
     pub(super) scales: Scales,
     pub(super) found: EquationCheck,
     /// Names of nodes.
@@ -90,7 +90,7 @@ pub(super) struct Judge<'s> {
 
 /// What is to be checked of a run.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Asked {
+pub(crate) struct AuditScope {
     /// Tolerance of the run.
     pub(crate) tolerance: f64,
     /// True: what the records show of motions and forces, too.
@@ -99,7 +99,7 @@ pub(crate) struct Asked {
     pub(crate) closed: bool,
 }
 
-impl Asked {
+impl AuditScope {
     /// A bound on a share of terms.
     pub(crate) fn bound(&self) -> f64 {
         TOLERANCES * self.tolerance + LEAST
@@ -107,7 +107,7 @@ impl Asked {
 }
 
 impl<'s> Judge<'s> {
-    pub(super) fn new(system: &'s System, asked: Asked) -> Self {
+    pub(super) fn new(system: &'s System, asked: AuditScope) -> Self {
         let model = system.model();
         let count = model.nodes.len();
         let mut names = vec![String::new(); count];
@@ -141,7 +141,7 @@ impl<'s> Judge<'s> {
     }
 
     /// Puts the states that were kept at drawn instants to the test.
-    pub(super) fn judge_instants(&mut self, looks: &Looks, resolved: bool) {
+    pub(super) fn judge_instants(&mut self, looks: &DrawnInstants, resolved: bool) {
         let longest: Vec<Vec<Balance>> = (looks.looks.iter())
             .map(|look| self.balance(look, &look.windows[0]))
             .collect();
@@ -195,7 +195,7 @@ impl<'s> Judge<'s> {
         }
     }
 
-    fn see_turns(&mut self, looks: &Looks) {
+    fn see_turns(&mut self, looks: &DrawnInstants) {
         for turn in &looks.turns {
             for (y, modes) in [
                 (&turn.before, &turn.modes[0]),
@@ -233,7 +233,7 @@ impl<'s> Judge<'s> {
     }
 
     /// Gains of momenta and integrals of forces over a window.
-    fn balance(&mut self, look: &Look, window: &Window) -> Vec<Balance> {
+    fn balance(&mut self, look: &DrawnInstant, window: &Window) -> Vec<Balance> {
         let mut found = vec![Balance::default(); self.mechanics.nodes.len()];
         let last = window.times.len() - 1;
         for (k, (&time, y)) in window.times.iter().zip(&window.states).enumerate() {
@@ -273,7 +273,7 @@ impl<'s> Judge<'s> {
         self.bound() + (of_state + rounding) / scales.size[node]
     }
 
-    fn judge(&mut self, look: &Look, longest: &[Balance]) {
+    fn judge(&mut self, look: &DrawnInstant, longest: &[Balance]) {
         if self.asked.recorded {
             self.judge_motions(look);
         }
@@ -327,7 +327,7 @@ impl<'s> Judge<'s> {
 
     /// What the force on a coordinate changes by when its state is off by as much as the
     /// tolerance allows: much, where friction is steep.
-    fn sensitivity(&mut self, node: usize, look: &Look) -> f64 {
+    fn sensitivity(&mut self, node: usize, look: &DrawnInstant) -> f64 {
         let Some(own) = self.mechanics.coordinate[node].filter(|_| !self.asked.closed) else {
             return 0.0;
         };
@@ -355,7 +355,7 @@ impl<'s> Judge<'s> {
 
     /// The force that moves each prescribed node, and that with which each rigid node pulls at
     /// its law, as records have them: means over a window.
-    fn moments(&mut self, look: &Look, window: &Window) -> Vec<Option<f64>> {
+    fn moments(&mut self, look: &DrawnInstant, window: &Window) -> Vec<Option<f64>> {
         let model = self.system.model();
         let mut found = vec![None; model.nodes.len()];
         if !self.asked.recorded {
@@ -389,7 +389,7 @@ impl<'s> Judge<'s> {
         node: usize,
         (balance, length): (&Balance, f64),
         moment: Option<f64>,
-        look: &Look,
+        look: &DrawnInstant,
     ) -> Option<f64> {
         if self.mechanics.no_force[node].is_some() {
             return None;
@@ -405,7 +405,7 @@ impl<'s> Judge<'s> {
     }
 
     /// True of a mass whose rigid contact holds, of its pair or of one of its stops.
-    fn is_held(&self, node: usize, look: &Look) -> bool {
+    fn is_held(&self, node: usize, look: &DrawnInstant) -> bool {
         let model = self.system.model();
         let holds = |part: usize| {
             let rigid = self.system.is_rigid_contact(part);
@@ -419,7 +419,7 @@ impl<'s> Judge<'s> {
 
     /// Contacts press where they are engaged, and are clear of their flanks where they are
     /// open.
-    fn judge_contacts(&mut self, look: &Look) {
+    fn judge_contacts(&mut self, look: &DrawnInstant) {
         let window = &look.windows[0];
         for (&time, y) in window.times.iter().zip(&window.states).skip(1).step_by(3) {
             self.look(time, y, &look.modes.0);
@@ -453,7 +453,7 @@ impl<'s> Judge<'s> {
     }
 
     /// Motions and forces as the records have them, against those of the scene.
-    fn judge_motions(&mut self, look: &Look) {
+    fn judge_motions(&mut self, look: &DrawnInstant) {
         let model = self.system.model();
         let window = &look.windows[0];
         let middle = PLACES.len() / 2;
@@ -552,7 +552,7 @@ impl<'s> Judge<'s> {
         }
     }
 
-    pub(super) fn finish(self, looks: &Looks) -> EquationCheck {
+    pub(super) fn finish(self, looks: &DrawnInstants) -> EquationCheck {
         let rigid = self.has_rigid_contacts();
         let mut found = self.found;
         found.instants = looks.looks.len();

@@ -58,7 +58,7 @@ pub(crate) struct Window {
 
 /// An instant that was drawn, with windows about it, the longest first.
 #[derive(Clone, Debug)]
-pub(crate) struct Look {
+pub(crate) struct DrawnInstant {
     pub(super) modes: Modes,
     pub(super) windows: Vec<Window>,
 }
@@ -114,8 +114,8 @@ pub(crate) struct Turn {
 
 /// Looks at a run that were drawn.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Looks {
-    pub(super) looks: Vec<Look>,
+pub(crate) struct DrawnInstants {
+    pub(super) looks: Vec<DrawnInstant>,
     pub(super) turns: Vec<Turn>,
     /// Switches met.
     pub(super) switches: usize,
@@ -133,7 +133,7 @@ pub(crate) fn draw(seed: u64) -> u64 {
 
 /// Draws instants and switches of a run, and keeps the states there.
 #[derive(Debug)]
-pub(crate) struct Looker {
+pub(crate) struct InstantSampler {
     random: u64,
     duration: f64,
     instants: usize,
@@ -143,7 +143,7 @@ pub(crate) struct Looker {
     /// Longest window where the motion is known in closed form (s).
     longest: f64,
     entries: usize,
-    found: Looks,
+    found: DrawnInstants,
     /// The switch whose next stretch is to come.
     awaits: Option<usize>,
     /// The place that the next switch is kept at, and the end of the stretch before it.
@@ -151,10 +151,10 @@ pub(crate) struct Looker {
     last: Option<(f64, End)>,
     /// Stretches met, and looks at those that are drawn.
     stretches: usize,
-    drawn: Vec<Look>,
+    drawn: Vec<DrawnInstant>,
 }
 
-impl Looker {
+impl InstantSampler {
     /// For a run of `duration` (s) whose states have so many entries and whose fastest rate
     /// is given (1/s); `None`: nothing is drawn.
     pub(crate) fn new(duration: f64, entries: usize, rate: f64) -> Self {
@@ -171,7 +171,7 @@ impl Looker {
                 f64::INFINITY
             },
             entries,
-            found: Looks::default(),
+            found: DrawnInstants::default(),
             awaits: None,
             place: 0,
             last: None,
@@ -247,7 +247,7 @@ impl Looker {
                     self.window([begin, length], state)
                 };
                 let windows = LENGTHS.iter().map(window).collect();
-                self.found.looks.push(Look {
+                self.found.looks.push(DrawnInstant {
                     modes: modes.clone(),
                     windows,
                 });
@@ -289,7 +289,7 @@ impl Looker {
             self.window([begin + 0.5 * (length - short), short], state)
         };
         let windows = LENGTHS.iter().map(window).collect();
-        let look = Look {
+        let look = DrawnInstant {
             modes: modes.clone(),
             windows,
         };
@@ -343,14 +343,14 @@ impl Looker {
     }
 
     /// What was drawn.
-    pub(crate) fn finish(mut self) -> Looks {
+    pub(crate) fn finish(mut self) -> DrawnInstants {
         self.found.looks.append(&mut self.drawn);
         self.found
     }
 }
 
 #[cfg(test)]
-impl Looks {
+impl DrawnInstants {
     /// The same of a run that ended late by a share of its time.
     pub(crate) fn late(mut self, share: f64) -> Self {
         self.end[0] = self.end[1] * (1.0 + share);

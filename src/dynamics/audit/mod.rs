@@ -21,8 +21,8 @@ mod sums;
 mod turns;
 
 pub use check::EquationCheck;
-pub(crate) use judge::{Asked, fastest_rate};
-pub(crate) use look::{Looker, Looks, SEED, draw};
+pub(crate) use judge::{AuditScope, fastest_rate};
+pub(crate) use look::{DrawnInstants, InstantSampler, SEED, draw};
 
 use crate::dynamics::system::System;
 use judge::Judge;
@@ -33,8 +33,8 @@ use judge::Judge;
 /// run, by which defects are measured too: what was looked at may have died away.
 pub(crate) fn check(
     system: &System,
-    looks: &Looks,
-    asked: Asked,
+    looks: &DrawnInstants,
+    asked: AuditScope,
     peaks: &[[f64; 3]],
 ) -> EquationCheck {
     if looks.looks.is_empty() && looks.turns.is_empty() {
@@ -52,8 +52,8 @@ pub(crate) fn check(
 /// The check, with or without what the methods resolve in its scales.
 fn judged(
     system: &System,
-    looks: &Looks,
-    asked: Asked,
+    looks: &DrawnInstants,
+    asked: AuditScope,
     peaks: &[[f64; 3]],
     resolved: bool,
 ) -> EquationCheck {

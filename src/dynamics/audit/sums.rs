@@ -1,13 +1,13 @@
 //! What is shown of a sum of modes: it moves by the speed that is shown of it.
 
 use super::judge::{Judge, ROUNDINGS, keep_less};
-use super::look::{Look, WEIGHTS, Window};
+use super::look::{DrawnInstant, WEIGHTS, Window};
 use crate::dynamics::system::ObjectState;
 
 impl Judge<'_> {
     /// The displacement of every sum of modes grows by the integral of its speed: no law of
     /// the scene states more of it.
-    pub(super) fn judge_sums(&mut self, look: &Look) {
+    pub(super) fn judge_sums(&mut self, look: &DrawnInstant) {
         let model = self.system.model();
         if model.reduced.is_empty() || !self.asked.recorded {
             return;
@@ -43,7 +43,7 @@ impl Judge<'_> {
 
     /// Of every sum of modes over a window: gain of displacement, mean speed, and the
     /// greatest displacement.
-    fn gains(&mut self, look: &Look, window: &Window) -> Vec<[f64; 3]> {
+    fn gains(&mut self, look: &DrawnInstant, window: &Window) -> Vec<[f64; 3]> {
         let model = self.system.model();
         let mut found = vec![[0.0; 3]; model.reduced.len()];
         let mut states = vec![ObjectState::default(); model.objects.len()];

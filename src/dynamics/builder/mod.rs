@@ -64,7 +64,7 @@ pub struct ModelBuilder {
     /// of further outputs, by `object.output`.
     outputs: BTreeMap<String, NodeIndex>,
     /// For each node the object part that it belongs to, and where it will be.
-    known: Vec<Known>,
+    known: Vec<NodeEntry>,
     /// Outputs that others hang on.
     followed: BTreeSet<String>,
     /// Loads that look at objects which may have no node yet.
@@ -73,7 +73,7 @@ pub struct ModelBuilder {
 
 /// A node as the builder knows it: its object, and where it stands at the start.
 #[derive(Clone, Copy, Debug)]
-struct Known {
+struct NodeEntry {
     /// Index into [`Model::objects`].
     part: usize,
     /// Displacement at t = 0.

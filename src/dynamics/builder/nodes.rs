@@ -1,7 +1,7 @@
 //! The single steps: nodes, laws, links, outputs.
 
 use super::reach::DEAD;
-use super::{ChainParameters, Connected, Known, ModelBuilder, Place};
+use super::{ChainParameters, Connected, ModelBuilder, NodeEntry, Place};
 use crate::dynamics::model::{
     Coordinate, Law, Link, LinkBase, Load, LoadLaw, Node, NodeIndex, NodeMotion, Pair, TrackSource,
 };
@@ -93,7 +93,7 @@ impl ModelBuilder {
         let object = &mut self.model.objects[at.object];
         object.combination = Some(node);
         let coordinate = object.coordinate;
-        self.known.push(Known {
+        self.known.push(NodeEntry {
             part: at.object,
             start,
         });
@@ -170,7 +170,7 @@ impl ModelBuilder {
     pub(super) fn add_point(&mut self, at: &Place, law: &Law, node: Node) -> NodeIndex {
         let start = self.following(law);
         self.model.nodes.push(node);
-        self.known.push(Known {
+        self.known.push(NodeEntry {
             part: at.object,
             start,
         });
@@ -202,7 +202,7 @@ impl ModelBuilder {
         let given = self.explicit.get(&object.id);
         let given = given.and_then(|masses| masses.get(mass)).copied();
         self.outputs.insert(object.id.clone(), index);
-        self.known.push(Known {
+        self.known.push(NodeEntry {
             part,
             start: given.unwrap_or(start),
         });

@@ -238,7 +238,7 @@ impl Behaviour {
 
 /// A choice.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chosen {
+pub struct MethodChoice {
     /// The method.
     pub method: Method,
     /// The tolerance to give it: finer than the one asked for, which bounds the
@@ -255,7 +255,7 @@ pub struct Chosen {
 ///
 /// One of the library's own or of `ode_solvers`; explicit unless the implicit
 /// one is expected to need less.
-pub fn choose(situation: &Situation) -> Chosen {
+pub fn choose(situation: &Situation) -> MethodChoice {
     // A system without springs has no rate of its own.
     let situation = &Situation {
         fastest: situation.fastest.max(situation.shown()),
@@ -300,7 +300,7 @@ pub fn choose(situation: &Situation) -> Chosen {
     let others = others.filter_map(|&method| BEHAVIOURS.iter().find(|own| own.method == method));
     let dearest = (DEAREST * chosen.work(situation)).max(CHEAP);
     let others = others.filter(|own| own.work(situation) <= dearest);
-    Chosen {
+    MethodChoice {
         method: chosen.method,
         tolerance,
         why,

@@ -19,7 +19,7 @@ fn the_fastest_rate_agrees_with_closed_forms() {
     assert_eq!(fastest_rate(&free, 0.0, &[0.0, 0.0], &Modes(vec![0])), 0.0);
 }
 
-fn rocker(masses: usize, tolerance: f64) -> Chosen {
+fn rocker(masses: usize, tolerance: f64) -> MethodChoice {
     let system = Rocker::published(masses, 0.4);
     let (y, modes) = system.static_start();
     choose(&Situation {
@@ -58,12 +58,12 @@ fn situation(tolerance: f64, duration: f64) -> Situation {
 #[test]
 fn a_stiff_chain_gets_the_implicit_method_and_a_short_one_power_series() {
     for tolerance in [1e-4, 1e-6, 1e-8] {
-        let Chosen { method, why, .. } = rocker(10, tolerance);
+        let MethodChoice { method, why, .. } = rocker(10, tolerance);
         assert_eq!(method, Method::Radau, "{why}");
         assert!(why.contains("times what the motion shows"));
     }
     for tolerance in [1e-6, 1e-8, 1e-10] {
-        let Chosen { method, why, .. } = rocker(1, tolerance);
+        let MethodChoice { method, why, .. } = rocker(1, tolerance);
         assert_eq!(method, Method::Taylor, "{why}");
         assert!(why.starts_with("power series"), "{why}");
     }
@@ -86,7 +86,7 @@ fn what_would_not_come_to_an_end_is_not_in_reserve() {
 
 #[test]
 fn a_system_at_rest_without_springs_has_a_method_and_a_readable_reason() {
-    let Chosen { method, why, .. } = choose(&situation(1e-8, 2.0));
+    let MethodChoice { method, why, .. } = choose(&situation(1e-8, 2.0));
     assert_eq!(method, Method::Taylor);
     assert!(!why.contains("NaN") && !why.contains("inf"), "{why}");
 }
@@ -103,7 +103,7 @@ fn what_has_no_series_gets_a_method_of_stages_by_its_tolerance() {
     assert_eq!(choose(&situation).method, Method::Radau);
     situation.fastest = 100.0;
     situation.tolerance = 1e-2;
-    let Chosen { method, why, .. } = choose(&situation);
+    let MethodChoice { method, why, .. } = choose(&situation);
     assert_eq!(method, Method::Dopri5);
     assert!(why.contains("the tolerance asks for steps"), "{why}");
     // Long smooth steps are worth their price where they are few.
@@ -153,7 +153,7 @@ fn what_dies_out_and_what_stays_get_different_methods() {
         })
     };
     assert_eq!(of(0.0).method, Method::Taylor);
-    let Chosen { method, why, .. } = of(1000.0);
+    let MethodChoice { method, why, .. } = of(1000.0);
     assert_eq!(method, Method::Radau, "{why}");
     assert!(why.contains("times what the motion shows"), "{why}");
 }
@@ -191,7 +191,7 @@ fn laws_of_many_harmonics_speak_against_power_series() {
 #[test]
 fn errors_add_up_so_that_a_finer_tolerance_is_aimed_at() {
     for asked in [1e-4, 1e-7, 1e-10, 1e-13, 1e-14] {
-        let Chosen { tolerance, why, .. } = choose(&situation(asked, 2.0));
+        let MethodChoice { tolerance, why, .. } = choose(&situation(asked, 2.0));
         let expected = if asked < 5e-13 { asked } else { 0.05 * asked };
         approx::assert_relative_eq!(tolerance, expected, max_relative = 1e-12);
         assert_eq!(

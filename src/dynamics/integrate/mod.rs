@@ -30,7 +30,7 @@ mod taylor;
 mod tests;
 
 pub use crate::math::narrow::Narrow;
-pub use auto::{Chosen, Situation, Vibration, choose, fastest_rate};
+pub use auto::{MethodChoice, Situation, Vibration, choose, fastest_rate};
 pub use changing::{Cause, Change, Reserve};
 pub use dynamics::{
     Dynamics, EventFunction, Guard, Impact, Modes, PhysicalStop, Probe, Resting, Singularity,

@@ -46,7 +46,7 @@ pub(super) enum Verdict {
 
 /// Knowledge of a step between its ends, as a method gives it.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Given<'g> {
+pub(super) enum StepInterpolant<'g> {
     /// Nothing: the right-hand side is to be asked.
     Nothing,
     /// The state in the middle: of implicit methods, whose steps may pass over
@@ -202,7 +202,12 @@ impl<'a, D: Dynamics> Run<'a, D> {
         dy: &[f64],
         middle: Option<&[f64]>,
     ) -> Verdict {
-        self.accept_with(time, y, dy, middle.map_or(Given::Nothing, Given::Middle))
+        self.accept_with(
+            time,
+            y,
+            dy,
+            middle.map_or(StepInterpolant::Nothing, StepInterpolant::Middle),
+        )
     }
 
     /// The same for a step of which something else is known.
@@ -211,7 +216,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         time: f64,
         y: &[f64],
         dy: &[f64],
-        given: Given<'_>,
+        given: StepInterpolant<'_>,
     ) -> Verdict {
         self.to.set(self.evaluator, time, y, dy);
         if let Some(index) = self.to.not_finite() {
@@ -220,10 +225,10 @@ impl<'a, D: Dynamics> Run<'a, D> {
         let mut shorter = std::mem::take(&mut self.shorter_middle);
         let edge = self.look_at_singularities(&mut shorter);
         let verdict = edge.map(|edge| match (given, edge) {
-            (Given::Middle(_) | Given::Polynomial(..), Some(edge)) => {
-                self.take_step(time, Given::Middle(&shorter), Some(edge))
+            (StepInterpolant::Middle(_) | StepInterpolant::Polynomial(..), Some(edge)) => {
+                self.take_step(time, StepInterpolant::Middle(&shorter), Some(edge))
             }
-            (_, Some(edge)) => self.take_step(time, Given::Nothing, Some(edge)),
+            (_, Some(edge)) => self.take_step(time, StepInterpolant::Nothing, Some(edge)),
             (given, None) => self.take_step(time, given, None),
         });
         self.shorter_middle = shorter;
@@ -231,7 +236,12 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// The step from `from` to `to`, which ends at an `edge` or at `time`.
-    fn take_step(&mut self, time: f64, given: Given<'_>, edge: Option<Singularity>) -> Verdict {
+    fn take_step(
+        &mut self,
+        time: f64,
+        given: StepInterpolant<'_>,
+        edge: Option<Singularity>,
+    ) -> Verdict {
         if let Some(index) = self.to.not_finite() {
             return self.fail(self.not_finite(index));
         }
@@ -241,21 +251,21 @@ impl<'a, D: Dynamics> Run<'a, D> {
             self.pace.last_length = Some(time - self.from.time);
         }
         let found = match given {
-            Given::Middle(middle) => self.earliest_of_stiff(middle),
-            Given::Nothing => self.earliest_of_smooth(),
-            Given::Series(series, degree, share) => {
+            StepInterpolant::Middle(middle) => self.earliest_of_stiff(middle),
+            StepInterpolant::Nothing => self.earliest_of_smooth(),
+            StepInterpolant::Series(series, degree, share) => {
                 self.output
                     .series(&self.from, &self.to, series, degree, share);
                 self.earliest()
             }
-            Given::Polynomial(coefficients, degree) => {
+            StepInterpolant::Polynomial(coefficients, degree) => {
                 self.output
                     .bernstein(&self.from, &self.to, coefficients, degree);
                 self.earliest()
             }
         };
         // (A series knows its own error in them; a fixed step is what was asked for.)
-        let own = matches!(given, Given::Series(..)) || !self.takes_again();
+        let own = matches!(given, StepInterpolant::Series(..)) || !self.takes_again();
         if let (None, false, Some(shorter)) = (edge, own, self.misses_given_signal()) {
             self.shorten(shorter);
             return self.take_again(shorter);
@@ -267,7 +277,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         }
         let found = self.probe_before(found);
         let found = match given {
-            Given::Nothing => self.look_again(found),
+            StepInterpolant::Nothing => self.look_again(found),
             _ => found,
         };
         // Trial points beyond a switch may leave the domain; that is no failure.
@@ -275,7 +285,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         if let Some(pole) = self.pole_on_step(found.map_or(1.0, |found| found.s)) {
             return self.end(Stop::Physical(pole));
         }
-        if let (Some(found), None, Given::Polynomial(..)) = (found, edge, given)
+        if let (Some(found), None, StepInterpolant::Polynomial(..)) = (found, edge, given)
             && self.is_to_draw_in(found.s)
         {
             self.drawn_in += 1;

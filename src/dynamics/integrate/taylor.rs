@@ -8,7 +8,7 @@
 //! of motion. The series is the continuous output, and nothing has to be found
 //! anew after a switch.
 
-use super::run::{Given, Run, Verdict};
+use super::run::{Run, StepInterpolant, Verdict};
 use super::{Dynamics, Stop};
 use crate::math::number::NOTHING;
 
@@ -86,7 +86,7 @@ impl Series {
             let lands = length >= rest;
             let share = length / asked;
             let end = if lands { run.target } else { time + length };
-            let given = Given::Series(&self.coefficients, degree, share);
+            let given = StepInterpolant::Series(&self.coefficients, degree, share);
             let verdict = run.accept_with(end, &self.y, &self.dy, given);
             if lands || verdict != Verdict::Continue {
                 return;

@@ -3,7 +3,7 @@
 use super::audit::{Ledger, WEIGHTED};
 use super::failure::{self, Failure};
 use super::joints::JointTracker;
-use super::observed::{Coordinates, Looks, Observed};
+use super::observed::{Coordinates, ObservedStep, SampleCache};
 use super::observer::Observer;
 use super::peaks::PLACES;
 use super::pieces::{self, Pieces};
@@ -20,7 +20,7 @@ use crate::math::polynomial::Step;
 mod works;
 
 /// Gathers the figures of all objects of a system, and its works.
-pub(crate) struct Figured<'s> {
+pub(crate) struct FigureCollector<'s> {
     observer: Observer<'s>,
     coordinates: Vec<Coordinates>,
     tallies: Vec<Tally>,
@@ -33,7 +33,7 @@ pub(crate) struct Figured<'s> {
     /// States at the places of the present step.
     states: Vec<ObjectState>,
     /// What was looked at within the present step.
-    looks: Looks,
+    looks: SampleCache,
     /// False at the start and after every switch: the state at the start of the
     /// next step is then not that at the end of the last one.
     continues: bool,
@@ -64,7 +64,7 @@ pub(crate) struct Gathered {
     pub(crate) time: f64,
 }
 
-impl<'s> Figured<'s> {
+impl<'s> FigureCollector<'s> {
     /// For one run of `system` from t = 0.
     pub(crate) fn new(system: &'s System, settings: &RecorderSettings) -> Self {
         let count = system.model().objects.len();
@@ -85,7 +85,7 @@ impl<'s> Figured<'s> {
             audit: EnergyAudit::default(),
             time: 0.0,
             states: vec![ObjectState::default(); 7 * count],
-            looks: Looks::default(),
+            looks: SampleCache::default(),
             continues: false,
             kinks: Vec::new(),
             failure: None,
@@ -259,7 +259,7 @@ impl<'s> Figured<'s> {
         self.see_window_edges(step, modes);
         let works = self.balance_step(step, modes);
         self.looks.clear();
-        let mut segment = Observed {
+        let mut segment = ObservedStep {
             step,
             modes,
             observer: &mut self.observer,

@@ -12,7 +12,7 @@ use super::settings::RecorderSettings;
 use super::tally::CLAIMS;
 use super::watch::Watch;
 use super::{Interval, SwitchRow};
-use crate::dynamics::audit::{Looker, fastest_rate};
+use crate::dynamics::audit::{InstantSampler, fastest_rate};
 use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
 use stretch::seen;
@@ -54,7 +54,7 @@ pub(crate) struct Log<'s> {
     pub(super) confirmed: Vec<Option<Confirmed>>,
     pub(super) confirms: bool,
     /// Draws what the check of the run looks at.
-    looker: Looker,
+    looker: InstantSampler,
     watch: Watch,
 }
 
@@ -96,9 +96,9 @@ impl<'s> Log<'s> {
             looker: match settings.checked {
                 true => {
                     let entries = 2 * system.coordinates();
-                    Looker::new(settings.duration, entries, fastest_rate(model))
+                    InstantSampler::new(settings.duration, entries, fastest_rate(model))
                 }
-                false => Looker::idle(),
+                false => InstantSampler::idle(),
             },
             settings,
         }

@@ -37,7 +37,7 @@ pub use addresses::AddressError;
 pub(crate) use confirmed::{acceleration_rounding, judge_confirmed};
 pub use failure::Failure;
 pub use figure::Figure;
-pub(crate) use figured::Figured;
+pub(crate) use figured::FigureCollector;
 pub use figures::{
     CreepFigures, EquationFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures,
     PairFigures, PressingFigures, RunSummary, StopFigures, StudyFigure, Units, greatest_magnitude,
@@ -48,7 +48,7 @@ pub use recorder::{Recorded, Recorder};
 pub use settings::RecorderSettings;
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};
-pub(crate) use {observer::Observer, sampled::Sampled, tally::Tally};
+pub(crate) use {observer::Observer, sampled::SampledStretch, tally::Tally};
 
 /// A table over time.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -9,7 +9,7 @@ use super::subdivision::{integral_of_magnitude, maximum, minimum};
 use super::tally::read;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::segment::{Asked, MAGNITUDES, Peak, Segment, Signal};
+use crate::dynamics::segment::{MAGNITUDES, Peak, Segment, SegmentSignal, Signal};
 use crate::dynamics::system::{ObjectState, System};
 use crate::math::polynomial::{MAX_DEGREE, Step};
 
@@ -53,12 +53,12 @@ impl Coordinates {
 /// What was seen of all objects between the places of a step: several extremes are
 /// often climbed to by the same looks, those of a reaction and of its pair's contact force.
 #[derive(Debug, Default)]
-pub(super) struct Looks {
+pub(super) struct SampleCache {
     places: Vec<f64>,
     states: Vec<ObjectState>,
 }
 
-impl Looks {
+impl SampleCache {
     /// Forgets all, for the next step.
     pub(super) fn clear(&mut self) {
         self.places.clear();
@@ -149,25 +149,25 @@ impl Ranges {
 }
 
 /// A step, its observations and the means to look in between.
-pub(super) struct Observed<'a, 's> {
+pub(super) struct ObservedStep<'a, 's> {
     pub(super) step: &'a Step<'a>,
     pub(super) modes: &'a Modes,
     pub(super) observer: &'a mut Observer<'s>,
-    pub(super) looks: &'a mut Looks,
+    pub(super) looks: &'a mut SampleCache,
     /// States of all objects at [`places`], place after place.
     pub(super) states: &'a [ObjectState],
     pub(super) coordinates: &'a [Coordinates],
     pub(super) works: EnergyAudit,
 }
 
-impl Segment for Observed<'_, '_> {
+impl Segment for ObservedStep<'_, '_> {
     fn state(&mut self, time: f64, y: &mut [f64]) {
         let s = (time - self.step.start) / self.step.length;
         self.step.state(s.clamp(0.0, self.step.end), y);
     }
 
-    fn raise(&mut self, asked: Asked, peak: &mut Peak) {
-        let Asked {
+    fn raise(&mut self, asked: SegmentSignal, peak: &mut Peak) {
+        let SegmentSignal {
             object,
             signal,
             sign,
@@ -206,7 +206,7 @@ impl Segment for Observed<'_, '_> {
     fn raise_magnitude(&mut self, object: usize, signal: Signal, peak: &mut Peak) {
         let values = at_places(self.states, self.coordinates.len(), object, signal);
         for sign in [1.0, -1.0] {
-            let asked = Asked {
+            let asked = SegmentSignal {
                 object,
                 signal,
                 sign,
@@ -247,11 +247,11 @@ impl Segment for Observed<'_, '_> {
     }
 }
 
-impl Observed<'_, '_> {
+impl ObservedStep<'_, '_> {
     /// Follows a signal that is no polynomial from place to place, at which it has the
     /// values given.
-    fn follow(&mut self, asked: Asked, values: &[f64; 7], peak: &mut Peak) {
-        let Asked {
+    fn follow(&mut self, asked: SegmentSignal, values: &[f64; 7], peak: &mut Peak) {
+        let SegmentSignal {
             object,
             signal,
             sign,

@@ -3,12 +3,12 @@
 use super::confirmed::Confirmed;
 use super::failure::Failure;
 
-use super::figured::Figured;
+use super::figured::FigureCollector;
 use super::log::{Course, Log, Stretch};
 use super::settings::RecorderSettings;
 use super::tally::Tally;
 use super::{ObjectFigures, Record};
-use crate::dynamics::audit::Looks;
+use crate::dynamics::audit::DrawnInstants;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Modes, Sink, SwitchEvent};
 use crate::dynamics::system::System;
@@ -33,7 +33,7 @@ pub struct Recorded {
     /// Greatest values that closed forms told, seen a second time.
     pub(crate) confirmed: Vec<Confirmed>,
     /// States at instants drawn at random, for the check of the run.
-    pub(crate) looks: Looks,
+    pub(crate) looks: DrawnInstants,
     /// The first time of each condition of the model, by its name; `None`: it did not hold.
     pub first_times: BTreeMap<String, Option<f64>>,
     /// The conditions that may have held earlier, by their names: the time (s) from which on
@@ -44,14 +44,14 @@ pub struct Recorded {
 /// Records a run of a system. Its memory is bounded by samples and switches.
 pub struct Recorder<'s> {
     log: Log<'s>,
-    figured: Figured<'s>,
+    figured: FigureCollector<'s>,
 }
 
 impl<'s> Recorder<'s> {
     /// A recorder for one run of `system` from t = 0.
     pub fn new(system: &'s System, settings: RecorderSettings) -> Self {
         Self {
-            figured: Figured::new(system, &settings),
+            figured: FigureCollector::new(system, &settings),
             log: Log::new(system, settings),
         }
     }

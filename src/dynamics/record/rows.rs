@@ -95,13 +95,13 @@ impl Rows {
     }
 
     /// The sample that was due; see [`Self::push`].
-    pub(crate) fn sample_at(&mut self, time: f64, seen: Seen<'_>) -> bool {
+    pub(crate) fn sample_at(&mut self, time: f64, seen: SystemView<'_>) -> bool {
         self.next += 1;
         self.push(time, seen)
     }
 
     /// A row out of turn. False, and no row, when a value is not a finite number.
-    pub(crate) fn push(&mut self, time: f64, seen: Seen<'_>) -> bool {
+    pub(crate) fn push(&mut self, time: f64, seen: SystemView<'_>) -> bool {
         let good = self.read(seen);
         if good {
             self.rows.push(time, &self.row);
@@ -110,7 +110,7 @@ impl Rows {
     }
 
     /// The values of a row, if all are finite numbers.
-    pub(crate) fn values(&mut self, seen: Seen<'_>) -> Option<&[f64]> {
+    pub(crate) fn values(&mut self, seen: SystemView<'_>) -> Option<&[f64]> {
         self.read(seen).then_some(&self.row)
     }
 
@@ -132,7 +132,7 @@ impl Rows {
         all.all(|(((a, b), middle), greatest)| (0.5 * (a + b) - middle).abs() <= share * greatest)
     }
 
-    fn read(&mut self, seen: Seen<'_>) -> bool {
+    fn read(&mut self, seen: SystemView<'_>) -> bool {
         let (objects, others) = self.row.split_at_mut(OF_AN_OBJECT * seen.states.len());
         let (pressures, masses) = others.split_at_mut(self.pressed.len());
         for (out, state) in objects.chunks_exact_mut(OF_AN_OBJECT).zip(seen.states) {
@@ -156,7 +156,7 @@ impl Rows {
 
     /// The run ended at `time` with `last`: the sample due there may have been
     /// missed by rounding.
-    pub(crate) fn finish(&mut self, time: f64, last: Seen<'_>) {
+    pub(crate) fn finish(&mut self, time: f64, last: SystemView<'_>) {
         if !self.is_wanted() {
             return;
         }
@@ -213,7 +213,7 @@ impl Rows {
 
 /// View of a system at an instant.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen<'s> {
+pub(crate) struct SystemView<'s> {
     pub(crate) states: &'s [ObjectState],
     /// All masses of all elastic objects, or none.
     pub(crate) masses: &'s [MassState],
@@ -276,7 +276,7 @@ fn values(state: &ObjectState) -> [f64; 6] {
 
 #[cfg(test)]
 mod tests {
-    use super::{Rows, Seen};
+    use super::{Rows, SystemView};
     use crate::dynamics::system::{MassState, ObjectState, System};
     use crate::frontend::lower::lower;
     use crate::frontend::scene::{BuiltIn, Document, Overrides};
@@ -305,8 +305,8 @@ mod tests {
         pressure: 0.0,
     }; 2];
 
-    fn seen(states: &[ObjectState]) -> Seen<'_> {
-        Seen {
+    fn seen(states: &[ObjectState]) -> SystemView<'_> {
+        SystemView {
             states,
             masses: &[],
         }
@@ -359,7 +359,7 @@ mod tests {
             force,
             ..MassState::default()
         });
-        let all = Seen {
+        let all = SystemView {
             states: &REST,
             masses: &masses,
         };

@@ -4,11 +4,11 @@ use super::area::area;
 use super::peaks::PLACES;
 use super::tally::read;
 use crate::dynamics::energy::EnergyAudit;
-use crate::dynamics::segment::{Asked, Peak, Segment};
+use crate::dynamics::segment::{Peak, Segment, SegmentSignal};
 use crate::dynamics::system::ObjectState;
 
 /// A stretch observed at the places of a step, with the means to look in between.
-pub(crate) struct Sampled<'a> {
+pub(crate) struct SampledStretch<'a> {
     span: [f64; 2],
     /// States of all objects at all places, place after place.
     states: &'a [ObjectState],
@@ -16,7 +16,7 @@ pub(crate) struct Sampled<'a> {
     look: &'a mut dyn FnMut(f64, usize) -> ObjectState,
 }
 
-impl<'a> Sampled<'a> {
+impl<'a> SampledStretch<'a> {
     /// The instants at which a stretch is to be observed.
     pub(crate) fn instants([from, to]: [f64; 2]) -> [f64; 7] {
         let mut instants = PLACES.map(|place| from + place * (to - from));
@@ -34,12 +34,12 @@ impl<'a> Sampled<'a> {
     }
 }
 
-impl Segment for Sampled<'_> {
+impl Segment for SampledStretch<'_> {
     /// No part of the state is known.
     fn state(&mut self, _time: f64, _y: &mut [f64]) {}
 
-    fn raise(&mut self, asked: Asked, peak: &mut Peak) {
-        let Asked {
+    fn raise(&mut self, asked: SegmentSignal, peak: &mut Peak) {
+        let SegmentSignal {
             object,
             signal,
             sign,

@@ -3,7 +3,7 @@
 
 use super::{FinalState, ObjectFigures, PressingFigures, greatest_magnitude};
 use crate::dynamics::model::{Closure, ContactLaw, Pair};
-use crate::dynamics::segment::{Asked, MAGNITUDES, Peak, Segment, Signal};
+use crate::dynamics::segment::{MAGNITUDES, Peak, Segment, SegmentSignal, Signal};
 use crate::dynamics::system::{ObjectState, System};
 
 /// Reads a signal off a state.
@@ -204,7 +204,7 @@ impl Tally {
 
     /// Takes a segment into account, of which the object is number `number`.
     pub(crate) fn take(&mut self, number: usize, segment: &mut dyn Segment) {
-        let asked = |signal, sign| Asked {
+        let asked = |signal, sign| SegmentSignal {
             object: number,
             signal,
             sign,
@@ -248,7 +248,7 @@ impl Tally {
 
     fn take_contact(&mut self, number: usize, segment: &mut dyn Segment) {
         for peak in self.slack.iter_mut().flatten() {
-            let asked = Asked {
+            let asked = SegmentSignal {
                 object: number,
                 signal: Signal::ContactForce,
                 sign: -1.0,

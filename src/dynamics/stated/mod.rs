@@ -25,7 +25,7 @@ use std::collections::BTreeMap;
 /// What a scene states of the nodes and the loads of a model. What is not in it is supplied
 /// in code, and is its own statement.
 #[derive(Clone, Debug, Default)]
-pub struct Stated {
+pub struct SceneStatements {
     /// Motions of prescribed nodes.
     pub(crate) drives: BTreeMap<usize, StatedDrive>,
     /// Position functions of the laws of nodes, without the lever.

@@ -8,7 +8,7 @@
 mod regime;
 
 use super::extrapolation::{attempt, follow};
-use super::given::Given;
+use super::given::FunctionKind;
 use super::motion::SteadyMotion;
 use super::profile::Profile;
 use super::refusal::Refusal;
@@ -242,7 +242,7 @@ impl Machine<'_> {
             let load = (self.at)(piece, position, speed);
             [load.inertia, load.moment]
         };
-        let profile = Profile::new(self.cycle, &self.breaks, Given::Moment, &mut at)?;
+        let profile = Profile::new(self.cycle, &self.breaks, FunctionKind::Moment, &mut at)?;
         Ok(profile.with_rounding(RETURNED * regime.energy))
     }
 

@@ -1,6 +1,6 @@
 //! Two functions over a cycle as polynomials on panels.
 
-use super::given::Given;
+use super::given::FunctionKind;
 use super::panel::Fitted;
 use super::panel::{COUNT, NODES, Series};
 use super::refusal::Refusal;
@@ -35,7 +35,7 @@ struct Open {
 pub(super) fn fit(
     cycle: f64,
     breaks: &[f64],
-    given: Given,
+    given: FunctionKind,
     at: At<'_>,
 ) -> Result<Vec<Fitted>, Refusal> {
     let mut open = first_panels(cycle, breaks);
@@ -63,7 +63,7 @@ pub(super) fn fit(
             halve(&panel, tails, &mut open);
             continue;
         }
-        if !settled && given == Given::Work && tails[1] > 1e-9 * sizes[1] {
+        if !settled && given == FunctionKind::Work && tails[1] > 1e-9 * sizes[1] {
             return Err(Refusal::Rough {
                 position: panel.from,
             });

@@ -41,7 +41,7 @@ mod table;
 mod table_motion;
 
 pub use formula::Formula;
-pub use given::Given;
+pub use given::FunctionKind;
 pub use law::{Means, Question, SteadyFigures};
 pub use motion::{Check, Row, SteadyMotion, steady};
 pub use panel::Point;

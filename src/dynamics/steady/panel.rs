@@ -1,6 +1,6 @@
 //! A stretch of the cycle on which J and M are polynomials.
 
-use super::given::Given;
+use super::given::FunctionKind;
 use crate::math::chebyshev::{self, Nodes};
 use std::sync::LazyLock;
 
@@ -146,11 +146,11 @@ impl Panel {
 }
 
 /// A fitted panel with its moment.
-pub(super) fn panel(fitted: Fitted, given: Given) -> Panel {
+pub(super) fn panel(fitted: Fitted, given: FunctionKind) -> Panel {
     let half = 0.5 * (fitted.to - fitted.from);
     let moment = match given {
-        Given::Moment => fitted.other,
-        Given::Work => chebyshev::derivative(&fitted.other).map(|c| c / half),
+        FunctionKind::Moment => fitted.other,
+        FunctionKind::Work => chebyshev::derivative(&fitted.other).map(|c| c / half),
     };
     Panel::new(fitted.from, fitted.to, fitted.inertia, moment)
 }

@@ -1,7 +1,7 @@
 //! The machine reduced to its input link: J(φ), M(φ) and the work over a cycle.
 
 use super::fit::fit;
-use super::given::Given;
+use super::given::FunctionKind;
 use super::panel::COUNT;
 use super::panel::{Panel, Point, Signed, panel};
 use super::refusal::Refusal;
@@ -60,7 +60,7 @@ impl Profile {
     pub fn new(
         cycle: f64,
         breaks: &[f64],
-        given: Given,
+        given: FunctionKind,
         at: &mut dyn FnMut(usize, f64) -> [f64; 2],
     ) -> Result<Self, Refusal> {
         if !(cycle > 0.0 && cycle <= MOST_TURNS * TAU) {

@@ -1,7 +1,7 @@
 //! After which angle functions of the position repeat.
 
 use super::formula::Formula;
-use super::given::Given;
+use super::given::FunctionKind;
 use super::profile::MOST_TURNS;
 use super::refusal::Refusal;
 use crate::math::expression::Repetition;
@@ -24,11 +24,11 @@ const ROUNDING: f64 = 1e-9;
 pub fn least_cycle(
     least: f64,
     inertia: &Formula,
-    (given, other): (Given, &Formula),
+    (given, other): (FunctionKind, &Formula),
 ) -> Result<f64, Refusal> {
     let (name, may_grow) = match given {
-        Given::Work => ("work", true),
-        Given::Moment => ("moment", false),
+        FunctionKind::Work => ("work", true),
+        FunctionKind::Moment => ("moment", false),
     };
     let one = cycles("inertia", inertia, false, least)?;
     let other = cycles(name, other, may_grow, least)?;
@@ -100,10 +100,10 @@ fn tried(formula: &Formula, may_grow: bool, least: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::least_cycle;
-    use crate::dynamics::steady::{Formula, Given};
+    use crate::dynamics::steady::{Formula, FunctionKind};
     use std::f64::consts::TAU;
 
-    fn turns(inertia: &str, given: Given, other: &str, least: f64) -> Option<f64> {
+    fn turns(inertia: &str, given: FunctionKind, other: &str, least: f64) -> Option<f64> {
         let of = |text: &str| Formula::new("inertia", text).unwrap();
         let found = least_cycle(least * TAU, &of(inertia), (given, &of(other)));
         found.ok().map(|angle| angle / TAU)
@@ -111,7 +111,7 @@ mod tests {
 
     #[test]
     fn the_cycle_is_as_long_as_both_functions_need() {
-        use Given::{Moment, Work};
+        use FunctionKind::{Moment, Work};
         for (inertia, given, other, least, wanted) in [
             ("1.5", Moment, "12*cos(phi)", 1.0, 1.0),
             ("1.5", Moment, "12*cos(phi/2)", 1.0, 2.0),
@@ -154,7 +154,7 @@ mod tests {
 
     #[test]
     fn what_does_not_repeat_is_refused() {
-        use Given::{Moment, Work};
+        use FunctionKind::{Moment, Work};
         for (inertia, given, other) in [
             ("1.5", Moment, "12*phi"),
             ("1.5 + 0.1*phi", Work, "0"),

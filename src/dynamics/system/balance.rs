@@ -40,7 +40,7 @@ pub(super) enum Balance {
 
 /// A balance found.
 #[derive(Clone, Debug)]
-pub(super) struct Balanced {
+pub(super) struct BalanceState {
     /// [u, u̇]: chains at rest on their laws but for the deflection.
     pub(super) state: Vec<f64>,
     /// F of link 1 of each chain.
@@ -50,7 +50,12 @@ pub(super) struct Balanced {
 impl Frozen {
     /// Solves the balance in given modes, from a state on; `None` when
     /// Newton's method finds none.
-    pub(super) fn balance(&self, kind: Balance, start: &[f64], modes: &[i64]) -> Option<Balanced> {
+    pub(super) fn balance(
+        &self,
+        kind: Balance,
+        start: &[f64],
+        modes: &[i64],
+    ) -> Option<BalanceState> {
         let n = self.coordinates;
         let mut state = start.to_vec();
         let mut work = Work::new(self);
@@ -58,7 +63,7 @@ impl Frozen {
         self.imbalance(kind, 0.0, &state, modes, &mut work, &mut miss);
         if n == 0 {
             let reactions = work.reaction;
-            return Some(Balanced { state, reactions });
+            return Some(BalanceState { state, reactions });
         }
         for _ in 0..ITERATIONS {
             let step = self.newton_step(kind, &state, modes, &miss)?;
@@ -87,7 +92,7 @@ impl Frozen {
                 return miss
                     .iter()
                     .all(|miss| miss.is_finite())
-                    .then_some(Balanced { state, reactions });
+                    .then_some(BalanceState { state, reactions });
             }
         }
         None

@@ -9,7 +9,7 @@ use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Ro
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
 use super::stops::FrozenStop;
-use super::written::Written;
+use super::written::FrozenExpression;
 use crate::dynamics::model::{Law, LinkBase, LoadLaw, Model, NodeMotion, Stop, TrackSource};
 use crate::fault::Fault;
 
@@ -280,7 +280,7 @@ impl<'a> Builder<'a> {
                     None
                 }
                 LoadLaw::Written(own) => {
-                    written = Some(Written::new(own, load.node, &mut self.frozen));
+                    written = Some(FrozenExpression::new(own, load.node, &mut self.frozen));
                     None
                 }
                 LoadLaw::Linear(_) | LoadLaw::Function { .. } => None,

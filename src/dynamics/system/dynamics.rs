@@ -3,7 +3,7 @@
 use super::frozen::{Frozen, Step as Pass};
 use super::passes::{Extent, Work};
 use super::taylor::{Start, Taylor};
-use super::written::Written;
+use super::written::FrozenExpression;
 use super::{Bundle, DIRECTIONS, Scratch, System};
 use crate::dynamics::integrate::{
     Dynamics, EventFunction, Impact, Modes, PhysicalStop, Probe, Resting, Singularity,
@@ -150,7 +150,7 @@ impl Dynamics for System {
         let timed = |step: &Pass| matches!(step, Pass::Prescribed(_));
         !self.frozen.steps.iter().any(timed)
             && self.frozen.tracks.iter().all(|t| t.node.is_some())
-            && !self.frozen.written().any(Written::needs_time)
+            && !self.frozen.written().any(FrozenExpression::needs_time)
     }
 
     fn time_tangent(

@@ -1,6 +1,6 @@
 //! Loads whose force is not constant.
 
-use super::written::Written;
+use super::written::FrozenExpression;
 use crate::dynamics::model::{LinearPiece, LoadLaw, Track};
 use crate::kinematics::breaks::Breaks;
 use crate::math::quantity::Quantity;
@@ -18,8 +18,8 @@ pub(super) struct FrozenLoad {
     pub(super) stop: Option<usize>,
     /// False for a function of which no power series is known.
     pub(super) has_series: bool,
-    /// Of [`LoadLaw::Written`]: the expression.
-    pub(super) written: Option<Written>,
+    /// Of [`LoadLaw::FrozenExpression`]: the expression.
+    pub(super) written: Option<FrozenExpression>,
 }
 
 /// Argument of a load's table: what it runs over.

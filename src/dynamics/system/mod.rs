@@ -77,7 +77,7 @@ pub use masses::MassState;
 use observe::{Body, ObjectPlace};
 use passes::Work;
 use reduced::Modal;
-pub(crate) use scales::Sampled;
+pub(crate) use scales::MotionRanges;
 use std::sync::{Arc, OnceLock};
 use taylor::Taylor;
 
@@ -91,7 +91,7 @@ pub struct System {
     /// Scale of each state entry, found when first asked for.
     scales: OnceLock<Vec<f64>>,
     /// The laws along the motion of the drives, sampled for the scales.
-    sampled: OnceLock<Arc<Sampled>>,
+    sampled: OnceLock<Arc<MotionRanges>>,
 }
 
 /// Working memory of one evaluation; made by
@@ -225,21 +225,21 @@ impl System {
     }
 
     /// The laws along the motion of the drives.
-    fn laws_sampled(&self) -> &Sampled {
+    fn laws_sampled(&self) -> &MotionRanges {
         let sample = || Arc::new(scales::sample(&self.frozen));
         self.sampled.get_or_init(sample)
     }
 
     /// The samples of its laws that scales are found from, if they have been taken
     /// and follow from the laws alone: a motor's depend on its inertia and torque.
-    pub(crate) fn samples_of_laws(&self) -> Option<Arc<Sampled>> {
+    pub(crate) fn samples_of_laws(&self) -> Option<Arc<MotionRanges>> {
         let rotor = |step: &Step| matches!(step, Step::Rotor(_));
         let taken = self.sampled.get()?;
         (!self.frozen.steps.iter().any(rotor)).then(|| taken.clone())
     }
 
     /// Takes over the samples of a system that moves by the same laws.
-    pub(crate) fn take_samples(&self, samples: Arc<Sampled>) {
+    pub(crate) fn take_samples(&self, samples: Arc<MotionRanges>) {
         // Own ones, where there are any, are the same.
         let _ = self.sampled.set(samples);
     }

@@ -1,8 +1,8 @@
 //! Where given functions of time change so briefly that steps must be short.
 
 use super::frozen::{Frozen, Step, segment};
-use super::written::{Along, Input, Written};
-use crate::math::expression::{Interval, Moving, Program, Scalar, Stretch, VARIABLES};
+use super::written::{Along, FrozenExpression, Input};
+use crate::math::expression::{Interval, Program, RateBounds, Scalar, Stretch, VARIABLES};
 use crate::math::narrow::{Narrow, narrow, narrow_within};
 use crate::math::polynomial;
 
@@ -60,7 +60,7 @@ impl Frozen {
     }
 }
 
-impl Written {
+impl FrozenExpression {
     /// `slight`: an impulse over a speed that does not count.
     fn passed_over(&self, step: &polynomial::Step<'_>, modes: &[i64], slight: f64) -> Option<f64> {
         let along = Along {
@@ -77,9 +77,9 @@ impl Written {
         let mode = |guard: u16| modes[self.component + usize::from(guard)];
         let code = &self.expression.program().value;
         let bounds = |from: f64, to: f64| {
-            let mut variables = [Moving::number(0.0); VARIABLES];
+            let mut variables = [RateBounds::number(0.0); VARIABLES];
             along.over(from, to, &mut variables);
-            let Moving { value, rate } = code.evaluate(&variables, &mode);
+            let RateBounds { value, rate } = code.evaluate(&variables, &mode);
             // By the value, or by how fast it changes: the closer of the two.
             let change = rate.low.abs().max(rate.high.abs()) * (to - from);
             match change < value.high - value.low {
@@ -102,7 +102,7 @@ impl Written {
         let mode = |guard: u16| modes[self.component + usize::from(guard)];
         let value = &self.expression.program().value;
         let bounds = |a: f64, b: f64| {
-            let still = |value| Moving {
+            let still = |value| RateBounds {
                 value,
                 rate: Interval::of(0.0),
             };

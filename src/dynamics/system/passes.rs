@@ -11,7 +11,7 @@
 use super::constraints::{Chains, ConstraintValues, Coupling};
 use super::friction::{Rubbing, SeveralWork};
 use super::frozen::{Chain, Frozen, Step, segment};
-use super::linkages::{Cursor, Solved};
+use super::linkages::{Cursor, LinkageState};
 use super::multi::{Dense, MultiWork};
 use crate::math::quantity::Quantity;
 use std::cell::{Cell, RefCell};
@@ -69,7 +69,7 @@ pub(super) struct Work<N> {
     /// J of the linkages, for the right-hand side.
     pub(super) reduced_inertia: Vec<N>,
     /// The linkages, solved once for all that looks at them.
-    pub(super) linkages: Vec<RefCell<Solved>>,
+    pub(super) linkages: Vec<RefCell<LinkageState>>,
     /// The friction of their joints.
     pub(super) rubbing: Vec<Rubbing<N>>,
     /// The same of a linkage of several inputs.

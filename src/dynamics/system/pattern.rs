@@ -6,7 +6,7 @@
 
 use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, Rigid, Step};
-use super::written::Written;
+use super::written::FrozenExpression;
 use crate::dynamics::model::LoadLaw;
 use std::collections::BTreeSet;
 
@@ -118,7 +118,7 @@ impl Frozen {
             if let Some(node) = load.argument.as_ref().and_then(|axis| axis.node) {
                 set.extend(&of.place[node]);
             }
-            for node in load.written.iter().flat_map(Written::nodes) {
+            for node in load.written.iter().flat_map(FrozenExpression::nodes) {
                 set.extend(&of.place[node]);
             }
             of.force[load.node].extend(set);

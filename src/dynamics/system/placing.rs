@@ -1,6 +1,6 @@
 //! Where everything is at t = 0: nodes, segments of tracks, flanks of pairs.
 
-use super::balance::{Balance, Balanced, resting_mode};
+use super::balance::{Balance, BalanceState, resting_mode};
 use super::frozen::{Chain, Frozen, Step};
 use super::passes::{Extent, Work};
 use crate::math::expression::OPEN;
@@ -45,7 +45,7 @@ impl Frozen {
     }
 
     /// Balance from the law on, with the modes that belong to it.
-    pub(super) fn settle(&self, kind: Balance, modes: &mut [i64]) -> Option<Balanced> {
+    pub(super) fn settle(&self, kind: Balance, modes: &mut [i64]) -> Option<BalanceState> {
         self.settle_on(Side::After, kind, modes)
     }
 
@@ -55,7 +55,7 @@ impl Frozen {
         side: Side,
         kind: Balance,
         modes: &mut [i64],
-    ) -> Option<Balanced> {
+    ) -> Option<BalanceState> {
         let mut state = self.law_state();
         self.locate_tracks_on(side, &state, modes);
         // Each round may change flanks and segments; a balance that depends on

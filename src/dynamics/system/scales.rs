@@ -47,7 +47,7 @@ struct Range {
 }
 
 /// Scales of all 2n entries: > 0 and finite.
-pub(super) fn scales(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
+pub(super) fn scales(frozen: &Frozen, sampled: &MotionRanges) -> Vec<f64> {
     let n = frozen.coordinates;
     let mut scales = vec![1.0; 2 * n];
     let carried = carried_loads(frozen, sampled);
@@ -117,8 +117,8 @@ fn positive(value: f64, otherwise: f64) -> f64 {
 
 /// Force magnitudes that each node carries on to its driver: its loads, its
 /// inertia load and what its followers carry.
-fn carried_loads(frozen: &Frozen, sampled: &Sampled) -> Vec<f64> {
-    let Sampled {
+fn carried_loads(frozen: &Frozen, sampled: &MotionRanges) -> Vec<f64> {
+    let MotionRanges {
         ranges,
         slopes,
         gradients,
@@ -262,7 +262,7 @@ fn carried_inertia(frozen: &Frozen, node: usize) -> f64 {
 
 /// Greatest values over samples of the motion of the drives.
 #[derive(Debug)]
-pub(crate) struct Sampled {
+pub(crate) struct MotionRanges {
     /// |φ|, |φ̇|, |φ̈| of every node on its law.
     ranges: Vec<Range>,
     /// |U′| of every law.
@@ -278,7 +278,7 @@ pub(crate) struct Sampled {
 
 /// The least time in which a sampled motion turns by a radian of its fastest change (s);
 /// infinite where none is accelerated.
-pub(super) fn quickest(sampled: &Sampled) -> f64 {
+pub(super) fn quickest(sampled: &MotionRanges) -> f64 {
     let moving = sampled
         .ranges
         .iter()
@@ -290,7 +290,7 @@ pub(super) fn quickest(sampled: &Sampled) -> f64 {
 }
 
 /// Samples the laws along the motion of the drives.
-pub(super) fn sample(frozen: &Frozen) -> Sampled {
+pub(super) fn sample(frozen: &Frozen) -> MotionRanges {
     let mut ranges = vec![Range::default(); frozen.inertia.len()];
     let mut slopes = vec![0.0; frozen.laws.len()];
     let mut constraints: Vec<ConstraintValues<f64>> = (frozen.constraints.iter())
@@ -359,7 +359,7 @@ pub(super) fn sample(frozen: &Frozen) -> Sampled {
             range.acceleration = range.acceleration.max(at[2].abs());
         }
     }
-    Sampled {
+    MotionRanges {
         ranges,
         slopes,
         gradients,

@@ -4,7 +4,7 @@
 use super::frozen::{Branch, Chain, Frozen, Rigid, Step};
 use super::multi::direct;
 use super::trains::trains;
-use super::written::Written;
+use super::written::FrozenExpression;
 
 impl Frozen {
     /// Marks the chains that somebody looks at, and those that carry rigid objects.
@@ -30,7 +30,7 @@ impl Frozen {
         (self.laws.iter().map(|law| law.driver))
             .chain(self.constraints.iter().flat_map(|one| one.drivers.clone()))
             .chain(self.loads.iter().map(|load| load.node))
-            .chain(self.written().flat_map(Written::nodes))
+            .chain(self.written().flat_map(FrozenExpression::nodes))
             .chain(self.tracks.iter().filter_map(|track| track.node))
             .collect()
     }

@@ -1,6 +1,6 @@
 //! The state at t = 0.
 
-use super::balance::{Balance, Balanced};
+use super::balance::{Balance, BalanceState};
 use super::passes::{Extent, Work};
 use super::placing::Side;
 use super::{InitialState, System};
@@ -174,7 +174,7 @@ impl System {
         side: Side,
         kind: Balance,
         modes: &mut [i64],
-    ) -> Result<Balanced, Vec<Fault>> {
+    ) -> Result<BalanceState, Vec<Fault>> {
         let frozen = &self.frozen;
         let mut balanced = frozen
             .settle_on(side, kind, modes)

@@ -1,7 +1,7 @@
 //! What the user is told of a start that cannot be, or that begins with a jolt.
 
 use super::System;
-use super::balance::{Balance, Balanced};
+use super::balance::{Balance, BalanceState};
 use super::passes::{Extent, Work};
 use super::placing::Side;
 use crate::fault::Fault;
@@ -78,7 +78,7 @@ impl System {
 
     pub(super) fn warn_of_inertia(
         &self,
-        balanced: &Balanced,
+        balanced: &BalanceState,
         modes: &[i64],
         warnings: &mut Vec<String>,
     ) {

@@ -4,7 +4,7 @@
 //! deformation x = φ − at of its mass's own displacement, and a load on that mass: it pushes
 //! with −F. Its mode is a component of its own.
 
-use super::balance::Balanced;
+use super::balance::BalanceState;
 use super::frozen::{Chain, Frozen, segment};
 use super::pairs::{Contact, OPEN};
 use super::passes::{Extent, Work};
@@ -124,7 +124,12 @@ impl Frozen {
 impl Frozen {
     /// Sets the modes of stops, and of pairs of what rests on them, to what a balance asks
     /// for that was found in the modes `before`. What comes to rest on a stop is put there.
-    pub(super) fn settle_stops(&self, balanced: &mut Balanced, before: &[i64], modes: &mut [i64]) {
+    pub(super) fn settle_stops(
+        &self,
+        balanced: &mut BalanceState,
+        before: &[i64],
+        modes: &mut [i64],
+    ) {
         if self.stops.is_empty() {
             return;
         }

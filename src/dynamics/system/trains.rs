@@ -6,7 +6,7 @@
 
 use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
-use super::written::Written;
+use super::written::FrozenExpression;
 use crate::kinematics::position::Position;
 use crate::math::quantity::Quantity;
 
@@ -92,7 +92,7 @@ fn of_trains(frozen: &Frozen) -> Option<Vec<Train>> {
         trains[train].loads.push((index, ratio));
         looked_at.push(load.node);
         looked_at.extend(load.argument.as_ref().and_then(|axis| axis.node));
-        looked_at.extend(load.written.iter().flat_map(Written::nodes));
+        looked_at.extend(load.written.iter().flat_map(FrozenExpression::nodes));
     }
     looked_at.sort_unstable();
     looked_at.dedup();

@@ -19,7 +19,7 @@ pub(super) type WrittenSeries = Ordered<{ HIGHEST + 1 }>;
 
 /// A load by an expression, frozen.
 #[derive(Clone, Debug)]
-pub(super) struct Written {
+pub(super) struct FrozenExpression {
     pub(super) expression: Arc<Expression>,
     /// Factor on its value.
     pub(super) factor: f64,
@@ -61,7 +61,7 @@ impl Input {
     }
 }
 
-impl Written {
+impl FrozenExpression {
     /// Puts a load into the layout; signals are given to what its guards look at.
     pub(super) fn new(load: &WrittenLoad, node: NodeIndex, frozen: &mut Frozen) -> Self {
         let program = load.expression.program().clone();

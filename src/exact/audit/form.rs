@@ -33,12 +33,12 @@ pub(super) struct Form {
 
 /// Real and imaginary parts of a vector of lanes at the ends of a phase.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Ends {
+pub(super) struct PhaseEnds {
     start: [V; 2],
     end: [V; 2],
 }
 
-impl Ends {
+impl PhaseEnds {
     /// Those of the phase up to the instant of `e`.
     #[inline(always)]
     pub(super) fn take<A: Arith>(
@@ -127,7 +127,12 @@ impl Form {
 
     /// The integral over the lanes' parts at the ends of a phase.
     #[inline(always)]
-    pub(super) fn integral<A: Arith>(&self, ends: &[Ends], phase: &Phase, e: &Exponentials) -> f64 {
+    pub(super) fn integral<A: Arith>(
+        &self,
+        ends: &[PhaseEnds],
+        phase: &Phase,
+        e: &Exponentials,
+    ) -> f64 {
         let (mut even, mut odd) = (V::ZERO, V::ZERO);
         let count = ends.len();
         for (row, &j) in self.rows.iter().enumerate() {

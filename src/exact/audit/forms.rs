@@ -18,7 +18,7 @@ pub(super) struct Work {
 
 /// A link through which the law does work, with what its moment is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Driven {
+pub(super) struct LawLink {
     pub(super) mass: usize,
     /// Speed of the place it starts from, for L̇ = 1, in its own deformation.
     pub(super) ratio: f64,
@@ -44,7 +44,7 @@ pub(in crate::exact) struct Forms {
     pub(super) links: Form,
     pub(super) ground: Option<Form>,
     pub(super) drive: Form,
-    pub(super) driven: Vec<Driven>,
+    pub(super) driven: Vec<LawLink>,
     /// Engaged links that are damped, then dampers to the ground from `grounded` on.
     pub(super) dampers: Vec<Damper>,
     pub(super) grounded: usize,
@@ -118,7 +118,7 @@ impl Forms {
             let base = parent.map_or(0.0, |(p, lever)| lever * problem.masses[p].ratio);
             let ratio = mass.ratio - base;
             if ratio != 0.0 {
-                driven.push(Driven {
+                driven.push(LawLink {
                     mass: i,
                     ratio,
                     relaxed,
@@ -137,7 +137,7 @@ impl Forms {
             }
         }
         let moment = |lane: &Lane| {
-            let one = |d: &Driven| {
+            let one = |d: &LawLink| {
                 let mass = &problem.masses[d.mass];
                 let base = mass
                     .parent

@@ -1,7 +1,7 @@
 //! What polynomials (laws in spans, loads that change, drifts) add to work and
 //! dissipation over a phase.
 
-use super::form::Ends;
+use super::form::PhaseEnds;
 use super::forms::{Forms, Work};
 use super::moments::{against, moments, product};
 use super::varying;
@@ -13,7 +13,7 @@ use crate::exact::phase::{Exponentials, POLY, Phase};
 use crate::exact::problem::TreeProblem;
 
 /// Contribution of polynomials over a phase of length h.
-pub(super) struct Moving<'a> {
+pub(super) struct PolynomialPart<'a> {
     pub(super) forms: &'a Forms,
     pub(super) problem: &'a TreeProblem,
     pub(super) basis: &'a Basis,
@@ -26,14 +26,14 @@ pub(super) struct Moving<'a> {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Room {
     /// The lanes at its ends.
-    pub(super) ends: Vec<Ends>,
+    pub(super) ends: Vec<PhaseEnds>,
     /// Speed of every damper.
     speeds: Vec<[f64; POLY]>,
     /// Loads that change, with their masses.
     forces: Vec<(usize, [f64; POLY])>,
 }
 
-impl Task for Moving<'_> {
+impl Task for PolynomialPart<'_> {
     type Output = Work;
 
     #[inline(always)]
@@ -70,7 +70,7 @@ impl Task for Moving<'_> {
     }
 }
 
-impl Moving<'_> {
+impl PolynomialPart<'_> {
     /// Loads that change over the phase, and their work on its polynomials.
     fn loads(&mut self, law: &[f64; POLY], work: &mut Work) {
         let (phase, h) = (self.phase, self.h);
@@ -162,7 +162,7 @@ impl Forms {
         e: &Exponentials,
         room: &mut Room,
     ) -> Work {
-        Ends::take::<A>(phase, e, basis.blocks, &mut room.ends);
+        PhaseEnds::take::<A>(phase, e, basis.blocks, &mut room.ends);
         let ends = &room.ends;
         let mut work = Work {
             drives: self.drive.integral::<A>(ends, phase, e),
@@ -189,7 +189,7 @@ impl Forms {
             }
             return work;
         }
-        let more = A::apart(Moving {
+        let more = A::apart(PolynomialPart {
             forms: self,
             problem,
             basis,

@@ -2,7 +2,7 @@
 
 use super::climb::{Climb, Turns};
 use super::lanes_ahead::LanesAhead;
-use super::walk::Walk;
+use super::walk::TrackWalk;
 use super::{Scene, Track};
 use crate::exact::hermite::{Loss, Point, enclose};
 use crate::exact::lanes::{Arith, Task, V};
@@ -39,7 +39,7 @@ impl Track {
         if scene.followed(b.s - a.s) == scene.lanes() {
             self.span::<A>(scene, LanesAhead::Followed(a.fourth), a, b);
         } else if !self.settled::<A>(scene, a, b) {
-            A::apart(Walk {
+            A::apart(TrackWalk {
                 track: self,
                 scene,
                 ends: (a, b),

@@ -2,7 +2,7 @@
 //! of a run that looks at everything, and against dense samples.
 
 use crate::exact::tests::chain;
-use crate::exact::{Asked, ExactRun, ExactTree, Request, TimeLoad, TreePair};
+use crate::exact::{ExactRun, ExactTree, Request, RequestedFigures, TimeLoad, TreePair};
 
 /// Samples of a run: a tenth of a radian of its fastest mode apart.
 const SAMPLES: u32 = 200_000;
@@ -16,7 +16,7 @@ fn rocker(inertia: f64, stiffness: f64) -> ExactTree {
     ExactTree::new(problem)
 }
 
-fn run(tree: &ExactTree, asked: Asked, samples: usize) -> ExactRun {
+fn run(tree: &ExactTree, asked: RequestedFigures, samples: usize) -> ExactRun {
     let request = Request {
         figures: true,
         asked,
@@ -31,8 +31,8 @@ fn figures_do_not_depend_on_what_else_is_asked() {
     for k in 0..30 {
         let (i, j) = (f64::from(k % 6), f64::from(k / 6));
         let tree = rocker(0.05 + 0.15 * i, 0.25e7 + 1.1e7 * j);
-        let alone = run(&tree, Asked::DEVIATION, SAMPLES as usize);
-        let all = run(&tree, Asked::ALL, 0);
+        let alone = run(&tree, RequestedFigures::DEVIATION, SAMPLES as usize);
+        let all = run(&tree, RequestedFigures::ALL, 0);
         let (own, other) = (alone.figures[0], all.figures[0]);
         let size = other.delta_max.abs().max(other.delta_min.abs());
         assert!((own.delta_max - other.delta_max).abs() <= 1e-13 * size);

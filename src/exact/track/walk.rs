@@ -17,13 +17,13 @@ const GROWTH: f64 = 4.0;
 const MOST: usize = 1 << 24;
 
 /// [`Track::walk`], out of line.
-pub(super) struct Walk<'a> {
+pub(super) struct TrackWalk<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
     pub(super) ends: (&'a Point, &'a Point),
 }
 
-impl Task for Walk<'_> {
+impl Task for TrackWalk<'_> {
     type Output = ();
 
     #[inline(always)]

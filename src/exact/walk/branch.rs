@@ -2,7 +2,7 @@
 
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Impact, Modes};
-use crate::dynamics::segment::{Asked, Peak, Segment, Signal};
+use crate::dynamics::segment::{Peak, Segment, SegmentSignal, Signal};
 use crate::exact::from_model::Part;
 use crate::exact::{Ahead, Cursor, End, ExactTree, Refusal, Request};
 
@@ -101,7 +101,7 @@ impl Segment for Branch<'_> {
         self.part.put_state(&self.q, &self.v, y);
     }
 
-    fn raise(&mut self, asked: Asked, peak: &mut Peak) {
+    fn raise(&mut self, asked: SegmentSignal, peak: &mut Peak) {
         let figures = self.cursor.figures(asked.object);
         let times = &figures.times;
         let first = self.part.problem().objects[asked.object].first;
@@ -123,7 +123,7 @@ impl Segment for Branch<'_> {
 
     /// Found of either sign at once.
     fn raise_magnitude(&mut self, object: usize, signal: Signal, peak: &mut Peak) {
-        let asked = Asked {
+        let asked = SegmentSignal {
             object,
             signal,
             sign: 1.0,

@@ -3,14 +3,14 @@
 use crate::math::polynomial::Step;
 
 /// A step of the coordinates that no tree holds.
-pub(crate) struct Given<'g> {
+pub(crate) struct RemainderStep<'g> {
     /// The step, in an order of coordinates of its own.
     pub(crate) step: &'g Step<'g>,
     /// Places of its coordinates in the system.
     pub(crate) coordinates: &'g [usize],
 }
 
-impl Given<'_> {
+impl RemainderStep<'_> {
     /// Puts its part of the state y = [u, u̇] at an instant into the system's.
     pub(crate) fn put(&self, time: f64, y: &mut [f64]) {
         let n = y.len() / 2;
@@ -30,7 +30,7 @@ impl Given<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::Given;
+    use super::RemainderStep;
     use crate::math::polynomial::{Step, evaluate};
 
     #[test]
@@ -46,7 +46,7 @@ mod tests {
             bases: &[0.0; 2],
             coefficients: &coefficients,
         };
-        let given = Given {
+        let given = RemainderStep {
             step: &step,
             coordinates: &[1, 2],
         };

@@ -22,7 +22,7 @@ use tracks::Tracks;
 
 pub(crate) use branch::Branch;
 pub(crate) use clock::Clock;
-pub(crate) use given::Given;
+pub(crate) use given::RemainderStep;
 
 /// Two instants closer than this, in units of the clock, are one.
 const RESOLUTION: f64 = 16.0 * f64::EPSILON;
@@ -53,7 +53,7 @@ pub(crate) trait Listener {
 /// The whole motion over a stretch.
 pub(crate) struct Motion<'m, 'a> {
     pub(crate) branches: &'m mut [Branch<'a>],
-    pub(crate) given: Option<&'m Given<'m>>,
+    pub(crate) given: Option<&'m RemainderStep<'m>>,
 }
 
 impl Motion<'_, '_> {
@@ -71,7 +71,7 @@ impl Motion<'_, '_> {
 
 /// Route of a walk: the system with its trees, from the start to the end.
 #[derive(Clone, Copy)]
-pub(crate) struct Way<'a> {
+pub(crate) struct Schedule<'a> {
     pub(crate) system: &'a System,
     pub(crate) parts: &'a Parts,
     /// Trees at their start, one for each of the parts'.
@@ -85,8 +85,8 @@ pub(crate) struct Way<'a> {
 }
 
 /// All trees on their way.
-pub(crate) struct Walk<'a> {
-    way: Way<'a>,
+pub(crate) struct EventLoop<'a> {
+    way: Schedule<'a>,
     requests: Vec<Request>,
     system: &'a System,
     branches: Vec<Branch<'a>>,
@@ -102,16 +102,16 @@ pub(crate) struct Walk<'a> {
     stop: Option<Stop>,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> EventLoop<'a> {
     /// A walk before its start, `request` giving what is asked for of each tree; why
     /// there is none, where a tree has none.
     pub(crate) fn new(
-        way: Way<'a>,
+        way: Schedule<'a>,
         request: &dyn Fn(usize) -> Request,
         clock: &'a Clock<'a>,
         goes_on: &'a dyn Fn() -> bool,
     ) -> Result<Self, Stop> {
-        let Way { system, parts, .. } = way;
+        let Schedule { system, parts, .. } = way;
         let mut branches = Vec::with_capacity(way.trees.len());
         let requests: Vec<Request> = (0..way.trees.len()).map(request).collect();
         let trees = parts.trees.iter().zip(way.trees);
@@ -156,7 +156,7 @@ impl<'a> Walk<'a> {
     pub(crate) fn go_to(
         &mut self,
         end: f64,
-        given: Option<&Given<'_>>,
+        given: Option<&RemainderStep<'_>>,
         listener: &mut dyn Listener,
     ) {
         while self.goes_on(end) {
@@ -168,7 +168,7 @@ impl<'a> Walk<'a> {
     pub(crate) fn go_on_to(
         &mut self,
         end: f64,
-        given: Option<&Given<'_>>,
+        given: Option<&RemainderStep<'_>>,
         listener: &mut dyn Listener,
     ) {
         let ends = self.branches.iter().map(|branch| branch.cursor.time());
@@ -257,7 +257,7 @@ impl<'a> Walk<'a> {
     }
 
     /// State and modes of everything where the walk stands.
-    pub(crate) fn stand(&mut self, given: Option<&Given<'_>>) -> (&[f64], &Modes) {
+    pub(crate) fn stand(&mut self, given: Option<&RemainderStep<'_>>) -> (&[f64], &Modes) {
         let mut motion = Motion {
             branches: &mut self.branches,
             given,
@@ -267,7 +267,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Takes the switches due now and goes on to the next phases.
-    fn advance(&mut self, given: Option<&Given<'_>>, listener: &mut dyn Listener) {
+    fn advance(&mut self, given: Option<&RemainderStep<'_>>, listener: &mut dyn Listener) {
         let due = self.time + 0.5 * RESOLUTION * self.time.abs();
         for index in 0..self.branches.len() {
             while self.stop.is_none() && self.branches[index].cursor.time() <= due {

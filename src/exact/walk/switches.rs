@@ -1,15 +1,15 @@
 //! Switches on the way: of pairs, by impacts, of tracks.
 
 use super::tracks::Tracks;
-use super::{Given, Listener, Walk};
+use super::{EventLoop, Listener, RemainderStep};
 use crate::dynamics::integrate::{Dynamics, Impact, Stop, SwitchEvent};
 
-impl Walk<'_> {
+impl EventLoop<'_> {
     /// Tells the switch that ended the present phase of a branch.
     pub(super) fn take_switch(
         &mut self,
         index: usize,
-        given: Option<&Given<'_>>,
+        given: Option<&RemainderStep<'_>>,
         listener: &mut dyn Listener,
     ) {
         let Some((component, mode, impact)) = self.branches[index].switched() else {
@@ -51,7 +51,11 @@ impl Walk<'_> {
         });
     }
 
-    pub(super) fn pass_tracks(&mut self, given: Option<&Given<'_>>, listener: &mut dyn Listener) {
+    pub(super) fn pass_tracks(
+        &mut self,
+        given: Option<&RemainderStep<'_>>,
+        listener: &mut dyn Listener,
+    ) {
         let Some(tracks) = &mut self.tracks else {
             return;
         };

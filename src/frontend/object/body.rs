@@ -13,7 +13,7 @@ use crate::frontend::read::Fields;
 use serde_json::json;
 use sound::sound;
 use std::f64::consts::TAU;
-use written::{Written, written};
+use written::{BodyFields, written};
 
 /// Most masses of one object.
 pub(super) const MOST_MASSES: u64 = 10_000;
@@ -71,7 +71,7 @@ pub(super) fn read(
 }
 
 /// The number of masses, with which all lists must agree.
-fn number_of_masses(fields: &mut Fields<'_>, written: &Written) -> Option<usize> {
+fn number_of_masses(fields: &mut Fields<'_>, written: &BodyFields) -> Option<usize> {
     let shares = match &written.split {
         Some(InertiaSplit::Shares(shares)) => Some(shares.len()),
         _ => None,
@@ -113,7 +113,7 @@ fn number_of_masses(fields: &mut Fields<'_>, written: &Written) -> Option<usize>
 
 /// Stiffness and damping of a rigid object are left unused, so that the number
 /// of masses can be varied down to 0.
-fn rigid(fields: &mut Fields<'_>, written: &Written) -> Option<BodySpec> {
+fn rigid(fields: &mut Fields<'_>, written: &BodyFields) -> Option<BodySpec> {
     match written.inertia() {
         Some(inertia) => Some(BodySpec::Rigid { inertia }),
         None => {
@@ -129,7 +129,7 @@ fn rigid(fields: &mut Fields<'_>, written: &Written) -> Option<BodySpec> {
 /// An object that is reduced to its lowest modes; without any, to static flexibility.
 fn modal(
     fields: &mut Fields<'_>,
-    written: Written,
+    written: BodyFields,
     modes: usize,
     default_split: InertiaSplit,
 ) -> Option<BodySpec> {
@@ -144,7 +144,7 @@ fn modal(
 /// An object of which the run chooses how much is modelled.
 fn open(
     fields: &mut Fields<'_>,
-    written: Written,
+    written: BodyFields,
     default_split: InertiaSplit,
 ) -> Option<BodySpec> {
     if let Some(list) = continuum_lacks(&written, written.split.as_ref()) {
@@ -170,7 +170,7 @@ fn open(
 /// The uniform object that totals describe.
 fn continuum(
     fields: &mut Fields<'_>,
-    written: &Written,
+    written: &BodyFields,
     default_split: InertiaSplit,
 ) -> Option<Uniform> {
     let (inertia, stiffness) = (written.inertia(), written.stiffness());
@@ -198,7 +198,7 @@ fn continuum(
 
 fn elastic(
     fields: &mut Fields<'_>,
-    written: Written,
+    written: BodyFields,
     masses: usize,
     default_split: InertiaSplit,
 ) -> Option<BodySpec> {
@@ -247,7 +247,7 @@ fn elastic(
 }
 
 /// Why what is written is no continuum, cut into cells.
-fn continuum_lacks(written: &Written, split: Option<&InertiaSplit>) -> Option<&'static str> {
+fn continuum_lacks(written: &BodyFields, split: Option<&InertiaSplit>) -> Option<&'static str> {
     let lists = [
         (written.inertias.is_some(), "inertias"),
         (written.stiffnesses.is_some(), "stiffnesses"),
@@ -262,7 +262,7 @@ fn continuum_lacks(written: &Written, split: Option<&InertiaSplit>) -> Option<&'
 /// An elastic object needs an inertia and a stiffness, both greater than 0.
 fn check_elastic(
     fields: &mut Fields<'_>,
-    written: &Written,
+    written: &BodyFields,
     inertia: Option<f64>,
     stiffness: Option<f64>,
 ) -> Option<()> {

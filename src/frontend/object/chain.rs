@@ -11,8 +11,8 @@ use super::cam_geometry;
 use super::geometry::Beam;
 use super::level;
 use super::load::{self, On};
-use super::measures::Ends;
 use super::measures::Measures;
+use super::measures::PositionMeasures;
 use super::pair;
 use super::position;
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
@@ -224,7 +224,7 @@ fn position(
         (false, Some(Coordinate::Turning)) => "turning_position",
         (false, _) => "position",
     };
-    let ends = Ends { output, driver };
+    let ends = PositionMeasures { output, driver };
     let doc = "Position function U(φ): where the driver asks this object to be.";
     let read = |slot: crate::frontend::read::Slot<'_>| {
         slot.defined(definition, |slot| {

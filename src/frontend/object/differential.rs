@@ -118,7 +118,7 @@ impl Object for Differential {
 }
 
 /// An input as it is written: its name, what drives it, and the ratio given there.
-struct Written {
+struct InputStatement {
     name: String,
     driver: Option<Coordinate>,
     ratio: Option<f64>,
@@ -147,7 +147,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
         offset: 0.0,
     });
     let chain = chain::read_behind(fields, coordinate, &rules(coordinate), position);
-    let written: Vec<Written> = inputs?;
+    let written: Vec<InputStatement> = inputs?;
     let (combination, offset) = (combination?, offset?);
     let inputs = combine(fields, &written, &combination, coordinate?)?;
     let own = match combination {
@@ -167,7 +167,12 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
     }))
 }
 
-fn input(slot: Slot<'_>, name: &str, own: Measures, context: &Context<'_>) -> Option<Written> {
+fn input(
+    slot: Slot<'_>,
+    name: &str,
+    own: Measures,
+    context: &Context<'_>,
+) -> Option<InputStatement> {
     slot.record(|fields| {
         let driver = context.connect(fields, "object", name);
         let of_driver = Measures(driver.flatten());
@@ -177,7 +182,7 @@ fn input(slot: Slot<'_>, name: &str, own: Measures, context: &Context<'_>) -> Op
         });
         let doc = "Place of the input along the lever, with `lever`";
         let at = fields.maybe("at", doc, |slot| slot.quantity(q::LENGTH, Bounds::ANY));
-        Some(Written {
+        Some(InputStatement {
             name: name.to_owned(),
             driver: driver?,
             ratio: ratio?,

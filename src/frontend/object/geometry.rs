@@ -1,6 +1,6 @@
 //! Inertia and stiffness from dimensions and material.
 
-use crate::frontend::read::{Bounds, Fields, Slot, Wanted};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot};
 use crate::units::quantities as q;
 use std::f64::consts::PI;
 
@@ -49,7 +49,7 @@ fn positive(
     fields: &mut Fields<'_>,
     name: &'static str,
     doc: &str,
-    wanted: impl Into<Wanted>,
+    wanted: impl Into<QuantityChoice>,
 ) -> Option<f64> {
     fields.need(name, doc, |slot| slot.quantity(wanted, Bounds::POSITIVE))
 }

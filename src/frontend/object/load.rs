@@ -7,7 +7,7 @@ use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::written;
 use crate::dynamics::laws::{self, Declared, Domain, ForceLaw, Measure, Parameter};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, Slot, Wanted};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -119,7 +119,7 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
     let own = on.own();
     let force = own.force();
     let has_over = fields.has("over");
-    let any = |wanted: Wanted| move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
+    let any = |wanted: QuantityChoice| move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
     let mut law = fields.one_of("its law");
     law.case("constant", "Constant force W", |slot| {
         any(force)(slot).map(LoadLawSpec::Constant)
@@ -170,8 +170,8 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
 /// Reads `[[x, y], …]` with x strictly ascending.
 pub(super) fn points(
     mut slot: Slot<'_>,
-    x: Wanted,
-    y: Wanted,
+    x: QuantityChoice,
+    y: QuantityChoice,
     least: usize,
 ) -> Option<Vec<(f64, f64)>> {
     let points = slot.look(|slot| {
@@ -203,7 +203,7 @@ fn period(fields: &mut Fields<'_>, driver: Measures, doc: &str) -> Option<Option
     })
 }
 
-fn position_table(slot: Slot<'_>, driver: Measures, force: Wanted) -> Option<LoadLawSpec> {
+fn position_table(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let points = fields.need(
             "points",
@@ -231,7 +231,7 @@ fn position_table(slot: Slot<'_>, driver: Measures, force: Wanted) -> Option<Loa
     })
 }
 
-fn window(slot: Slot<'_>, driver: Measures, force: Wanted) -> Option<LoadLawSpec> {
+fn window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let edge = |slot: Slot<'_>| slot.quantity(driver.displacement(), Bounds::ANY);
         let from = fields.need("from", "Start of the window", edge);

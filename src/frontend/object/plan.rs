@@ -1,11 +1,11 @@
 //! Plans of motion in scenes.
 
 use super::law::composed;
-use super::measures::Ends;
 use super::measures::Measures;
+use super::measures::PositionMeasures;
 use crate::dynamics::model::Coordinate;
 use crate::fault::Fault;
-use crate::frontend::read::{Bounds, Fields, Slot, Value, Wanted};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, Value};
 use crate::kinematics::motion::cycle::{MOST_STATIONS, Motion, Station, USUAL_ORDER};
 use crate::kinematics::motion::{Cycle, CycleSpec, LawName, LawSpec};
 use crate::units::quantities as q;
@@ -15,16 +15,16 @@ use std::f64::consts::TAU;
 /// Quantities of a plan's two axes.
 #[derive(Clone, Copy, Debug)]
 struct Axes {
-    argument: Wanted,
-    displacement: Wanted,
-    speed: Wanted,
-    acceleration: Wanted,
+    argument: QuantityChoice,
+    displacement: QuantityChoice,
+    speed: QuantityChoice,
+    acceleration: QuantityChoice,
     /// Period when none is given.
     period: Option<f64>,
 }
 
 /// Reads a plan of motion over the displacement of a driver.
-pub(super) fn of_position(slot: Slot<'_>, ends: Ends) -> Option<CycleSpec> {
+pub(super) fn of_position(slot: Slot<'_>, ends: PositionMeasures) -> Option<CycleSpec> {
     let axes = Axes {
         argument: ends.driver.displacement(),
         displacement: ends.output.displacement(),
@@ -147,7 +147,7 @@ fn prescribed(
     fields: &mut Fields<'_>,
     name: &'static str,
     doc: &str,
-    wanted: Wanted,
+    wanted: QuantityChoice,
 ) -> Option<Option<f64>> {
     fields.maybe(name, doc, |slot| slot.quantity(wanted, Bounds::ANY))
 }

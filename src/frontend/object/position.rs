@@ -4,8 +4,8 @@ mod linkages;
 
 use super::cam;
 use super::load::points;
-use super::measures::Ends;
 use super::measures::Measures;
+use super::measures::PositionMeasures;
 use super::measures::any;
 use super::plan;
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
@@ -33,7 +33,11 @@ pub(super) const ALL: &[&str] = &[
 
 /// Reads `position`. Only the functions in `allowed` are described; any other
 /// is read too, to say what is wrong with it.
-pub(super) fn read(mut slot: Slot<'_>, ends: Ends, allowed: &[&str]) -> Option<PositionSpec> {
+pub(super) fn read(
+    mut slot: Slot<'_>,
+    ends: PositionMeasures,
+    allowed: &[&str],
+) -> Option<PositionSpec> {
     if let Some(function) = slot.own() {
         return own(slot, function, allowed);
     }
@@ -116,7 +120,12 @@ fn own(mut slot: Slot<'_>, function: CustomPosition, allowed: &[&str]) -> Option
 }
 
 /// Whether the function fits the object and its driver.
-fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: &[&str]) -> bool {
+fn check(
+    fields: &mut Fields<'_>,
+    function: &PositionSpec,
+    ends: PositionMeasures,
+    allowed: &[&str],
+) -> bool {
     let (name, turning_driver, output) = match function {
         PositionSpec::Ratio { .. } => ("ratio", false, None),
         PositionSpec::Sine { .. } => ("sine", false, None),
@@ -182,7 +191,7 @@ fn check(fields: &mut Fields<'_>, function: &PositionSpec, ends: Ends, allowed: 
     fields.faults() == before
 }
 
-fn ratio(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
+fn ratio(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     let factor =
         move |slot: Slot<'_>| slot.quantity(ends.output.per(ends.driver), Bounds::NOT_ZERO);
     slot.object_or(
@@ -208,7 +217,7 @@ fn ratio(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
     )
 }
 
-fn sine(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
+fn sine(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     slot.record(|fields| {
         let amplitude = fields.need(
             "amplitude",
@@ -238,7 +247,7 @@ fn sine(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
     })
 }
 
-fn polynomial(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
+fn polynomial(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     slot.record(|fields| {
         let coefficients = fields.need(
             "coefficients",
@@ -258,7 +267,7 @@ fn polynomial(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
     })
 }
 
-fn table(slot: Slot<'_>, ends: Ends) -> Option<PositionSpec> {
+fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
     slot.record(|fields| {
         let points = fields.need(
             "points",

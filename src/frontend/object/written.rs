@@ -1,7 +1,7 @@
 //! Expressions in scenes: the text, its unit, and mistakes with their place in it.
 
 use crate::dynamics::builder::written::{Names, OVER};
-use crate::frontend::read::{Fields, Slot, Wanted};
+use crate::frontend::read::{Fields, QuantityChoice, Slot};
 use crate::math::expression::{Expression, Mistake};
 
 /// Reads an expression whose kinks and jumps can be located.
@@ -50,7 +50,7 @@ fn refuse(slot: &mut Slot<'_>, mistake: Mistake) {
 }
 
 /// Reads `unit`, what the value of an expression is in: the factor to SI units.
-pub(super) fn unit(fields: &mut Fields<'_>, wanted: Wanted) -> Option<Option<f64>> {
+pub(super) fn unit(fields: &mut Fields<'_>, wanted: QuantityChoice) -> Option<Option<f64>> {
     let doc = "Unit of the value of `expression`; default SI";
     fields.maybe("unit", doc, |slot| slot.unit(wanted))
 }

@@ -16,14 +16,14 @@ pub(super) struct Entry {
     pub(super) name: String,
     pub(super) place: Place,
     /// A faulty one stands for any number, so that its fault is said once.
-    pub(super) value: Option<Given>,
+    pub(super) value: Option<ParsedNumber>,
     pub(super) used: bool,
 }
 
 /// A number with its unit, or without one: then it is in SI units of whatever
 /// is wanted where it is referred to.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Given {
+pub(super) enum ParsedNumber {
     Plain(f64),
     Measured(Measure),
 }

@@ -1,13 +1,13 @@
 //! Named numbers: an object that gives `dimensions` can refer to them by name
 //! wherever it takes a number: `"rod"`, `"-rod"`, `"rod/2"`, `"rod*0.4"`.
 
-use super::dimension::{Dimensions, Entry, Given};
+use super::dimension::{Dimensions, Entry, ParsedNumber};
 use super::fields::Fields;
 use super::number::{NUMBER_PATTERN, shorten};
 use super::slot::Slot;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
-use super::wanted::Wanted;
+use super::wanted::QuantityChoice;
 use crate::units::parse;
 use serde_json::json;
 
@@ -98,7 +98,7 @@ fn holds(node: &Node, asked: &dyn Fn(&Node) -> bool) -> bool {
 }
 
 /// Reads one named number.
-fn dimension(mut slot: Slot<'_>) -> Option<Given> {
+fn dimension(mut slot: Slot<'_>) -> Option<ParsedNumber> {
     if slot.describing() {
         slot.describe(json!({
             "description": "A number in SI units, or a text with a unit.",
@@ -110,18 +110,18 @@ fn dimension(mut slot: Slot<'_>) -> Option<Given> {
         Value::Number(value) if value.is_finite() => {
             let value = *value;
             *slot.out = json!(value);
-            Some(Given::Plain(value))
+            Some(ParsedNumber::Plain(value))
         }
         Value::Text(text) => match parse(text) {
             Ok(measure) => {
                 *slot.out = json!(measure.value);
                 Some(match measure.bare {
-                    true => Given::Plain(measure.value),
-                    false => Given::Measured(measure),
+                    true => ParsedNumber::Plain(measure.value),
+                    false => ParsedNumber::Measured(measure),
                 })
             }
             Err(error) => {
-                slot.unit_fault(text, error, &Wanted::anything());
+                slot.unit_fault(text, error, &QuantityChoice::anything());
                 None
             }
         },
@@ -153,7 +153,7 @@ fn take_apart(text: &str) -> Option<(&str, f64)> {
 impl Slot<'_> {
     /// What a text that refers to a named number stands for; `None`: it is a
     /// number of its own. The inner `None`: it is faulty, which has been said.
-    pub(super) fn reference(&mut self, text: &str, wanted: &Wanted) -> Option<Option<f64>> {
+    pub(super) fn reference(&mut self, text: &str, wanted: &QuantityChoice) -> Option<Option<f64>> {
         let dimensions = &mut self.reader.dimensions;
         let bare = text.trim_start().trim_start_matches('-').trim_start();
         let named = bare.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
@@ -182,8 +182,8 @@ impl Slot<'_> {
         entry.used = true;
         Some(match entry.value {
             None => None,
-            Some(Given::Plain(value)) => Some(factor * value),
-            Some(Given::Measured(measure)) => match wanted.accept(measure) {
+            Some(ParsedNumber::Plain(value)) => Some(factor * value),
+            Some(ParsedNumber::Measured(measure)) => match wanted.accept(measure) {
                 Ok(value) => Some(factor * value),
                 Err(mismatch) => {
                     self.mismatch(text, measure, mismatch, wanted);

@@ -36,7 +36,7 @@ pub use slot::{Declared, Reader, Slot};
 pub use suggest::{closest, did_you_mean, quoted_list};
 pub use text::{MAX_DEPTH, MAX_SIZE};
 pub use tree::{Member, Node, Value};
-pub use wanted::Wanted;
+pub use wanted::QuantityChoice;
 
 /// Names that ids and loads may have, as a regular expression.
 pub const NAME_PATTERN: &str = "^[A-Za-z_][A-Za-z0-9_-]*$";

@@ -5,7 +5,7 @@ use super::bounds::plain;
 use super::slot::{Slot, last_name};
 use super::suggest::did_you_mean;
 use super::tree::Value;
-use super::wanted::Wanted;
+use super::wanted::QuantityChoice;
 use crate::units::quantities::NUMBER;
 use crate::units::{Measure, Mismatch, UnitError, known_units, parse, shown};
 use serde_json::{Map, json};
@@ -77,7 +77,7 @@ impl UnitFault {
 
 impl Slot<'_> {
     /// Reads a number in SI units, or a text with a unit.
-    pub fn quantity(mut self, wanted: impl Into<Wanted>, bounds: Bounds) -> Option<f64> {
+    pub fn quantity(mut self, wanted: impl Into<QuantityChoice>, bounds: Bounds) -> Option<f64> {
         let wanted = wanted.into();
         if self.describing() {
             let mut number = Map::new();
@@ -150,7 +150,7 @@ impl Slot<'_> {
     }
 
     /// Reads a unit, without a number: the factor to SI units.
-    pub fn unit(mut self, wanted: impl Into<Wanted>) -> Option<f64> {
+    pub fn unit(mut self, wanted: impl Into<QuantityChoice>) -> Option<f64> {
         let wanted = wanted.into();
         if self.describing() {
             let units: Vec<&str> = wanted
@@ -211,7 +211,7 @@ impl Slot<'_> {
     }
 
     /// A text with a unit, as a value in SI units.
-    fn measure(&mut self, text: &str, wanted: &Wanted) -> Option<f64> {
+    fn measure(&mut self, text: &str, wanted: &QuantityChoice) -> Option<f64> {
         if let Some(found) = self.reference(text, wanted) {
             return found;
         }
@@ -225,7 +225,7 @@ impl Slot<'_> {
         None
     }
 
-    pub(super) fn unit_fault(&mut self, text: &str, error: UnitError, wanted: &Wanted) {
+    pub(super) fn unit_fault(&mut self, text: &str, error: UnitError, wanted: &QuantityChoice) {
         let name = last_name(&self.path);
         let accepts = format!("write a number in SI units, or a text: {}", wanted.words());
         let (code, message, hint, offset) = match error {
@@ -292,7 +292,7 @@ impl Slot<'_> {
         text: &str,
         measure: Measure,
         mismatch: Mismatch,
-        wanted: &Wanted,
+        wanted: &QuantityChoice,
     ) {
         let refused = UnitFault::new(
             (&self.path, text),
@@ -307,7 +307,7 @@ impl Slot<'_> {
 
 /// A unit of what is wanted that `symbol` at `offset` of `text` may be a slip of: the same in
 /// other case first.
-fn near_unit(text: &str, offset: usize, symbol: &str, wanted: &Wanted) -> Option<String> {
+fn near_unit(text: &str, offset: usize, symbol: &str, wanted: &QuantityChoice) -> Option<String> {
     let (before, after) = (&text[..offset], &text[offset + symbol.len()..]);
     // A text with two slips tells of neither what it measures: then any unit may be meant.
     let fits = |unit: &str| match parse(&format!("{before}{unit}{after}")) {

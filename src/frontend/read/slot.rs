@@ -4,7 +4,7 @@ use super::bounds::Bounds;
 use super::dimension::Dimensions;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
-use super::wanted::Wanted;
+use super::wanted::QuantityChoice;
 use crate::frontend::diagnostics::{Diagnostic, Place, SourceId};
 use serde_json::{Map, Value as Json, json};
 use std::ops::Range;
@@ -31,7 +31,7 @@ pub struct Declared {
     /// Place of the value in the text.
     pub place: Place,
     /// What it measures; `None`: a whole number.
-    pub wanted: Option<Wanted>,
+    pub wanted: Option<QuantityChoice>,
     /// The interval it must lie in.
     pub bounds: Bounds,
 }
@@ -169,7 +169,7 @@ impl<'a> Slot<'a> {
     }
 
     /// Keeps what is declared of this number, where that is asked for.
-    pub(super) fn declare(&mut self, wanted: Option<Wanted>, bounds: Bounds) {
+    pub(super) fn declare(&mut self, wanted: Option<QuantityChoice>, bounds: Bounds) {
         let Some((numbers, node)) = self.reader.numbers.as_mut().zip(self.node) else {
             return;
         };

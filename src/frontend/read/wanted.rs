@@ -5,14 +5,14 @@ use crate::units::{Measure, Mismatch, Quantity, parse};
 /// Quantities that a number may measure: one, or either of two while it is not known
 /// whether the object turns or slides.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wanted {
+pub struct QuantityChoice {
     /// The quantity.
     pub first: Quantity,
     /// The other one.
     pub second: Option<Quantity>,
 }
 
-impl From<Quantity> for Wanted {
+impl From<Quantity> for QuantityChoice {
     fn from(first: Quantity) -> Self {
         Self {
             first,
@@ -21,7 +21,7 @@ impl From<Quantity> for Wanted {
     }
 }
 
-impl Wanted {
+impl QuantityChoice {
     /// Either of two quantities.
     pub fn either(first: Quantity, second: Quantity) -> Self {
         Self {

@@ -1,11 +1,11 @@
 //! The property `accuracy` of a run.
 
-use super::objects::Known;
+use super::objects::ObjectTable;
 use super::{Accuracy, AccuracySpec, expect};
-use crate::frontend::read::{Bounds, Slot, Wanted};
+use crate::frontend::read::{Bounds, QuantityChoice, Slot};
 
 /// Reads `accuracy`.
-pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<AccuracySpec> {
+pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<AccuracySpec> {
     slot.object_or(
         |slot| {
             let named = |address: &str, slot: Slot<'_>| {
@@ -18,15 +18,15 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<AccuracySpec> {
 }
 
 /// How accurate the figure of an address is to be.
-fn one(mut slot: Slot<'_>, address: &str, known: &Known) -> Option<Accuracy> {
+fn one(mut slot: Slot<'_>, address: &str, known: &ObjectTable) -> Option<Accuracy> {
     let wanted = match slot.describing() {
-        true => Wanted::anything(),
+        true => QuantityChoice::anything(),
         false => expect::figure_of_run(&mut slot, address, known)?,
     };
     match expect::is_share(&slot) {
         true => slot.number(Bounds::POSITIVE).map(Accuracy::Share),
         false => {
-            if wanted == Wanted::anything() {
+            if wanted == QuantityChoice::anything() {
                 known.keep_measure(address, &slot);
             }
             slot.quantity(wanted, Bounds::NOT_NEGATIVE)

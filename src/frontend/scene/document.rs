@@ -2,7 +2,7 @@
 
 mod hash;
 
-use super::objects::Known;
+use super::objects::ObjectTable;
 use super::overrides::{self, Overrides};
 use super::{Catalogue, Levels, TypedScene, address, root};
 use crate::fault::Fault;
@@ -170,7 +170,7 @@ impl Document {
         let tree = self.tree(catalogue, overrides, &mut sources, &mut faults);
         let mut reader = Reader::new();
         reader.overrides = first..first + overrides.arguments().len();
-        let known = Known::new(&self.registry);
+        let known = ObjectTable::new(&self.registry);
         let (read, canonical) = reader.read(Some(&tree), "", |slot| root::read(slot, known));
         for mut fault in reader.diagnostics {
             // As it is addressed everywhere else: `rocker.pair.gap`.
@@ -210,17 +210,17 @@ impl Document {
     pub(super) fn declared(&self, catalogue: &dyn Catalogue) -> Vec<Declared> {
         let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
         let tree = self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults);
-        let known = Known::new(&self.registry);
+        let known = ObjectTable::new(&self.registry);
         let mut reader = Reader::of_numbers();
         reader.read(Some(&tree), "", |slot| root::read(slot, known));
         reader.numbers()
     }
 
     /// What is known of its objects, however faulty they are, and what a catalogue offers.
-    pub(super) fn known(&self, catalogue: &dyn Catalogue) -> Known {
+    pub(super) fn known(&self, catalogue: &dyn Catalogue) -> ObjectTable {
         let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
         let tree = self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults);
-        Known::new(&self.registry).offering(Some(&tree), catalogue)
+        ObjectTable::new(&self.registry).offering(Some(&tree), catalogue)
     }
 
     /// Its tree with catalogue objects copied in, as far as there are any.

@@ -1,11 +1,13 @@
 //! The `expect` block.
 
-use super::objects::Known;
+use super::objects::ObjectTable;
 use super::study_address::{CAM_FIGURES, StudyAddress};
 use super::{Allowed, Expectation, Expected};
 use crate::dynamics::model::owner_of;
 use crate::frontend::object::Measures;
-use crate::frontend::read::{Bounds, Fields, Slot, Wanted, closest, did_you_mean, quoted_list};
+use crate::frontend::read::{
+    Bounds, Fields, QuantityChoice, Slot, closest, did_you_mean, quoted_list,
+};
 use crate::units::{Quantity, quantities as q};
 
 /// Reasons for which a run may be expected to stop.
@@ -27,7 +29,7 @@ const STOPS: [&str; 14] = [
 ];
 
 /// A figure's name and what it measures.
-type Figure = (&'static str, fn(Measures) -> Wanted);
+type Figure = (&'static str, fn(Measures) -> QuantityChoice);
 
 /// Figures of an object.
 const OBJECT_FIGURES: &[Figure] = &[
@@ -128,18 +130,18 @@ pub(crate) fn is_expectable(name: &str, of_stop: Option<bool>) -> bool {
 /// Subject of an expectation.
 #[derive(Clone)]
 enum About {
-    Figure(String, Wanted),
+    Figure(String, QuantityChoice),
     Stop(&'static str),
 }
 
 /// Reads `expect`.
-pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<Vec<Expectation>> {
+pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<Vec<Expectation>> {
     slot.list(0..=usize::MAX, |slot| {
         slot.record(|fields| expectation(fields, known))
     })
 }
 
-fn expectation(fields: &mut Fields<'_>, known: &Known) -> Option<Expectation> {
+fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectation> {
     let mut about = fields.one_of("what is expected");
     about.case(
         "figure",
@@ -160,10 +162,12 @@ fn expectation(fields: &mut Fields<'_>, known: &Known) -> Option<Expectation> {
     let wanted = match &about {
         Some(About::Figure(_, wanted)) => *wanted,
         Some(About::Stop(_)) => q::TIME.into(),
-        None => Wanted::anything(),
+        None => QuantityChoice::anything(),
     };
     let figure = match &about {
-        Some(About::Figure(figure, _)) if wanted == Wanted::anything() => Some(figure.clone()),
+        Some(About::Figure(figure, _)) if wanted == QuantityChoice::anything() => {
+            Some(figure.clone())
+        }
         _ => None,
     };
     let keep = |slot: &Slot<'_>| {
@@ -332,20 +336,24 @@ fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> 
 }
 
 /// The address of a figure, with what it measures.
-fn figure(mut slot: Slot<'_>, known: &Known) -> Option<About> {
+fn figure(mut slot: Slot<'_>, known: &ObjectTable) -> Option<About> {
     let address = slot.look(|slot| slot.text())?;
     about(&mut slot, address, known)
 }
 
 /// What a figure of a run or of a study measures, whose address is the name of a property.
-pub(super) fn figure_of_run(slot: &mut Slot<'_>, address: &str, known: &Known) -> Option<Wanted> {
+pub(super) fn figure_of_run(
+    slot: &mut Slot<'_>,
+    address: &str,
+    known: &ObjectTable,
+) -> Option<QuantityChoice> {
     match about(slot, address.to_owned(), known)? {
         About::Figure(_, wanted) => Some(wanted),
         About::Stop(_) => None,
     }
 }
 
-fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
+fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<About> {
     match StudyAddress::of(&address) {
         Some(StudyAddress::Frequency { number: 1.., .. }) => {
             return Some(About::Figure(address, q::FREQUENCY.into()));
@@ -441,7 +449,7 @@ fn about(slot: &mut Slot<'_>, address: String, known: &Known) -> Option<About> {
 /// The address of a figure of a linkage's kinematics or forces,
 /// `forces.press.drive.greatest`. Which figures there are is known only when the
 /// linkage is, and what each measures; until then any unit will do.
-fn study_figure(slot: &mut Slot<'_>, known: &Known, address: String) -> Option<About> {
+fn study_figure(slot: &mut Slot<'_>, known: &ObjectTable, address: String) -> Option<About> {
     let mut parts = address.splitn(3, '.');
     let (study, object, name) = (parts.next()?, parts.next(), parts.next());
     let (Some(object), Some(_)) = (object, name) else {
@@ -458,7 +466,7 @@ fn study_figure(slot: &mut Slot<'_>, known: &Known, address: String) -> Option<A
         return None;
     };
     if known.objects.contains_key(object) {
-        return Some(About::Figure(address, Wanted::anything()));
+        return Some(About::Figure(address, QuantityChoice::anything()));
     }
     let hint = did_you_mean(object, known.objects.keys().map(String::as_str));
     let fault = slot.refuse("unknown-object", format!("unknown object `{object}`"));
@@ -467,7 +475,7 @@ fn study_figure(slot: &mut Slot<'_>, known: &Known, address: String) -> Option<A
 }
 
 /// Refuses `cam.NAME`, which is no figure of a cam.
-fn no_cam_figure(slot: &mut Slot<'_>, known: &Known, name: &str) {
+fn no_cam_figure(slot: &mut Slot<'_>, known: &ObjectTable, name: &str) {
     let named = name.rsplit_once('.');
     let objects = || known.objects.keys().map(String::as_str);
     let Some((object, figure)) = named.filter(|(object, _)| known.objects.contains_key(*object))

@@ -1,7 +1,7 @@
 //! The numbers of a scene's text: where each stands, what it measures, how far it may go.
 
 use super::{Catalogue, Document};
-use crate::frontend::read::{Bounds, Declared, Wanted};
+use crate::frontend::read::{Bounds, Declared, QuantityChoice};
 use crate::units::{number_and_unit, parse};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -103,7 +103,7 @@ fn number(declared: &Declared, text: &str) -> Option<Number> {
 }
 
 /// SI units in one of `unit`, in the sense in which a quantity that is wanted takes it.
-fn factor(unit: &str, wanted: Option<Wanted>) -> Option<f64> {
+fn factor(unit: &str, wanted: Option<QuantityChoice>) -> Option<f64> {
     let one = parse(&format!("1 {unit}")).ok()?;
     let meant = wanted.and_then(|wanted| wanted.accept(one).ok());
     Some(meant.unwrap_or(one.value))

@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 /// Objects of a scene, also faulty ones, as the rest of the scene must know them.
 #[derive(Debug)]
-pub(super) struct Known {
+pub(super) struct ObjectTable {
     /// The kinds that they may be of.
     pub(super) registry: Registry,
     /// By id; outputs of objects as `object.output`.
@@ -27,7 +27,7 @@ pub(super) struct Known {
     offered: Vec<(String, String)>,
 }
 
-impl Known {
+impl ObjectTable {
     /// Nothing yet.
     pub(super) fn new(registry: &Registry) -> Self {
         Self {
@@ -116,7 +116,10 @@ impl Known {
 }
 
 /// Reads the objects; fills in `known` on the way.
-pub(super) fn read(mut slot: Slot<'_>, known: &mut Known) -> Option<BTreeMap<String, SceneObject>> {
+pub(super) fn read(
+    mut slot: Slot<'_>,
+    known: &mut ObjectTable,
+) -> Option<BTreeMap<String, SceneObject>> {
     if slot.describing() {
         describe(slot, known);
         return None;
@@ -138,7 +141,7 @@ fn kind(fields: &mut Fields<'_>, registry: &Registry) -> Option<Kind> {
 }
 
 /// Reads one object; notes in `known` how many masses it has.
-pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut Known) -> Option<SceneObject> {
+pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut ObjectTable) -> Option<SceneObject> {
     let sound = check_id(&mut slot, id);
     let is_own = slot
         .node()
@@ -248,7 +251,7 @@ fn check_id(slot: &mut Slot<'_>, id: &str) -> bool {
 }
 
 /// Cycles, and whether there is a drive at all.
-fn check_graph(slot: &mut Slot<'_>, node: &Node, known: &Known) -> bool {
+fn check_graph(slot: &mut Slot<'_>, node: &Node, known: &ObjectTable) -> bool {
     let graph = MechanismGraph::new(node.members().iter().map(|member| {
         // Without a kind it may yet become one with an input.
         let inputs = known.inputs_of(&member.value).unwrap_or(Inputs::One);
@@ -281,7 +284,7 @@ fn check_graph(slot: &mut Slot<'_>, node: &Node, known: &Known) -> bool {
     drive && cycles.is_empty()
 }
 
-fn report_cycle(slot: &mut Slot<'_>, node: &Node, known: &Known, cycle: &[&str]) {
+fn report_cycle(slot: &mut Slot<'_>, node: &Node, known: &ObjectTable, cycle: &[&str]) {
     let place = |id: &str| {
         let object = node.get(id)?;
         let input = match known.inputs_of(object) {
@@ -315,7 +318,7 @@ fn report_cycle(slot: &mut Slot<'_>, node: &Node, known: &Known, cycle: &[&str])
 }
 
 /// The schema of all objects: one definition a kind.
-fn describe(mut slot: Slot<'_>, known: &Known) {
+fn describe(mut slot: Slot<'_>, known: &ObjectTable) {
     let registry = &known.registry;
     let mut by_kind = Vec::new();
     for kind in registry.kinds() {
@@ -354,7 +357,7 @@ fn describe(mut slot: Slot<'_>, known: &Known) {
     }));
 }
 
-fn describe_kind(slot: Slot<'_>, kind: &Kind, known: &Known) -> Option<()> {
+fn describe_kind(slot: Slot<'_>, kind: &Kind, known: &ObjectTable) -> Option<()> {
     slot.record(|fields| {
         fields.remark("description", "Remarks for people.");
         fields.need("kind", kind.doc, |slot| slot.choice(&[(kind.name, ())]));

@@ -1,6 +1,6 @@
 //! The top level of a scene.
 
-use super::objects::{self, Known};
+use super::objects::{self, ObjectTable};
 use super::{Expectation, Measured, RunSpec, SceneObject, SteadySpec, expect, run, steady};
 use crate::frontend::read::Slot;
 use serde_json::json;
@@ -17,7 +17,7 @@ pub(super) struct Root {
 }
 
 /// Reads (or describes) a whole scene.
-pub(super) fn read(slot: Slot<'_>, mut known: Known) -> Option<Root> {
+pub(super) fn read(slot: Slot<'_>, mut known: ObjectTable) -> Option<Root> {
     slot.record(|fields| {
         fields.remark("$schema", "Where editors find the schema of this file.");
         let version = fields.need("dam", "Version of the format: 1.", |slot| slot.count(1..=1));

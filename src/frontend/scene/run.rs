@@ -1,7 +1,7 @@
 //! The `run` block.
 
 use super::accuracy;
-use super::objects::Known;
+use super::objects::ObjectTable;
 use super::{RunSpec, StartSpec};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::{CONDITION_NAMES, Condition, UNTIL};
@@ -27,7 +27,7 @@ const FIRST_TIMES: &str = "Conditions by names of their own: the first time at w
     the result `run.first_times.NAME`.";
 
 /// Reads `run`.
-pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
+pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
     slot.record(|fields| {
         let seconds = |slot: Slot<'_>| slot.quantity(q::TIME, Bounds::POSITIVE);
         let duration = fields.need("duration", "Simulated time", seconds);
@@ -118,7 +118,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<RunSpec> {
 }
 
 /// A condition on the motion of an object or of an output.
-fn one_condition(slot: Slot<'_>, name: &str, known: &Known) -> Option<Condition> {
+fn one_condition(slot: Slot<'_>, name: &str, known: &ObjectTable) -> Option<Condition> {
     slot.record(|fields| {
         let doc = "Object, output or stop whose motion the condition is about: `rocker`, `press.ram`.";
         let object = fields.need("of", doc, |mut slot| {
@@ -181,7 +181,7 @@ fn check(fields: &mut Fields<'_>, run: &RunSpec) -> bool {
     fields.faults() == before
 }
 
-fn start(slot: Slot<'_>, known: &Known) -> Option<StartSpec> {
+fn start(slot: Slot<'_>, known: &ObjectTable) -> Option<StartSpec> {
     let names = [
         ("kinetostatic", StartSpec::Kinetostatic),
         ("static", StartSpec::Static),
@@ -197,7 +197,7 @@ fn start(slot: Slot<'_>, known: &Known) -> Option<StartSpec> {
 }
 
 /// Displacements and speeds of all masses of one object.
-fn state(mut slot: Slot<'_>, id: &str, known: &Known) -> Option<(Vec<f64>, Vec<f64>)> {
+fn state(mut slot: Slot<'_>, id: &str, known: &ObjectTable) -> Option<(Vec<f64>, Vec<f64>)> {
     let object = match known.objects.get(id) {
         Some(object) => *object,
         None if slot.describing() => KnownObject::default(),

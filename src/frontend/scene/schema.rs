@@ -1,6 +1,6 @@
 //! The JSON Schema of scenes, written by the code that reads them.
 
-use super::objects::Known;
+use super::objects::ObjectTable;
 use super::{BuiltIn, Catalogue, Document, root};
 use crate::frontend::object::Registry;
 use crate::frontend::read::Reader;
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 /// The schema (draft 2020-12) of a scene whose objects are of the kinds of a registry.
 /// Editors complete units and the names of the catalogue that is built in by it.
 pub fn schema(registry: &Registry) -> Value {
-    described(Known::new(registry).offering(None, &BuiltIn))
+    described(ObjectTable::new(registry).offering(None, &BuiltIn))
 }
 
 /// Schema of one scene: with its own ids and outputs for `input`, and with the names of a
@@ -18,7 +18,7 @@ pub fn schema_of(document: &Document, catalogue: &dyn Catalogue) -> Value {
     described(document.known(catalogue))
 }
 
-fn described(known: Known) -> Value {
+fn described(known: ObjectTable) -> Value {
     let mut reader = Reader::describing();
     let (_, mut schema) = reader.read(None, "", |slot| root::read(slot, known));
     schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");

@@ -1,7 +1,7 @@
 //! The `steady` block.
 
 use super::SteadySpec;
-use super::objects::Known;
+use super::objects::ObjectTable;
 use crate::dynamics::steady::{MOST_TURNS, Mean};
 use crate::frontend::read::{Bounds, Slot, did_you_mean, quoted_list};
 use crate::units::quantities as q;
@@ -11,7 +11,7 @@ use serde_json::json;
 const MOST_PERIODS: u64 = 64;
 
 /// Reads `steady`.
-pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<SteadySpec> {
+pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<SteadySpec> {
     slot.record(|fields| {
         let drive = fields.maybe(
             "drive",
@@ -75,7 +75,7 @@ pub(super) fn read(slot: Slot<'_>, known: &Known) -> Option<SteadySpec> {
 }
 
 /// The id of one of the scene's objects.
-fn drive(mut slot: Slot<'_>, known: &Known) -> Option<String> {
+fn drive(mut slot: Slot<'_>, known: &ObjectTable) -> Option<String> {
     let id = slot.look(|slot| slot.text())?;
     if known.objects.contains_key(&id) {
         return Some(id);

@@ -2,7 +2,7 @@
 //! properties: only the objects that hold them are decoded anew.
 
 use super::address::{RESERVED, Step};
-use super::objects::{self, Known};
+use super::objects::{self, ObjectTable};
 use super::{Catalogue, Document, Levels, Overrides, StartSpec, TypedScene, overrides, run};
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Severity, Sources};
 use crate::frontend::object::numbers;
@@ -14,7 +14,7 @@ use crate::frontend::read::{Node, Reader};
 pub struct Variation {
     root: Node,
     scene: TypedScene,
-    known: Known,
+    known: ObjectTable,
     /// The settings in force; none after settings that could not be taken.
     settings: Vec<String>,
     /// Levels of the objects that leave theirs open.
@@ -41,7 +41,7 @@ impl Variation {
         let mut scene = reading.scene;
         scene.hash.clear();
         // What objects know of each other is not kept by a reading.
-        let mut known = Known::new(document.kinds());
+        let mut known = ObjectTable::new(document.kinds());
         Reader::new().read(root.get("objects"), "objects", |slot| {
             objects::read(slot, &mut known)
         });

@@ -7,7 +7,7 @@ mod tied;
 use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
-use super::newton::{Joint, NewtonGroup, Side};
+use super::newton::{GroupPair, NewtonGroup, Side};
 use super::plan::{Driver, Plan, Step, size};
 use super::skeleton::Skeleton;
 use super::spec::LinkageSpec;
@@ -204,7 +204,7 @@ pub(super) fn larger_group(
             None => Side::Known(*element),
         }
     };
-    let joints = pairs.iter().map(|&pair| Joint {
+    let joints = pairs.iter().map(|&pair| GroupPair {
         sides: elements(&spec.pairs[pair]).each_ref().map(own),
         slides: slides(&spec.pairs[pair]),
     });

@@ -41,7 +41,7 @@ pub(super) enum Side {
 
 /// Pair of the group.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Joint {
+pub(super) struct GroupPair {
     /// Links i and j.
     pub(super) sides: [Side; 2],
     /// True for a sliding pair.
@@ -54,7 +54,7 @@ pub(super) struct NewtonGroup {
     /// Bodies of the group.
     pub(super) bodies: Vec<Body>,
     /// Pairs of the group; two equations of each and one of each coupling are three a body.
-    pub(super) joints: Vec<Joint>,
+    pub(super) joints: Vec<GroupPair>,
     /// Gears, belts, racks and cams.
     pub(super) couplings: Vec<Tied>,
 }
@@ -64,7 +64,7 @@ pub(super) struct NewtonGroup {
 pub(super) struct NotConverged;
 
 /// A point and a direction of a pair's side, seen from the ground.
-pub(super) struct Seen<const N: usize> {
+pub(super) struct PairSide<const N: usize> {
     pub(super) point: Vector<N>,
     /// From the origin of the body to the point; of no meaning when known.
     pub(super) arm: Vector<N>,
@@ -194,11 +194,11 @@ impl NewtonGroup {
         side: &Side,
         state: &State,
         scratch: &Scratch,
-    ) -> Seen<N> {
+    ) -> PairSide<N> {
         match side {
             Side::Known(element) => {
                 let frame = state.frame(element.link);
-                Seen {
+                PairSide {
                     point: frame.place(element.point),
                     arm: Vector::constant([0.0, 0.0]),
                     along: frame.direction.turn_constant(element.along),
@@ -209,7 +209,7 @@ impl NewtonGroup {
                 let frame = Self::frame::<N>(scratch, *body);
                 let relative = state.relative_frame();
                 let arm = part.place(&relative).seen(frame.direction);
-                Seen {
+                PairSide {
                     point: frame.at + arm,
                     arm,
                     along: part.guide(&relative).seen(frame.direction),

@@ -4,7 +4,7 @@ use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::math::expression::Scalar as _;
 use crate::math::expression::{
-    Enclosed, Expression, Interval, MOST, Moving, OfOne, Program, Repetition, Third,
+    Enclosed, Expression, Interval, MOST, OfOne, Program, RateBounds, Repetition, Third,
 };
 use crate::math::jet::Jet;
 
@@ -68,7 +68,7 @@ impl WrittenMotion {
 
     /// Bounds of the value between two times, by the formula of `segment`.
     pub(super) fn bounds(&self, segment: i64, from: f64, to: f64) -> Interval {
-        let time = Moving {
+        let time = RateBounds {
             value: Interval::between(from, to),
             rate: Interval::of(1.0),
         };
@@ -146,7 +146,7 @@ impl WrittenMotion {
     /// Bounds of the speed between two times of a segment; not numbers where none are known.
     pub(crate) fn speeds(&self, segment: i64, from: f64, to: f64) -> [f64; 2] {
         let (piece, turn) = self.piece(segment);
-        let time = Moving {
+        let time = RateBounds {
             value: Interval::between(from, to),
             rate: Interval::of(1.0),
         };

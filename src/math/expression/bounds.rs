@@ -1,12 +1,12 @@
 //! Whether a condition may hold while its variables stay within bounds.
 //!
-//! Unlike on a moving number (`Moving`), an operation that has pieces takes all of those
+//! Unlike on a moving number (`RateBounds`), an operation that has pieces takes all of those
 //! that the bounds allow: nothing has to be known of its guard.
 
 use super::evaluate::Scalar;
 use super::function::Function;
 use super::interval::Interval;
-use super::moving::Moving;
+use super::moving::RateBounds;
 use super::program::{Code, Op, Register, Rounding};
 
 /// What a result may be.
@@ -144,11 +144,13 @@ fn piecewise(op: &Op, at: impl Fn(Register) -> Reach) -> Reach {
         Op::Max { a, b, .. } => chosen(at(a), at(b), f64::max),
         Op::Remainder { x, y, .. } => remainder(at(x), at(y)),
         Op::Atan2 { y, x, .. } => {
-            let still = |bounds: Interval| Moving {
+            let still = |bounds: Interval| RateBounds {
                 value: bounds,
                 rate: Interval::of(0.0),
             };
-            arithmetic(at(y), at(x), |y, x| Moving::atan2(still(y), still(x)).value)
+            arithmetic(at(y), at(x), |y, x| {
+                RateBounds::atan2(still(y), still(x)).value
+            })
         }
         // (The others are smooth.)
         _ => Reach::ANYTHING,

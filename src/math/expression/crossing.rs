@@ -1,7 +1,7 @@
 //! The first place of a stretch of a motion at which a guard leaves its mode.
 
 use super::interval::Interval;
-use super::moving::Moving;
+use super::moving::RateBounds;
 use super::program::{Code, Guard, GuardKind, OPEN};
 use crate::math::number::Dual;
 use crate::math::roots::{BISECTIONS, bisect};
@@ -12,7 +12,7 @@ pub(crate) trait Stretch {
     fn at(&self, s: f64, out: &mut [f64]);
 
     /// Bounds of the variables and of their rates by s from one place to another.
-    fn over(&self, from: f64, to: f64, out: &mut [Moving]);
+    fn over(&self, from: f64, to: f64, out: &mut [RateBounds]);
 }
 
 /// Most variables of an expression.
@@ -173,7 +173,7 @@ impl<M: Fn(u16) -> i64, S: Stretch> Search<'_, M, S> {
 
     /// Its bounds and those of its rate over a stretch.
     fn over(&self, from: f64, to: f64) -> [Interval; 2] {
-        let mut values = [Moving {
+        let mut values = [RateBounds {
             value: Interval::of(0.0),
             rate: Interval::of(0.0),
         }; VARIABLES];
@@ -265,13 +265,13 @@ mod tests {
             out[1] = (self.0)(s);
         }
 
-        fn over(&self, from: f64, to: f64, out: &mut [Moving]) {
-            out[0] = Moving {
+        fn over(&self, from: f64, to: f64, out: &mut [RateBounds]) {
+            out[0] = RateBounds {
                 value: Interval::between(from, to),
                 rate: Interval::of(1.0),
             };
             // Monotone here.
-            out[1] = Moving {
+            out[1] = RateBounds {
                 value: Interval::between((self.0)(from), (self.0)(to)),
                 rate: Interval::between((self.1)(from), (self.1)(to)),
             };

@@ -347,7 +347,7 @@ impl Div for Interval {
 #[cfg(test)]
 mod tests {
     use super::Interval;
-    use crate::math::expression::{Expression, Moving};
+    use crate::math::expression::{Expression, RateBounds};
 
     #[test]
     fn bounds_hold_what_lies_between() {
@@ -363,7 +363,7 @@ mod tests {
             let expression = Expression::new(text, &["x"]).unwrap();
             let code = &expression.program().value;
             for (low, high) in [(-2.1, -2.0), (-1.0, 1.5), (0.3, 0.31), (1.0, 1.9)] {
-                let x = Moving {
+                let x = RateBounds {
                     value: Interval { low, high },
                     rate: Interval::of(1.0),
                 };
@@ -385,7 +385,7 @@ mod tests {
     #[test]
     fn a_product_of_what_is_bounded_alike_is_no_square() {
         let expression = Expression::new("sin(x)*cos(x)", &["x"]).unwrap();
-        let x = Moving {
+        let x = RateBounds {
             value: Interval::between(-4.0, 4.0),
             rate: Interval::of(1.0),
         };
@@ -400,7 +400,7 @@ mod tests {
     #[test]
     fn bounds_of_little_are_close() {
         let expression = Expression::new("sin(x)*x^3 + exp(x)", &["x"]).unwrap();
-        let x = Moving {
+        let x = RateBounds {
             value: Interval::between(0.7, 0.7 + 1e-6),
             rate: Interval::of(1.0),
         };

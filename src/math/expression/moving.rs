@@ -8,12 +8,12 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Bounds of a value and of its rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Moving {
+pub(crate) struct RateBounds {
     pub(crate) value: Interval,
     pub(crate) rate: Interval,
 }
 
-impl Moving {
+impl RateBounds {
     fn composed(self, value: Interval, slope: Interval) -> Self {
         // What does not change has no rate, however steep the function is.
         let still = self.rate == Interval::of(0.0);
@@ -27,7 +27,7 @@ impl Moving {
     }
 }
 
-impl Add for Moving {
+impl Add for RateBounds {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self {
@@ -37,14 +37,14 @@ impl Add for Moving {
     }
 }
 
-impl Sub for Moving {
+impl Sub for RateBounds {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl Neg for Moving {
+impl Neg for RateBounds {
     type Output = Self;
     fn neg(self) -> Self {
         Self {
@@ -54,7 +54,7 @@ impl Neg for Moving {
     }
 }
 
-impl Mul for Moving {
+impl Mul for RateBounds {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         Self {
@@ -64,7 +64,7 @@ impl Mul for Moving {
     }
 }
 
-impl Div for Moving {
+impl Div for RateBounds {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let value = self.value / other.value;
@@ -75,7 +75,7 @@ impl Div for Moving {
     }
 }
 
-impl Scalar for Moving {
+impl Scalar for RateBounds {
     fn number(value: f64) -> Self {
         Self {
             value: Interval::of(value),

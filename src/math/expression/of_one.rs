@@ -4,7 +4,7 @@ use super::crossing::{Stretch, follow};
 use super::evaluate::Scalar;
 use super::function::Function;
 use super::interval::Interval;
-use super::moving::Moving;
+use super::moving::RateBounds;
 use super::program::{Code, Guard, GuardKind, OPEN, Op, Program, Register};
 use crate::math::fraction::Fraction;
 use crate::math::number::Dual;
@@ -207,9 +207,9 @@ impl Stretch for Axis {
         out[0] = self.from + s * (self.to - self.from);
     }
 
-    fn over(&self, from: f64, to: f64, out: &mut [Moving]) {
+    fn over(&self, from: f64, to: f64, out: &mut [RateBounds]) {
         let length = self.to - self.from;
-        out[0] = Moving {
+        out[0] = RateBounds {
             value: Interval::between(self.from + from * length, self.from + to * length),
             rate: Interval::of(length),
         };

@@ -33,7 +33,7 @@ pub(super) type Error = (Wrong, Range<usize>);
 
 /// What a text says.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct ParseResult {
     pub(super) program: Program,
     pub(super) builder: Builder,
     pub(super) root: Register,
@@ -61,7 +61,7 @@ fn precedence(symbol: &str) -> Option<(u8, u8)> {
 const SIGN: u8 = 15;
 
 /// Reads a text.
-pub(super) fn read(text: &str, names: &Names<'_>) -> Result<Found, Error> {
+pub(super) fn read(text: &str, names: &Names<'_>) -> Result<ParseResult, Error> {
     let mut reader = Reader {
         text,
         names,
@@ -85,7 +85,7 @@ pub(super) fn read(text: &str, names: &Names<'_>) -> Result<Found, Error> {
     if reader.builder.overflows {
         return Err((Wrong::TooLong, 0..text.len()));
     }
-    Ok(Found {
+    Ok(ParseResult {
         program: reader.builder.finish(root),
         builder: reader.builder,
         root,

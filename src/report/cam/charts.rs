@@ -2,7 +2,7 @@
 
 use super::sampled::sampled;
 use crate::kinematics::cam::{CamState, DiscCam};
-use crate::report::plot::{Axis, Look, Mark, Plot, Series};
+use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series};
 use crate::studies::cam::{CamFigures, CamForce};
 
 /// Radii beyond this multiple of the prime circle are not drawn.
@@ -111,7 +111,7 @@ type Drawn<'a> = dyn Fn(&str, &dyn Fn(&CamState) -> f64) -> Series + 'a;
 fn pressure(cam: &DiscCam, figures: &CamFigures, curve: &Drawn<'_>) -> Plot {
     let (from, to) = cam.motion().range();
     let line = |label: &str, angle: f64| Series {
-        look: Look::Theory,
+        look: LineStyle::Theory,
         ..Series::line(
             label,
             vec![
@@ -160,7 +160,7 @@ pub(super) fn springs(figures: &CamFigures) -> Option<Plot> {
         series: vec![
             Series::line("least preload with the reserve", points(&answer.boundary)),
             Series {
-                look: Look::Points,
+                look: LineStyle::Points,
                 marks: vec![Mark::default()],
                 ..Series::line("spring of the scene", vec![(spring.rate, spring.preload)])
             },

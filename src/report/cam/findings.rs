@@ -8,7 +8,7 @@ use super::view::{View, view};
 use super::{NamedCurve, charts};
 use crate::kinematics::cam::DiscCam;
 use crate::report::findings::{Findings, Item, Layout, Section, Source};
-use crate::report::html::player::{Coordinates, Player, Reading, RowAxis, Shown, short};
+use crate::report::html::player::{Coordinates, PartDisplacement, Player, Reading, RowAxis, short};
 use crate::report::plot::Plots;
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Verdict, capitalised};
@@ -213,7 +213,7 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
         column: 1,
         factor: 1.0,
         base: 0.0,
-        shown: Shown::True,
+        shown: PartDisplacement::True,
     };
     Player {
         id: "cam".to_owned(),

@@ -5,7 +5,7 @@ use super::NamedCurve;
 use super::view::short;
 use super::view::{Mover, View, mover, parts, rim_radius, view};
 use crate::kinematics::cam::{Contact, DiscCam, Guide, Surface};
-use crate::report::html::player::{Body, Shown};
+use crate::report::html::player::{Body, PartDisplacement};
 use crate::report::plot::document;
 use std::fmt::Write as _;
 
@@ -134,7 +134,7 @@ pub(in crate::report) fn bodies(
         at: mover.axis,
         sense: counterclockwise(mover.cam),
         offset: 0.0,
-        shown: Shown::True,
+        shown: PartDisplacement::True,
     };
     let turn = counterclockwise(mover.turn);
     let follower_body = match cam.geometry().guide {
@@ -165,7 +165,7 @@ pub(in crate::report) struct Follower {
     /// Offset of the coordinate, so that it is 0 where the follower is innermost.
     pub(in crate::report) base: f64,
     /// Displacement that is shown.
-    pub(in crate::report) shown: Shown,
+    pub(in crate::report) shown: PartDisplacement,
 }
 
 /// The cam's body in its own frame.

@@ -148,13 +148,13 @@ pub enum Item<'a> {
     /// Charts of a page.
     Charts(Charts),
     /// A drawing of a page.
-    Drawing(Drawn<'a>),
+    Drawing(DeferredDrawing<'a>),
 }
 
 /// A drawing that is made when a page wants it.
-pub struct Drawn<'a>(pub(in crate::report) Box<dyn Fn(&mut Plots) -> String + 'a>);
+pub struct DeferredDrawing<'a>(pub(in crate::report) Box<dyn Fn(&mut Plots) -> String + 'a>);
 
-impl fmt::Debug for Drawn<'_> {
+impl fmt::Debug for DeferredDrawing<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Drawn")
     }
@@ -237,7 +237,7 @@ impl<'a> Section<'a> {
     /// The section with a drawing.
     #[must_use]
     pub fn drawing(self, make: impl Fn(&mut Plots) -> String + 'a) -> Self {
-        self.item(Item::Drawing(Drawn(Box::new(make))))
+        self.item(Item::Drawing(DeferredDrawing(Box::new(make))))
     }
 
     /// True when there is nothing under the heading.

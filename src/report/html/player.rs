@@ -109,7 +109,7 @@ pub(in crate::report) enum Coordinates {
 /// Displacement that a part shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub(in crate::report) enum Shown {
+pub(in crate::report) enum PartDisplacement {
     /// The true one.
     True,
     /// The one of the law, without deviation.
@@ -138,7 +138,7 @@ pub(in crate::report) enum Body {
         /// True when everything repeats from there on.
         repeats: bool,
         /// Displacement that is shown.
-        shown: Shown,
+        shown: PartDisplacement,
         /// x, y, cosine and sine of every place, one after the other.
         table: Vec<Option<f64>>,
     },
@@ -153,7 +153,7 @@ pub(in crate::report) enum Body {
         /// Angle at zero (rad).
         offset: f64,
         /// Displacement that is shown.
-        shown: Shown,
+        shown: PartDisplacement,
     },
     /// Pushed from a place by the coordinate.
     Slide {
@@ -164,7 +164,7 @@ pub(in crate::report) enum Body {
         /// Pixels by unit of the coordinate.
         by: [f64; 2],
         /// Displacement that is shown.
-        shown: Shown,
+        shown: PartDisplacement,
     },
 }
 

@@ -156,7 +156,7 @@ pub(in crate::report) fn followed(
 
 /// The charts of an object, with the quantities that are zero throughout every run.
 #[derive(Debug)]
-pub(in crate::report) struct Shown {
+pub(in crate::report) struct ObjectCharts {
     /// Id of the object.
     id: String,
     /// Kind and model in words.
@@ -168,7 +168,7 @@ pub(in crate::report) struct Shown {
     runs: usize,
 }
 
-impl Shown {
+impl ObjectCharts {
     /// The charts of an object; `None` when no run has samples of it.
     pub(in crate::report) fn of(runs: &[RunSeries<'_>], id: &str, kind: &str) -> Option<Self> {
         let mut silent = Vec::new();
@@ -267,7 +267,7 @@ impl Shown {
 
 /// The section of an object: heading, tool bar, plots. Empty when no run has samples of it.
 pub fn section(plots: &mut Plots, runs: &[RunSeries<'_>], id: &str, kind: &str) -> String {
-    Shown::of(runs, id, kind).map_or(String::new(), |shown| shown.html(plots))
+    ObjectCharts::of(runs, id, kind).map_or(String::new(), |shown| shown.html(plots))
 }
 
 /// The quantities of an object with their names on the plots: the six of every object,

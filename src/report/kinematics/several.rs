@@ -6,7 +6,7 @@ use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
 use crate::report::findings::{Layout, Section, Table};
 use crate::report::mechanism::{Drawing, GridAxis, Placement};
-use crate::report::plot::{Axis, Look, Plot, Series};
+use crate::report::plot::{Axis, LineStyle, Plot, Series};
 use crate::studies::kinematics::{Kinematics, Plane, PlaneInput};
 
 /// Meaning of all inputs, and how far the one that moves goes.
@@ -138,7 +138,7 @@ fn chart(found: &Kinematics, plane: &Plane) -> Plot {
         ));
     }
     series.push(Series {
-        look: Look::Theory,
+        look: LineStyle::Theory,
         ..Series::line("way of the inputs", plane.path.iter().map(point).collect())
     });
     let axis = |input: &PlaneInput| Axis {

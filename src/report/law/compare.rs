@@ -2,7 +2,7 @@
 
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table, Value};
-use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
+use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::law::{ComparedLaw, Figure, LiftOff};
@@ -147,7 +147,7 @@ fn chart(laws: &[ComparedLaw]) -> Plot {
             });
         }
         let series = Series {
-            look: Look::Points,
+            look: LineStyle::Points,
             marks,
             ..Series::line(figure.words(), points)
         };

@@ -1,18 +1,18 @@
 //! Cams of the machine with their followers, to scale.
 
 use super::Machine;
-use super::way::{Picture, Way};
+use super::way::{ObjectPath, Picture};
 use crate::dynamics::model::ObjectPart;
 use crate::kinematics::cam::{DiscCam, Guide};
 use crate::report::cam::{Follower, bodies, drawing, drawn, view};
-use crate::report::html::player::Shown;
+use crate::report::html::player::PartDisplacement;
 
 /// The picture of a follower whose cam is known, `columns` being the coordinates of
 /// the cam and of the follower.
 pub(super) fn picture(
     machine: &Machine<'_>,
     part: &ObjectPart,
-    way: &Way,
+    way: &ObjectPath,
     columns: [usize; 2],
     elastic: bool,
 ) -> Option<Picture> {
@@ -21,20 +21,20 @@ pub(super) fn picture(
     let curves = drawn(cam);
     let view = view(cam, &curves);
     let outward = cam.geometry().outward;
-    let follower = |shown: Shown| Follower {
+    let follower = |shown: PartDisplacement| Follower {
         column: columns[1],
         factor: outward / lever,
         base: outward * cam.motion().innermost(),
         shown,
     };
     let shown = if elastic {
-        Shown::Magnified
+        PartDisplacement::Magnified
     } else {
-        Shown::True
+        PartDisplacement::True
     };
     let mut all = bodies(cam, &view, columns[0], &follower(shown)).to_vec();
     if elastic {
-        let [_, law] = bodies(cam, &view, columns[0], &follower(Shown::Law));
+        let [_, law] = bodies(cam, &view, columns[0], &follower(PartDisplacement::Law));
         all.push(law);
     }
     let start = follower(shown).factor * way.start - follower(shown).base;

@@ -1,10 +1,10 @@
 //! Linkages of the machine: to scale, over their input coordinate.
 
-use super::way::{Picture, Way};
+use super::way::{ObjectPath, Picture};
 use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::kinematics::linkage::{Linkage, Pose};
-use crate::report::html::player::{Body, Shown};
+use crate::report::html::player::{Body, PartDisplacement};
 use crate::report::mechanism::{Axis, Drawing, Placement, View};
 
 /// Places over the reach that is drawn.
@@ -14,7 +14,7 @@ const PLACES: usize = 361;
 pub(super) fn picture(
     model: &Model,
     part: &ObjectPart,
-    way: &Way,
+    way: &ObjectPath,
     column: usize,
 ) -> Option<Picture> {
     let own = |index: usize| {
@@ -93,13 +93,18 @@ fn placement(pose: Pose) -> Placement {
 
 /// The linkage that an object's law is the short form of; `way` and `column` are those
 /// of its driver.
-pub(super) fn law(model: &Model, part: &ObjectPart, way: &Way, column: usize) -> Option<Picture> {
+pub(super) fn law(
+    model: &Model,
+    part: &ObjectPart,
+    way: &ObjectPath,
+    column: usize,
+) -> Option<Picture> {
     let law = model.nodes[*part.nodes.last()?].motion.law()?;
     let linkage = Linkage::new(law.position.as_linkage(way.start)?).ok()?;
     Some(drawn(&linkage, way, column))
 }
 
-fn drawn(linkage: &Linkage, way: &Way, column: usize) -> Picture {
+fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize) -> Picture {
     let (from, to, repeats) = reach(linkage, way);
     let inputs: Vec<f64> = (0..PLACES)
         .map(|place| from + (to - from) * place as f64 / (PLACES - 1) as f64)
@@ -130,7 +135,7 @@ fn drawn(linkage: &Linkage, way: &Way, column: usize) -> Picture {
         from,
         to,
         repeats,
-        shown: Shown::True,
+        shown: PartDisplacement::True,
         table: drawing.table(&view, link),
     });
     Picture {
@@ -143,7 +148,7 @@ fn drawn(linkage: &Linkage, way: &Way, column: usize) -> Picture {
 }
 
 /// A period of the input where the run goes through all of it, else as far as it goes.
-fn reach(linkage: &Linkage, way: &Way) -> (f64, f64, bool) {
+fn reach(linkage: &Linkage, way: &ObjectPath) -> (f64, f64, bool) {
     let [least, greatest] = way.range;
     match linkage.range().period {
         Some(period) if way.travel() >= period.length => (least, least + period.length, true),

@@ -66,7 +66,7 @@ impl Machine<'_> {
         figures: &Figures,
         record: &Record,
         plots: &mut Plots,
-    ) -> Option<Moving> {
+    ) -> Option<MovingMachine> {
         let all = self.drivers_first();
         let plotted = all
             .iter()
@@ -100,7 +100,7 @@ impl Machine<'_> {
             pictures.push_str(&station.html(first, delta));
         }
         pictures.push_str("</div>\n");
-        Some(Moving {
+        Some(MovingMachine {
             player,
             pictures,
             drawn: [drawn.len(), all.len()],
@@ -128,7 +128,7 @@ impl Machine<'_> {
 
 /// A machine that moves.
 #[derive(Debug)]
-pub(in crate::report) struct Moving {
+pub(in crate::report) struct MovingMachine {
     /// Its motion.
     pub(in crate::report) player: Player,
     /// The pictures that it moves in.
@@ -137,7 +137,7 @@ pub(in crate::report) struct Moving {
     drawn: [usize; 2],
 }
 
-impl Moving {
+impl MovingMachine {
     /// What is to be said of the pictures.
     pub(in crate::report) fn note(&self) -> String {
         let mut text = String::from(

@@ -1,11 +1,11 @@
 //! One object of the machine: its picture, its moving parts, its readings.
 
 use super::Machine;
-use super::way::{Picture, Way};
+use super::way::{ObjectPath, Picture};
 use super::{cams, linkages};
 use crate::dynamics::model::{Coordinate, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
-use crate::report::html::player::{Body, Shown};
+use crate::report::html::player::{Body, PartDisplacement};
 use crate::report::plot::coordinate;
 use crate::report::quantity::{escape, scale, with_unit};
 use std::f64::consts::TAU;
@@ -49,7 +49,8 @@ impl Station {
         drawn: &[&ObjectPart],
     ) -> Vec<Self> {
         let part = drawn[column];
-        let way = |part: &ObjectPart| Way::of(record.column(&part.id, Quantity::Displacement)?);
+        let way =
+            |part: &ObjectPart| ObjectPath::of(record.column(&part.id, Quantity::Displacement)?);
         let Some(own) = way(part) else {
             return Vec::new();
         };
@@ -125,7 +126,7 @@ impl Station {
     }
 }
 
-impl Way {
+impl ObjectPath {
     fn of(column: &Column) -> Option<Self> {
         let finite = || {
             column
@@ -154,26 +155,30 @@ impl Way {
 
 /// The displacements that an object's bodies show: on its law and magnified for an
 /// elastic one.
-pub(super) fn shown(elastic: bool) -> &'static [Shown] {
+pub(super) fn shown(elastic: bool) -> &'static [PartDisplacement] {
     match elastic {
-        true => &[Shown::Law, Shown::Magnified],
-        false => &[Shown::True],
+        true => &[PartDisplacement::Law, PartDisplacement::Magnified],
+        false => &[PartDisplacement::True],
     }
 }
 
 /// Opens a part; `number` counts within its picture.
-pub(super) fn part(number: usize, shown: Shown, pose: [f64; 4]) -> String {
+pub(super) fn part(number: usize, shown: PartDisplacement, pose: [f64; 4]) -> String {
     let [x, y, c, s] = pose;
-    let class = if shown == Shown::Law { " law" } else { "" };
+    let class = if shown == PartDisplacement::Law {
+        " law"
+    } else {
+        ""
+    };
     format!(
         "<g class=\"link l{}{class}\" data-link=\"{number}\" transform=\"matrix({c:.6} {:.6} {s:.6} {c:.6} {x:.2} {y:.2})\">",
-        if shown == Shown::Law { 7 } else { 0 },
+        if shown == PartDisplacement::Law { 7 } else { 0 },
         -s
     )
 }
 
 /// A wheel where it makes a turn or more, else a lever of unit length.
-fn turning(way: &Way, column: usize, elastic: bool) -> Picture {
+fn turning(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
     let revolves = way.travel() > 0.98 * TAU;
     let centre = [0.5 * WIDTH, 0.5 * HEIGHT];
     // A lever swings about a horizontal place.
@@ -213,10 +218,10 @@ fn turning(way: &Way, column: usize, elastic: bool) -> Picture {
     out
 }
 
-fn wheel(shown: Shown) -> String {
+fn wheel(shown: PartDisplacement) -> String {
     let r = coordinate(WHEEL);
     let disc = match shown {
-        Shown::Law => "",
+        PartDisplacement::Law => "",
         _ => "<circle class=\"edge\" r=\"RADIUS\"/>",
     };
     format!(
@@ -225,9 +230,13 @@ fn wheel(shown: Shown) -> String {
     )
 }
 
-fn lever(shown: Shown) -> String {
+fn lever(shown: PartDisplacement) -> String {
     let r = coordinate(LEVER);
-    let width = if shown == Shown::Law { 8 } else { 12 };
+    let width = if shown == PartDisplacement::Law {
+        8
+    } else {
+        12
+    };
     format!(
         "<path class=\"body\" stroke-width=\"{width}\" d=\"M0 0H{r}\"/><path class=\"edge\" d=\"M0 0H{r}\"/>"
     )
@@ -240,7 +249,7 @@ fn support([x, y]: [f64; 2]) -> String {
 }
 
 /// The swing of a lever: a thin arc with the angle.
-fn arc(way: &Way, [x, y]: [f64; 2]) -> String {
+fn arc(way: &ObjectPath, [x, y]: [f64; 2]) -> String {
     let r = LEVER + 8.0;
     let half = 0.5 * way.travel();
     if !(half > 0.0) {
@@ -259,7 +268,7 @@ fn arc(way: &Way, [x, y]: [f64; 2]) -> String {
 }
 
 /// A block on its guide.
-fn sliding(way: &Way, column: usize, elastic: bool) -> Picture {
+fn sliding(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
     let travel = way.travel();
     let scale = if travel > 0.0 { TRAVEL / travel } else { 0.0 };
     let (middle, y) = (0.5 * WIDTH, 0.5 * HEIGHT);

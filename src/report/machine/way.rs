@@ -17,7 +17,7 @@ pub(super) struct Picture {
 
 /// Way of an object: where it was over a run.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Way {
+pub(super) struct ObjectPath {
     /// Displacement at the first sample.
     pub(super) start: f64,
     /// Least and greatest displacement.

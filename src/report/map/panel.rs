@@ -5,7 +5,7 @@ use super::values::Values;
 use crate::math::contour::contours;
 use crate::report::plot::palette::SHADES;
 use crate::report::plot::{
-    Axis, Contour, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape,
+    Axis, Contour, Field, Fill, Kind, LineStyle, Mark, Plot, Rule, Series, Shape,
 };
 use crate::studies::axis::Axis as Parameter;
 use crate::studies::map::{Cell, Study, Verdict};
@@ -163,7 +163,7 @@ impl Panel<'_> {
             rules: edges.collect(),
             series: vec![Series {
                 marks,
-                look: Look::Line,
+                look: LineStyle::Line,
                 ..Series::line("", points)
             }],
             x: x.axis,

@@ -3,7 +3,7 @@
 use crate::dynamics::integrate::Method;
 use crate::frontend::scene::in_words;
 use crate::report::plot::palette::method_verdicts as colours;
-use crate::report::plot::{Axis, Field, Fill, Kind, Look, Mark, Plot, Rule, Series, Shape};
+use crate::report::plot::{Axis, Field, Fill, Kind, LineStyle, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{shortened, significant, with_unit};
 use crate::studies::methods::sweep::Sweep;
 use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict, all_methods};
@@ -114,7 +114,7 @@ fn with_floors(study: &Study, mut methods: Vec<Series>) -> Vec<Series> {
             significant(100.0 * model.error, 2)
         );
         methods.push(Series {
-            look: Look::Theory,
+            look: LineStyle::Theory,
             ..Series::line(
                 &shortened(&label, MOST_OF_LABEL),
                 vec![(from, model.error), (to, model.error)],
@@ -286,7 +286,7 @@ pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
         let theory = standings().filter_map(|(x, s)| Some((x, s.stable_step_by_theory?)));
         series.push(Series {
             style: Some(style(method)),
-            look: Look::Theory,
+            look: LineStyle::Theory,
             ..Series::line(&format!("{method}, theory"), theory.collect())
         });
         series.push(marked(format!("{method}, measured"), method, measured));

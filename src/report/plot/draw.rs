@@ -1,7 +1,7 @@
 //! A chart as a picture.
 
 use super::frame::{BAND, Frame, STRIP, is_beyond, stroke};
-use super::{Look, Plot, Series, Shape, coordinate, document, marks, palette};
+use super::{LineStyle, Plot, Series, Shape, coordinate, document, marks, palette};
 use std::fmt::Write as _;
 
 impl Plot {
@@ -205,7 +205,7 @@ fn curve(series: &Series, frame: &Frame, index: usize) -> String {
     let style = palette::style(series.style.unwrap_or(index));
     let look = stroke(series, series.look, style);
     let path = match series.look {
-        Look::Points => String::new(),
+        LineStyle::Points => String::new(),
         _ => path(series, frame),
     };
     format!("<path {look} data-series=\"{index}\" d=\"{path}\"/>\n")
@@ -236,7 +236,7 @@ fn path(series: &Series, frame: &Frame) -> String {
             let (x, y) = (coordinate(x), coordinate(y));
             let _ = match (pen_down, series.look) {
                 (false, _) => write!(out, "M{x} {y}"),
-                (true, Look::Steps) => write!(out, "H{x}V{y}"),
+                (true, LineStyle::Steps) => write!(out, "H{x}V{y}"),
                 (true, _) => write!(out, "L{x} {y}"),
             };
             pen_down = true;

@@ -1,7 +1,7 @@
 //! Where frame, title and legend of a chart stand, and which ranges it shows.
 
 use super::scale::{Scale, ticks};
-use super::{Axis, Look, Plot, Series, coordinate, fits, marks, palette, width_of};
+use super::{Axis, LineStyle, Plot, Series, coordinate, fits, marks, palette, width_of};
 use crate::report::quantity::{escape, shortened};
 
 pub(super) const RIGHT: f64 = 20.0;
@@ -288,22 +288,22 @@ impl Plot {
 fn sample(series: &Series, index: usize) -> String {
     let style = palette::style(series.style.unwrap_or(index));
     let line = match series.look {
-        Look::Points => String::new(),
+        LineStyle::Points => String::new(),
         look => format!("<path {} d=\"M0 0h26\"/>", stroke(series, look, style)),
     };
     let marked = series
         .marks
         .iter()
         .any(|mark| mark.shape == super::Shape::Good);
-    match marked || series.look == Look::Points {
+    match marked || series.look == LineStyle::Points {
         true => line + &marks::mark([13.0, 0.0], style, super::Shape::Good, "", |_| None),
         false => line,
     }
 }
 
 /// Class and dashes of a curve; one with marks is told apart by these.
-pub(super) fn stroke(series: &Series, look: Look, style: usize) -> String {
-    if look == Look::Theory {
+pub(super) fn stroke(series: &Series, look: LineStyle, style: usize) -> String {
+    if look == LineStyle::Theory {
         return format!("class=\"curve theory s{style}\"");
     }
     match palette::SERIES[style].2 {

@@ -116,7 +116,7 @@ pub struct Series {
     /// (x, y); values that are not finite interrupt a curve.
     pub points: Vec<(f64, f64)>,
     /// Look: line or points.
-    pub look: Look,
+    pub look: LineStyle,
     /// Number of the style among twelve; by its place where not given.
     pub style: Option<usize>,
     /// Marks of the points, one a point; empty: none is marked.
@@ -136,7 +136,7 @@ impl Series {
 
 /// Look of a series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Look {
+pub enum LineStyle {
     /// Straight from point to point.
     #[default]
     Line,

@@ -1,7 +1,7 @@
 //! The charts of a page and their data, as compact JSON for `plot.js`.
 
 use super::frame::{Frame, plane};
-use super::{Axis, Look, Plot, Shape, coordinate};
+use super::{Axis, LineStyle, Plot, Shape, coordinate};
 use crate::report::quantity::escape;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -159,10 +159,10 @@ impl Plots {
             "x": self.column(&x, PLACES),
             "y": self.column(&y, VALUES),
         });
-        if series.look == Look::Steps {
+        if series.look == LineStyle::Steps {
             value["steps"] = json!(true);
         }
-        if series.look == Look::Points {
+        if series.look == LineStyle::Points {
             value["bare"] = json!(true);
         }
         if !series.marks.is_empty() {

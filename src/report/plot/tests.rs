@@ -114,7 +114,7 @@ fn failures_are_no_part_of_the_curve() {
 #[test]
 fn steps_hold_their_value_up_to_the_next_point() {
     let series = Series {
-        look: Look::Steps,
+        look: LineStyle::Steps,
         ..Series::line("", vec![(0.0, 0.0), (1.0, 1.0)])
     };
     let chart = Plot {

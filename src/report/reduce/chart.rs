@@ -2,7 +2,7 @@
 
 use crate::frontend::scene::in_words;
 use crate::report::accuracy::{LEAST, asked_rule};
-use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
+use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
 use crate::studies::order::FigureAccuracy;
 use crate::studies::reduce::{ModelTried, Reduction, Role};
@@ -25,7 +25,7 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
             let (points, marks): (Vec<_>, Vec<_>) = points.into_iter().unzip();
             Some(Series {
                 marks,
-                look: Look::Points,
+                look: LineStyle::Points,
                 ..Series::line(name, points)
             })
         })

@@ -49,7 +49,7 @@ const UNITS: [(&str, &str, f64); 40] = [
 ];
 
 /// A quantity at the beginning of a text.
-struct Found<'t> {
+struct LeadingQuantity<'t> {
     words: &'t str,
     value: f64,
     unit: &'static str,
@@ -84,7 +84,7 @@ impl Sentence {
     }
 }
 
-fn quantity(text: &str) -> Option<Found<'_>> {
+fn quantity(text: &str) -> Option<LeadingQuantity<'_>> {
     let (number, length) = number(text)?;
     let rest = text[length..].strip_prefix(' ')?;
     let ends = |rest: &str| {
@@ -97,7 +97,7 @@ fn quantity(text: &str) -> Option<Found<'_>> {
     let (name, unit, factor) = UNITS.iter().find(fits)?;
     let digits = text[..length].split(['e', '·']).next().unwrap_or("");
     let digits = digits.chars().skip_while(|c| !('1'..='9').contains(c));
-    Some(Found {
+    Some(LeadingQuantity {
         words: &text[..length + 1 + name.len()],
         value: number * factor,
         unit,

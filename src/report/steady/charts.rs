@@ -1,8 +1,8 @@
 //! Diagrams of a steady motion.
 
-use super::Shown;
+use super::SteadyReport;
 use crate::dynamics::steady::Row;
-use crate::report::plot::{Axis, Look, Plot, Series};
+use crate::report::plot::{Axis, LineStyle, Plot, Series};
 
 fn curve(label: &str, rows: &[Row], of: impl Fn(&Row) -> f64) -> Series {
     let points = rows.iter().map(|row| (row.position.to_degrees(), of(row)));
@@ -11,13 +11,13 @@ fn curve(label: &str, rows: &[Row], of: impl Fn(&Row) -> f64) -> Series {
 
 fn level(label: &str, cycle: f64, value: f64) -> Series {
     Series {
-        look: Look::Theory,
+        look: LineStyle::Theory,
         ..Series::line(label, vec![(0.0, value), (cycle.to_degrees(), value)])
     }
 }
 
 /// ω(φ), ε(φ), the moment, work and energy, the inertia.
-pub(super) fn charts(shown: &Shown<'_>) -> Vec<Plot> {
+pub(super) fn charts(shown: &SteadyReport<'_>) -> Vec<Plot> {
     let (rows, cycle) = (shown.rows, shown.cycle);
     let chart = |title: &str, unit: &str, curves: Vec<Series>| Plot {
         title: title.to_owned(),
@@ -64,7 +64,7 @@ pub(super) fn charts(shown: &Shown<'_>) -> Vec<Plot> {
 
 /// Wittenbauer's diagram: work over reduced inertia, with its two tangents, that
 /// touch where ω is greatest and least, and the origin O₂ in which they meet.
-pub fn wittenbauer(shown: &Shown<'_>) -> Plot {
+pub fn wittenbauer(shown: &SteadyReport<'_>) -> Plot {
     let f = shown.figures;
     let origin = -f.energy_at_start;
     let inertias = shown.rows.iter().map(|row| row.inertia);

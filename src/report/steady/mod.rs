@@ -16,7 +16,7 @@ use crate::studies::steady::Agreement;
 
 /// The steady motion of a machine reduced to its drive, as it is shown.
 #[derive(Clone, Copy, Debug)]
-pub struct Shown<'a> {
+pub struct SteadyReport<'a> {
     /// Title: the scene's name, or where the functions come from.
     pub title: &'a str,
     /// Φ (rad).

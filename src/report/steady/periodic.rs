@@ -6,7 +6,7 @@ use crate::dynamics::steady::Extreme;
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::table::judged;
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
-use crate::report::plot::{Axis, Look, Mark, Plot, Series, Shape};
+use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series, Shape};
 use crate::report::quantity::significant;
 use crate::report::verdict::{Verdict, capitalised};
 use crate::studies::check::Check;
@@ -251,7 +251,7 @@ fn circle(part: &PartMotion) -> Plot {
     };
     let multipliers = &part.multipliers;
     let found = Series {
-        look: Look::Points,
+        look: LineStyle::Points,
         marks: multipliers
             .iter()
             .map(|m| {

@@ -1,6 +1,6 @@
 //! The steady motion of a machine with rigid objects.
 
-use super::Shown;
+use super::SteadyReport;
 use super::charts::{charts, wittenbauer};
 use crate::dynamics::steady::flywheel::{Approximation, Flywheel};
 use crate::report::csv::Rows;
@@ -29,7 +29,7 @@ pub(super) fn mean_speed(speed: f64, why: &str) -> Figure {
 }
 
 /// The motion over a cycle, its flywheel, how independent ways agree.
-pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a> {
+pub fn rigid_findings<'a>(shown: &SteadyReport<'_>, source: Source<'a>) -> Findings<'a> {
     let f = shown.figures;
     // In SI the unit of the first is that of the second.
     let speed = |sentence: Sentence, value: f64, unit: &str| {
@@ -82,7 +82,7 @@ pub fn rigid_findings<'a>(shown: &Shown<'_>, source: Source<'a>) -> Findings<'a>
     }
 }
 
-fn figures(shown: &Shown<'_>) -> Vec<Figure> {
+fn figures(shown: &SteadyReport<'_>) -> Vec<Figure> {
     let f = shown.figures;
     let why = match shown.regime {
         Some(_) => "a result: a moment depends on the speed",
@@ -124,7 +124,7 @@ fn figures(shown: &Shown<'_>) -> Vec<Figure> {
 }
 
 /// How the ways agree.
-fn agreement(shown: &Shown<'_>, checks: &[Check]) -> Vec<Figure> {
+fn agreement(shown: &SteadyReport<'_>, checks: &[Check]) -> Vec<Figure> {
     let mut figures: Vec<Figure> = checks.iter().map(Figure::check).collect();
     let mut add = |name: &str, text: String| figures.push(Figure::new(name, text));
     let short = |value: f64| significant(value, 2);
@@ -191,7 +191,7 @@ pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
 }
 
 /// The motion over the cycle, a row a place.
-pub fn rigid_rows(shown: &Shown<'_>) -> Rows {
+pub fn rigid_rows(shown: &SteadyReport<'_>) -> Rows {
     let header = [
         "phi [rad]",
         "t [s]",

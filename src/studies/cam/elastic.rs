@@ -3,7 +3,7 @@
 use crate::dynamics::integrate::Stop;
 use crate::dynamics::record::drive_cycle;
 use crate::dynamics::system::System;
-use crate::exact::Asked;
+use crate::exact::RequestedFigures;
 use crate::fault::Fault;
 use crate::studies::demand::Demand;
 use crate::studies::document::stop_in_words;
@@ -55,7 +55,7 @@ pub fn steady_contact(
         ..settings.clone()
     };
     let demand = Demand {
-        figures: Some(&|_| Asked::DEVIATION),
+        figures: Some(&|_| RequestedFigures::DEVIATION),
         laws: None,
         checked: true,
     };

@@ -1,16 +1,16 @@
 //! What no tree holds, beside trees that are propagated exactly.
 
-use super::coupled::Coupled;
+use super::coupled::TreeBase;
 use super::forces::Forces;
 use super::lever::Drivetrain;
 use super::smooth::{NODES, node};
 use super::turn::{PARTS, Turn};
 use crate::dynamics::integrate::{Modes, SwitchEvent};
 use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
-use crate::dynamics::record::{Figured, Observer, RecorderSettings};
+use crate::dynamics::record::{FigureCollector, Observer, RecorderSettings};
 use crate::dynamics::system::ObjectState;
 use crate::exact::Rest;
-use crate::exact::walk::{Given, Motion, Way};
+use crate::exact::walk::{Motion, RemainderStep, Schedule};
 use crate::kinematics::motion::DriveMotion;
 use crate::math::polynomial::Step;
 
@@ -19,9 +19,9 @@ use crate::math::polynomial::Step;
 const BETWEEN: [f64; 2] = [0.125, 0.875];
 
 /// What no tree holds.
-pub(super) struct Beside<'a> {
+pub(super) struct Remainder<'a> {
     pub(super) rest: &'a Rest,
-    pub(super) figured: Figured<'a>,
+    pub(super) figured: FigureCollector<'a>,
     observer: Observer<'a>,
     modes: Modes,
     /// True where it is integrated: its steps come from outside.
@@ -32,7 +32,7 @@ pub(super) struct Beside<'a> {
     steady: Option<Vec<ObjectState>>,
     /// How far its figures have been taken (s).
     taken: f64,
-    pub(super) coupled: Vec<Coupled>,
+    pub(super) coupled: Vec<TreeBase>,
     ways: Vec<Drivetrain>,
     /// What all objects of the whole are doing at the nodes of a stretch, as far as they
     /// are beside the trees.
@@ -47,24 +47,24 @@ pub(super) struct Beside<'a> {
     pub(super) forces: Forces,
 }
 
-impl<'a> Beside<'a> {
+impl<'a> Remainder<'a> {
     /// What is beside the trees of a route; true with it where it is integrated.
     pub(super) fn new(
-        route: Way<'a>,
+        route: Schedule<'a>,
         settings: &RecorderSettings,
         (rest, integrated): (&'a Rest, bool),
     ) -> Self {
         let ways = Drivetrain::of_all(route.system, route.parts);
         let objects = route.system.model().objects.len();
         Self {
-            figured: Figured::new(&rest.system, settings),
+            figured: FigureCollector::new(&rest.system, settings),
             observer: Observer::new(&rest.system),
             modes: Modes(vec![0; rest.modes(&route.initial.modes).0.len()]),
             integrated,
             uniform: is_uniform(rest.system.model()),
             steady: None,
             taken: 0.0,
-            coupled: Coupled::all(route.system, &ways, settings.window),
+            coupled: TreeBase::all(route.system, &ways, settings.window),
             states: std::array::from_fn(|_| vec![ObjectState::default(); objects]),
             noted: [f64::NAN; 2],
             slopes: vec![std::array::from_fn(|_| Vec::new()); ways.len()],
@@ -174,7 +174,7 @@ impl<'a> Beside<'a> {
     }
 
     /// Takes up what changes slowly at the nodes of a stretch.
-    fn take_nodes(&mut self, given: Option<&Given<'_>>, span: [f64; 2]) {
+    fn take_nodes(&mut self, given: Option<&RemainderStep<'_>>, span: [f64; 2]) {
         if self.noted == span {
             return;
         }
@@ -200,7 +200,7 @@ impl<'a> Beside<'a> {
     /// False where a force that may rise does not go through the nodes of the stretch
     /// taken up last as its polynomials do.
     pub(super) fn is_followed(&mut self, motion: &Motion<'_, '_>, span: [f64; 2]) -> bool {
-        let rises = |own: &Coupled| own.rises_within(&self.forces);
+        let rises = |own: &TreeBase| own.rises_within(&self.forces);
         if !self.coupled.iter().any(rises) {
             return true;
         }
@@ -218,7 +218,7 @@ impl<'a> Beside<'a> {
     }
 
     /// Where the states of what is beside the trees come from.
-    fn origin<'g>(&self, given: Option<&'g Given<'g>>) -> Origin<'g> {
+    fn origin<'g>(&self, given: Option<&'g RemainderStep<'g>>) -> Origin<'g> {
         match given {
             Some(given) => Origin::Given(given),
             // Nothing else changes.
@@ -242,7 +242,7 @@ impl<'a> Beside<'a> {
 #[derive(Clone, Copy)]
 enum Origin<'g> {
     /// The step of an integration.
-    Given(&'g Given<'g>),
+    Given(&'g RemainderStep<'g>),
     /// The drives prescribe them.
     Prescribed,
     /// The same, of which nothing but angles changes.

@@ -1,15 +1,15 @@
 //! What trees carry, looked at as parts of the whole system.
 
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::record::{Log, Sampled, Tally};
+use crate::dynamics::record::{Log, SampledStretch, Tally};
 use crate::dynamics::system::ObjectState;
-use crate::exact::walk::{Motion, Way};
+use crate::exact::walk::{Motion, Schedule};
 
 /// What is looked at in a tree: rigid objects that its masses carry, sums of modes, and
 /// elastic objects with inertia at their driven end, for the force there; what presses on a
 /// cam, for the pressure.
-pub(super) fn carried(route: Way<'_>, window: Option<[f64; 2]>) -> Vec<(usize, usize, Tally)> {
-    let Way { system, parts, .. } = route;
+pub(super) fn carried(route: Schedule<'_>, window: Option<[f64; 2]>) -> Vec<(usize, usize, Tally)> {
+    let Schedule { system, parts, .. } = route;
     let objects = 0..system.model().objects.len();
     let own = |object: usize| {
         let part = &system.model().objects[object];
@@ -25,7 +25,7 @@ pub(super) fn carried(route: Way<'_>, window: Option<[f64; 2]>) -> Vec<(usize, u
 }
 
 /// The whole system observed over parts of a stretch.
-pub(super) struct Looked<'l, 'm, 'a, 's> {
+pub(super) struct CarriedObserver<'l, 'm, 'a, 's> {
     pub(super) log: &'l mut Log<'s>,
     pub(super) y: &'l mut [f64],
     pub(super) seen: &'l mut [ObjectState],
@@ -33,22 +33,22 @@ pub(super) struct Looked<'l, 'm, 'a, 's> {
     pub(super) modes: &'l Modes,
 }
 
-impl Looked<'_, '_, '_, '_> {
+impl CarriedObserver<'_, '_, '_, '_> {
     fn at(&mut self, time: f64) -> &[ObjectState] {
         self.motion.state(time, self.y);
         self.log.observe(time, self.y, self.modes)
     }
 
     /// Observes a part and hands it on.
-    pub(super) fn each(&mut self, part: [f64; 2], take: impl FnOnce(&mut Sampled<'_>)) {
+    pub(super) fn each(&mut self, part: [f64; 2], take: impl FnOnce(&mut SampledStretch<'_>)) {
         let mut seen = std::mem::take(&mut self.seen);
         let objects = seen.len() / 7;
-        for (place, time) in Sampled::instants(part).into_iter().enumerate() {
+        for (place, time) in SampledStretch::instants(part).into_iter().enumerate() {
             let states = self.at(time);
             seen[place * objects..][..objects].copy_from_slice(states);
         }
         let mut look = |time, object: usize| self.at(time)[object];
-        take(&mut Sampled::new(part, seen, &mut look));
+        take(&mut SampledStretch::new(part, seen, &mut look));
         self.seen = std::mem::take(&mut seen);
     }
 }

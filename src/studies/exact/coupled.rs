@@ -28,7 +28,7 @@ const FOLLOWED: f64 = 1e-9;
 
 /// An object that trees hang on.
 #[derive(Clone, Debug)]
-pub(super) struct Coupled {
+pub(super) struct TreeBase {
     /// Index in the whole model.
     pub(super) object: usize,
     /// Figures of its forces.
@@ -83,7 +83,7 @@ impl Loss {
     }
 }
 
-impl Coupled {
+impl TreeBase {
     /// Every object that some tree hangs on.
     pub(super) fn all(system: &System, ways: &[Drivetrain], window: Option<[f64; 2]>) -> Vec<Self> {
         let parts = system.model().objects.iter().enumerate();

@@ -5,25 +5,25 @@
 //! after each of its steps the trees are followed to its end, and both are put into one
 //! record.
 
-use super::Found;
-use super::joint::Joint;
+use super::MotionFindings;
+use super::joint::CombinedRecord;
 use crate::dynamics::integrate::{Modes, Outcome, Sink, Statistics, SwitchEvent};
 use crate::exact::Rest;
-use crate::exact::walk::{Given, Walk};
+use crate::exact::walk::{EventLoop, RemainderStep};
 use crate::math::polynomial::Step;
 
 /// Listens to the rest and follows the trees.
-pub(super) struct Duet<'a> {
+pub(super) struct CoSimulation<'a> {
     rest: &'a Rest,
-    walk: Walk<'a>,
-    joint: Joint<'a>,
+    walk: EventLoop<'a>,
+    joint: CombinedRecord<'a>,
     /// State and modes of the whole where the walk stands.
     y: Vec<f64>,
     modes: Modes,
 }
 
-impl<'a> Duet<'a> {
-    pub(super) fn new(rest: &'a Rest, walk: Walk<'a>, joint: Joint<'a>) -> Self {
+impl<'a> CoSimulation<'a> {
+    pub(super) fn new(rest: &'a Rest, walk: EventLoop<'a>, joint: CombinedRecord<'a>) -> Self {
         let (y, modes) = (walk.state().to_vec(), walk.modes().clone());
         Self {
             rest,
@@ -35,7 +35,7 @@ impl<'a> Duet<'a> {
     }
 
     /// The whole, where the integration of the rest has ended.
-    pub(super) fn finish(mut self, own: Outcome) -> Found {
+    pub(super) fn finish(mut self, own: Outcome) -> MotionFindings {
         let walked = self.walk.outcome();
         self.walk.cut(&mut self.joint);
         let (time, stop) = match self.walk.has_stopped() {
@@ -47,7 +47,7 @@ impl<'a> Duet<'a> {
         let recorded = self
             .joint
             .finish(self.walk.time(), place, self.walk.branches());
-        Found {
+        MotionFindings {
             recorded,
             outcome: Outcome {
                 time,
@@ -64,7 +64,7 @@ impl<'a> Duet<'a> {
     }
 }
 
-impl Sink for Duet<'_> {
+impl Sink for CoSimulation<'_> {
     fn start(&mut self, _time: f64, y: &[f64], modes: &Modes) {
         self.joint.start_beside(y, modes);
         self.walk.begin(&mut self.joint);
@@ -75,7 +75,7 @@ impl Sink for Duet<'_> {
         if self.walk.has_stopped() || self.joint.failure().is_some() {
             return;
         }
-        let given = Given {
+        let given = RemainderStep {
             step,
             coordinates: &self.rest.coordinates,
         };

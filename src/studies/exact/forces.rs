@@ -16,21 +16,21 @@ pub(super) struct Forces {
     /// Bounds over the stretch, one a tree.
     pub(super) ahead: Vec<Ahead>,
     /// Forces at both ends of the stretch, as far as somebody asked for them.
-    ends: [Known; 2],
+    ends: [InstantForces; 2],
     /// Evaluations of forces and of bounds so far.
     #[cfg(test)]
     pub(super) evaluations: [u64; 2],
 }
 
 /// Forces at an instant.
-struct Known {
+struct InstantForces {
     /// The instant (s).
     time: f64,
     /// The phase of each tree in which its force was found, or [`NONE`], and the force.
     forces: Vec<(u64, End)>,
 }
 
-impl Known {
+impl InstantForces {
     /// Goes to an instant; what is known of another one is forgotten.
     fn go_to(&mut self, time: f64) {
         if self.time != time {
@@ -43,7 +43,7 @@ impl Known {
 impl Forces {
     /// Forces of so many trees, before the first stretch.
     pub(super) fn new(trees: usize) -> Self {
-        let known = || Known {
+        let known = || InstantForces {
             time: f64::NAN,
             forces: vec![(NONE, End::default()); trees],
         };

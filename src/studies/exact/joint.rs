@@ -8,8 +8,8 @@
 //! on ([`super::coupled`]), and rigid objects that a mass of a tree carries
 //! ([`super::carried`]).
 
-use super::beside::Beside;
-use super::carried::{Looked, carried};
+use super::beside::Remainder;
+use super::carried::{CarriedObserver, carried};
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Dynamics, Modes, Sink, SwitchEvent};
 use crate::dynamics::record::{
@@ -18,7 +18,7 @@ use crate::dynamics::record::{
 use crate::dynamics::segment::Segment;
 use crate::dynamics::system::ObjectState;
 use crate::exact::Rest;
-use crate::exact::walk::{Branch, Listener, Motion, Way};
+use crate::exact::walk::{Branch, Listener, Motion, Schedule};
 use crate::math::polynomial::Step;
 
 /// Stretches in a turn of the drive over which prescribed motions are looked at.
@@ -36,15 +36,15 @@ const HALVINGS: u32 = 8;
 const RADIANS: f64 = 1.5;
 
 /// Records a walk.
-pub(super) struct Joint<'a> {
-    route: Way<'a>,
+pub(super) struct CombinedRecord<'a> {
+    route: Schedule<'a>,
     /// Whether the walk goes on: what is looked at in one stretch may be long.
     goes_on: &'a dyn Fn() -> bool,
     settings: RecorderSettings,
     log: Log<'a>,
     /// By tree, then by object of the tree.
     trees: Vec<Vec<Tally>>,
-    pub(super) beside: Option<Beside<'a>>,
+    pub(super) beside: Option<Remainder<'a>>,
     /// What is looked at in trees, with the tree: see [`carried`].
     carried: Vec<(usize, usize, Tally)>,
     /// Length of a stretch (s).
@@ -58,11 +58,11 @@ pub(super) struct Joint<'a> {
     sink: &'a mut dyn Sink,
 }
 
-impl<'a> Joint<'a> {
+impl<'a> CombinedRecord<'a> {
     /// For a walk; `rest` where more is wanted than the figures of the trees' own
     /// objects, and true with it where it is integrated.
     pub(super) fn new(
-        (route, goes_on): (Way<'a>, &'a dyn Fn() -> bool),
+        (route, goes_on): (Schedule<'a>, &'a dyn Fn() -> bool),
         settings: RecorderSettings,
         rest: Option<(&'a Rest, bool)>,
         sink: &'a mut dyn Sink,
@@ -84,7 +84,7 @@ impl<'a> Joint<'a> {
                 Some(_) => carried(route, settings.window),
                 None => Vec::new(),
             },
-            beside: rest.map(|rest| Beside::new(route, &settings, rest)),
+            beside: rest.map(|rest| Remainder::new(route, &settings, rest)),
             length: in_cycle.min(settings.duration / IN_RUN),
             y: vec![0.0; 2 * system.coordinates()],
             seen: vec![ObjectState::default(); if rest.is_some() { 7 * objects } else { 0 }],
@@ -227,7 +227,7 @@ impl<'a> Joint<'a> {
                 return false;
             }
             let at = |k: f64| from + (to - from) * (k / count);
-            let mut looked = Looked {
+            let mut looked = CarriedObserver {
                 log: &mut self.log,
                 y: &mut self.y,
                 seen: &mut self.seen,
@@ -300,7 +300,7 @@ impl<'a> Joint<'a> {
     }
 }
 
-impl Listener for Joint<'_> {
+impl Listener for CombinedRecord<'_> {
     fn start(&mut self, y: &[f64], modes: &Modes) {
         self.sink.start(0.0, y, modes);
         let states = self.log.start(0.0, y, modes);

@@ -1,12 +1,12 @@
 //! Many branches behind one shaft: what is found once for all of them, counted.
 
-use super::{Joint, request, trees, whole};
+use super::{CombinedRecord, request, trees, whole};
 use crate::budget::Budget;
 use crate::dynamics::integrate::{Limits, Modes, Sink, SwitchEvent};
 use crate::dynamics::record::{Observer, RecorderSettings, Tee};
 use crate::dynamics::system::System;
 use crate::exact::Rest;
-use crate::exact::walk::{Branch, Clock, Listener, Motion, Walk, Way};
+use crate::exact::walk::{Branch, Clock, EventLoop, Listener, Motion, Schedule};
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{BuiltIn, Document, Overrides};
 use serde_json::{Value, json};
@@ -35,7 +35,7 @@ fn scene() -> Value {
 
 /// Counts stretches and samples a torque on their way to a recorder.
 struct Counted<'j, 'a> {
-    joint: &'j mut Joint<'a>,
+    joint: &'j mut CombinedRecord<'a>,
     observer: Observer<'a>,
     stretches: u64,
     /// Greatest torque of the motor at places of the stretches (N·m).
@@ -84,7 +84,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     let initial = system.initial_place().unwrap();
     let rest = Rest::beside(&system, &parts).unwrap();
     let trees = trees(&parts, &initial);
-    let way = Way {
+    let way = Schedule {
         system: &system,
         parts: &parts,
         trees: &trees,
@@ -115,14 +115,14 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     let asked = |number: usize| request(&parts.trees[number], &limits, duration, None);
     let mut nobody: [&mut dyn Sink; 0] = [];
     let sink = &mut Tee(&mut nobody);
-    let mut joint = Joint::new((way, &goes_on), settings, Some((&rest, false)), sink);
+    let mut joint = CombinedRecord::new((way, &goes_on), settings, Some((&rest, false)), sink);
     let mut counted = Counted {
         joint: &mut joint,
         observer: Observer::new(&system),
         stretches: 0,
         greatest: 0.0,
     };
-    let mut walk = Walk::new(way, &asked, &clock, &goes_on).unwrap();
+    let mut walk = EventLoop::new(way, &asked, &clock, &goes_on).unwrap();
     walk.begin(&mut counted);
     walk.go_to(duration, None, &mut counted);
     let Counted {

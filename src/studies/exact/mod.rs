@@ -21,11 +21,11 @@ use crate::dynamics::integrate::{
 };
 use crate::dynamics::record::{Recorded, RecorderSettings};
 use crate::dynamics::system::{InitialState, System};
-use crate::exact::walk::{Branch, Clock, Listener, Motion, Walk, Way};
-use crate::exact::{Asked, ExactTree, KeptLaws, Part, Parts, Request, Rest};
+use crate::exact::walk::{Branch, Clock, EventLoop, Listener, Motion, Schedule};
+use crate::exact::{ExactTree, KeptLaws, Part, Parts, Request, RequestedFigures, Rest};
 use crate::fault::Fault;
-use duet::Duet;
-use joint::Joint;
+use duet::CoSimulation;
+use joint::CombinedRecord;
 
 /// The parts of a system, if all of it can be propagated exactly.
 ///
@@ -108,7 +108,7 @@ pub fn mixed(system: &System) -> Option<Mixed> {
 
 /// Findings about a motion.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(super) struct MotionFindings {
     /// Samples, figures, audit.
     pub(super) recorded: Recorded,
     /// Outcome: how it ended.
@@ -121,18 +121,18 @@ pub(super) struct Found {
 /// Demand on a run: `None`: the figures of all objects and the energy audit; otherwise
 /// the figures that are named for each elastic object of the model, and nothing of
 /// others.
-pub(super) type Wanted<'w> = Option<&'w dyn Fn(usize) -> Asked>;
+pub(super) type Wanted<'w> = Option<&'w dyn Fn(usize) -> RequestedFigures>;
 
 fn request(part: &Part, limits: &Limits<'_>, end: f64, wanted: Wanted<'_>) -> Request {
     let asked = wanted.and_then(|wanted| {
         let each = part.objects.iter().map(|&object| wanted(object));
-        each.reduce(Asked::with)
+        each.reduce(RequestedFigures::with)
     });
     Request {
         switches: limits.switches,
         all_steps: limits.steps,
         figures: true,
-        asked: asked.unwrap_or(Asked::ALL),
+        asked: asked.unwrap_or(RequestedFigures::ALL),
         audit: wanted.is_none(),
         ..Request::new(end, 0)
     }
@@ -153,14 +153,14 @@ pub(super) fn follow(
     limits: &Limits<'_>,
     wanted: Wanted<'_>,
     sink: &mut dyn Sink,
-) -> Found {
+) -> MotionFindings {
     let rest = match wanted {
         None => Rest::beside(system, parts),
         Some(_) => None,
     };
     let trees = trees(parts, initial);
     let end = settings.duration;
-    let way = Way {
+    let way = Schedule {
         system,
         parts,
         trees: &trees,
@@ -171,13 +171,13 @@ pub(super) fn follow(
     let clock = Clock::new(limits);
     let goes_on = || clock.goes_on();
     let request = |number: usize| request(&parts.trees[number], limits, end, wanted);
-    let mut joint = Joint::new(
+    let mut joint = CombinedRecord::new(
         (way, &goes_on),
         settings,
         rest.as_ref().map(|rest| (rest, false)),
         sink,
     );
-    let mut walk = match Walk::new(way, &request, &clock, &goes_on) {
+    let mut walk = match EventLoop::new(way, &request, &clock, &goes_on) {
         Ok(walk) => walk,
         Err(stop) => return never_begun(joint, initial, stop),
     };
@@ -189,14 +189,14 @@ pub(super) fn follow(
     finish(walk, joint)
 }
 
-fn finish(mut walk: Walk<'_>, mut joint: Joint<'_>) -> Found {
+fn finish(mut walk: EventLoop<'_>, mut joint: CombinedRecord<'_>) -> MotionFindings {
     let outcome = walk.outcome();
     walk.cut(&mut joint);
     let (y, modes) = walk.stand(None);
     let (y, modes) = (y.to_vec(), modes.clone());
     let grazing = walk.grazing();
     let recorded = joint.finish(walk.time(), (&y, &modes), walk.branches());
-    Found {
+    MotionFindings {
         recorded,
         outcome,
         grazing,
@@ -225,7 +225,7 @@ pub(super) fn deviations(
     limits: &Limits<'_>,
 ) -> Deviations {
     let trees = trees(parts, initial);
-    let way = Way {
+    let way = Schedule {
         system,
         parts,
         trees: &trees,
@@ -241,8 +241,8 @@ pub(super) fn deviations(
         all_masses: !last_alone(&parts.trees[number]),
         ..Request::new(end, count)
     };
-    let mut heard = Heard(Vec::new());
-    let mut walk = match Walk::new(way, &request, &clock, &goes_on) {
+    let mut heard = EventTimes(Vec::new());
+    let mut walk = match EventLoop::new(way, &request, &clock, &goes_on) {
         Ok(walk) => walk,
         Err(stop) => {
             return Deviations {
@@ -291,9 +291,9 @@ fn sampled<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)
 }
 
 /// Hears of the switches of pairs alone.
-struct Heard(Vec<f64>);
+struct EventTimes(Vec<f64>);
 
-impl Listener for Heard {
+impl Listener for EventTimes {
     fn start(&mut self, _y: &[f64], _modes: &Modes) {}
 
     fn again(&mut self, _number: usize) {}
@@ -316,9 +316,13 @@ fn at_once(stop: Stop) -> Outcome {
 }
 
 /// A run whose trees have no start.
-fn never_begun(mut joint: Joint<'_>, initial: &InitialState, stop: Stop) -> Found {
+fn never_begun(
+    mut joint: CombinedRecord<'_>,
+    initial: &InitialState,
+    stop: Stop,
+) -> MotionFindings {
     joint.start(&initial.y, &initial.modes);
-    Found {
+    MotionFindings {
         recorded: joint.finish(0.0, (&initial.y, &initial.modes), &mut []),
         outcome: at_once(stop),
         grazing: 0,
@@ -338,10 +342,10 @@ pub(super) fn follow_beside(
     limits: &Limits<'_>,
     sink: &mut dyn Sink,
     integrate: impl FnOnce(&InitialState, &mut dyn Sink) -> Outcome,
-) -> Found {
+) -> MotionFindings {
     let trees = trees(parts, initial);
     let end = settings.duration;
-    let way = Way {
+    let way = Schedule {
         system,
         parts,
         trees: &trees,
@@ -352,12 +356,12 @@ pub(super) fn follow_beside(
     let clock = Clock::new(limits);
     let goes_on = || clock.goes_on();
     let request = |number: usize| request(&parts.trees[number], limits, end, None);
-    let joint = Joint::new((way, &goes_on), settings, Some((rest, true)), sink);
-    let walk = match Walk::new(way, &request, &clock, &goes_on) {
+    let joint = CombinedRecord::new((way, &goes_on), settings, Some((rest, true)), sink);
+    let walk = match EventLoop::new(way, &request, &clock, &goes_on) {
         Ok(walk) => walk,
         Err(stop) => return never_begun(joint, initial, stop),
     };
-    let mut duet = Duet::new(rest, walk, joint);
+    let mut duet = CoSimulation::new(rest, walk, joint);
     let own = integrate(&rest.initial(initial), &mut duet);
     duet.finish(own)
 }

@@ -1,7 +1,7 @@
 use crate::dynamics::integrate::{Method, Stop};
 use crate::dynamics::record::ObjectFigures;
 use crate::dynamics::system::System;
-use crate::exact::Asked;
+use crate::exact::RequestedFigures;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{BuiltIn, Document, Overrides};
 use crate::studies::demand::Demand;
@@ -36,7 +36,7 @@ fn read(text: &[u8], overrides: &[&str]) -> (System, RunSettings) {
 fn found(
     (system, settings): &(System, RunSettings),
     duration: f64,
-    asked: Asked,
+    asked: RequestedFigures,
     control: &Control<'_>,
 ) -> Motion {
     let settings = RunSettings {
@@ -65,8 +65,11 @@ fn switch_times<'f>(found: &'f Motion, scene: &(System, RunSettings)) -> &'f [f6
 fn the_figures_asked_for_are_those_of_a_run_that_finds_all() {
     type Read = fn(&ObjectFigures) -> f64;
     let lift: Read = |f| f.pair.as_ref().unwrap().max_lift;
-    let cases: [(Asked, &[Read]); 6] = [
-        (Asked::DEVIATION, &[|f| f.delta_max, |f| f.delta_min]),
+    let cases: [(RequestedFigures, &[Read]); 6] = [
+        (
+            RequestedFigures::DEVIATION,
+            &[|f| f.delta_max, |f| f.delta_min],
+        ),
         (only(|asked| asked.mean = true), &[|f| f.sigma]),
         (only(|asked| asked.speed = true), &[|f| f.peak_speed]),
         (
@@ -88,7 +91,7 @@ fn the_figures_asked_for_are_those_of_a_run_that_finds_all() {
     let control = Control::default();
     for (lever, (asked, reads)) in all {
         let scene = prepared(lever);
-        let all = found(&scene, 0.5, Asked::ALL, &control);
+        let all = found(&scene, 0.5, RequestedFigures::ALL, &control);
         let some = found(&scene, 0.5, asked, &control);
         assert_eq!(switch_times(&some, &scene), switch_times(&all, &scene));
         let (own, whole) = (rocker(&some, &scene), rocker(&all, &scene));
@@ -108,14 +111,18 @@ fn the_figures_asked_for_are_those_of_a_run_that_finds_all() {
         let zeros = found.iter().filter(|value| **value == 0.0).count();
         assert_eq!(
             zeros,
-            if asked == Asked::DEVIATION { 5 } else { 4 },
+            if asked == RequestedFigures::DEVIATION {
+                5
+            } else {
+                4
+            },
             "{asked:?}"
         );
     }
 }
 
-fn only(set: impl Fn(&mut Asked)) -> Asked {
-    let mut asked = Asked::DEVIATION;
+fn only(set: impl Fn(&mut RequestedFigures)) -> RequestedFigures {
+    let mut asked = RequestedFigures::DEVIATION;
     set(&mut asked);
     asked
 }
@@ -167,7 +174,7 @@ fn a_run_without_end_stops_when_it_is_told() {
     let scene = prepared(&[]);
     let told = AtomicBool::new(true);
     let control = Control::interrupted_by(&told);
-    let stopped = found(&scene, 1e9, Asked::ALL, &control);
+    let stopped = found(&scene, 1e9, RequestedFigures::ALL, &control);
     assert_eq!(stopped.outcome.stop, Stop::Interrupted);
     assert!(stopped.outcome.time < 1e9);
     // From another thread, in the middle of it.
@@ -178,7 +185,7 @@ fn a_run_without_end_stops_when_it_is_told() {
             std::thread::sleep(Duration::from_millis(30));
             told.store(true, std::sync::atomic::Ordering::Relaxed);
         });
-        found(&scene, 1e9, Asked::ALL, &control)
+        found(&scene, 1e9, RequestedFigures::ALL, &control)
     });
     assert_eq!(stopped.outcome.stop, Stop::Interrupted);
     assert!(stopped.outcome.time > 0.0 && stopped.outcome.statistics.switches > 0);
@@ -221,7 +228,7 @@ fn limits_of_time_steps_and_switches_end_a_run() {
     let limit = Duration::from_millis(20);
     let control = Control::FREE.within(limit);
     let begun = std::time::Instant::now();
-    let stopped = found(&scene, 1e9, Asked::ALL, &control);
+    let stopped = found(&scene, 1e9, RequestedFigures::ALL, &control);
     assert_eq!(stopped.outcome.stop, Stop::WallClock { limit });
     assert!(begun.elapsed() < 100 * limit, "{:?}", begun.elapsed());
     let limited = |switches: u64, steps: u64| {
@@ -232,13 +239,18 @@ fn limits_of_time_steps_and_switches_end_a_run() {
             ..settings
         };
         let scene = (system, settings);
-        let found = found(&scene, 1e9, Asked::ALL, &Control::default());
+        let found = found(&scene, 1e9, RequestedFigures::ALL, &Control::default());
         (scene, found)
     };
     let (_, few) = limited(u64::MAX, 500);
     assert_eq!(few.outcome.stop, Stop::TooManySteps { bound: 500 });
     // What was done until then is that of a run that goes on.
-    let whole = found(&scene, few.outcome.time, Asked::ALL, &Control::default());
+    let whole = found(
+        &scene,
+        few.outcome.time,
+        RequestedFigures::ALL,
+        &Control::default(),
+    );
     assert!(whole.is_complete());
     let [times, wanted] = [&few, &whole].map(|run| switch_times(run, &scene));
     assert!(wanted.len() > 50 && wanted.len().abs_diff(times.len()) <= 1);

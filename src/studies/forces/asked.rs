@@ -4,7 +4,7 @@ use super::{Course, Instant, PositionSource, loads};
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics};
 use crate::kinematics::linkage::{Linkage, Workspace};
 use crate::studies::endless::DeadEnd;
-use crate::studies::kinematics::{Asked, Over};
+use crate::studies::kinematics::{KinematicsRequest, Over};
 
 /// Positions of a linkage, solved one after another.
 #[derive(Debug)]
@@ -58,7 +58,7 @@ pub(super) fn count(intervals: usize, [from, to]: [f64; 2], closed: bool) -> usi
 /// # Errors
 ///
 /// The speed of the input is not known, in words.
-pub fn course_of(asked: &Asked<'_>) -> Result<Course, String> {
+pub fn course_of(asked: &KinematicsRequest<'_>) -> Result<Course, String> {
     let [speed, acceleration] = asked.rate;
     let timed = matches!(asked.over, Over::Time { .. });
     if asked.unit_rate && !timed {
@@ -110,7 +110,7 @@ pub fn course_of(asked: &Asked<'_>) -> Result<Course, String> {
     })
 }
 
-fn motion(asked: &Asked<'_>, time: f64) -> InputMotion {
+fn motion(asked: &KinematicsRequest<'_>, time: f64) -> InputMotion {
     let jet = asked.input_at(time);
     InputMotion {
         coordinate: jet.value,

@@ -3,7 +3,7 @@
 use super::{ForceSettings, Instant, PositionSource};
 use crate::kinematics::linkage::kinetostatics::{
     Balance, Convention, CouplingForce, ForceFailure, ForceWorkspace, Indeterminate, InputMotion,
-    Kinetostatics, Positions, Reaction, Sensitivities, Solved, Transmission, WeldForce,
+    Kinetostatics, Positions, Reaction, Sensitivities, SolutionQuality, Transmission, WeldForce,
 };
 use crate::studies::endless::DeadEnd;
 use std::fmt;
@@ -63,7 +63,7 @@ pub struct Forces {
     /// Motions of several inputs; none of one.
     pub inputs: Vec<InputMotion>,
     /// Qualities of the solution.
-    pub solved: Solved,
+    pub solved: SolutionQuality,
     /// Driving forces of further solutions.
     pub others: Vec<f64>,
     /// The pairs, in the linkage's order.

@@ -108,7 +108,7 @@ impl Default for Question {
 
 /// A question that can be answered.
 #[derive(Clone, Debug)]
-pub struct Asked<'a> {
+pub struct KinematicsRequest<'a> {
     pub(in crate::studies) model: &'a Model,
     pub(in crate::studies) object: String,
     pub(in crate::studies) linkage: Linkage,
@@ -125,7 +125,7 @@ pub struct Asked<'a> {
     pub(in crate::studies) unit_rate: bool,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> KinematicsRequest<'a> {
     /// Makes the question complete.
     ///
     /// # Errors
@@ -327,7 +327,7 @@ pub fn whole_travel(linkage: &Linkage) -> Over {
 }
 
 /// First and last place on the axis.
-pub(super) fn span(asked: &Asked<'_>) -> [f64; 2] {
+pub(super) fn span(asked: &KinematicsRequest<'_>) -> [f64; 2] {
     match asked.over {
         Over::Time { to } => [0.0, to],
         Over::Range { from, to } => [from, to],

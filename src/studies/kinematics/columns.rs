@@ -1,7 +1,7 @@
 //! The quantities of a linkage: their names, units and columns. Their values are in
 //! [`super::values`], in the same order.
 
-use super::ask::Asked;
+use super::ask::KinematicsRequest;
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::spec::PairKind;
 use crate::math::jet::Jet;
@@ -299,7 +299,7 @@ pub(super) const SLIDE: [Quantity; 12] = [
 
 /// The columns of a linkage, in the order in which `values` fills them:
 /// input, links, their named points, sliding pairs, outputs.
-pub(super) fn headings(asked: &Asked<'_>) -> Vec<Heading> {
+pub(super) fn headings(asked: &KinematicsRequest<'_>) -> Vec<Heading> {
     let spec = asked.linkage.spec();
     let input = unit_of(asked.input);
     let mut out = Vec::new();

@@ -4,7 +4,7 @@
 //! weights, springs and forces. It rests where W = 0; about there x = q − q₀ obeys
 //! J·ẍ + D·ẋ + k·x = 0 with the stiffness k = V″ − Q′.
 
-use super::ask::{Asked, Over, whole_travel};
+use super::ask::{KinematicsRequest, Over, whole_travel};
 use crate::kinematics::linkage::{Linkage, Reduced, Workspace};
 use crate::math::roots::{BISECTIONS, bisect, middle};
 
@@ -60,7 +60,7 @@ impl Equilibrium {
 
 /// All equilibria over a period, or the whole reach, ascending; none where no weight, spring or
 /// force acts, and where the input goes everywhere.
-pub(super) fn equilibria(asked: &Asked<'_>) -> Vec<Equilibrium> {
+pub(super) fn equilibria(asked: &KinematicsRequest<'_>) -> Vec<Equilibrium> {
     let linkage = &asked.linkage;
     let (from, to, closed) = match whole_travel(linkage) {
         Over::Turn => {

@@ -1,7 +1,7 @@
 //! Figures of a study by name, as a scene's expectations address them.
 
 use super::columns::{Heading, headings, name, unit_of};
-use super::{Asked, Extremes, Kinematics, Over};
+use super::{Extremes, Kinematics, KinematicsRequest, Over};
 use crate::kinematics::linkage::spec::LinkageSpec;
 
 /// Ends of a quantity: value and place.
@@ -46,7 +46,7 @@ impl NamedFigure {
     }
 }
 
-impl Asked<'_> {
+impl KinematicsRequest<'_> {
     /// All figures that a study of this question can have.
     pub fn figures(&self) -> Vec<NamedFigure> {
         let input = unit_of(self.input);

@@ -15,7 +15,8 @@ mod summary;
 mod values;
 
 pub use ask::{
-    Asked, InputCourse, InputOver, MOST_POSITIONS, Over, POSITIONS, Question, whole_travel,
+    InputCourse, InputOver, KinematicsRequest, MOST_POSITIONS, Over, POSITIONS, Question,
+    whole_travel,
 };
 pub use columns::Quantity;
 pub use equilibria::Equilibrium;
@@ -39,7 +40,7 @@ use crate::studies::judgement::{Ending, Judgement};
 pub fn kinematics_of(model: &Model, question: &Question) -> Result<Kinematics, String> {
     Ok(match several_of(model, question.object.as_deref()) {
         Some(body) => several_kinematics(&AskedSeveral::new(model, body, question)?),
-        None => kinematics(&Asked::new(model, question)?),
+        None => kinematics(&KinematicsRequest::new(model, question)?),
     })
 }
 

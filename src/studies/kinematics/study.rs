@@ -1,7 +1,7 @@
 //! The study of a linkage of one input.
 
 use super::ask::span;
-use super::ask::{Asked, Over};
+use super::ask::{KinematicsRequest, Over};
 use super::columns::{self, Heading, unit_of};
 use super::equilibria::equilibria;
 use super::rows::{Course, Rows, evenly, warnings};
@@ -16,7 +16,7 @@ use crate::studies::endless::DeadEnd;
 use crate::units::shown;
 
 /// Positions, speeds and accelerations of a linkage over what was asked.
-pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
+pub fn kinematics(asked: &KinematicsRequest<'_>) -> Kinematics {
     let mut rows = Rows::new(OneInput::new(asked));
     let stopped = rows.fill(&evenly(span(asked), asked.positions, asked.also));
     let stopped = stopped.map(|(before, place, why)| stop(asked, [before, place], &why));
@@ -51,7 +51,7 @@ pub fn kinematics(asked: &Asked<'_>) -> Kinematics {
     }
 }
 
-fn axis(asked: &Asked<'_>, values: Vec<f64>) -> Axis {
+fn axis(asked: &KinematicsRequest<'_>, values: Vec<f64>) -> Axis {
     let name = match asked.over {
         Over::Time { .. } => "time",
         Over::Turn | Over::Range { .. } => "input coordinate",
@@ -64,7 +64,7 @@ fn axis(asked: &Asked<'_>, values: Vec<f64>) -> Axis {
 }
 
 /// Motion of the input, in words.
-fn motion(asked: &Asked<'_>) -> String {
+fn motion(asked: &KinematicsRequest<'_>) -> String {
     let unit = unit_of(asked.input);
     let [speed, acceleration] = asked.rate;
     match asked.over {
@@ -88,7 +88,7 @@ pub fn even_motion([speed, acceleration]: [f64; 2], unit: &str) -> String {
 }
 
 /// Time of each row: at constant speed over a turn or range.
-fn times(asked: &Asked<'_>, places: &[f64], inputs: &[Jet]) -> Vec<f64> {
+fn times(asked: &KinematicsRequest<'_>, places: &[f64], inputs: &[Jet]) -> Vec<f64> {
     match asked.over {
         Over::Time { .. } => places.to_vec(),
         _ => {
@@ -101,7 +101,7 @@ fn times(asked: &Asked<'_>, places: &[f64], inputs: &[Jet]) -> Vec<f64> {
     }
 }
 
-fn limits(asked: &Asked<'_>) -> Vec<Limit> {
+fn limits(asked: &KinematicsRequest<'_>) -> Vec<Limit> {
     match asked.linkage.range().reach {
         Reach::Everywhere => Vec::new(),
         Reach::Interval { lower, upper } => [lower, upper]
@@ -114,7 +114,7 @@ fn limits(asked: &Asked<'_>) -> Vec<Limit> {
 }
 
 /// Why the input goes no further, in words.
-fn cause(asked: &Asked<'_>, cause: Cause) -> String {
+fn cause(asked: &KinematicsRequest<'_>, cause: Cause) -> String {
     match cause {
         Cause::DeadPosition { group } => format!(
             "dead position: {} in line",
@@ -127,7 +127,7 @@ fn cause(asked: &Asked<'_>, cause: Cause) -> String {
 
 /// The course of one input.
 struct OneInput<'q, 'a> {
-    asked: &'q Asked<'a>,
+    asked: &'q KinematicsRequest<'a>,
     work: Workspace,
     rounding: Rounding,
     /// Motion of the input at every row.
@@ -135,7 +135,7 @@ struct OneInput<'q, 'a> {
 }
 
 impl<'q, 'a> OneInput<'q, 'a> {
-    fn new(asked: &'q Asked<'a>) -> Self {
+    fn new(asked: &'q KinematicsRequest<'a>) -> Self {
         Self {
             asked,
             work: asked.linkage.workspace(),
@@ -197,7 +197,7 @@ impl Course for OneInput<'_, '_> {
 }
 
 /// Where the input reaches its end, between a place inside and one outside.
-fn stop(asked: &Asked<'_>, [inside, outside]: [f64; 2], why: &OutOfReach) -> Stopped {
+fn stop(asked: &KinematicsRequest<'_>, [inside, outside]: [f64; 2], why: &OutOfReach) -> Stopped {
     let end = why.end.at;
     if !matches!(asked.over, Over::Time { .. }) {
         return Stopped {

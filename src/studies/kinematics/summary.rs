@@ -1,6 +1,6 @@
 //! Strokes and transmission angles.
 
-use super::ask::Asked;
+use super::ask::KinematicsRequest;
 use super::columns::unit_of;
 use super::extremes::{greatest_row, located};
 use super::{Stroke, Transmission};
@@ -14,7 +14,7 @@ use std::f64::consts::FRAC_PI_2;
 const LOOKS: usize = 1440;
 
 /// Strokes of outputs and sliding pairs that go to and fro once in a period.
-pub(super) fn strokes(asked: &Asked<'_>) -> Vec<Stroke> {
+pub(super) fn strokes(asked: &KinematicsRequest<'_>) -> Vec<Stroke> {
     let Some(period) = asked.linkage.range().period else {
         return Vec::new();
     };
@@ -128,7 +128,7 @@ fn root(look: &mut dyn FnMut(f64, bool) -> f64, low: f64, high: f64, rises: bool
 }
 
 /// Transmission angles of the dyads that have one, over the places.
-pub(super) fn transmission(asked: &Asked<'_>, places: &[f64]) -> Vec<Transmission> {
+pub(super) fn transmission(asked: &KinematicsRequest<'_>, places: &[f64]) -> Vec<Transmission> {
     let mut work = asked.linkage.workspace();
     let linkage = &asked.linkage;
     transmission_of(

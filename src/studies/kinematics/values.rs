@@ -1,6 +1,6 @@
 //! The values of all columns at a position, in the order of [`super::columns::headings`].
 
-use super::ask::Asked;
+use super::ask::KinematicsRequest;
 use crate::kinematics::linkage::Workspace;
 use crate::kinematics::linkage::spec::{PairKind, PairSpec, PointOf};
 use crate::math::jet::Jet;
@@ -18,7 +18,7 @@ pub(super) fn moved(along: Jet, q: Jet) -> [f64; 2] {
 }
 
 /// All columns at the position in `work`, with the input's motion `q`.
-pub(super) fn values(asked: &Asked<'_>, work: &Workspace, q: Jet, out: &mut Vec<f64>) {
+pub(super) fn values(asked: &KinematicsRequest<'_>, work: &Workspace, q: Jet, out: &mut Vec<f64>) {
     let spec = asked.linkage.spec();
     out.clear();
     out.extend([q.value, q.first, q.second]);
@@ -110,7 +110,13 @@ fn curvature_radius([x, y]: [Jet; 2]) -> f64 {
 
 /// The composition of a block's motion: with the guide (transport), along the
 /// guide (relative), and Coriolis.
-fn slide_values(asked: &Asked<'_>, work: &Workspace, index: usize, q: Jet, out: &mut Vec<f64>) {
+fn slide_values(
+    asked: &KinematicsRequest<'_>,
+    work: &Workspace,
+    index: usize,
+    q: Jet,
+    out: &mut Vec<f64>,
+) {
     let pair = &asked.linkage.spec().pairs[index];
     let PairKind::Sliding { direction, .. } = pair.kind else {
         return;

@@ -4,14 +4,14 @@ use super::ends::failed;
 use super::figure::{read, scale, wanted};
 use super::judge::{self, Begun, Evidence, judge};
 use super::rigid::RigidMotion;
-use super::scenes::{Kept, Scenes};
+use super::scenes::{MotionCache, Scenes};
 use super::study::Study;
 use super::verdict::Verdict;
 use crate::dynamics::audit::{SEED, draw};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::record::{Quantity, Record, drive_cycle};
 use crate::dynamics::system::System;
-use crate::exact::{Asked, KeptLaws};
+use crate::exact::{KeptLaws, RequestedFigures};
 use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::TypedScene;
@@ -114,7 +114,7 @@ fn judged(
     (study, checked): (&Study<'_>, bool),
     (scene, system): (&TypedScene, &System),
     settings: &RunSettings,
-    kept: &mut Kept,
+    kept: &mut MotionCache,
     control: &Control<'_>,
 ) -> Option<Cell> {
     let rigid = kept.rigid_motion(system.model(), settings.duration);
@@ -224,7 +224,7 @@ impl Task<'_> {
         let asked = wanted(&self.study.figure, system.model());
         let all = |object: usize| match asked {
             Some((own, asked)) if own == object => asked,
-            _ => Asked::DEVIATION,
+            _ => RequestedFigures::DEVIATION,
         };
         let demand = Demand {
             figures: asked.is_some().then_some(&all),

@@ -2,7 +2,7 @@
 
 use crate::dynamics::model::{Closure, Model, ObjectPart, owner_of};
 use crate::dynamics::record::{AddressError, Figures, ObjectFigures};
-use crate::exact::Asked;
+use crate::exact::RequestedFigures;
 use crate::fault::Fault;
 use crate::studies::document::{blank, document, summary};
 use crate::studies::run::Motion;
@@ -97,7 +97,7 @@ fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
 /// find for the figure and its scale (extremes of δ in any case); `None` where a run has
 /// to find everything: for other figures, or with rigid pairs, whose margins a mechanism
 /// is judged by.
-pub(super) fn wanted(figure: &str, model: &Model) -> Option<(usize, Asked)> {
+pub(super) fn wanted(figure: &str, model: &Model) -> Option<(usize, RequestedFigures)> {
     let (object, name) = parts(figure, model)?;
     let margins = |part: &ObjectPart| {
         let pair = part.rigid_pair;
@@ -114,7 +114,7 @@ pub(super) fn wanted(figure: &str, model: &Model) -> Option<(usize, Asked)> {
         ..ObjectFigures::default()
     };
     of_object(&known, name)?;
-    let mut asked = Asked::DEVIATION;
+    let mut asked = RequestedFigures::DEVIATION;
     match name {
         "sigma" => asked.mean = true,
         "peak_speed" | "final.speed" => asked.speed = true,

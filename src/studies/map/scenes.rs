@@ -4,7 +4,7 @@
 use super::rigid::{Path, RigidMotion};
 use super::study::Study;
 use crate::dynamics::model::Model;
-use crate::dynamics::system::Sampled;
+use crate::dynamics::system::MotionRanges;
 use crate::exact::KeptLaws;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::{TypedScene, Variation};
@@ -25,23 +25,23 @@ pub(super) struct Scenes<'s> {
 /// A scene that is changed from cell to cell, with what stays the same.
 struct Bench {
     varied: Variation,
-    kept: Kept,
+    kept: MotionCache,
 }
 
 /// Results that follow from the laws of motion alone, kept for as long as these are the
 /// same.
 #[derive(Debug, Default)]
-pub(super) struct Kept {
+pub(super) struct MotionCache {
     /// The laws of the scene at hand; `None`: they are those of no other.
     laws: Option<u64>,
     path: Option<Path>,
     /// Samples of the laws for the scales of a system.
-    pub(super) samples: Option<Arc<Sampled>>,
+    pub(super) samples: Option<Arc<MotionRanges>>,
     /// The laws as exact propagation has them.
     pub(super) exact: RefCell<KeptLaws>,
 }
 
-impl Kept {
+impl MotionCache {
     /// Turns to a scene with these laws.
     fn turn_to(&mut self, laws: Option<u64>) {
         if laws.is_none() || laws != self.laws {
@@ -72,7 +72,7 @@ impl<'s> Scenes<'s> {
         &mut self,
         panel: usize,
         cell: usize,
-        to: impl FnOnce(Result<(&TypedScene, &mut Kept), Diagnostics>) -> T,
+        to: impl FnOnce(Result<(&TypedScene, &mut MotionCache), Diagnostics>) -> T,
     ) -> T {
         let settings = self.study.varied(cell);
         let before = self.bench.take().filter(|(of, _)| *of == panel);
@@ -80,7 +80,7 @@ impl<'s> Scenes<'s> {
             Some(before) => self.bench.insert(before),
             None => match self.study.variation(panel, &settings) {
                 Ok(varied) => {
-                    let kept = Kept::default();
+                    let kept = MotionCache::default();
                     self.bench.insert((panel, Bench { varied, kept }))
                 }
                 Err(diagnostics) => return to(Err(diagnostics)),

@@ -5,7 +5,7 @@ use crate::dynamics::integrate::{
     Dynamics, Method, Modes, Outcome, Settings, Sink, Stop, SwitchEvent, integrate,
 };
 use crate::dynamics::system::{InitialState, System};
-use crate::exact::Asked;
+use crate::exact::RequestedFigures;
 use crate::fault::Fault;
 use crate::math::polynomial::Step;
 use crate::studies::demand::Demand;
@@ -223,7 +223,7 @@ fn exact_run(
     // samples may lie beside the greatest deviation.
     let extremes = (outcome.stop == Stop::Complete).then(|| {
         let demand = Demand {
-            figures: Some(&|_| Asked::DEVIATION),
+            figures: Some(&|_| RequestedFigures::DEVIATION),
             laws: None,
             checked: false,
         };

@@ -4,10 +4,10 @@
 use crate::fault::Fault;
 use crate::frontend::scene::{Accuracy, AccuracySpec, Levels, TypedScene, in_words};
 use crate::math::order::Total;
-use crate::studies::order::asked::Asked;
+use crate::studies::order::asked::RequestedFigure;
 use crate::studies::order::choose::families;
 use crate::studies::order::judge::Judge;
-use crate::studies::order::known::{Known, first_enough};
+use crate::studies::order::known::{FigureLimits, first_enough};
 use crate::studies::order::lessen::lessened;
 use crate::studies::order::row::Course;
 use crate::studies::order::trial::{Trial, Trials, coordinates};
@@ -76,7 +76,7 @@ pub fn models(
     scene.run.accuracy = Some(AccuracySpec::Figures(figures.collect()));
     let mut trials = Trials::all_open(scene, settings, control);
     let mut families = families(&trials);
-    let known = Known::of(&mut trials, &mut families)?;
+    let known = FigureLimits::of(&mut trials, &mut families)?;
     let judge = known.judge();
     let first = first_enough(&mut trials, &families, &known.row, &judge)?;
     let mut found = first;
@@ -133,11 +133,11 @@ pub fn models(
 
 /// The greatest error of a figure by a trial, relative to where the figure leads; `None`: one
 /// leads nowhere, or the trial is in doubt.
-fn worst(trial: &Trial, known: &Known) -> Option<f64> {
+fn worst(trial: &Trial, known: &FigureLimits) -> Option<f64> {
     if trial.doubt.is_some() {
         return None;
     }
-    let share = |(asked, course): (&Asked, &Course)| match course {
+    let share = |(asked, course): (&RequestedFigure, &Course)| match course {
         Course::Limit(found) | Course::Bounded(found) => {
             let error = Judge::error(trial, asked, course)?;
             // What never deviates has no error.

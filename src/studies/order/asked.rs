@@ -13,7 +13,7 @@ pub(in crate::studies) const USUAL: Accuracy = Accuracy::Share(USUAL_SHARE);
 
 /// A figure that is asked for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Asked {
+pub struct RequestedFigure {
     /// Its address.
     pub figure: String,
     /// How accurate it is to be.
@@ -26,10 +26,10 @@ pub(in crate::studies) fn asked(
     scene: &TypedScene,
     elastic: &Elastic,
     first: &Figures,
-) -> Vec<Asked> {
+) -> Vec<RequestedFigure> {
     let accuracy = match &scene.run.accuracy {
         Some(AccuracySpec::Figures(figures)) => {
-            let one = |(figure, accuracy): &(String, Accuracy)| Asked {
+            let one = |(figure, accuracy): &(String, Accuracy)| RequestedFigure {
                 figure: figure.clone(),
                 accuracy: *accuracy,
             };
@@ -60,7 +60,7 @@ pub(in crate::studies) fn asked(
             .collect();
     }
     figures.dedup();
-    let one = |figure| Asked { figure, accuracy };
+    let one = |figure| RequestedFigure { figure, accuracy };
     figures.into_iter().map(one).collect()
 }
 

@@ -3,7 +3,7 @@
 use super::asked::no_limit;
 use super::certificate::{Certainty, Certificate};
 use super::integration::coarsest;
-use super::known::{Known, first_enough};
+use super::known::{FigureLimits, first_enough};
 use super::lessen::lessened;
 use super::row::{Families, Family};
 use super::trial::Trials;
@@ -20,7 +20,7 @@ const FREE_COST: f64 = 1e5;
 
 /// The levels chosen, and what the figures are worth.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Chosen {
+pub struct LevelChoice {
     /// The level of every object that leaves it open.
     pub levels: Levels,
     /// Figures with their errors, objects with their levels.
@@ -38,13 +38,13 @@ pub fn choose(
     scene: &mut TypedScene,
     settings: &RunSettings,
     control: &Control<'_>,
-) -> Result<Chosen, Vec<Fault>> {
+) -> Result<LevelChoice, Vec<Fault>> {
     chosen(&mut Trials::new(scene, settings, control))
 }
 
-fn chosen(trials: &mut Trials<'_>) -> Result<Chosen, Vec<Fault>> {
+fn chosen(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
     let mut families = families(trials);
-    let known = Known::of(trials, &mut families)?;
+    let known = FigureLimits::of(trials, &mut families)?;
     let judge = known.judge();
     let mut found = first_enough(trials, &families, &known.row, &judge)?;
     if judge.accepts(trials, found) {
@@ -57,7 +57,7 @@ fn chosen(trials: &mut Trials<'_>) -> Result<Chosen, Vec<Fault>> {
     trials.elastic.clone().set(trials.scene, &levels);
     tell_no_limit(trials, found, &mut certificate)?;
     let levels = levels.into_iter().filter(|(id, _)| open.contains(id));
-    Ok(Chosen {
+    Ok(LevelChoice {
         levels: levels.collect(),
         certificate,
         of_accuracy,

@@ -5,7 +5,7 @@
 //! asked for. A tolerance alone promises little of a single figure: how far each is off is
 //! measured by the finer run that there has been.
 
-use super::asked::{Asked, is_count};
+use super::asked::{RequestedFigure, is_count};
 use super::judge::{Judge, value};
 use super::row::Course;
 use super::trial::{Trial, Trials};
@@ -29,8 +29,8 @@ const SAFETY: f64 = 1.5;
 
 /// The tolerance, relative to the scales of the figures, that is a tenth of what they may be
 /// off; in round numbers.
-fn tolerance(asked: &[Asked], figures: &Figures) -> f64 {
-    let allowed = |one: &Asked| {
+fn tolerance(asked: &[RequestedFigure], figures: &Figures) -> f64 {
+    let allowed = |one: &RequestedFigure| {
         let value = figures.value(&one.figure).unwrap_or(f64::NAN);
         one.accuracy.bound(value) / figures.scale(&one.figure)
     };
@@ -139,7 +139,7 @@ fn off(coarse: &Trial, fine: &Trial, figure: &str) -> f64 {
 
 /// True unless a figure is within its accuracy by the finer run alone.
 fn keeps(
-    asked: &Asked,
+    asked: &RequestedFigure,
     course: &Course,
     bound: f64,
     (coarse, off): (&Trial, f64),

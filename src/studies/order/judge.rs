@@ -1,6 +1,6 @@
 //! How accurate the figures of a trial are, and what that says of its levels.
 
-use super::asked::Asked;
+use super::asked::RequestedFigure;
 use super::certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };
@@ -10,19 +10,23 @@ use crate::dynamics::builder::spec::Level;
 use crate::frontend::scene::Accuracy;
 use crate::math::order::Total;
 
-pub(in crate::studies) fn value(trial: &Trial, asked: &Asked) -> f64 {
+pub(in crate::studies) fn value(trial: &Trial, asked: &RequestedFigure) -> f64 {
     trial.figures.value(&asked.figure).unwrap_or(f64::NAN)
 }
 
 /// The figures asked for, with what they do along the row.
 pub(in crate::studies) struct Judge<'j> {
-    pub(in crate::studies) asked: &'j [Asked],
+    pub(in crate::studies) asked: &'j [RequestedFigure],
     pub(in crate::studies) courses: &'j [Course],
 }
 
 impl Judge<'_> {
     /// Error of a figure by a trial; `None`: it has none.
-    pub(in crate::studies) fn error(trial: &Trial, asked: &Asked, course: &Course) -> Option<f64> {
+    pub(in crate::studies) fn error(
+        trial: &Trial,
+        asked: &RequestedFigure,
+        course: &Course,
+    ) -> Option<f64> {
         let value = value(trial, asked);
         match course {
             Course::Limit(found) | Course::Bounded(found) => {
@@ -35,7 +39,7 @@ impl Judge<'_> {
 
     /// Greatest error that is asked for of a figure; `None`: nothing is known of where it
     /// leads.
-    pub(in crate::studies) fn bound(asked: &Asked, course: &Course) -> Option<f64> {
+    pub(in crate::studies) fn bound(asked: &RequestedFigure, course: &Course) -> Option<f64> {
         match course {
             Course::Limit(found) | Course::Bounded(found) => {
                 Some(asked.accuracy.bound(found.limit))
@@ -53,8 +57,8 @@ impl Judge<'_> {
 
     /// The figure that rules a trial out, with its error; `None`: all are within their
     /// accuracy.
-    fn ruled_out(&self, trial: &Trial) -> Option<(&Asked, f64)> {
-        let excess = |(asked, course): (&'_ Asked, &Course)| {
+    fn ruled_out(&self, trial: &Trial) -> Option<(&RequestedFigure, f64)> {
+        let excess = |(asked, course): (&'_ RequestedFigure, &Course)| {
             let error = Self::error(trial, asked, course)?;
             let bound = Self::bound(asked, course)?;
             // Written so that a number that is none is ruled out.
@@ -151,7 +155,7 @@ impl Judge<'_> {
     }
 
     fn tried(&self, trial: &Trial, chosen: bool) -> Tried {
-        let value = |asked: &Asked| {
+        let value = |asked: &RequestedFigure| {
             let value = trial.figures.value(&asked.figure).ok();
             (asked.figure.clone(), value)
         };
@@ -214,7 +218,7 @@ impl Judge<'_> {
 /// compared with count too.
 const RESOLVED: f64 = 10.0;
 
-fn figure_accuracy(chosen: &Trial, asked: &Asked, course: &Course) -> FigureAccuracy {
+fn figure_accuracy(chosen: &Trial, asked: &RequestedFigure, course: &Course) -> FigureAccuracy {
     let value = value(chosen, asked);
     let integration = chosen.integration_of(&asked.figure);
     let model = Judge::error(chosen, asked, course);

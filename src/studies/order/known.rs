@@ -1,6 +1,6 @@
 //! What is known of the figures that a scene asks for, by refining its models.
 
-use super::asked::{Asked, asked};
+use super::asked::{RequestedFigure, asked};
 use super::bound::of_figure;
 use super::judge::{Judge, value};
 use super::row::{Course, Families, Family, Row};
@@ -15,13 +15,13 @@ use crate::frontend::scene::Levels;
 const FINER: usize = 4;
 
 /// The figures asked for, with the row of runs that tells where they lead.
-pub(in crate::studies) struct Known {
+pub(in crate::studies) struct FigureLimits {
     pub(in crate::studies) row: Row,
-    pub(in crate::studies) asked: Vec<Asked>,
+    pub(in crate::studies) asked: Vec<RequestedFigure>,
     pub(in crate::studies) courses: Vec<Course>,
 }
 
-impl Known {
+impl FigureLimits {
     /// Refines until it is known as well as it is asked to be.
     ///
     /// # Errors
@@ -89,7 +89,7 @@ pub(in crate::studies) fn first_enough(
 
 /// True when every figure that has a limit is known as well as it is asked to be; where
 /// there is nothing to choose, when every one has settled.
-fn enough(trials: &Trials<'_>, row: &Row, asked: &[Asked]) -> bool {
+fn enough(trials: &Trials<'_>, row: &Row, asked: &[RequestedFigure]) -> bool {
     let choice = trials.elastic.open().next().is_some();
     let last = row.runs[row.runs.len() - 1];
     asked.iter().all(|one| match row.course(trials, one) {
@@ -107,7 +107,12 @@ fn enough(trials: &Trials<'_>, row: &Row, asked: &[Asked]) -> bool {
 
 /// True when a bound is to be had, and so much finer models than are needed have not been
 /// run yet that it may become a small one.
-fn may_be_bounded(trials: &Trials<'_>, row: &Row, asked: &Asked, found: &Settled) -> bool {
+fn may_be_bounded(
+    trials: &Trials<'_>,
+    row: &Row,
+    asked: &RequestedFigure,
+    found: &Settled,
+) -> bool {
     let runs = || row.runs.iter().map(|&run| &trials.made[run]);
     let bounded = |trial: &Trial| of_figure(&trial.left_out, &asked.figure).is_some();
     let bound = asked.accuracy.bound(found.limit);

@@ -1,6 +1,6 @@
 //! Where all figures of a scene lead as its elastic objects are refined.
 
-use super::asked::Asked;
+use super::asked::RequestedFigure;
 use super::choose::families;
 use super::row::{Course, Row};
 use super::trial::Trials;
@@ -30,11 +30,11 @@ pub fn limits(
     let mut trials = Trials::new(scene, settings, control);
     let mut families = families(&trials);
     let row = Row::walk(&mut trials, &mut families, |_, row| row.runs.len() == RUNS)?;
-    let asked = |figure| Asked {
+    let asked = |figure| RequestedFigure {
         figure,
         accuracy: Accuracy::Share(0.0),
     };
-    let limit = |asked: Asked| {
+    let limit = |asked: RequestedFigure| {
         let limit = limit(row.course(&trials, &asked));
         (asked.figure, limit)
     };

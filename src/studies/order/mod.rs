@@ -21,11 +21,11 @@ pub(super) mod row;
 pub mod settling;
 pub(super) mod trial;
 
-pub use asked::Asked;
+pub use asked::RequestedFigure;
 pub(in crate::studies) use asked::USUAL;
 pub use asked::USUAL_SHARE;
 pub use certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };
-pub use choose::{Chosen, choose, finer};
+pub use choose::{LevelChoice, choose, finer};
 pub use limits::{Limits, limits};

@@ -1,7 +1,7 @@
 //! The row of runs from which the limit of the model is told: the coordinates of all elastic
 //! objects doubled from run to run.
 
-use super::asked::{Asked, is_count, no_limit};
+use super::asked::{RequestedFigure, is_count, no_limit};
 use super::bound::of_figure;
 use super::settling::{Settled, scatter, settled};
 use super::trial::{Trials, coordinates};
@@ -120,7 +120,11 @@ impl Row {
     }
 
     /// What a figure does along the row.
-    pub(in crate::studies) fn course(&self, trials: &Trials<'_>, asked: &Asked) -> Course {
+    pub(in crate::studies) fn course(
+        &self,
+        trials: &Trials<'_>,
+        asked: &RequestedFigure,
+    ) -> Course {
         let figure = asked.figure.as_str();
         let runs = || self.runs.iter().map(|&run| &trials.made[run]);
         let Some(last) = runs().next_back() else {
@@ -158,7 +162,12 @@ impl Row {
 
     /// True when a bound is small beside the error that is asked for, or lets a model with
     /// fewer coordinates pass.
-    pub(super) fn serves(&self, trials: &Trials<'_>, asked: &Asked, found: &Settled) -> bool {
+    pub(super) fn serves(
+        &self,
+        trials: &Trials<'_>,
+        asked: &RequestedFigure,
+        found: &Settled,
+    ) -> bool {
         let bound = asked.accuracy.bound(found.limit);
         let passes = |&run: &usize| {
             let value = trials.made[run].figures.value(&asked.figure);

@@ -1,7 +1,7 @@
 //! Stiffnesses and masses out of proportion to what is beside them, speeds beyond sense.
 
 use super::short;
-use super::way::Way;
+use super::way::NodePath;
 use crate::dynamics::model::{Coordinate, Link, Model, NodeMotion, ObjectPart};
 
 /// From which factor on a stiffness, reduced to the motion of its neighbours, is
@@ -24,7 +24,7 @@ const FASTEST_SLIDING: f64 = 340.0;
 
 /// Objects whose stiffness or inertia differs from that of every neighbour, and
 /// chains with such links or masses; a motor may be taken to turn evenly.
-pub(super) fn out_of_proportion(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
+pub(super) fn out_of_proportion(model: &Model, ways: &[Option<NodePath>]) -> Vec<String> {
     let beside = neighbours(model);
     let sizes = [Size::Stiffness, Size::Inertia];
     let odd = sizes.map(|size| odd_objects(model, ways, &beside, size));
@@ -108,7 +108,7 @@ impl Size {
 /// amounts to, at most, on any coordinate of the mechanism. (Not the mean: of a law
 /// that rests for most of a turn, and of a motion that is looked at near a rest, it
 /// would tell of the rest.)
-fn reduced(model: &Model, ways: &[Option<Way>], part: &ObjectPart, size: Size) -> Option<f64> {
+fn reduced(model: &Model, ways: &[Option<NodePath>], part: &ObjectPart, size: Size) -> Option<f64> {
     let way = ways[*part.nodes.last()?].as_ref()?;
     let all = size.of(model, part)? * way.fastest * way.fastest;
     (all.is_finite() && all > 0.0).then_some(all)
@@ -126,7 +126,7 @@ struct Odd {
 /// two such neighbours the one that differs from more of its own, or the driven one.
 fn odd_objects(
     model: &Model,
-    ways: &[Option<Way>],
+    ways: &[Option<NodePath>],
     beside: &[Vec<usize>],
     size: Size,
 ) -> Vec<Option<Odd>> {
@@ -229,7 +229,7 @@ fn odd_one(sizes: &[f64]) -> Option<usize> {
 
 /// An object whose own vibration is slower by orders of magnitude than the motion
 /// that it is to follow.
-fn too_soft(model: &Model, ways: &[Option<Way>], part: &ObjectPart) -> Option<String> {
+fn too_soft(model: &Model, ways: &[Option<NodePath>], part: &ObjectPart) -> Option<String> {
     let way = ways[*part.nodes.last()?].as_ref()?;
     let stiffness = Size::Stiffness
         .of(model, part)
@@ -257,7 +257,7 @@ fn too_soft(model: &Model, ways: &[Option<Way>], part: &ObjectPart) -> Option<St
 }
 
 /// Objects that cannot follow their law at all.
-pub(super) fn unable_to_follow(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
+pub(super) fn unable_to_follow(model: &Model, ways: &[Option<NodePath>]) -> Vec<String> {
     let objects = model.objects.iter();
     objects
         .filter_map(|part| too_soft(model, ways, part))
@@ -265,7 +265,7 @@ pub(super) fn unable_to_follow(model: &Model, ways: &[Option<Way>]) -> Vec<Strin
 }
 
 /// Objects that turn or slide faster than anything does.
-pub(super) fn beyond_sense(model: &Model, ways: &[Option<Way>]) -> Vec<String> {
+pub(super) fn beyond_sense(model: &Model, ways: &[Option<NodePath>]) -> Vec<String> {
     let told = |part: &ObjectPart| {
         let node = *part.nodes.last()?;
         let speed = match &ways[node] {

@@ -16,7 +16,7 @@ pub(super) const NOWHERE: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
 
 /// Way of a node over a run.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Way {
+pub(super) struct NodePath {
     /// Least and greatest displacement (rad or m).
     pub(super) displacement: [f64; 2],
     /// Greatest |φ̇|.
@@ -57,7 +57,7 @@ pub(super) fn ways(
     duration: f64,
     stretch: Stretch,
     rotors: Rotors,
-) -> Vec<Option<Way>> {
+) -> Vec<Option<NodePath>> {
     let duration = match stretch {
         Stretch::Run => duration,
         Stretch::Whole => whole(model).fold(duration, f64::max),
@@ -107,7 +107,7 @@ pub(super) fn ways(
         };
         motions.push(motion);
     }
-    let way = |motion: Option<Vec<Jet>>| motion.and_then(|motion| Way::of(&motion));
+    let way = |motion: Option<Vec<Jet>>| motion.and_then(|motion| NodePath::of(&motion));
     motions.into_iter().map(way).collect()
 }
 
@@ -183,7 +183,7 @@ fn whole(model: &Model) -> impl Iterator<Item = f64> {
     })
 }
 
-impl Way {
+impl NodePath {
     fn of(motion: &[Jet]) -> Option<Self> {
         let numbers = |jet: &&Jet| {
             [jet.value, jet.first, jet.second]

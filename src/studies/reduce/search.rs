@@ -12,7 +12,7 @@ use crate::math::order::Total;
 use crate::studies::order::Certificate;
 use crate::studies::order::choose::families;
 use crate::studies::order::judge::{Judge, Objection};
-use crate::studies::order::known::{Known, first_enough};
+use crate::studies::order::known::{FigureLimits, first_enough};
 use crate::studies::order::lessen::{Lessening, lessened};
 use crate::studies::order::trial::{Trial, Trials, coordinates};
 use crate::studies::{Control, RunSettings};
@@ -36,7 +36,7 @@ pub fn reduce(
     let given = reading.scene.elastic();
     let mut trials = Trials::all_open(&mut reading.scene, settings, control);
     let mut families = families(&trials);
-    let known = Known::of(&mut trials, &mut families).map_err(diagnose)?;
+    let known = FigureLimits::of(&mut trials, &mut families).map_err(diagnose)?;
     let judge = known.judge();
     let first = first_enough(&mut trials, &families, &known.row, &judge).map_err(diagnose)?;
     keep();

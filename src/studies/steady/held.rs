@@ -45,7 +45,7 @@ pub(super) fn with_added(model: &Model, drive: usize, added: Added) -> Result<Sy
 
 /// A machine whose mean speed is asked for.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Wanted<'a> {
+pub(super) struct MeanSpeedTarget<'a> {
     pub(super) model: &'a Model,
     pub(super) drive: usize,
     /// The drive's coordinate.
@@ -72,7 +72,7 @@ const CORRECTED: f64 = 0.8;
 
 /// A state at φ = 0 with the moment under which it comes back.
 #[derive(Clone, Debug)]
-pub(super) struct Held {
+pub(super) struct PeriodicState {
     /// The state without the drive's angle.
     pub(super) state: Vec<f64>,
     /// The moment (N·m), along the drive's motion.
@@ -81,7 +81,7 @@ pub(super) struct Held {
 
 /// Behind a drive with the moment as one more entry of the state: [u, u̇, M].
 struct HeldMap<'a> {
-    wanted: Wanted<'a>,
+    wanted: MeanSpeedTarget<'a>,
     scales: Vec<f64>,
     /// Moment that corrects a mean speed (N·m·s/rad).
     gain: f64,
@@ -116,7 +116,7 @@ impl HeldMap<'_> {
         f: impl FnOnce(&PhaseMap<'_>) -> Result<T, String>,
     ) -> Result<T, String> {
         let system = self.system(moment)?;
-        let Wanted {
+        let MeanSpeedTarget {
             rotor,
             method,
             budget,
@@ -180,11 +180,11 @@ fn split(state: &[f64]) -> (f64, &[f64]) {
 /// # Errors
 /// Why there is none, in words.
 pub(super) fn held(
-    wanted: Wanted<'_>,
+    wanted: MeanSpeedTarget<'_>,
     start: &[f64],
     moment: f64,
     cycle: f64,
-) -> Result<Held, String> {
+) -> Result<PeriodicState, String> {
     let mut map = HeldMap {
         wanted,
         scales: Vec::new(),
@@ -218,7 +218,7 @@ pub(super) fn held(
         )
     })?;
     let (moment, state) = split(&found);
-    Ok(Held {
+    Ok(PeriodicState {
         state: state.to_vec(),
         moment,
     })

@@ -9,7 +9,7 @@ use super::cycle::AFTER_A_CYCLE;
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::{Load, LoadLaw, Model, NodeMotion, TrackSource};
 use crate::dynamics::steady::cycle_map;
-use crate::dynamics::steady::{Given, Profile, Refusal};
+use crate::dynamics::steady::{FunctionKind, Profile, Refusal};
 use crate::dynamics::system::{Scratch, System};
 use crate::fault::Fault;
 use drive::backwards;
@@ -299,7 +299,7 @@ impl Machine {
             let load = self.at(piece, position, 0.0);
             [load.inertia, load.moment]
         };
-        let profile = Profile::new(self.cycle, &self.breaks, Given::Moment, &mut at)?;
+        let profile = Profile::new(self.cycle, &self.breaks, FunctionKind::Moment, &mut at)?;
         Ok(profile.with_rounding(ROUNDING * self.gross_work()))
     }
 }

@@ -14,7 +14,7 @@ use super::map::Map;
 use super::periodic::{About, ORBIT, PeriodicAnswer, none, part_near, state_names};
 use super::phase::PhaseMap;
 use super::portrait::{Portrait, Row};
-use super::wheel::{Asked, Found};
+use super::wheel::{WheelRequest, WheelResult};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::Model;
 use crate::dynamics::steady::Means;
@@ -241,7 +241,7 @@ pub(super) fn answer(
         vec![Fault::new("steady", message, hint)]
     })?;
     check_cycle(system, &map, &start, cycle)?;
-    let machine = Asked {
+    let machine = WheelRequest {
         model,
         drive,
         rotor,
@@ -252,7 +252,7 @@ pub(super) fn answer(
         cycle,
     };
     let found = match (spec.balance, spec.fluctuation) {
-        (false, None) => Found::default(),
+        (false, None) => WheelResult::default(),
         _ => machine.found()?,
     };
     let own;

@@ -1,7 +1,7 @@
 //! The flywheel, and the moment that holds a mean speed, of a machine with a motor and
 //! elastic objects.
 
-use super::held::{Added, Held, Wanted, held, with_added};
+use super::held::{Added, MeanSpeedTarget, PeriodicState, held, with_added};
 use super::map::Map;
 use super::periodic::none;
 use super::phase::PhaseMap;
@@ -20,7 +20,7 @@ const NEAR: f64 = 1e-9;
 
 /// A machine whose drive something is to be added to.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Asked<'a> {
+pub(super) struct WheelRequest<'a> {
     pub(super) model: &'a Model,
     pub(super) drive: usize,
     /// The drive's coordinate.
@@ -36,18 +36,18 @@ pub(super) struct Asked<'a> {
 
 /// What is added to a drive, and the state that then comes back.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Found {
+pub(super) struct WheelResult {
     pub(super) added: Added,
     pub(super) state: Option<Vec<f64>>,
     pub(super) flywheel: Option<Flywheel>,
 }
 
-impl Asked<'_> {
+impl WheelRequest<'_> {
     /// What is asked for, found.
     ///
     /// # Errors
     /// No moment holds the mean speed, no inertia lowers the fluctuation as far.
-    pub(super) fn found(&self) -> Result<Found, Vec<Fault>> {
+    pub(super) fn found(&self) -> Result<WheelResult, Vec<Fault>> {
         let last = RefCell::new(None);
         let (inertia, without) = match self.spec.fluctuation {
             None => (0.0, None),
@@ -70,7 +70,7 @@ impl Asked<'_> {
                 approximations: Vec::new(),
             }),
         };
-        Ok(Found {
+        Ok(WheelResult {
             added: Added {
                 moment: held.moment,
                 inertia,
@@ -84,7 +84,7 @@ impl Asked<'_> {
     fn fluctuation(
         &self,
         inertia: f64,
-        last: &RefCell<Option<Held>>,
+        last: &RefCell<Option<PeriodicState>>,
     ) -> Result<Option<f64>, Refusal> {
         let found = self.steady(inertia, last);
         let delta = found.and_then(|held| self.delta(inertia, &held));
@@ -97,11 +97,15 @@ impl Asked<'_> {
     }
 
     /// The state that comes back with inertia added, from the one that was found last.
-    fn steady(&self, inertia: f64, last: &RefCell<Option<Held>>) -> Result<Held, String> {
+    fn steady(
+        &self,
+        inertia: f64,
+        last: &RefCell<Option<PeriodicState>>,
+    ) -> Result<PeriodicState, String> {
         let before = last.borrow().clone();
         let found = match (self.spec.balance, self.spec.mean_speed) {
             (true, Some(speed)) => {
-                let wanted = Wanted {
+                let wanted = MeanSpeedTarget {
                     model: self.model,
                     drive: self.drive,
                     rotor: self.rotor,
@@ -117,7 +121,7 @@ impl Asked<'_> {
                 };
                 held(wanted, start, moment, self.cycle)?
             }
-            _ => Held {
+            _ => PeriodicState {
                 state: self.free(inertia, before.as_ref())?,
                 moment: 0.0,
             },
@@ -127,7 +131,7 @@ impl Asked<'_> {
     }
 
     /// The same without a moment: the speed is as motor and load decide.
-    fn free(&self, inertia: f64, before: Option<&Held>) -> Result<Vec<f64>, String> {
+    fn free(&self, inertia: f64, before: Option<&PeriodicState>) -> Result<Vec<f64>, String> {
         self.with(0.0, inertia, |map| {
             let found = before.and_then(|before| near(map, &before.state, self.cycle).ok()?);
             match found {
@@ -137,7 +141,7 @@ impl Asked<'_> {
         })
     }
 
-    fn delta(&self, inertia: f64, held: &Held) -> Result<f64, String> {
+    fn delta(&self, inertia: f64, held: &PeriodicState) -> Result<f64, String> {
         self.with(held.moment, inertia, |map| {
             let portrait = map.portrait(&held.state, self.cycle, 1)?;
             let mean = self.cycle / map.duration(&held.state, self.cycle)?;

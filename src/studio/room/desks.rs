@@ -5,8 +5,8 @@ use crate::ask::Judging;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::{Document, Reading};
 use crate::report::live::Charts;
-use crate::studio::answer::{self, Asked, Ran};
-use crate::studio::chart::{Task, Told};
+use crate::studio::answer::{self, Ran, TextRequest};
+use crate::studio::chart::{ChartProgress, Task};
 use crate::studio::folder::Shelf;
 use crate::studio::inquiry::Inquiry;
 use crate::studio::limits::{PACE, QUICK, REST};
@@ -22,7 +22,7 @@ use std::time::Instant;
 
 /// What of an answer the next one can use.
 #[derive(Debug, Default)]
-pub(super) struct Kept {
+pub(super) struct AnswerCache {
     charts: Charts,
     /// The charts of windows that see more.
     own: BTreeMap<u64, Charts>,
@@ -80,8 +80,8 @@ impl Room {
     }
 
     /// Answers a version, on a thread of its own.
-    pub(super) fn work(&self, question: &RunQuestion, stop: &AtomicBool, kept: &mut Kept) {
-        let asked = Asked {
+    pub(super) fn work(&self, question: &RunQuestion, stop: &AtomicBool, kept: &mut AnswerCache) {
+        let asked = TextRequest {
             version: question.version,
             name: &self.name,
             text: &question.text,
@@ -99,7 +99,7 @@ impl Room {
         self.work_out_pins(stop, kept);
     }
 
-    fn work_on(&self, asked: &Asked<'_, Shelf>, stop: &AtomicBool, kept: &mut Kept) {
+    fn work_on(&self, asked: &TextRequest<'_, Shelf>, stop: &AtomicBool, kept: &mut AnswerCache) {
         let begun = Instant::now();
         let mut checked = asked.check();
         let Some(reading) = checked.reading.take() else {
@@ -130,11 +130,11 @@ impl Room {
     /// Runs a scene and tells the answer; false: it has faults, which were told.
     fn run(
         &self,
-        asked: &Asked<'_, Shelf>,
+        asked: &TextRequest<'_, Shelf>,
         mut reading: Reading,
         judged: bool,
         stop: &AtomicBool,
-        kept: &mut Kept,
+        kept: &mut AnswerCache,
     ) -> bool {
         for judging in [Judging::Never, Judging::Asked] {
             let last = !judged || matches!(judging, Judging::Asked);
@@ -162,7 +162,7 @@ impl Room {
         true
     }
 
-    fn told_faults(&self, asked: &Asked<'_, Shelf>, faults: &Diagnostics) {
+    fn told_faults(&self, asked: &TextRequest<'_, Shelf>, faults: &Diagnostics) {
         let document = Document::parse(asked.name, asked.text.as_bytes()).ok();
         self.tell_checked(asked.message(document.as_ref(), faults));
     }
@@ -174,7 +174,7 @@ impl Room {
         state.checked = Some(message);
     }
 
-    fn tell_run(&self, ran: Ran, kept: &mut Kept) {
+    fn tell_run(&self, ran: Ran, kept: &mut AnswerCache) {
         let (answer, charts) = ran.answer(&View::default(), &kept.charts);
         let answer = Arc::new(answer);
         kept.charts = charts;
@@ -192,7 +192,7 @@ impl Room {
     }
 
     /// Tells the windows that see more than the run.
-    pub(super) fn tell_views(&self, kept: &mut Kept) {
+    pub(super) fn tell_views(&self, kept: &mut AnswerCache) {
         let views = self.lock().views.clone();
         kept.own.retain(|window, _| views.contains_key(window));
         let Some(ran) = &kept.ran else {
@@ -285,7 +285,7 @@ struct Teller<'a> {
     desk: &'a Desk<MapQuestion>,
 }
 
-impl Told for Teller<'_> {
+impl ChartProgress for Teller<'_> {
     fn map(&self, message: String) -> bool {
         self.window.map(message.into());
         // From the coarse one on nothing keeps a newer one waiting.

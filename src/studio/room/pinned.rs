@@ -2,10 +2,10 @@
 //! earlier one are worked out again.
 
 use super::Room;
-use super::desks::Kept;
+use super::desks::AnswerCache;
 use crate::ask::Judging;
 use crate::studies::run::RunResult;
-use crate::studio::answer::Asked;
+use crate::studio::answer::TextRequest;
 use crate::studio::pins::Source;
 use crate::studio::view::{View, merged};
 use serde_json::json;
@@ -59,7 +59,7 @@ impl Room {
     }
 
     /// Works out all that windows wait for, as long as nothing newer comes.
-    pub(super) fn work_out_pins(&self, stop: &AtomicBool, kept: &mut Kept) {
+    pub(super) fn work_out_pins(&self, stop: &AtomicBool, kept: &mut AnswerCache) {
         let mut any = false;
         while let Some(source) = self.waiting_pin() {
             if let Some(runs) = self.runs.get() {
@@ -83,7 +83,7 @@ impl Room {
     }
 
     fn run_again(&self, source: &Source, stop: &AtomicBool) -> Again {
-        let asked = Asked {
+        let asked = TextRequest {
             version: 0,
             name: &self.name,
             text: &source.text,

@@ -1,7 +1,7 @@
 //! Flywheels against textbooks and against the steady motion itself.
 
 use super::machines::{machine, number, question, reference};
-use dam::steady::{Given, Mean, Profile, Question, flywheel, steady};
+use dam::steady::{FunctionKind, Mean, Profile, Question, flywheel, steady};
 use std::f64::consts::TAU;
 
 #[test]
@@ -10,7 +10,7 @@ fn flywheels_of_a_textbook() {
     let turns = TAU / 60.0;
     let (inertia, energy, speed) = (6500.0 * 1.8 * 1.8, 56e3, 120.0 * turns);
     let at = &mut |_: usize, phi: f64| [inertia, 0.5 * energy * phi.sin()];
-    let profile = Profile::new(TAU, &[], Given::Work, at).unwrap();
+    let profile = Profile::new(TAU, &[], FunctionKind::Work, at).unwrap();
     let question = Question {
         mean: Mean::Midrange,
         ..Question::new(speed)
@@ -25,7 +25,7 @@ fn flywheels_of_a_textbook() {
     let found = flywheel::by_energy(fluctuation, 0.01, speed);
     assert_eq!((found / 4.0).round(), 5629.0);
     let at = &mut |_: usize, phi: f64| [1e-3, 0.5 * fluctuation * phi.sin()];
-    let profile = Profile::new(TAU, &[], Given::Work, at).unwrap();
+    let profile = Profile::new(TAU, &[], FunctionKind::Work, at).unwrap();
     let question = Question::new(speed);
     let (wheel, _) = flywheel::size(&profile, &question, 0.01).unwrap();
     assert!(wheel.fluctuation_without.is_none());

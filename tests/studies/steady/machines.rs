@@ -1,7 +1,7 @@
 //! The machines of `tests/reference/steady-state.json`, written from its
 //! definitions.
 
-use dam::steady::{Given, Mean, Profile, Question, Refusal};
+use dam::steady::{FunctionKind, Mean, Profile, Question, Refusal};
 use serde_json::Value;
 
 /// The whole file.
@@ -43,7 +43,7 @@ impl Worst {
 pub(crate) struct Machine {
     pub(crate) cycle: f64,
     pub(crate) breaks: Vec<f64>,
-    pub(crate) given: Given,
+    pub(crate) given: FunctionKind,
     /// J, and the moment or the work.
     pub(crate) at: Box<dyn Fn(usize, f64) -> [f64; 2]>,
 }
@@ -76,7 +76,7 @@ pub(crate) fn machine(case: &Value) -> Machine {
             Machine {
                 cycle,
                 breaks: vec![],
-                given: Given::Work,
+                given: FunctionKind::Work,
                 at: Box::new(move |_, phi| [inertia, work * phi.sin()]),
             }
         }
@@ -105,7 +105,7 @@ pub(crate) fn machine(case: &Value) -> Machine {
             Machine {
                 cycle,
                 breaks: vec![],
-                given: Given::Work,
+                given: FunctionKind::Work,
                 at: Box::new(at),
             }
         }
@@ -154,7 +154,7 @@ fn engine(data: &Value, cycle: f64, load: f64) -> Machine {
     Machine {
         cycle,
         breaks: vec![std::f64::consts::PI],
-        given: Given::Moment,
+        given: FunctionKind::Moment,
         at: Box::new(at),
     }
 }
@@ -187,7 +187,7 @@ fn press(data: &Value, cycle: f64, driving: Box<dyn Fn(f64) -> f64>) -> Machine 
     Machine {
         cycle,
         breaks: vec![contact(data)],
-        given: Given::Moment,
+        given: FunctionKind::Moment,
         at: Box::new(at),
     }
 }

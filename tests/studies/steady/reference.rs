@@ -3,7 +3,7 @@
 //! quadrature), against closed forms and against textbooks.
 
 use super::machines::{Worst, machine, number, question, reference};
-use dam::steady::{Given, Mean, Profile, Question, Refusal, Table, steady};
+use dam::steady::{FunctionKind, Mean, Profile, Question, Refusal, Table, steady};
 use serde_json::Value;
 use std::f64::consts::{PI, TAU};
 
@@ -252,13 +252,16 @@ fn failures_are_refused_in_their_words() {
         matches!(refusal, Refusal::Inertia { position, inertia: -0.1 } if position == PI / 2.0),
         "{refusal:?}"
     );
-    let profile = Profile::new(TAU, &[], Given::Moment, &mut |_, phi| [phi.cos(), 0.0]);
+    let profile = Profile::new(TAU, &[], FunctionKind::Moment, &mut |_, phi| {
+        [phi.cos(), 0.0]
+    });
     assert!(matches!(profile, Err(Refusal::Inertia { .. })));
 }
 
 #[test]
 fn bad_numbers_are_refused_by_their_field_all_at_once() {
-    let profile = Profile::new(TAU, &[], Given::Work, &mut |_, phi| [2.0, phi.sin()]).unwrap();
+    let profile =
+        Profile::new(TAU, &[], FunctionKind::Work, &mut |_, phi| [2.0, phi.sin()]).unwrap();
     for speed in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let question = Question {
             tolerance: 0.0,
@@ -298,10 +301,10 @@ fn bad_numbers_are_refused_by_their_field_all_at_once() {
         );
     }
     for cycle in [0.0, -1.0, f64::NAN] {
-        let found = Profile::new(cycle, &[], Given::Work, &mut |_, _| [1.0, 0.0]);
+        let found = Profile::new(cycle, &[], FunctionKind::Work, &mut |_, _| [1.0, 0.0]);
         assert!(matches!(found, Err(Refusal::Input { .. })));
     }
-    let found = Profile::new(TAU, &[], Given::Moment, &mut |_, phi| {
+    let found = Profile::new(TAU, &[], FunctionKind::Moment, &mut |_, phi| {
         [1.0, 1.0 / (phi - phi)]
     });
     assert!(matches!(found, Err(Refusal::Moment { .. })));
@@ -311,7 +314,7 @@ fn bad_numbers_are_refused_by_their_field_all_at_once() {
 fn the_period_of_a_sine_is_the_elliptic_integral_down_to_standing_still() {
     let (inertia, work) = (2.0, 30.0);
     let at = &mut |_: usize, phi: f64| [inertia, work * phi.cos()];
-    let profile = Profile::new(TAU, &[], Given::Moment, at).unwrap();
+    let profile = Profile::new(TAU, &[], FunctionKind::Moment, at).unwrap();
     for speed in [10.0, 5.0, 3.0, 1.5, 1.0] {
         let motion = steady(&profile, &Question::new(speed)).unwrap();
         let start = motion.figures.energy_at_start;
@@ -354,7 +357,7 @@ fn a_corner_of_the_work_gives_the_mean_over_time_a_lowest_value() {
     // A triangle: M = +m, then −m; T = m·|φ − π| at the limit, J = 1.
     let moment = 3.0;
     let at = &mut |piece: usize, _: f64| [1.0, if piece == 0 { -moment } else { moment }];
-    let profile = Profile::new(TAU, &[PI], Given::Moment, at).unwrap();
+    let profile = Profile::new(TAU, &[PI], FunctionKind::Moment, at).unwrap();
     let refusal = steady(&profile, &Question::new(1.0)).unwrap_err();
     let Refusal::TooSlow {
         lowest, position, ..
@@ -375,7 +378,8 @@ fn a_corner_of_the_work_gives_the_mean_over_time_a_lowest_value() {
 
 #[test]
 fn constant_machines_and_long_cycles_are_no_special_case() {
-    let profile = Profile::new(2.0 * TAU, &[], Given::Moment, &mut |_, _| [2.0, 0.0]).unwrap();
+    let profile =
+        Profile::new(2.0 * TAU, &[], FunctionKind::Moment, &mut |_, _| [2.0, 0.0]).unwrap();
     for mean in Mean::ALL {
         let question = Question {
             mean,

@@ -17,7 +17,7 @@ mod tableau;
 
 use super::Dynamics;
 use super::pace::{CAUTION, towards};
-use super::run::{Given, Run, Verdict};
+use super::run::{Run, StepInterpolant, Verdict};
 use newton::Stages;
 use std::sync::OnceLock;
 use tableau::Tableau;
@@ -183,7 +183,7 @@ impl<const S: usize, const L: usize> Radau<S, L> {
             let lands = length >= target - time;
             let end = if lands { target } else { time + length };
             self.interpolate(run, length);
-            let given = Given::Polynomial(&self.output, S + 2);
+            let given = StepInterpolant::Polynomial(&self.output, S + 2);
             match run.accept_with(end, &self.y, &self.dy, given) {
                 Verdict::Again(shorter) => {
                     wanted = shorter;

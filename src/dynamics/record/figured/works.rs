@@ -1,6 +1,6 @@
 //! Works of a step for the energy audit, integrated between the kinks of the powers.
 
-use super::Figured;
+use super::FigureCollector;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::record::observed::places;
@@ -11,7 +11,7 @@ use crate::math::roots::bisect;
 /// Bisections that a kink of the friction is located by.
 const KINK_BISECTIONS: u32 = 24;
 
-impl Figured<'_> {
+impl FigureCollector<'_> {
     /// Works of the step, integrated between the kinks of the powers.
     pub(super) fn balance_step(&mut self, step: &Step<'_>, modes: &Modes) -> EnergyAudit {
         self.kinks.clear();

@@ -2,7 +2,7 @@
 
 use super::super::failure::Failure;
 use super::super::joints::JointTracker;
-use super::super::rows::Seen;
+use super::super::rows::SystemView;
 use super::super::tally::Tally;
 use super::super::{ObjectFigures, PairFigures, Record, Recorded, StopFigures};
 use super::Log;
@@ -21,7 +21,7 @@ impl Log<'_> {
     ) -> Recorded {
         self.time = time;
         let last: Vec<ObjectState> = tallies.iter().map(|tally| *tally.last()).collect();
-        let seen = Seen {
+        let seen = SystemView {
             states: &last,
             masses: &self.masses,
         };

@@ -2,7 +2,7 @@
 
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::record::observer::Observer;
-use crate::dynamics::record::rows::Seen;
+use crate::dynamics::record::rows::SystemView;
 use crate::dynamics::system::MassState;
 use crate::math::polynomial::Step;
 
@@ -11,11 +11,11 @@ pub(super) fn seen<'o>(
     observer: &'o Observer<'_>,
     modes: &Modes,
     masses: &'o mut [MassState],
-) -> Seen<'o> {
+) -> SystemView<'o> {
     if !masses.is_empty() {
         observer.masses(modes, masses);
     }
-    Seen {
+    SystemView {
         states: observer.states(),
         masses,
     }
@@ -44,7 +44,7 @@ impl Stretch<'_> {
         time: f64,
         observer: &'o mut Observer<'_>,
         masses: &'o mut [MassState],
-    ) -> Seen<'o> {
+    ) -> SystemView<'o> {
         match &mut self.course {
             Course::Step(step) => observer.state_in(step, time, self.modes),
             Course::Known(state) => {

@@ -14,7 +14,7 @@ pub(super) const STEP: f64 = 1e-5;
 
 /// Motion of a linkage in one question.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moving<N> {
+pub(super) struct LinkageMotion<N> {
     /// Speed of its input.
     pub(super) speed: N,
     /// Acceleration of its input without its own friction.
@@ -43,7 +43,7 @@ impl Frozen {
     pub(super) fn friction<N: Quantity>(
         &self,
         member: &Member,
-        moving: &Moving<N>,
+        moving: &LinkageMotion<N>,
         search: bool,
         work: &mut Work<N>,
     ) -> N {

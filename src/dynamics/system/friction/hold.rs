@@ -1,6 +1,6 @@
 //! Groups at rest: what friction can hold, and what it does hold.
 
-use super::force::Moving;
+use super::force::LinkageMotion;
 use super::passes::sign_of;
 use super::{Direction, Group, Member};
 use crate::dynamics::system::frozen::{Frozen, segment};
@@ -68,7 +68,7 @@ impl Frozen {
                 Direction::Own { .. } => sign_of(ratio.value()) * root,
             };
             let zero = N::from(0.0);
-            let moving = Moving {
+            let moving = LinkageMotion {
                 speed: zero,
                 free: zero,
                 mobility: zero,

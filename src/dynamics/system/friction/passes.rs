@@ -1,6 +1,6 @@
 //! Friction within an evaluation: after the forces, before the accelerations.
 
-use super::force::Moving;
+use super::force::LinkageMotion;
 use super::{Direction, Group, Member, Obstacle, StickSlip};
 use crate::dynamics::system::frozen::{Frozen, segment};
 use crate::dynamics::system::passes::{Extent, Work};
@@ -137,7 +137,7 @@ impl Frozen {
         root: N,
         modes: &[i64],
         work: &Work<N>,
-    ) -> Moving<N> {
+    ) -> LinkageMotion<N> {
         let [ratio, acceleration] = self.along(member, root, work);
         let speed = work.speed[member.node];
         let (mobility, free) = match group.component {
@@ -159,7 +159,7 @@ impl Frozen {
             (0.0, None) => speed.value().signum(),
             (known, _) => known,
         };
-        Moving {
+        LinkageMotion {
             speed,
             free,
             mobility,

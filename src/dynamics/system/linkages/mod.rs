@@ -60,7 +60,7 @@ pub(super) struct OutputPlace {
 
 /// A linkage as it was last solved.
 #[derive(Clone, Debug)]
-pub(super) struct Solved {
+pub(super) struct LinkageState {
     linkage: Arc<Linkage>,
     workspace: Workspace,
     /// Input coordinate at which it is solved; not a number: nowhere yet.
@@ -72,7 +72,7 @@ pub(super) struct Solved {
     reduced: Option<Reduced>,
 }
 
-impl Solved {
+impl LinkageState {
     fn new(linkage: &Arc<Linkage>) -> Self {
         Self {
             linkage: Arc::clone(linkage),
@@ -229,10 +229,10 @@ impl<N: Quantity> Reduction<N> {
 
 impl Frozen {
     /// Memory for all linkages.
-    pub(super) fn linkage_memory(&self) -> Vec<RefCell<Solved>> {
+    pub(super) fn linkage_memory(&self) -> Vec<RefCell<LinkageState>> {
         let linkages = self.linkages.iter();
         linkages
-            .map(|linkage| RefCell::new(Solved::new(&linkage.linkage)))
+            .map(|linkage| RefCell::new(LinkageState::new(&linkage.linkage)))
             .collect()
     }
 

@@ -3,7 +3,7 @@
 use super::law::Series;
 use super::{Start, Taylor};
 use crate::dynamics::system::frozen::Frozen;
-use crate::dynamics::system::written::{Input, Written};
+use crate::dynamics::system::written::{FrozenExpression, Input};
 use crate::math::expression::VARIABLES;
 use crate::math::number::NOTHING;
 
@@ -21,7 +21,7 @@ impl Frozen {
     pub(super) fn written_of_order(
         &self,
         load: usize,
-        written: &Written,
+        written: &FrozenExpression,
         start: &Start<'_>,
         order: usize,
         taylor: &mut Taylor,
@@ -50,7 +50,7 @@ impl Frozen {
     /// knows.
     pub(super) fn reliable(
         &self,
-        written: &Written,
+        written: &FrozenExpression,
         force: &Series,
         start: &Start<'_>,
         degree: usize,

@@ -2,13 +2,13 @@
 //! the scene does.
 
 use super::switches::Along;
-use super::{Input, Written};
+use super::{FrozenExpression, Input};
 use crate::dynamics::builder::written::variable_name;
 use crate::dynamics::integrate::PhysicalStop;
 use crate::dynamics::model::Load;
 use crate::dynamics::system::System;
 use crate::dynamics::system::passes::Work;
-use crate::math::expression::{Interval, Moving, Program, Scalar, Stretch, VARIABLES};
+use crate::math::expression::{Interval, Program, RateBounds, Scalar, Stretch, VARIABLES};
 use crate::math::polynomial::Step;
 use crate::units::shown;
 
@@ -29,14 +29,14 @@ const AWAY: f64 = 1e4;
 /// … whence it grows by more than this.
 const GROWS: f64 = 30.0;
 
-impl Written {
+impl FrozenExpression {
     /// The values of its variables where the motion is known.
     fn arguments(&self, time: f64, work: &Work<f64>) -> [f64; VARIABLES] {
         self.values(time, &work.displacement, &work.speed)
     }
 
     /// True where it is beyond bounds for arguments that are known to within bounds.
-    fn is_unbounded(&self, arguments: &[Moving], modes: &[i64]) -> bool {
+    fn is_unbounded(&self, arguments: &[RateBounds], modes: &[i64]) -> bool {
         let own = |guard: u16| modes[self.component + usize::from(guard)];
         let code = &self.expression.program().value;
         let Interval { low, high } = code.evaluate(arguments, &own).value;
@@ -45,7 +45,7 @@ impl Written {
 
     /// The first place of a step, up to `end`, towards which it grows without bound.
     fn pole(&self, along: &Along<'_>, modes: &[i64], end: f64) -> Option<f64> {
-        let still = Moving::number(0.0);
+        let still = RateBounds::number(0.0);
         // (Each halving leaves one stretch that waits.)
         let (mut waiting, mut count) = ([[0.0, end]; DEPTH], 1);
         for _ in 0..STRETCHES {
@@ -93,7 +93,7 @@ pub(super) fn may_have_poles(program: &Program) -> bool {
 
 impl System {
     /// The loads by expressions, with their place in the layout.
-    fn written_loads(&self) -> impl Iterator<Item = (&Load, &Written)> {
+    fn written_loads(&self) -> impl Iterator<Item = (&Load, &FrozenExpression)> {
         // Constant loads have no place of their own in the layout.
         let varying = |load: &&Load| load.law.as_constant().is_none();
         let loads = self.model.loads.iter().filter(varying);
@@ -158,17 +158,17 @@ impl System {
     }
 }
 
-impl Written {
+impl FrozenExpression {
     /// Bounds of its variables within `reach` (s) of a motion.
-    fn around(&self, [time, reach]: [f64; 2], work: &Work<f64>) -> [Moving; VARIABLES] {
+    fn around(&self, [time, reach]: [f64; 2], work: &Work<f64>) -> [RateBounds; VARIABLES] {
         let beside = |value: f64, rate: f64| {
             let width = reach * rate.abs() + ROUNDINGS * value.abs();
-            Moving {
+            RateBounds {
                 value: Interval::between(value - width, value + width),
                 rate: Interval::of(0.0),
             }
         };
-        let mut bounds = [Moving::number(0.0); VARIABLES];
+        let mut bounds = [RateBounds::number(0.0); VARIABLES];
         for (bounds, input) in bounds.iter_mut().zip(&self.inputs) {
             *bounds = match *input {
                 Input::Unused => *bounds,
@@ -183,7 +183,7 @@ impl Written {
     }
 }
 
-fn ends(load: &Load, written: &Written, time: f64, arguments: &[f64]) -> PhysicalStop {
+fn ends(load: &Load, written: &FrozenExpression, time: f64, arguments: &[f64]) -> PhysicalStop {
     let read = (written.inputs.iter().enumerate())
         .filter(|(_, input)| !matches!(input, Input::Unused | Input::Time))
         .map(|(index, _)| {

@@ -1,13 +1,13 @@
 //! The guards of loads by expressions: where they change on a step, and what a change
 //! does.
 
-use super::{Input, Written};
+use super::{FrozenExpression, Input};
 use crate::dynamics::integrate::{EventFunction, Guard, Modes, PhysicalStop, Resting};
 use crate::dynamics::model::Load;
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::{Extent, Work};
-use crate::math::expression::{Interval, Moving, OPEN, Stretch, Third, VARIABLES, follow};
+use crate::math::expression::{Interval, OPEN, RateBounds, Stretch, Third, VARIABLES, follow};
 use crate::math::jet::Jet;
 use crate::math::number::Dual;
 use crate::math::polynomial::{MAX_DEGREE, Step, divide};
@@ -19,7 +19,7 @@ const TURNED_BACK: f64 = 1e-9;
 
 /// The variables of a load along a step.
 pub(in crate::dynamics::system) struct Along<'a> {
-    pub(in crate::dynamics::system) written: &'a Written,
+    pub(in crate::dynamics::system) written: &'a FrozenExpression,
     pub(in crate::dynamics::system) step: &'a Step<'a>,
 }
 
@@ -37,23 +37,23 @@ impl Stretch for Along<'_> {
         }
     }
 
-    fn over(&self, from: f64, to: f64, out: &mut [Moving]) {
+    fn over(&self, from: f64, to: f64, out: &mut [RateBounds]) {
         let length = self.step.length;
         for (out, input) in out.iter_mut().zip(&self.written.inputs) {
             *out = match *input {
-                Input::Time => Moving {
+                Input::Time => RateBounds {
                     value: Interval::between(self.step.time(from), self.step.time(to)),
                     rate: Interval::of(length),
                 },
                 Input::Displacement { signal, .. } if signal != usize::MAX => {
                     let [value, rate, _] = bounds(self.step, signal, from, to);
-                    Moving { value, rate }
+                    RateBounds { value, rate }
                 }
                 Input::Speed { signal, .. } if signal != usize::MAX => {
                     let [_, value, rate] = bounds(self.step, signal, from, to);
                     let per_second =
                         |one: Interval| Interval::between(one.low / length, one.high / length);
-                    Moving {
+                    RateBounds {
                         value: per_second(value),
                         rate: per_second(rate),
                     }
@@ -102,7 +102,7 @@ fn bounds(step: &Step<'_>, signal: usize, from: f64, to: f64) -> [Interval; 3] {
     found
 }
 
-impl Written {
+impl FrozenExpression {
     /// The component of the modes of a guard.
     fn components(&self) -> std::ops::Range<usize> {
         self.component..self.component + self.expression.program().guards.len()
@@ -177,7 +177,7 @@ impl Frozen {
     }
 
     /// The loads by expressions.
-    pub(in crate::dynamics::system) fn written(&self) -> impl Iterator<Item = &Written> {
+    pub(in crate::dynamics::system) fn written(&self) -> impl Iterator<Item = &FrozenExpression> {
         self.loads.iter().filter_map(|load| load.written.as_ref())
     }
 
@@ -223,7 +223,7 @@ impl Frozen {
         let mut out = vec![0.0; self.coordinates];
         let mut values = |state: &[f64]| -> Vec<(usize, Dual)> {
             self.evaluate(time, state, modes, Extent::Full, &mut work, &mut out);
-            let of = |written: &Written| {
+            let of = |written: &FrozenExpression| {
                 let components = written.components().enumerate();
                 let guards = components.filter(|&(_, component)| modes[component] != OPEN);
                 let values =
@@ -349,7 +349,7 @@ impl System {
 
     /// The load that a guard belongs to, in the layout and in the model.
     fn load_of_guard(&self, component: usize) -> Option<(usize, usize)> {
-        let holds = |written: &Written| written.components().contains(&component);
+        let holds = |written: &FrozenExpression| written.components().contains(&component);
         let loads = &self.frozen.loads;
         let index = loads
             .iter()

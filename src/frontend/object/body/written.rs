@@ -9,7 +9,7 @@ use crate::frontend::read::{Bounds, Fields, Slot};
 use std::f64::consts::TAU;
 
 /// Everything that is written, each in one of its ways; `None`: absent.
-pub(super) struct Written {
+pub(super) struct BodyFields {
     pub(super) masses: Option<Masses>,
     pub(super) inertia: Option<f64>,
     pub(super) inertias: Option<Vec<f64>>,
@@ -24,7 +24,7 @@ pub(super) struct Written {
     pub(super) geometry: Option<Elastic>,
 }
 
-impl Written {
+impl BodyFields {
     /// Total inertia, as written or of the geometry.
     pub(super) fn inertia(&self) -> Option<f64> {
         let geometry = self.geometry.map(|elastic| elastic.inertia);
@@ -45,7 +45,7 @@ impl Written {
 }
 
 /// Reads what is written.
-pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<Written> {
+pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<BodyFields> {
     let masses = fields.maybe(
         "masses",
         "Number of masses; 0: rigid; \"auto\": as many masses or modes as the accuracy of the \
@@ -100,7 +100,7 @@ pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Opt
         "Dimensions and material, in place of inertia and stiffness",
         |slot| geometry::read(slot, beam),
     );
-    Some(Written {
+    Some(BodyFields {
         masses: masses?,
         inertia: inertia?,
         inertias: inertias?,

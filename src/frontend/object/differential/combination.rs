@@ -1,7 +1,7 @@
 //! The ways in which the inputs of a differential combine: ratios at the inputs, a planetary
 //! gear, a lever, or a constraint given in code.
 
-use super::{Input, Written};
+use super::{Input, InputStatement};
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, OWN};
 use crate::kinematics::constraint::ConstraintFunction;
@@ -81,7 +81,7 @@ pub(super) fn combination(fields: &mut Fields<'_>) -> Option<Combination> {
 /// The ratios of all inputs.
 pub(super) fn combine(
     fields: &mut Fields<'_>,
-    written: &[Written],
+    written: &[InputStatement],
     combination: &Combination,
     own: Coordinate,
 ) -> Option<Vec<Input>> {
@@ -114,7 +114,7 @@ pub(super) fn combine(
 /// A constraint given in code knows its gradient itself.
 fn by_own(
     fields: &mut Fields<'_>,
-    written: &[Written],
+    written: &[InputStatement],
     drivers: usize,
 ) -> Option<Vec<Option<f64>>> {
     if drivers != written.len() {
@@ -141,7 +141,7 @@ fn by_own(
     Some(vec![Some(1.0); drivers])
 }
 
-fn own_ratio(fields: &mut Fields<'_>, input: &Written) -> Option<f64> {
+fn own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
     if input.at.is_some() {
         refuse(fields, input, "at", "`at` stands beside `lever` only");
         return None;
@@ -158,7 +158,7 @@ fn own_ratio(fields: &mut Fields<'_>, input: &Written) -> Option<f64> {
 /// φ_sun − i₀·φ_ring = (1 − i₀)·φ_carrier, solved for the member that is no input.
 fn planetary(
     fields: &mut Fields<'_>,
-    written: &[Written],
+    written: &[InputStatement],
     ratio: f64,
     own: Coordinate,
 ) -> Option<Vec<Option<f64>>> {
@@ -217,7 +217,7 @@ fn planetary(
 /// through those of the inputs.
 fn lever(
     fields: &mut Fields<'_>,
-    written: &[Written],
+    written: &[InputStatement],
     output: f64,
     own: Coordinate,
 ) -> Option<Vec<Option<f64>>> {
@@ -263,7 +263,7 @@ fn lever(
     Some(ratios.map(Some).to_vec())
 }
 
-fn refuse(fields: &mut Fields<'_>, input: &Written, property: &str, message: &str) {
+fn refuse(fields: &mut Fields<'_>, input: &InputStatement, property: &str, message: &str) {
     let inputs = fields.member("inputs").map(|member| &member.value);
     let own = inputs.and_then(|inputs| inputs.get(&input.name)?.get(property));
     let place = own.map(|value| value.place.clone());

@@ -1,7 +1,7 @@
 //! Cams between the links of a linkage.
 
 use super::super::cam_geometry::{SENSES, SURFACES};
-use super::super::measures::{Ends, Measures};
+use super::super::measures::{Measures, PositionMeasures};
 use super::super::position;
 use super::names::Names;
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
@@ -62,7 +62,7 @@ pub(super) fn read(slot: Slot<'_>, names: &Names) -> Option<CouplingSpec> {
 }
 
 fn lift(fields: &mut Fields<'_>) -> Option<Option<PositionSpec>> {
-    let ends = Ends {
+    let ends = PositionMeasures {
         output: Measures(Some(Sliding)),
         driver: Measures(Some(Turning)),
     };

@@ -16,7 +16,7 @@ const MOST_TEETH: u64 = 10_000;
 type Wheels = [Option<usize>; 2];
 
 /// What every coupling of wheels has.
-struct Coupled {
+struct CouplingFields {
     wheels: Wheels,
     carrier: Option<usize>,
     offset: f64,
@@ -24,7 +24,7 @@ struct Coupled {
 
 /// What couplings are read with: the names, and the pairs where they are without fault.
 #[derive(Clone, Copy)]
-struct Known<'a> {
+struct CouplingContext<'a> {
     names: &'a Names,
     pairs: Option<&'a [PairSpec]>,
 }
@@ -35,7 +35,7 @@ pub(super) fn read(
     names: &Names,
     pairs: Option<&[PairSpec]>,
 ) -> Option<Vec<CouplingSpec>> {
-    let known = Known { names, pairs };
+    let known = CouplingContext { names, pairs };
     let doc = "Gears, belts and racks by name, each between two links (or a link and the ground) that a third one carries; and cams, each between two links.";
     fields.or("couplings", doc, json!({}), |slot| {
         slot.names(|name, slot| {
@@ -44,7 +44,7 @@ pub(super) fn read(
     })
 }
 
-fn coupling(slot: Slot<'_>, name: &str, known: Known<'_>) -> Option<CouplingSpec> {
+fn coupling(slot: Slot<'_>, name: &str, known: CouplingContext<'_>) -> Option<CouplingSpec> {
     slot.record(|fields| {
         let mut kind = fields.one_of("what couples the links");
         let doc = "Two gears: seen from their carrier they turn as their numbers of teeth say.";
@@ -64,7 +64,7 @@ fn coupling(slot: Slot<'_>, name: &str, known: Known<'_>) -> Option<CouplingSpec
 }
 
 /// A coupling of wheels, its name left open.
-fn wheels((coupled, kind): (Coupled, CouplingKind)) -> CouplingSpec {
+fn wheels((coupled, kind): (CouplingFields, CouplingKind)) -> CouplingSpec {
     CouplingSpec {
         name: String::new(),
         wheels: coupled.wheels,
@@ -74,7 +74,7 @@ fn wheels((coupled, kind): (Coupled, CouplingKind)) -> CouplingSpec {
     }
 }
 
-fn gear(slot: Slot<'_>, known: Known<'_>) -> Option<(Coupled, CouplingKind)> {
+fn gear(slot: Slot<'_>, known: CouplingContext<'_>) -> Option<(CouplingFields, CouplingKind)> {
     slot.record(|fields| {
         let coupled = coupled(fields, known, q::ANGLE);
         let mut sizes = fields.one_of("the sizes of the gears");
@@ -96,7 +96,7 @@ fn gear(slot: Slot<'_>, known: Known<'_>) -> Option<(Coupled, CouplingKind)> {
     })
 }
 
-fn belt(slot: Slot<'_>, known: Known<'_>) -> Option<(Coupled, CouplingKind)> {
+fn belt(slot: Slot<'_>, known: CouplingContext<'_>) -> Option<(CouplingFields, CouplingKind)> {
     slot.record(|fields| {
         let coupled = coupled(fields, known, q::ANGLE);
         let doc = "Diameters of the first and the second pulley.";
@@ -110,7 +110,7 @@ fn belt(slot: Slot<'_>, known: Known<'_>) -> Option<(Coupled, CouplingKind)> {
     })
 }
 
-fn rack(slot: Slot<'_>, known: Known<'_>) -> Option<(Coupled, CouplingKind)> {
+fn rack(slot: Slot<'_>, known: CouplingContext<'_>) -> Option<(CouplingFields, CouplingKind)> {
     slot.record(|fields| {
         let coupled = coupled(fields, known, q::LENGTH);
         let doc = "Radius of the gear's pitch circle; positive: the rack lies to the right of the gear, seen along its guide, and slides forwards as the gear turns counterclockwise.";
@@ -123,7 +123,11 @@ fn rack(slot: Slot<'_>, known: Known<'_>) -> Option<(Coupled, CouplingKind)> {
 }
 
 /// Reads what every coupling has; `offset` is a length where the second link is a rack.
-fn coupled(fields: &mut Fields<'_>, known: Known<'_>, offset: Quantity) -> Option<Coupled> {
+fn coupled(
+    fields: &mut Fields<'_>,
+    known: CouplingContext<'_>,
+    offset: Quantity,
+) -> Option<CouplingFields> {
     let names = known.names;
     let doc =
         "The two links, with the wheels or the gear and its rack; `ground` for what stands still.";
@@ -145,7 +149,7 @@ fn coupled(fields: &mut Fields<'_>, known: Known<'_>, offset: Quantity) -> Optio
         None => the_carrier(fields, known, wheels, rack)?,
     };
     fields.fill_in("carrier", json!(names.of_link(carrier)));
-    Some(Coupled {
+    Some(CouplingFields {
         wheels,
         carrier,
         offset,
@@ -155,7 +159,7 @@ fn coupled(fields: &mut Fields<'_>, known: Known<'_>, offset: Quantity) -> Optio
 /// The only link that can carry both wheels.
 fn the_carrier(
     fields: &mut Fields<'_>,
-    known: Known<'_>,
+    known: CouplingContext<'_>,
     wheels: Wheels,
     rack: bool,
 ) -> Option<Option<usize>> {

@@ -6,7 +6,7 @@ use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::load::points;
 use crate::frontend::object::measures::Measures;
-use crate::frontend::read::{Bounds, Fields, Slot, Wanted};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot};
 use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, PairSpec};
 use crate::units::quantities as q;
 use serde_json::json;
@@ -223,7 +223,7 @@ type OverInput = (Vec<(f64, f64)>, Option<f64>);
 fn over_input(
     fields: &mut Fields<'_>,
     doc: &'static str,
-    value: Wanted,
+    value: QuantityChoice,
     input: Measures,
 ) -> Option<OverInput> {
     let list = fields.need("points", doc, |slot| {

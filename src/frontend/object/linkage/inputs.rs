@@ -13,7 +13,7 @@ use crate::kinematics::linkage::multi::{freedom, proposal};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
 
 /// An input as it is written.
-pub(super) struct Written {
+pub(super) struct InputStatement {
     name: String,
     coordinate: InputCoordinate,
     drive: InputDrive,
@@ -77,7 +77,7 @@ pub(super) fn read(
     names: &Names,
     pairs: Option<&[PairSpec]>,
     context: &Context<'_>,
-) -> Option<Vec<Written>> {
+) -> Option<Vec<InputStatement>> {
     slot.names(|name, mut slot| {
         let free = !outputs::TAKEN.contains(&name);
         if !free {
@@ -100,7 +100,7 @@ fn input(
     names: &Names,
     pairs: Option<&[PairSpec]>,
     context: &Context<'_>,
-) -> Option<Written> {
+) -> Option<InputStatement> {
     let mut kind = fields.one_of("which coordinate it is");
     kind.case("pair", "The coordinate of a pair.", |slot| {
         names.pair(slot).map(InputCoordinate::Pair)
@@ -171,7 +171,7 @@ fn input(
         },
     };
     let (coordinate, loads) = (kind?, loads?);
-    sound.then(|| Written {
+    sound.then(|| InputStatement {
         name: name.to_owned(),
         coordinate,
         drive,
@@ -183,12 +183,13 @@ fn input(
 /// The linkage with its inputs.
 pub(super) fn driven(
     fields: &mut Fields<'_>,
-    written: Vec<Written>,
+    written: Vec<InputStatement>,
     linkage: LinkageSpec,
     loads: Vec<Vec<LoadSpec>>,
     joint_friction: bool,
 ) -> Option<DrivenMultiLinkage> {
-    let twice = |one: &&Written| linkage.outputs.iter().any(|output| output.name == one.name);
+    let twice =
+        |one: &&InputStatement| linkage.outputs.iter().any(|output| output.name == one.name);
     if let Some(one) = written.iter().find(twice) {
         let message = format!("`{}` is the name of an input and of an output", one.name);
         let fault = fields.refuse("outputs", "bad-id", message);

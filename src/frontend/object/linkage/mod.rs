@@ -9,7 +9,7 @@ mod names;
 mod outputs;
 mod pairs;
 
-use super::measures::Ends;
+use super::measures::PositionMeasures;
 use super::position;
 use super::spec::{DrivenLinkage, DrivenMultiLinkage};
 use super::{Context, INPUT, Inputs, Kind, Measures, ModelBuilder, Object, Place, Port, Ports};
@@ -47,12 +47,12 @@ use serde_json::json;
 /// joints in `dam forces` alone, no tables over an input; a run ends in singular positions.
 #[derive(Debug)]
 pub struct Linkage {
-    spec: Driven,
+    spec: DriveMode,
 }
 
 /// How it is driven.
 #[derive(Debug)]
-enum Driven {
+enum DriveMode {
     One(DrivenLinkage),
     Several(DrivenMultiLinkage),
 }
@@ -83,8 +83,8 @@ impl Object for Linkage {
 
     fn ports(&self) -> Ports {
         let (mut ports, linkage) = match &self.spec {
-            Driven::One(spec) => (Ports::driven(spec.coordinate), &spec.linkage),
-            Driven::Several(spec) => (inputs::ports(spec), &spec.linkage.linkage),
+            DriveMode::One(spec) => (Ports::driven(spec.coordinate), &spec.linkage),
+            DriveMode::Several(spec) => (inputs::ports(spec), &spec.linkage.linkage),
         };
         let further = linkage.outputs.iter().map(|output| {
             let coordinate = outputs::coordinate(&output.kind, &linkage.pairs);
@@ -96,22 +96,22 @@ impl Object for Linkage {
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
         match &self.spec {
-            Driven::One(spec) => into.linkage(at, at.input(INPUT), spec),
-            Driven::Several(spec) => into.multi_linkage(at, spec),
+            DriveMode::One(spec) => into.linkage(at, at.input(INPUT), spec),
+            DriveMode::Several(spec) => into.multi_linkage(at, spec),
         }
     }
 
     fn linkage(&self) -> Option<&DrivenLinkage> {
         match &self.spec {
-            Driven::One(spec) => Some(spec),
-            Driven::Several(_) => None,
+            DriveMode::One(spec) => Some(spec),
+            DriveMode::Several(_) => None,
         }
     }
 
     fn multi_linkage(&self) -> Option<&DrivenMultiLinkage> {
         match &self.spec {
-            Driven::One(_) => None,
-            Driven::Several(spec) => Some(spec),
+            DriveMode::One(_) => None,
+            DriveMode::Several(spec) => Some(spec),
         }
     }
 }
@@ -138,10 +138,10 @@ enum MovedBy {
     /// The pair of its one input.
     Driver(usize),
     /// Its inputs by name.
-    Inputs(Vec<inputs::Written>),
+    Inputs(Vec<inputs::InputStatement>),
 }
 
-fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
+fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<DriveMode> {
     let several = fields.has("inputs");
     let driver = Measures(context.driver);
     let doc = "Named numbers, to which the others refer: \"rod\", \"-rod\", \"rod/2\", \"rod*0.4\". Those of a catalogue object are replaced one by one.";
@@ -202,9 +202,9 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Driven> {
     match way? {
         MovedBy::Inputs(written) => {
             let spec = inputs::driven(fields, written, linkage, loads, joint_friction)?;
-            Some(Driven::Several(spec))
+            Some(DriveMode::Several(spec))
         }
-        MovedBy::Driver(_) => Some(Driven::One(DrivenLinkage {
+        MovedBy::Driver(_) => Some(DriveMode::One(DrivenLinkage {
             coordinate: kind?,
             position: of_one.position,
             joint_friction,
@@ -235,7 +235,7 @@ impl Default for OneInput {
 }
 
 fn one_input(fields: &mut Fields<'_>, input: Measures, driver: Measures) -> Option<OneInput> {
-    let ends = Ends {
+    let ends = PositionMeasures {
         output: input,
         driver,
     };

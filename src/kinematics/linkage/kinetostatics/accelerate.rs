@@ -8,7 +8,7 @@
 
 use super::positions::InputMotion;
 use super::positions::Positions;
-use super::solve::{ForceFailure, Options, Solved};
+use super::solve::{ForceFailure, Options, SolutionQuality};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
 
@@ -37,7 +37,7 @@ pub struct Acceleration {
     /// Outcome: what the linkage does next.
     pub outcome: Outcome,
     /// Course of the solution; `None` where the linkage rests.
-    pub solved: Option<Solved>,
+    pub solved: Option<SolutionQuality>,
 }
 
 impl Kinetostatics {
@@ -52,7 +52,7 @@ impl Kinetostatics {
     ///
     /// [`ForceFailure::SelfLocking`] where no acceleration agrees with the
     /// friction it causes, [`ForceFailure::NoInertia`] where nothing has inertia.
-    /// Several solutions in motion: [`Solved::solutions`] counts them.
+    /// Several solutions in motion: [`SolutionQuality::solutions`] counts them.
     pub fn accelerate<P: Positions>(
         &self,
         positions: &P,
@@ -112,7 +112,7 @@ impl Kinetostatics {
         drive: f64,
         options: &Options,
         w: &mut ForceWorkspace,
-    ) -> Result<Solved, ForceFailure> {
+    ) -> Result<SolutionQuality, ForceFailure> {
         self.prepare(positions, motion, direction, options.friction, w);
         self.drive_rows(w);
         let condition = self
@@ -145,7 +145,7 @@ impl Kinetostatics {
 }
 
 /// The linkage moves.
-fn moves(acceleration: f64, solved: Solved) -> Acceleration {
+fn moves(acceleration: f64, solved: SolutionQuality) -> Acceleration {
     Acceleration {
         outcome: Outcome::Moves { acceleration },
         solved: Some(solved),

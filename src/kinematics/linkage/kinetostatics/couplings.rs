@@ -32,7 +32,7 @@ pub struct CouplingForce {
 
 /// What a coupling presses by.
 #[derive(Clone, Debug)]
-pub(super) enum Coupled {
+pub(super) enum CouplingReaction {
     /// Wheels, whose axes lie so.
     Wheels(Meeting),
     /// A cam with its pitch curve.
@@ -106,8 +106,8 @@ impl Kinetostatics {
     ) -> [OnWheel; 2] {
         let spec = &self.spec.couplings[coupling];
         let meeting = match &self.coupled[coupling] {
-            Coupled::Wheels(meeting) => meeting,
-            Coupled::Cam(cam, curve) => return on_cam(spec.wheels, cam, curve, links),
+            CouplingReaction::Wheels(meeting) => meeting,
+            CouplingReaction::Cam(cam, curve) => return on_cam(spec.wheels, cam, curve, links),
         };
         let axes = meeting
             .axes
@@ -202,13 +202,16 @@ fn on_cam(
 }
 
 /// What every coupling presses by, the couplings having been checked.
-pub(super) fn coupled(spec: &LinkageSpec) -> Vec<Coupled> {
+pub(super) fn coupled(spec: &LinkageSpec) -> Vec<CouplingReaction> {
     let coupled = |coupling: &CouplingSpec| match &coupling.kind {
         CouplingKind::Cam(cam) => {
             let curve = PitchCurve::new(cam).ok()?;
-            Some(Coupled::Cam(cam.clone(), curve))
+            Some(CouplingReaction::Cam(cam.clone(), curve))
         }
-        _ => coupling.meeting(&spec.pairs).ok().map(Coupled::Wheels),
+        _ => coupling
+            .meeting(&spec.pairs)
+            .ok()
+            .map(CouplingReaction::Wheels),
     };
     spec.couplings.iter().filter_map(coupled).collect()
 }

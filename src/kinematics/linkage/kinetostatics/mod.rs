@@ -59,8 +59,8 @@ pub use resistance::{Resistance, Resisted};
 pub use result::{Balance, Reaction, SlidingFriction};
 pub use reversals::Reversals;
 pub use sensitivity::Sensitivities;
-pub use several::{Carried, Sliding};
-pub use solve::{BAD_CONDITION, ForceFailure, Options, Solved};
+pub use several::{OutputLoads, Sliding};
+pub use solve::{BAD_CONDITION, ForceFailure, Options, SolutionQuality};
 pub use welds::WeldForce;
 pub use workspace::ForceWorkspace;
 
@@ -105,7 +105,7 @@ pub struct Kinetostatics {
     /// Number of equations of constraints that are redundant.
     redundant: usize,
     /// What each coupling presses by.
-    coupled: Vec<couplings::Coupled>,
+    coupled: Vec<couplings::CouplingReaction>,
     /// Factors of friction of each pair that has any, without sign.
     friction_factors: Vec<Option<Law>>,
     /// Size of the inertia in the column of the acceleration (kg or kg·m).

@@ -16,7 +16,7 @@
 use super::external::Input;
 use super::positions::Positions;
 use super::sides::press;
-use super::solve::{ForceFailure, Options, Solved};
+use super::solve::{ForceFailure, Options, SolutionQuality};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
 
@@ -115,7 +115,7 @@ impl Kinetostatics {
         motion: &Resisted<'_>,
         options: &Options,
         w: &mut ForceWorkspace,
-    ) -> Result<Solved, ForceFailure> {
+    ) -> Result<SolutionQuality, ForceFailure> {
         let (a, s) = (motion.free_acceleration, motion.mobility);
         let unit = self.drive_unit();
         let v2 = motion.speed * motion.speed;

@@ -37,7 +37,7 @@ pub enum Sliding {
 
 /// What hangs on the outputs.
 #[derive(Clone, Copy, Debug)]
-pub struct Carried<'a> {
+pub struct OutputLoads<'a> {
     /// Forces, without those of the inertias (N·m or N).
     pub loads: &'a [f64],
     /// Inertias (kg·m² or kg).
@@ -53,7 +53,7 @@ impl Kinetostatics {
     pub fn place_several(
         &self,
         motion: &MultiMotion,
-        carried: Carried<'_>,
+        carried: OutputLoads<'_>,
         w: &mut ForceWorkspace,
     ) -> Result<(), ForceFailure> {
         w.speed = 1.0;

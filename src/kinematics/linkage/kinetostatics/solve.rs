@@ -47,7 +47,7 @@ impl Default for Options {
 
 /// Qualities of a solution besides its numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Solved {
+pub struct SolutionQuality {
     /// Course of the iteration.
     pub convergence: Convergence,
     /// True: proved to be the only solution.
@@ -124,7 +124,7 @@ impl Kinetostatics {
         motion: InputMotion,
         options: &Options,
         w: &mut ForceWorkspace,
-    ) -> Result<Solved, ForceFailure> {
+    ) -> Result<SolutionQuality, ForceFailure> {
         let direction = self.direction(motion, options)?;
         self.prepare(positions, motion, direction, options.friction, w);
         let condition = self.invert(Unknown::Drive, w)?;
@@ -158,7 +158,7 @@ impl Kinetostatics {
         rates: &[f64],
         options: &Options,
         w: &mut ForceWorkspace,
-    ) -> Result<Solved, ForceFailure> {
+    ) -> Result<SolutionQuality, ForceFailure> {
         if !rates.iter().all(|rate| rate.is_finite()) {
             return Err(ForceFailure::NotFinite);
         }
@@ -278,7 +278,7 @@ impl Kinetostatics {
         &self,
         options: &Options,
         w: &mut ForceWorkspace,
-    ) -> Result<Solved, ForceFailure> {
+    ) -> Result<SolutionQuality, ForceFailure> {
         w.others.clear();
         let (mut convergence, found) = w.settle(options.tolerance, options.iterations);
         let finite = w.right.iter().all(|value| value.is_finite());
@@ -305,7 +305,7 @@ impl Kinetostatics {
                 iterations: convergence.iterations,
             });
         }
-        Ok(Solved {
+        Ok(SolutionQuality {
             convergence,
             unique,
             solutions,

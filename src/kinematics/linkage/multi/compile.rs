@@ -1,7 +1,7 @@
 //! From the plain numbers of a linkage of several inputs to the plan of its solution, or
 //! to what is wrong with its inputs and its structure.
 
-use super::coupled::Coupled;
+use super::coupled::PreparedCoupling;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
@@ -221,9 +221,10 @@ fn group_of(
 }
 
 /// Couplings made ready, these having been checked.
-fn coupled(linkage: &LinkageSpec, couplings: &[usize], ground: usize) -> Vec<Coupled> {
-    let ready =
-        |&coupling: &usize| Coupled::new(&linkage.couplings[coupling], &linkage.pairs, ground);
+fn coupled(linkage: &LinkageSpec, couplings: &[usize], ground: usize) -> Vec<PreparedCoupling> {
+    let ready = |&coupling: &usize| {
+        PreparedCoupling::new(&linkage.couplings[coupling], &linkage.pairs, ground)
+    };
     couplings.iter().filter_map(ready).collect()
 }
 

@@ -8,14 +8,14 @@ use crate::math::number::Number;
 
 /// A coupling made ready.
 #[derive(Clone, Debug)]
-pub(super) enum Coupled {
+pub(super) enum PreparedCoupling {
     /// Gears, a belt, or a rack.
     Wheels(Geared),
     /// A cam.
     Cam(Box<Rolling>),
 }
 
-impl Coupled {
+impl PreparedCoupling {
     /// Of a coupling that has been checked; `ground`: index of the ground.
     pub(super) fn new(coupling: &CouplingSpec, pairs: &[PairSpec], ground: usize) -> Option<Self> {
         match &coupling.kind {

@@ -57,7 +57,7 @@ use crate::fault::Fault;
 use crate::math::quantity::Quantity;
 use columns::Columns;
 use forces::Surroundings;
-use place::Known;
+use place::StartPosition;
 use plan::MultiPlan;
 use spec::{InputCoordinate, InputSpec, MultiSpec};
 use std::sync::Arc;
@@ -78,7 +78,7 @@ struct Core {
     signs: Vec<f64>,
     /// Of every group the determinant of its closing equations at the start.
     determinants: Vec<f64>,
-    start: Known,
+    start: StartPosition,
 }
 
 impl MultiLinkage {
@@ -120,7 +120,7 @@ impl MultiLinkage {
                 _ => branches[at].sign,
             });
         }
-        let mut start = Known::new(state, inputs.clone(), plan.turning);
+        let mut start = StartPosition::new(state, inputs.clone(), plan.turning);
         if let Err(NotAssembled { group }) = start.go_to(&plan, &signs, &inputs) {
             let names = super::choice::names(&linkage, plan.plan.steps[group - 1].bodies());
             return Err(vec![Fault::new(
@@ -203,7 +203,7 @@ impl MultiLinkage {
 #[derive(Clone, Debug)]
 pub(crate) struct MultiWorkspace<N> {
     core: Arc<Core>,
-    known: Known,
+    known: StartPosition,
     /// Velocities of the values alone, from which positions get their derivatives.
     values: Option<Box<Columns<f64>>>,
     columns: Columns<N>,

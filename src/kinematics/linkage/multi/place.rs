@@ -160,7 +160,7 @@ fn iterate(
 
 /// A position with its inputs, kept to start from.
 #[derive(Clone, Debug)]
-pub(super) struct Known {
+pub(super) struct StartPosition {
     pub(super) state: State,
     pub(super) inputs: Vec<f64>,
     /// The angles of all bodies, continuous.
@@ -174,7 +174,7 @@ pub(super) struct Known {
     before: State,
 }
 
-impl Known {
+impl StartPosition {
     pub(super) fn new(state: State, inputs: Vec<f64>, turning: bool) -> Self {
         Self {
             turning,

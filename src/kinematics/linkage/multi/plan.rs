@@ -1,6 +1,6 @@
 //! A linkage of several inputs made ready to be solved.
 
-use super::coupled::Coupled;
+use super::coupled::PreparedCoupling;
 use crate::kinematics::linkage::elements::{Element, elements, slides};
 use crate::kinematics::linkage::plan::{Driver, Plan};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
@@ -65,7 +65,7 @@ pub(super) struct Group {
     /// from its first link to its second.
     pub(super) screws: Vec<Screw>,
     /// Its gears, belts, racks and cams.
-    pub(super) couplings: Vec<Coupled>,
+    pub(super) couplings: Vec<PreparedCoupling>,
     /// True for a dyad.
     pub(super) dyad: bool,
     /// True for a dyad of one assembly, singular where its guides are parallel.

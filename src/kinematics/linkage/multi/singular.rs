@@ -8,7 +8,7 @@
 //! is bracketed, and the square of its determinant, which goes with the distance there, is
 //! followed to zero from within. What is smaller than a mesh of the grid is not seen.
 
-use super::place::{Known, place};
+use super::place::{StartPosition, place};
 use super::{Core, MultiLinkage, MultiWorkspace};
 use crate::math::contour;
 use crate::math::roots::{bisect, bracketed};
@@ -90,7 +90,7 @@ pub fn singular_curves(
 
 /// Margins of all dyads at inputs, up to the first that cannot be assembled; not numbers
 /// beyond it.
-fn margins(core: &Core, inputs: &[f64], known: &mut Known, margins: &mut [f64]) {
+fn margins(core: &Core, inputs: &[f64], known: &mut StartPosition, margins: &mut [f64]) {
     let ends = match place(&core.plan, &core.signs, inputs, &mut known.state) {
         Ok(()) => margins.len(),
         Err(stuck) => stuck.group,
@@ -152,7 +152,7 @@ fn curve(plane: &Plane, group: usize, line: &[(f64, f64)]) -> SingularCurve {
 
 /// Of larger groups: what can be reached from the start, from one point of the grid to the
 /// next.
-struct Reached<'a> {
+struct GridReach<'a> {
     plane: &'a Plane,
     side: usize,
     /// What is known at the points that are reached.
@@ -162,7 +162,7 @@ struct Reached<'a> {
     rates: Vec<f64>,
 }
 
-impl<'a> Reached<'a> {
+impl<'a> GridReach<'a> {
     fn new(linkage: &MultiLinkage, plane: &'a Plane) -> Self {
         let side = plane.meshes + 1;
         let mut reached = Self {
@@ -296,7 +296,7 @@ impl<'a> Reached<'a> {
 }
 
 fn of_groups(linkage: &MultiLinkage, plane: &Plane) -> Vec<SingularCurve> {
-    let reached = Reached::new(linkage, plane);
+    let reached = GridReach::new(linkage, plane);
     let side = reached.side;
     let mut curves = Vec::new();
     for group in 0..linkage.core.plan.groups.len() {

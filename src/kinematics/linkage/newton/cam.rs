@@ -1,7 +1,7 @@
 //! A cam and its roller inside a group that is solved by iteration: |p| = R(angle of p), with p the
 //! roller's centre seen from the cam's own centre and in the cam's frame.
 
-use super::{NewtonGroup, Seen, Side};
+use super::{NewtonGroup, PairSide, Side};
 use crate::kinematics::linkage::couplings::PitchCurve;
 use crate::kinematics::linkage::state::{Scratch, State};
 use crate::math::series::Series;
@@ -61,7 +61,7 @@ impl Rolling {
         group: &NewtonGroup,
         state: &State,
         scratch: &Scratch,
-    ) -> [Seen<N>; 2] {
+    ) -> [PairSide<N>; 2] {
         [&self.cam, &self.roller].map(|side| group.seen::<N>(side, state, scratch))
     }
 }

@@ -82,7 +82,7 @@ fn law_lines(model: &Model, part: &ObjectPart, driver: usize, section: &mut Sect
 }
 
 /// x and ẋ behind several inputs.
-fn sum_lines(part: &ObjectPart, asked: inputs::Asked, section: &mut Section) {
+fn sum_lines(part: &ObjectPart, asked: inputs::InputFormulas, section: &mut Section) {
     let own = part.contact.as_ref();
     let (x, phi) = (symbol("x", Index::None), contact::far_end(own));
     let place = phi.clone().expr().minus(asked.place);

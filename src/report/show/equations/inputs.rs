@@ -8,7 +8,7 @@ use crate::report::math::{Expr, Index, Symbol, symbol};
 use crate::report::quantity::significant;
 
 /// Motion that the inputs of an object ask for, as formulas.
-pub(super) struct Asked {
+pub(super) struct InputFormulas {
     /// `sun and ring`, the ids of what drives it.
     pub(super) drivers: String,
     /// Σ i·φ.
@@ -20,7 +20,7 @@ pub(super) struct Asked {
 }
 
 /// What the inputs of an object with several of them ask for; `None`: it has not.
-pub(super) fn asked(model: &Model, object: usize) -> Option<Asked> {
+pub(super) fn asked(model: &Model, object: usize) -> Option<InputFormulas> {
     let part = &model.objects[object];
     let (_, constraint) = combination(model, object)?;
     let displacement = |driver: usize| of_object("φ", model, driver);
@@ -50,7 +50,7 @@ pub(super) fn asked(model: &Model, object: usize) -> Option<Asked> {
     let drivers: Vec<&str> = drivers
         .map(|input| model.objects[input.driver].id.as_str())
         .collect();
-    Some(Asked {
+    Some(InputFormulas {
         drivers: drivers.join(" and "),
         place: Expr::sum(place),
         rate: Expr::sum(sum(&|phi| phi.rate().expr())),

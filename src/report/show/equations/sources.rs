@@ -130,7 +130,7 @@ fn law_lines(model: &Model, object: usize, phi: Symbol, law: &Law) -> Section {
 }
 
 /// The motion of a rigid object behind several drivers.
-fn sum_lines(part: &ObjectPart, phi: Symbol, asked: inputs::Asked) -> Section {
+fn sum_lines(part: &ObjectPart, phi: Symbol, asked: inputs::InputFormulas) -> Section {
     let mut section = Section {
         object: part.id.clone(),
         heading: format!("{}, rigid, driven by {}", part.kind, asked.drivers),

@@ -2,7 +2,7 @@
 
 use super::super::ask::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
 use super::super::subject::{of_outputs, start_of};
-use super::reach::{Reached, reach};
+use super::reach::{InputReach, reach};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
 use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion, NotAssembled};
@@ -271,17 +271,17 @@ impl<'a> AskedSeveral<'a> {
     fn free(&mut self, at: &[f64], input: usize) -> Result<[f64; 2], String> {
         let turning = self.inputs[input] == Coordinate::Turning;
         match reach(&self.linkage, at, input, turning) {
-            Reached::Turn => {
+            InputReach::Turn => {
                 self.closed = true;
                 Ok([at[input], at[input] + std::f64::consts::TAU])
             }
-            Reached::Between(ends) => {
+            InputReach::Between(ends) => {
                 let [(from, _), (to, _)] = ends;
                 self.limits = ends.to_vec();
                 let room = ROOM * (to - from);
                 Ok([from + room, to - room])
             }
-            Reached::Unknown => Err(format!(
+            InputReach::Unknown => Err(format!(
                 "`{name}` of `{}` goes on without an end: say over which range, as in \
                  {name}=0:100 mm",
                 self.object,

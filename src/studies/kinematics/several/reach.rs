@@ -11,7 +11,7 @@ const STEPS: f64 = 360.0;
 const SIZES: f64 = 100.0;
 
 /// How far an input goes.
-pub(super) enum Reached {
+pub(super) enum InputReach {
     /// Through a whole turn.
     Turn,
     /// Between two singular positions.
@@ -21,7 +21,7 @@ pub(super) enum Reached {
 }
 
 /// How far `input` goes from where `at` has it. A gap narrower than a step is not seen.
-pub(super) fn reach(linkage: &MultiLinkage, at: &[f64], input: usize, turning: bool) -> Reached {
+pub(super) fn reach(linkage: &MultiLinkage, at: &[f64], input: usize, turning: bool) -> InputReach {
     let far = match turning {
         true => TAU,
         false => SIZES * linkage.size(),
@@ -56,9 +56,9 @@ pub(super) fn reach(linkage: &MultiLinkage, at: &[f64], input: usize, turning: b
         None
     };
     match (end(-1.0), end(1.0)) {
-        (Some(lower), Some(upper)) => Reached::Between([lower, upper]),
-        (None, None) if turning => Reached::Turn,
-        _ => Reached::Unknown,
+        (Some(lower), Some(upper)) => InputReach::Between([lower, upper]),
+        (None, None) if turning => InputReach::Turn,
+        _ => InputReach::Unknown,
     }
 }
 

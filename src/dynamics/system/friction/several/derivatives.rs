@@ -4,23 +4,25 @@ use super::super::force::{STEP, options, slope};
 use super::{Several, SeveralWork};
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::Work;
-use crate::kinematics::linkage::kinetostatics::{Carried, ForceWorkspace, Kinetostatics, Sliding};
+use crate::kinematics::linkage::kinetostatics::{
+    ForceWorkspace, Kinetostatics, OutputLoads, Sliding,
+};
 use crate::kinematics::linkage::multi::MultiMotion;
 use crate::math::jet::Jet;
 use crate::math::quantity::Quantity;
 
 /// A question that is asked beside the present motion.
-struct Beside<'a> {
+struct TrialMotion<'a> {
     solver: &'a Kinetostatics,
     motion: &'a mut MultiMotion,
     forces: &'a mut ForceWorkspace,
-    carried: Carried<'a>,
+    carried: OutputLoads<'a>,
     mobility: &'a [f64],
     sliding: &'a [Sliding],
     inputs: Vec<Jet>,
 }
 
-impl Beside<'_> {
+impl TrialMotion<'_> {
     /// T on an input at the motion in `inputs`.
     fn find(&mut self) -> Option<Vec<f64>> {
         self.motion.go(&self.inputs).ok()?;
@@ -95,11 +97,11 @@ impl Frozen {
         let rate = rates.fold(0.0f64, |most, jet| {
             most.max(jet.first.abs()).max(jet.second.abs().sqrt())
         });
-        let mut beside = Beside {
+        let mut beside = TrialMotion {
             solver,
             motion: &mut own.beside,
             forces: &mut own.forces,
-            carried: Carried {
+            carried: OutputLoads {
                 loads: &own.loads,
                 inertias: &own.inertias,
             },

@@ -7,7 +7,7 @@ use super::{Several, SeveralWork};
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::multi::Dense;
 use crate::dynamics::system::passes::Work;
-use crate::kinematics::linkage::kinetostatics::{Carried, ForceFailure, Sliding};
+use crate::kinematics::linkage::kinetostatics::{ForceFailure, OutputLoads, Sliding};
 use crate::math::jet::Jet;
 use crate::math::linear::dense;
 use crate::math::quantity::Quantity;
@@ -128,7 +128,7 @@ impl Frozen {
             own.failure = Some(Obstacle::Failed(ForceFailure::NotFinite));
             return own.force.fill(N::from(f64::NAN));
         }
-        let carried = Carried {
+        let carried = OutputLoads {
             loads: &own.loads,
             inertias: &own.inertias,
         };

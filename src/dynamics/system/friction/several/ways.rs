@@ -14,14 +14,14 @@ const ROUNDING: f64 = 1e-9;
 
 /// A way in which pairs at rest go on.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Way {
+pub(super) struct Continuation {
     /// The direction of each, 0 where it stays at rest.
     pub(super) directions: Vec<i8>,
     /// Least acceleration of those that start, in parts of what it is the sum of.
     quickness: f64,
 }
 
-impl Way {
+impl Continuation {
     /// True of two ways that are one but for rounding: one pair that is at the limit of what
     /// friction holds stays at rest, or starts.
     fn is_next_to(&self, other: &Self) -> bool {
@@ -187,7 +187,7 @@ impl<'a> Ways<'a> {
 
     /// All ways in which pairs at rest go on that agree with Coulomb's law; of two that are one
     /// but for rounding the one in which more pairs start, where some are to, or fewer.
-    pub(super) fn consistent(&mut self, resting: &[usize], start: bool) -> Vec<Way> {
+    pub(super) fn consistent(&mut self, resting: &[usize], start: bool) -> Vec<Continuation> {
         let mut found = self.all_ways(resting, 0.0);
         if found.is_empty() {
             found = self.all_ways(resting, ROUNDING);
@@ -201,14 +201,14 @@ impl<'a> Ways<'a> {
         found
     }
 
-    fn all_ways(&mut self, resting: &[usize], slack: f64) -> Vec<Way> {
+    fn all_ways(&mut self, resting: &[usize], slack: f64) -> Vec<Continuation> {
         let mut found = Vec::new();
         for number in 0..3usize.pow(resting.len() as u32) {
             let digit = |place: usize| number / 3usize.pow(place as u32) % 3;
             let directions = (0..resting.len()).map(|place| [0, 1, -1][digit(place)]);
             let directions: Vec<i8> = directions.collect();
             if let Some(quickness) = self.agrees(resting, &directions, slack) {
-                found.push(Way {
+                found.push(Continuation {
                     directions,
                     quickness,
                 });
