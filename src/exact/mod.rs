@@ -105,6 +105,7 @@ mod cursor;
 mod dense;
 mod eigenvalues;
 mod event_function;
+pub(crate) mod event_loop;
 mod fading;
 mod from_model;
 mod functional;
@@ -131,7 +132,6 @@ mod start;
 #[cfg(test)]
 mod tests;
 mod track;
-pub(crate) mod walk;
 mod workspace;
 
 pub use asked::RequestedFigures;

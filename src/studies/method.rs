@@ -218,7 +218,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
         fastest,
         vibrations: vibrations.collect(),
         turning,
-        bends: system.bends(),
+        has_variable_ratio: system.has_variable_ratio(),
         way: system.way_of_laws(turning * duration),
         breaks: system.breaks_passed(duration),
         expands: system.expands(),

@@ -270,7 +270,7 @@ fn imports_are_found_wherever_they_stand() {
         "exact::phase::Phase",
         "studies::run",
         "report::Findings",
-        "exact::walk::cut",
+        "exact::event_loop::cut",
         "cli::main",
         "frontend",
         "Error",

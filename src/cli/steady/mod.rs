@@ -3,7 +3,7 @@
 pub(crate) mod args;
 mod machine;
 
-use super::answer::{self, Content, PAGE, AnswerForm as Shape, ignores_until, warn};
+use super::answer::{self, AnswerForm as Shape, Content, PAGE, ignores_until, warn};
 use super::asker::Asker;
 use super::console;
 use super::expected::Expectations;

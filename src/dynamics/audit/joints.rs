@@ -1,7 +1,7 @@
 //! Laws at the places where one formula follows another, and the end of a run.
 
 use super::judge::Judge;
-use super::look::DrawnInstants;
+use super::sampler::DrawnInstants;
 use crate::dynamics::model::{Node, NodeMotion};
 use crate::kinematics::breaks::Breaks;
 use crate::units::shown;

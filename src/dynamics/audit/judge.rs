@@ -1,8 +1,8 @@
 //! The equations of motion put to the test.
 
 use super::check::EquationCheck;
-use super::look::{DrawnInstant, DrawnInstants, PLACES, SEED, WEIGHTS, Window};
 use super::mechanics::{At, Mechanics};
+use super::sampler::{DrawnInstant, DrawnInstants, PLACES, SEED, WEIGHTS, Window};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::{LinkBase, Model, NodeMotion, ObjectPart};
 use crate::dynamics::system::{ObjectState, Scratch, System};

@@ -15,14 +15,14 @@ mod check;
 mod contact;
 mod joints;
 mod judge;
-mod look;
 mod mechanics;
+mod sampler;
 mod sums;
 mod turns;
 
 pub use check::EquationCheck;
 pub(crate) use judge::{AuditScope, fastest_rate};
-pub(crate) use look::{DrawnInstants, InstantSampler, SEED, draw};
+pub(crate) use sampler::{DrawnInstants, InstantSampler, SEED, draw};
 
 use crate::dynamics::system::System;
 use judge::Judge;

@@ -1,7 +1,7 @@
 //! What is shown of a sum of modes: it moves by the speed that is shown of it.
 
 use super::judge::{Judge, ROUNDINGS, keep_less};
-use super::look::{DrawnInstant, WEIGHTS, Window};
+use super::sampler::{DrawnInstant, WEIGHTS, Window};
 use crate::dynamics::system::ObjectState;
 
 impl Judge<'_> {

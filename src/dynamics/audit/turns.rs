@@ -2,7 +2,7 @@
 
 use super::contact::Pressed;
 use super::judge::Judge;
-use super::look::{End, LATE, Turn};
+use super::sampler::{End, LATE, Turn};
 use crate::dynamics::integrate::Impact;
 
 /// Roundings of the displacements through which a stretch knows its speeds.

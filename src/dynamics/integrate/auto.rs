@@ -17,9 +17,9 @@ pub struct Situation {
     /// Greatest speed of the drives (rad/s).
     pub turning: f64,
     /// True when a law that is no constant ratio, or a linkage, hangs on them.
-    pub bends: bool,
+    pub has_variable_ratio: bool,
     /// Way of the fastest drive (rad) over which a power series knows those laws at
-    /// tolerances of 1e-7, on the average; infinite where none bends.
+    /// tolerances of 1e-7, on the average; infinite where none has_variable_ratio.
     pub way: f64,
     /// Breaks of laws and loads that the motion passes: every method begins anew
     /// behind them.
@@ -54,7 +54,7 @@ pub struct Vibration {
 /// times as long as dop853, and rodas5p was not done after 20 s.)
 const NEAR_SINGULAR: f64 = 60.0;
 
-/// A law bends as a sine of so many times the speed of its drive does.
+/// A law has_variable_ratio as a sine of so many times the speed of its drive does.
 const HARMONICS: f64 = 1.5;
 
 /// A vibration that dies out takes this share of the steps that it would take if it
@@ -66,7 +66,12 @@ impl Situation {
     /// vibration counts for the share of the time between two turns of the drives in
     /// which it is above the tolerance.
     pub fn shown(&self) -> f64 {
-        let turning = self.turning * if self.bends { HARMONICS } else { 1.0 };
+        let turning = self.turning
+            * if self.has_variable_ratio {
+                HARMONICS
+            } else {
+                1.0
+            };
         let turn = TAU / self.turning.max(TAU / self.duration);
         let digits = -self.tolerance.ln();
         let alive = |decay: f64| match decay > 0.0 {
@@ -217,7 +222,7 @@ impl Behaviour {
             _ => aim,
         };
         let mut accurate = self.step * (kept / 1e-8).powf(1.0 / self.order) / situation.shown();
-        if situation.bends && self.follows_laws {
+        if situation.has_variable_ratio && self.follows_laws {
             let coarse = (aim.clamp(1e-7, 1e-4) / 1e-7).powf(OF_WAY[0]);
             let fine = (aim.min(1e-7) / 1e-7).powf(OF_WAY[1]);
             accurate = accurate.min(coarse * fine * situation.way / situation.turning);

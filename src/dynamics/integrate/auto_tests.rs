@@ -43,7 +43,7 @@ fn situation(tolerance: f64, duration: f64) -> Situation {
         fastest: 0.0,
         vibrations: Vec::new(),
         turning: 0.0,
-        bends: false,
+        has_variable_ratio: false,
         way: f64::INFINITY,
         breaks: 0.0,
         expands: true,
@@ -163,7 +163,7 @@ fn many_breaks_speak_for_steps_that_begin_easily() {
     let of = |breaks: f64| {
         choose(&Situation {
             turning: 100.0,
-            bends: true,
+            has_variable_ratio: true,
             way: 0.2,
             breaks,
             ..situation(1e-7, 0.5)
@@ -178,7 +178,7 @@ fn laws_of_many_harmonics_speak_against_power_series() {
     let of = |way: f64| {
         choose(&Situation {
             turning: 100.0,
-            bends: true,
+            has_variable_ratio: true,
             way,
             breaks: 20.0,
             ..situation(1e-7, 0.5)

@@ -8,7 +8,7 @@ mod confirmed;
 mod contact;
 pub(crate) mod failure;
 mod figure;
-mod figured;
+mod figure_collector;
 mod figures;
 mod fitted;
 mod joints;
@@ -37,7 +37,7 @@ pub use addresses::AddressError;
 pub(crate) use confirmed::{acceleration_rounding, judge_confirmed};
 pub use failure::Failure;
 pub use figure::Figure;
-pub(crate) use figured::FigureCollector;
+pub(crate) use figure_collector::FigureCollector;
 pub use figures::{
     CreepFigures, EquationFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures,
     PairFigures, PressingFigures, RunSummary, StopFigures, StudyFigure, Units, greatest_magnitude,

@@ -2,7 +2,9 @@
 
 use super::peaks::PLACES;
 use crate::dynamics::integrate::{Dynamics, Modes};
-use crate::dynamics::system::{Bends, Energy, MassState, ObjectState, Power, Scratch, System};
+use crate::dynamics::system::{
+    Energy, MassState, ObjectState, OutputAccelerations, Power, Scratch, System,
+};
 use crate::math::polynomial::{Places, Step};
 
 /// Looks at a system between the ends of a step.
@@ -12,7 +14,7 @@ pub(crate) struct Observer<'s> {
     y: Vec<f64>,
     states: Vec<ObjectState>,
     /// Where accelerations are read off long steps.
-    bends: Option<Bends>,
+    bends: Option<OutputAccelerations>,
     places: Places,
     /// States of the system at the places of the step at hand, place after place.
     states_there: Vec<f64>,
@@ -38,7 +40,7 @@ impl<'s> Observer<'s> {
 
     /// Of steps of an implicit method: what is stiff is accelerated as they tell.
     pub(crate) fn of_steps(self, implicit: bool) -> Self {
-        let bends = implicit.then(|| Bends::new(self.system));
+        let bends = implicit.then(|| OutputAccelerations::new(self.system));
         Self { bends, ..self }
     }
 
@@ -94,7 +96,11 @@ impl<'s> Observer<'s> {
             return;
         }
         self.places.states(step, &mut self.states_there);
-        if self.bends.as_ref().is_some_and(Bends::is_wanted) {
+        if self
+            .bends
+            .as_ref()
+            .is_some_and(OutputAccelerations::is_wanted)
+        {
             self.places.accelerations(step, &mut self.bends_there);
         }
     }

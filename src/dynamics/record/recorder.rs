@@ -3,7 +3,7 @@
 use super::confirmed::Confirmed;
 use super::failure::Failure;
 
-use super::figured::FigureCollector;
+use super::figure_collector::FigureCollector;
 use super::log::{Course, Log, Stretch};
 use super::settings::RecorderSettings;
 use super::tally::Tally;

@@ -229,7 +229,7 @@ impl Tally {
 
     /// What is climbed to of the forces: the sign that makes the reaction greater, and
     /// the level that it has to pass.
-    pub(crate) fn goals(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+    pub(crate) fn force_extrema_sought(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let reaction = self.peaks[2].value;
         let slack = self.slack.iter().flatten();
         let slack = slack.map(|peak| (self.opens, peak.value));

@@ -237,7 +237,7 @@ pub(super) struct FrozenLaw {
 
 impl FrozenLaw {
     /// True when U′ is not a constant.
-    pub(super) fn bends(&self) -> bool {
+    pub(super) fn has_variable_ratio(&self) -> bool {
         !matches!(self.position, Position::Ratio { .. })
     }
 

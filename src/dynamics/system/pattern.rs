@@ -72,7 +72,7 @@ impl Frozen {
 
     /// Coordinates that U′ and U″φ̇² of a law depend on.
     fn slope(&self, law: usize, place: &[Set]) -> Set {
-        if self.laws[law].bends() {
+        if self.laws[law].has_variable_ratio() {
             place[self.laws[law].driver].clone()
         } else {
             Set::new()
@@ -166,7 +166,7 @@ impl Frozen {
             let mass = &slope | &of.mass[rigid.node];
             // U″·φ̇² is multiplied by the mass; without it the mass is not felt.
             let force = &slope | &of.force[rigid.node];
-            let force = if self.laws[rigid.law].bends() {
+            let force = if self.laws[rigid.law].has_variable_ratio() {
                 &force | &mass
             } else {
                 force

@@ -3,7 +3,7 @@
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::record::{Log, SampledStretch, Tally};
 use crate::dynamics::system::ObjectState;
-use crate::exact::walk::{Motion, Schedule};
+use crate::exact::event_loop::{Motion, Schedule};
 
 /// What is looked at in a tree: rigid objects that its masses carry, sums of modes, and
 /// elastic objects with inertia at their driven end, for the force there; what presses on a

@@ -14,7 +14,7 @@ use super::smooth::{NODES, Smooth};
 use super::turn::Turn;
 use crate::dynamics::record::Tally;
 use crate::dynamics::system::{ObjectState, System};
-use crate::exact::walk::Branch;
+use crate::exact::event_loop::Branch;
 use crate::exact::{Ahead, End, Piece};
 
 /// Cuts of one stretch for one extreme; what is left is then believed.
@@ -187,7 +187,7 @@ impl TreeBase {
             return;
         }
         let loss = self.loss(forces);
-        for (sign, level) in self.tally.goals() {
+        for (sign, level) in self.tally.force_extrema_sought() {
             let margin = MARGIN * level.abs();
             if bounds > level + margin
                 && let Some(time) = self.summit(branches, forces, &loss, (sign, level, margin))

@@ -3,7 +3,7 @@
 //! Every prescribed object on the way from a tree to its drives asks for the tree's force,
 //! in both directions, and the end of a stretch is mostly the start of the next.
 
-use crate::exact::walk::Branch;
+use crate::exact::event_loop::Branch;
 use crate::exact::{Ahead, End};
 
 /// Number of no phase.

@@ -6,7 +6,7 @@ use crate::dynamics::integrate::{Limits, Modes, Sink, SwitchEvent};
 use crate::dynamics::record::{Observer, RecorderSettings, Tee};
 use crate::dynamics::system::System;
 use crate::exact::Rest;
-use crate::exact::walk::{Branch, Clock, EventLoop, Listener, Motion, Schedule};
+use crate::exact::event_loop::{Branch, Clock, EventLoop, Listener, Motion, Schedule};
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{BuiltIn, Document, Overrides};
 use serde_json::{Value, json};

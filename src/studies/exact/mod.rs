@@ -1,16 +1,16 @@
 //! Exact propagation of whole scenes, or of branches beside what is integrated.
 
-mod beside;
 mod carried;
+mod co_simulation;
+mod combined_record;
 mod coupled;
-mod duet;
 mod forces;
-mod joint;
 mod lever;
 #[cfg(test)]
 mod many_tests;
 #[cfg(test)]
 mod mixed_tests;
+mod remainder;
 mod smooth;
 #[cfg(test)]
 mod tests;
@@ -21,11 +21,11 @@ use crate::dynamics::integrate::{
 };
 use crate::dynamics::record::{Recorded, RecorderSettings};
 use crate::dynamics::system::{InitialState, System};
-use crate::exact::walk::{Branch, Clock, EventLoop, Listener, Motion, Schedule};
+use crate::exact::event_loop::{Branch, Clock, EventLoop, Listener, Motion, Schedule};
 use crate::exact::{ExactTree, KeptLaws, Part, Parts, Request, RequestedFigures, Rest};
 use crate::fault::Fault;
-use duet::CoSimulation;
-use joint::CombinedRecord;
+use co_simulation::CoSimulation;
+use combined_record::CombinedRecord;
 
 /// The parts of a system, if all of it can be propagated exactly.
 ///

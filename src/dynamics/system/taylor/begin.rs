@@ -84,7 +84,7 @@ impl Frozen {
         let law = &self.laws[index];
         let (driver, length) = (law.driver, taylor.length);
         let phi = taylor.displacement[driver][0];
-        if law.bends() {
+        if law.has_variable_ratio() {
             let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
             let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
             let radius = (MARGIN * way).max(LEAST_REACH * (1.0 + phi.abs()));

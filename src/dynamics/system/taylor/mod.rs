@@ -196,7 +196,7 @@ impl Frozen {
         }
         let bending = self.laws.iter().zip(&taylor.laws);
         let ways = bending
-            .filter(|(law, _)| law.bends())
+            .filter(|(law, _)| law.has_variable_ratio())
             .map(|(_, series)| series.way(degree) / BEYOND);
         // Speeds are known to one order less.
         let loads = self.loads.iter().zip(&taylor.loads);

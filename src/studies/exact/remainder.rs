@@ -10,7 +10,7 @@ use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
 use crate::dynamics::record::{FigureCollector, Observer, RecorderSettings};
 use crate::dynamics::system::ObjectState;
 use crate::exact::Rest;
-use crate::exact::walk::{Motion, RemainderStep, Schedule};
+use crate::exact::event_loop::{Motion, RemainderStep, Schedule};
 use crate::kinematics::motion::DriveMotion;
 use crate::math::polynomial::Step;
 

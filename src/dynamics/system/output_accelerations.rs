@@ -19,7 +19,7 @@ const LONG: f64 = 50.0;
 
 /// Chains whose accelerations are read off the steps, and what those tell.
 #[derive(Clone, Debug)]
-pub(crate) struct Bends {
+pub(crate) struct OutputAccelerations {
     /// Fastest rate of each chain (1/s).
     rates: Vec<f64>,
     /// Whether the present step is long for it.
@@ -28,7 +28,7 @@ pub(crate) struct Bends {
     second: Vec<f64>,
 }
 
-impl Bends {
+impl OutputAccelerations {
     /// Of a system; no step yet.
     pub(crate) fn new(system: &System) -> Self {
         let frozen = &system.frozen;
@@ -85,7 +85,7 @@ impl Frozen {
 
     /// Puts ü of the chains that a step is long for in place of what their links'
     /// forces gave, and what follows them after them.
-    fn amend(&self, bends: &Bends, work: &mut Work<f64>) {
+    fn amend(&self, bends: &OutputAccelerations, work: &mut Work<f64>) {
         for step in self.steps_of(Extent::Full) {
             match step {
                 Step::Prescribed(_) | Step::Rotor(_) => {}
@@ -121,7 +121,7 @@ impl System {
         time: f64,
         y: &[f64],
         modes: &Modes,
-        bends: &Bends,
+        bends: &OutputAccelerations,
         scratch: &mut Scratch,
         out: &mut [ObjectState],
     ) {

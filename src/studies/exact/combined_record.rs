@@ -4,12 +4,12 @@
 //! Every tree gives its own figures and works in closed form. What no tree holds is a
 //! system of its own: its steps, be they those of an integration or laid here over
 //! motions that the drives prescribe, are looked at as those of any system
-//! ([`super::beside`]). What is left are the forces on prescribed objects that trees hang
+//! ([`super::remainder`]). What is left are the forces on prescribed objects that trees hang
 //! on ([`super::coupled`]), and rigid objects that a mass of a tree carries
 //! ([`super::carried`]).
 
-use super::beside::Remainder;
 use super::carried::{CarriedObserver, carried};
+use super::remainder::Remainder;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Dynamics, Modes, Sink, SwitchEvent};
 use crate::dynamics::record::{
@@ -18,7 +18,7 @@ use crate::dynamics::record::{
 use crate::dynamics::segment::Segment;
 use crate::dynamics::system::ObjectState;
 use crate::exact::Rest;
-use crate::exact::walk::{Branch, Listener, Motion, Schedule};
+use crate::exact::event_loop::{Branch, Listener, Motion, Schedule};
 use crate::math::polynomial::Step;
 
 /// Stretches in a turn of the drive over which prescribed motions are looked at.

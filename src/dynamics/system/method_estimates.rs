@@ -22,7 +22,7 @@ const LONGEST: f64 = 1.0;
 impl System {
     /// True when a law of position that is no constant ratio, or a linkage, is
     /// part of the mechanism.
-    pub fn bends(&self) -> bool {
+    pub fn has_variable_ratio(&self) -> bool {
         let bent = |law: &super::frozen::FrozenLaw| !matches!(law.position, Position::Ratio { .. });
         let linkages = !self.frozen.linkages.is_empty() || !self.frozen.multi.is_empty();
         linkages || self.frozen.laws.iter().any(bent)

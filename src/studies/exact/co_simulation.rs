@@ -6,10 +6,10 @@
 //! record.
 
 use super::MotionFindings;
-use super::joint::CombinedRecord;
+use super::combined_record::CombinedRecord;
 use crate::dynamics::integrate::{Modes, Outcome, Sink, Statistics, SwitchEvent};
 use crate::exact::Rest;
-use crate::exact::walk::{EventLoop, RemainderStep};
+use crate::exact::event_loop::{EventLoop, RemainderStep};
 use crate::math::polynomial::Step;
 
 /// Listens to the rest and follows the trees.
