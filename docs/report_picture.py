@@ -18,7 +18,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 PICTURES = ROOT / "docs/site/pictures"
 SPEED = "1450 rpm"
-WIDTH, HEIGHT = 1100, 1500
+WIDTH, HEIGHT = 1100, 1400
 # Of Chromium's `preferredColorScheme`.
 SCHEMES = {"dark": 0, "light": 1}
 
