@@ -89,14 +89,16 @@ def spaced(line: str) -> str:
     return unicodedata.normalize("NFC", " ".join(line.split()))
 
 
-def execute(page: Path, folder: Path) -> tuple[int, list[str]]:
-    """What was executed of a page, and what is wrong."""
+def execute(page: Path, folder: Path, only: str | None = None) -> tuple[int, list[str]]:
+    """What was executed of a page, of one language or all, and what is wrong."""
     count, faults, printed = 0, list[str](), ""
     said: list[str] = []
     text = page.read_text(encoding="utf-8")
     for language, title, body in BLOCK.findall(text):
         place = f"{page.relative_to(ROOT)}:{text[: text.index(body)].count(chr(10)) + 1}"
         wrong = None
+        if only not in (None, language):
+            continue
         if language == "json" and title:
             (folder / title).write_text(body, encoding="utf-8")
         elif language == "sh":
@@ -125,13 +127,14 @@ def main() -> None:
     os.environ["COLUMNS"] = "100"
     count, faults = 0, list[str]()
     with tempfile.TemporaryDirectory() as name:
-        for page in pages():
+        # Commands of the README are run by tests/program/documents.rs.
+        for page in [*pages(), ROOT / "README.md"]:
             folder = Path(name) / (page.parent.name if page.parent.name == "tutorial" else page.stem)
             if not folder.exists():
                 folder.mkdir()
                 for shared in ("scenarios", "objects"):
                     (folder / shared).symlink_to(ROOT / shared)
-            done, wrong = execute(page, folder)
+            done, wrong = execute(page, folder, "python" if page.name == "README.md" else None)
             count += done
             faults += wrong
     if faults:

@@ -312,7 +312,9 @@ fn every_command_shown_in_a_document_runs() {
             scope.spawn(|| {
                 loop {
                     let index = next.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-                    let Some(document) = documents.get(index) else { break };
+                    let Some(document) = documents.get(index) else {
+                        break;
+                    };
                     let (count, faults) = judged(document);
                     let mut all = all.lock().unwrap();
                     all.0 += count;
@@ -390,9 +392,31 @@ fn the_readme_begins_with_the_two_commands() {
     assert!(ci.contains("cargo test --release"), ".ci/run calls it");
 }
 
+#[test]
+fn the_readme_is_short_and_its_pictures_are_small() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let (lines, words) = (readme.lines().count(), readme.split_whitespace().count());
+    assert!(
+        lines <= 150 && words <= 1200,
+        "{lines} lines, {words} words"
+    );
+    let pictures: Vec<String> = addresses(&readme)
+        .into_iter()
+        .filter(|address| address.contains("/pictures/"))
+        .collect();
+    assert!(pictures.len() >= 4, "light and dark: {pictures:?}");
+    for picture in pictures {
+        let size = std::fs::metadata(root().join(&picture)).unwrap().len();
+        assert!(size <= 1_500_000, "{picture}: {size} bytes");
+    }
+}
+
 /// Addresses of links and pictures of a document that lead to files.
 fn addresses(text: &str) -> Vec<String> {
-    let inline = text.split("](").skip(1).filter_map(|rest| rest.split(')').next());
+    let inline = text
+        .split("](")
+        .skip(1)
+        .filter_map(|rest| rest.split(')').next());
     let marked = ["src=\"", "srcset=\""]
         .into_iter()
         .flat_map(|mark| text.split(mark).skip(1))
