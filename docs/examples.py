@@ -2,8 +2,8 @@
 
     python docs/examples.py
 
-with the package `dam` installed and its program on the path. The pages of the tutorial are done in their
-order, in one folder that sees `scenarios` and `objects`:
+with the package `dam` installed and its program on the path. Each page has a folder of its own that sees
+`scenarios` and `objects`; the pages of the tutorial go on in one, in their order:
 
 - a block of JSON with a title is a file of that name;
 - a block of `sh` is commands, a line each; `# exit status N` behind one is the status expected of it;
@@ -11,8 +11,8 @@ order, in one folder that sees `scenarios` and `objects`:
 - a block of `text` behind one of these is what it prints: every line of it in this order, `…` for
   what is left out.
 
-Blocks of `console` are commands that build and install the program: python/check and the README's tests do
-that.
+Blocks of `console` are commands that build and install the program, or that serve until they are ended:
+python/check and the tests of documents (tests/program/documents.rs) do that. Rust is tested by `cargo test --doc`.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def run(line: str, folder: Path) -> tuple[str, str | None]:
     wrong = None
     if ran.returncode != status:
         wrong = f"`{command}` ended with {ran.returncode}: {ran.stderr}"
-    return ran.stdout, wrong
+    return ran.stdout + ran.stderr, wrong
 
 
 def python(blocks: list[str], folder: Path) -> tuple[str, str | None]:
@@ -89,14 +89,16 @@ def spaced(line: str) -> str:
     return unicodedata.normalize("NFC", " ".join(line.split()))
 
 
-def execute(page: Path, folder: Path) -> tuple[int, list[str]]:
-    """What was executed of a page, and what is wrong."""
+def execute(page: Path, folder: Path, only: str | None = None) -> tuple[int, list[str]]:
+    """What was executed of a page, of one language or all, and what is wrong."""
     count, faults, printed = 0, list[str](), ""
     said: list[str] = []
     text = page.read_text(encoding="utf-8")
     for language, title, body in BLOCK.findall(text):
         place = f"{page.relative_to(ROOT)}:{text[: text.index(body)].count(chr(10)) + 1}"
         wrong = None
+        if only not in (None, language):
+            continue
         if language == "json" and title:
             (folder / title).write_text(body, encoding="utf-8")
         elif language == "sh":
@@ -114,7 +116,7 @@ def execute(page: Path, folder: Path) -> tuple[int, list[str]]:
         elif language == "text":
             missing = differs(body, printed)
             wrong = f"is not printed: {missing}\n{printed}" if missing else None
-        elif language not in ("console", "json"):
+        elif language not in ("console", "json", "rust"):
             wrong = f"nobody knows what to do with a block of {language}"
         if wrong:
             faults.append(f"{place}: {wrong}")
@@ -125,16 +127,19 @@ def main() -> None:
     os.environ["COLUMNS"] = "100"
     count, faults = 0, list[str]()
     with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        for shared in ("scenarios", "objects"):
-            (folder / shared).symlink_to(ROOT / shared)
-        for page in pages():
-            done, wrong = execute(page, folder)
+        # Commands of the README are run by tests/program/documents.rs.
+        for page in [*pages(), ROOT / "README.md"]:
+            folder = Path(name) / (page.parent.name if page.parent.name == "tutorial" else page.stem)
+            if not folder.exists():
+                folder.mkdir()
+                for shared in ("scenarios", "objects"):
+                    (folder / shared).symlink_to(ROOT / shared)
+            done, wrong = execute(page, folder, "python" if page.name == "README.md" else None)
             count += done
             faults += wrong
     if faults:
         raise SystemExit("\n".join(faults))
-    if count < 20:
+    if count < 60:
         raise SystemExit(f"only {count} commands are shown")
     print(f"{count} commands and pieces of Python of the site executed")
 

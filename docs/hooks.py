@@ -1,14 +1,23 @@
 """What MkDocs calls when it builds the site: mathematics becomes MathML, which browsers draw by
-themselves, with a font that the site brings along."""
+themselves, with a font that the site brings along. Tables that programs write into docs/ are pages of the site
+too."""
 
 import html
 import re
 from importlib.metadata import distribution
 from pathlib import Path
+from posixpath import relpath
 
 from latex2mathml.converter import convert
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
+from mkdocs.structure.pages import Page
+
+DOCS = Path(__file__).resolve().parent
+
+# Written by benches and measurements; pages lead to them as they do in the repository.
+MEASURED = ["scoreboard.md", "model-order.md", "studio-latency.md", "studio-latency.svg", "studio-latency-press.svg"]
+TO_MEASURED = re.compile(r"\]\((?:\.\./)+([\w-]+\.md)\)")
 
 FONT = "STIXTwoMath-Regular.ttf"
 
@@ -21,10 +30,23 @@ FORMULA = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>
 
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
-    """The font of formulas, out of the package that carries it."""
+    """The font of formulas, out of the package that carries it, and what was measured."""
     font = Path(str(distribution("ziamath").locate_file(f"ziamath/fonts/{FONT}")))
     files.append(File.generated(config, f"fonts/{FONT}", content=font.read_bytes()))
+    for name in MEASURED:
+        files.append(File.generated(config, f"measured/{name}", content=(DOCS / name).read_bytes()))
     return files
+
+
+def on_page_markdown(markdown: str, page: Page, **_: object) -> str:
+    """Links out of docs/site to what was measured."""
+    folder = page.file.src_uri.rpartition("/")[0]
+
+    def led(found: re.Match[str]) -> str:
+        known = found[1] in MEASURED
+        return f"]({relpath(f'measured/{found[1]}', folder or '.')})" if known else found[0]
+
+    return TO_MEASURED.sub(led, markdown)
 
 
 # What the converter does not know, or takes for something else.

@@ -1,8 +1,8 @@
-// Pictures of the studio for the README, and of every view, light and dark, to be looked at.
+// Pictures of the studio for its guide, and of every view, light and dark, to be looked at.
 //
 //     DAM=target/release/dam npm --prefix studio run screenshots
 //
-// Writes docs/studio-objects.png and the like, those of all views into studio/screenshots.
+// Writes docs/site/pictures/studio-objects.png and the like, those of all views into studio/screenshots.
 
 import { chromium } from "@playwright/test";
 import { mkdirSync } from "node:fs";
@@ -10,7 +10,7 @@ import { join } from "node:path";
 import { browser as options, root, Server } from "./tests/server.mjs";
 
 const SIZE = { width: 1280, height: 800 };
-// Name, scene, tab, and whether the README shows it.
+// Name, scene, tab, and whether the guide shows it.
 const VIEWS = [
   ["objects", "scenarios/fan_out/sewing_machine.json", "Objects", true],
   ["text", "scenarios/rocker/two_masses.json", "Text", true],
@@ -35,7 +35,7 @@ for (const [name, scene, tab, shown] of VIEWS) {
     await page.waitForFunction(() => !document.querySelector("[aria-busy=true]"));
     await page.waitForLoadState("networkidle");
     await page.screenshot({ path: join(all, `${name}-${colorScheme}.png`) });
-    if (shown && colorScheme === "light") await page.screenshot({ path: join(root, "docs", `studio-${name}.png`) });
+    if (shown && colorScheme === "light") await page.screenshot({ path: join(root, "docs/site/pictures", `studio-${name}.png`) });
     await page.close();
   }
   await server.end();

@@ -1,67 +1,136 @@
-//! Every command shown in a document runs.
+//! Every command shown in a document runs, and prints what is shown behind it.
 //!
-//! Lines of `sh` blocks that call `dam` (or `cargo run --release --`) are run
-//! in an empty folder that sees `scenarios` and `objects`. A comment
-//! `# exit status N` on the line states an expected status other than 0. Maps are
-//! run with fewer cells than shown. A studio is ended once it has told its address.
+//! Each document has an empty folder that sees `scenarios` and `objects`. Lines of `sh` blocks
+//! that call `dam` (or `cargo run --release --`) are run there. A comment `# exit status N` on
+//! the line states an expected status other than 0. A `json` block with a title is a file of that
+//! name. A `text` block behind commands is what they print: every line of it, in this order, `…`
+//! for what is left out. Maps are run with fewer cells than shown. A studio is ended once it
+//! has told its address.
 
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-const DOCUMENTS: [&str; 4] = [
+/// Beside the pages of the site.
+const DOCUMENTS: [&str; 5] = [
     "README.md",
     "ARCHITECTURE.md",
+    "CONTRIBUTING.md",
     "scenarios/README.md",
     "objects/README.md",
 ];
 
+/// Made by running all scenarios, and a course that takes minutes: docs/examples.py executes it.
+const OTHER_PAGES: [&str; 2] = ["gallery", "tutorial"];
+
 /// Commands that a test cannot run from within a test, or need not.
-const LEFT_OUT: [&str; 3] = ["cargo test", "cargo bench", "cargo install"];
+const LEFT_OUT: [&str; 8] = [
+    "cargo test",
+    "cargo bench",
+    "cargo build",
+    "cargo install",
+    "pip install",
+    "python",
+    "docs/build",
+    ".ci/run",
+];
 
 struct Shown {
-    document: &'static str,
     line: usize,
     arguments: Vec<String>,
     status: i32,
+}
+
+/// A block of a document between its fences.
+struct Block {
+    /// What stands behind the opening fence: `sh`, `json title="lever.json"`.
+    head: String,
+    /// Of the opening fence, from 1.
+    line: usize,
+    text: String,
 }
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn shown_commands() -> Vec<Shown> {
-    DOCUMENTS
-        .iter()
-        .filter(|document| root().join(document).exists())
-        .flat_map(|document| commands_of(document))
+fn documents() -> Vec<String> {
+    let mut found: Vec<String> = DOCUMENTS.map(str::to_owned).to_vec();
+    pages(Path::new("docs/site"), &mut found);
+    found
+}
+
+/// The pages of a folder of the site and of the folders within.
+fn pages(folder: &Path, found: &mut Vec<String>) {
+    let entries = std::fs::read_dir(root().join(folder)).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    for name in names {
+        let path = folder.join(&name);
+        if root().join(&path).is_dir() {
+            if !OTHER_PAGES.contains(&name.as_str()) {
+                pages(&path, found);
+            }
+        } else if name.ends_with(".md") {
+            found.push(path.display().to_string());
+        }
+    }
+}
+
+fn blocks(document: &str) -> Vec<Block> {
+    let text = std::fs::read_to_string(root().join(document)).unwrap();
+    let mut found: Vec<Block> = Vec::new();
+    let mut inside = false;
+    for (index, line) in text.lines().enumerate() {
+        match (line.strip_prefix("```"), inside) {
+            (Some(head), false) => {
+                found.push(Block {
+                    head: head.trim().to_owned(),
+                    line: index + 1,
+                    text: String::new(),
+                });
+                inside = true;
+            }
+            (Some(_), true) => inside = false,
+            (None, true) => {
+                let block = found.last_mut().unwrap();
+                block.text += line;
+                block.text.push('\n');
+            }
+            (None, false) => {}
+        }
+    }
+    found
+}
+
+fn texts(document: &str, language: &str) -> Vec<String> {
+    blocks(document)
+        .into_iter()
+        .filter(|block| block.head == language)
+        .map(|block| block.text)
         .collect()
 }
 
-fn commands_of(document: &'static str) -> Vec<Shown> {
-    let text = std::fs::read_to_string(root().join(document)).unwrap();
-    let mut inside = false;
+fn commands_of(document: &str, block: &Block) -> Vec<Shown> {
     let mut found = Vec::new();
     // A backslash at the end of a line continues the command.
-    let text = text.replace("\\\n", "");
+    let text = block.text.replace("\\\n", "");
     for (index, line) in text.lines().enumerate() {
-        if line.starts_with("```") {
-            inside = !inside && matches!(line.trim(), "```sh" | "```bash" | "```console");
-            continue;
-        }
         let line = line.trim().trim_start_matches("$ ");
-        if !inside || line.is_empty() || line.starts_with('#') {
+        if line.is_empty() || line.starts_with('#') {
             continue;
         }
         if LEFT_OUT.iter().any(|start| line.starts_with(start)) {
             continue;
         }
-        found.push(parse(document, index + 1, line));
+        found.push(parse(document, block.line + 1 + index, line));
     }
     found
 }
 
-fn parse(document: &'static str, line: usize, text: &str) -> Shown {
+fn parse(document: &str, line: usize, text: &str) -> Shown {
     let (command, comment) = text.split_once(" #").unwrap_or((text, ""));
     let status = comment
         .trim()
@@ -73,7 +142,6 @@ fn parse(document: &'static str, line: usize, text: &str) -> Shown {
         .or_else(|| command.strip_prefix("dam "))
         .unwrap_or_else(|| panic!("{document}:{line}: a test cannot run `{text}`"));
     Shown {
-        document,
         line,
         arguments: split(arguments),
         status,
@@ -149,90 +217,159 @@ fn studio(arguments: &[String], folder: &Path) -> Result<(), String> {
     }
 }
 
-#[test]
-fn every_command_shown_in_a_document_runs() {
+/// Runs a command as its document shows it. Returns what it prints.
+fn printed(shown: &Shown, folder: &Path) -> Result<String, String> {
+    let mut arguments = shown.arguments.clone();
+    // `> file` at the end of a line: the shell's part.
+    let file = arguments.iter().position(|word| word == ">").map(|at| {
+        let file = folder.join(&arguments[at + 1]);
+        arguments.truncate(at);
+        file
+    });
+    if arguments.first().is_some_and(|command| command == "studio") {
+        return studio(&arguments, folder).map(|()| String::new());
+    }
+    let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(fewer_cells(arguments))
+        .current_dir(folder)
+        .env("COLUMNS", "100")
+        .output()
+        .unwrap();
+    let errors = String::from_utf8_lossy(&output.stderr).into_owned();
+    if output.status.code() != Some(shown.status) {
+        return Err(format!(
+            "dam {}\nended with {:?} instead of {}\n{errors}",
+            shown.arguments.join(" "),
+            output.status.code(),
+            shown.status,
+        ));
+    }
+    if let Some(file) = file {
+        std::fs::write(file, &output.stdout).unwrap();
+        return Ok(errors);
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned() + &errors)
+}
+
+/// The first line that is shown and not printed, in this order.
+fn missing<'a>(shown: &'a str, printed: &str) -> Option<&'a str> {
+    let spaced = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut rest = printed.lines().map(spaced);
+    shown.lines().find(|line| {
+        let wanted = spaced(line);
+        !wanted.is_empty() && wanted != "…" && !rest.any(|line| line.starts_with(&wanted))
+    })
+}
+
+/// What is wrong in a document, and how many commands it shows.
+fn judged(document: &str) -> (usize, Vec<String>) {
     let folder = tempfile::tempdir().unwrap();
     link(folder.path(), "scenarios");
     link(folder.path(), "objects");
-    let commands = shown_commands();
-    assert!(commands.len() >= 8, "the documents show commands");
-    let mut failures = Vec::new();
-    for shown in &commands {
-        let mut arguments = shown.arguments.clone();
-        // `> file` at the end of a line: the shell's part.
-        if let Some(at) = arguments.iter().position(|word| word == ">") {
-            arguments.truncate(at);
+    let (mut count, mut said, mut faults) = (0, None, Vec::new());
+    for block in blocks(document) {
+        match block.head.as_str() {
+            "sh" | "bash" | "console" => {
+                let commands = commands_of(document, &block);
+                count += commands.len();
+                let mut text = String::new();
+                for shown in &commands {
+                    match printed(shown, folder.path()) {
+                        Ok(printed) => text += &printed,
+                        Err(fault) => faults.push(format!("{document}:{}: {fault}", shown.line)),
+                    }
+                }
+                said = (!commands.is_empty()).then_some(text);
+                continue;
+            }
+            "text" => {
+                let line = said.as_ref().and_then(|said| missing(&block.text, said));
+                if let Some(line) = line {
+                    faults.push(format!("{document}:{}: is not printed: {line}", block.line));
+                }
+                continue;
+            }
+            head => {
+                if let Some(title) = head.strip_prefix("json title=") {
+                    let path = folder.path().join(title.trim_matches('"'));
+                    std::fs::write(path, &block.text).unwrap();
+                }
+            }
         }
-        if arguments.first().is_some_and(|command| command == "studio") {
-            failures.extend(studio(&arguments, folder.path()).err());
-            continue;
-        }
-        let output = Command::new(env!("CARGO_BIN_EXE_dam"))
-            .args(fewer_cells(arguments))
-            .current_dir(folder.path())
-            .output()
-            .unwrap();
-        if output.status.code() != Some(shown.status) {
-            failures.push(format!(
-                "{}:{}: dam {}\nended with {:?} instead of {}\n{}",
-                shown.document,
-                shown.line,
-                shown.arguments.join(" "),
-                output.status.code(),
-                shown.status,
-                String::from_utf8_lossy(&output.stderr)
-            ));
-        }
+        said = None;
     }
-    assert!(failures.is_empty(), "{}", failures.join("\n\n"));
-}
-
-/// Blocks of a language in a document.
-fn blocks(document: &str, language: &str) -> Vec<String> {
-    let text = std::fs::read_to_string(root().join(document)).unwrap();
-    let open = format!("```{language}\n");
-    let mut found = Vec::new();
-    let mut rest = text.as_str();
-    while let Some(start) = rest.find(&open) {
-        rest = &rest[start + open.len()..];
-        let end = rest.find("```").unwrap();
-        found.push(rest[..end].to_owned());
-        rest = &rest[end..];
-    }
-    found
+    (count, faults)
 }
 
 #[test]
-fn the_scene_in_the_readme_is_right() {
-    let scenes: Vec<String> = blocks("README.md", "json")
-        .into_iter()
-        .filter(|block| block.contains("\"dam\""))
-        .collect();
-    assert!(!scenes.is_empty());
+fn every_command_shown_in_a_document_runs() {
+    let documents = documents();
+    assert!(documents.len() > 20, "the site has pages: {documents:?}");
+    let next = std::sync::atomic::AtomicUsize::new(0);
+    let all = std::sync::Mutex::new((0, Vec::new()));
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let index = next.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+                    let Some(document) = documents.get(index) else {
+                        break;
+                    };
+                    let (count, faults) = judged(document);
+                    let mut all = all.lock().unwrap();
+                    all.0 += count;
+                    all.1.extend(faults);
+                }
+            });
+        }
+    });
+    let (count, faults) = all.into_inner().unwrap();
+    assert!(faults.is_empty(), "{}", faults.join("\n\n"));
+    assert!(count >= 60, "the documents show {count} commands");
+}
+
+#[test]
+fn a_line_that_is_not_printed_is_missed() {
+    let printed = "a  1\nb 2\nc 3\n";
+    assert_eq!(missing("a 1\n…\nc\n", printed), None);
+    assert_eq!(missing("b 2\na 1\n", printed), Some("a 1"));
+    assert_eq!(missing("b 3\n", printed), Some("b 3"));
+}
+
+#[test]
+fn scenes_shown_in_documents_are_right() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.json");
-    for scene in scenes {
-        std::fs::write(&path, scene).unwrap();
-        let output = Command::new(env!("CARGO_BIN_EXE_dam"))
-            .arg("check")
-            .arg(&path)
-            .output()
-            .unwrap();
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success(), "{said}");
+    let mut in_the_readme = 0;
+    for document in documents() {
+        for scene in texts(&document, "json") {
+            if !scene.contains("\"dam\"") {
+                continue;
+            }
+            in_the_readme += usize::from(document == "README.md");
+            std::fs::write(&path, scene).unwrap();
+            let output = Command::new(env!("CARGO_BIN_EXE_dam"))
+                .arg("check")
+                .arg(&path)
+                .output()
+                .unwrap();
+            let said = String::from_utf8_lossy(&output.stderr).into_owned();
+            assert!(output.status.success(), "{document}: {said}");
+        }
     }
+    assert!(in_the_readme > 0);
 }
 
 #[test]
-fn the_figures_in_the_readme_are_those_that_are_printed() {
+fn the_first_answer_is_shown_as_it_is_printed() {
     let output = Command::new(env!("CARGO_BIN_EXE_dam"))
         .args(["run", "scenarios/rocker/two_masses.json"])
-        .env("COLUMNS", "110")
+        .env("COLUMNS", "100")
         .current_dir(root())
         .output()
         .unwrap();
     let printed = String::from_utf8(output.stdout).unwrap();
-    let shown = &blocks("README.md", "text")[0];
+    let shown = &texts("docs/site/get-started.md", "text")[0];
     // The second line counts steps, which may differ from machine to machine.
     let lines = |text: &str| -> Vec<String> {
         let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
@@ -253,4 +390,63 @@ fn the_readme_begins_with_the_two_commands() {
     }
     let ci = std::fs::read_to_string(root().join(".ci/run")).unwrap();
     assert!(ci.contains("cargo test --release"), ".ci/run calls it");
+}
+
+#[test]
+fn the_readme_is_short_and_its_pictures_are_small() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let (lines, words) = (readme.lines().count(), readme.split_whitespace().count());
+    assert!(
+        lines <= 150 && words <= 1200,
+        "{lines} lines, {words} words"
+    );
+    let pictures: Vec<String> = addresses(&readme)
+        .into_iter()
+        .filter(|address| address.contains("/pictures/"))
+        .collect();
+    assert!(pictures.len() >= 4, "light and dark: {pictures:?}");
+    for picture in pictures {
+        let size = std::fs::metadata(root().join(&picture)).unwrap().len();
+        assert!(size <= 1_500_000, "{picture}: {size} bytes");
+    }
+}
+
+/// Addresses of links and pictures of a document that lead to files.
+fn addresses(text: &str) -> Vec<String> {
+    let inline = text
+        .split("](")
+        .skip(1)
+        .filter_map(|rest| rest.split(')').next());
+    let marked = ["src=\"", "srcset=\""]
+        .into_iter()
+        .flat_map(|mark| text.split(mark).skip(1))
+        .filter_map(|rest| rest.split('"').next());
+    inline
+        .chain(marked)
+        .filter(|address| !address.contains("://") && !address.starts_with('#'))
+        .map(|address| address.split('#').next().unwrap().to_owned())
+        .collect()
+}
+
+/// Pages of the site too are read where the repository is hosted.
+#[test]
+fn links_between_documents_lead_to_files() {
+    let mut faults = Vec::new();
+    let mut count = 0;
+    for document in documents() {
+        let folder = root().join(&document).parent().unwrap().to_owned();
+        let mut text = std::fs::read_to_string(root().join(&document)).unwrap();
+        for block in blocks(&document) {
+            text = text.replace(&block.text, "");
+        }
+        for address in addresses(&text) {
+            count += 1;
+            // Pages of the gallery are made by running the scenarios.
+            if !address.contains("gallery/") && !folder.join(&address).exists() {
+                faults.push(format!("{document}: {address}"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(count > 50, "{count} links");
 }

@@ -149,7 +149,7 @@ fn strong_friction() {
     }
 }
 
-type Found = (ForceWorkspace, dam::linkage::kinetostatics::Solved);
+type Found = (ForceWorkspace, dam::linkage::kinetostatics::SolutionQuality);
 
 fn stress(solver: &Kinetostatics, data: &Value, degrees: f64) -> Result<Found, ForceFailure> {
     let mut w = solver.workspace();
