@@ -160,7 +160,7 @@ pub use frontend::{build, diagnostics, graph, lower, object, read, scene};
 pub use kinematics::{breaks, cam, constraint, linkage, motion, position};
 pub use math::{expression, jet, number, polynomial};
 
-/// The code that the guide shows runs.
+/// The code on the page about the library runs.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/site/guides/rust.md")]
-struct Guide;
+struct RustPage;

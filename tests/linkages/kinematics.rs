@@ -489,11 +489,12 @@ fn what_a_scene_expects_of_its_kinematics_is_judged() {
     let (code, _, talk) = ran(&["kinematics", &scene]);
     assert_eq!(code, Some(0), "{talk}");
     assert!(talk.contains("1 of 1 hold"), "{talk}");
-    // Another question has no expectations, and a run has none of these.
+    // Another question has no expectations, and a run names the command that judges these.
     let (code, _, talk) = ran(&["kinematics", &scene, "--positions", "10"]);
     assert!(code == Some(0) && !talk.contains("hold"), "{talk}");
     let (code, _, talk) = ran(&["run", &scene]);
-    assert!(code == Some(0) && !talk.contains("expectations"), "{talk}");
+    let named = talk.contains("`dam kinematics` judges them");
+    assert!(code == Some(0) && named, "{talk}");
     let (code, document, _) = ran(&["kinematics", &expect(ratio, "7"), "--json"]);
     assert_eq!(code, Some(1));
     let document: serde_json::Value = serde_json::from_str(&document).unwrap();
@@ -515,15 +516,20 @@ fn what_a_scene_expects_of_its_kinematics_is_judged() {
             "EXPECT",
             r#"}, "expect": [
             { "figure": "kinematics.sly.rocker.stroke", "value": 1, "within": 1 },
-            { "figure": "kinematics.sley", "value": 1, "within": 1 },
-            { "figure": "kinematics.sley.rocker.stroke", "value": "5 mm", "within": 1 } ],"#,
+            { "figure": "kinematics.sley", "value": 1, "within": 1 } ],"#,
         ),
     );
     let (code, _, error) = ran(&["check", &scene]);
     assert_eq!(code, Some(2));
-    for words in ["did you mean `sley`?", "names no figure", "5 mm"] {
+    for words in ["did you mean `sley`?", "names no figure"] {
         assert!(error.contains(words), "{words}: {error}");
     }
+    // The rocker turns.
+    let (code, _, error) = ran(&["check", &expect("rocker.stroke", r#""5 mm""#)]);
+    assert!(
+        code == Some(2) && error.contains("5 mm") && error.contains("angle"),
+        "{error}"
+    );
 }
 
 #[test]

@@ -270,7 +270,7 @@ fn imports_are_found_wherever_they_stand() {
         "exact::phase::Phase",
         "studies::run",
         "report::Findings",
-        "exact::event_loop::cut",
+        "exact::walk::cut",
         "cli::main",
         "frontend",
         "Error",

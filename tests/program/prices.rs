@@ -127,7 +127,8 @@ fn code_of(text: &str) -> String {
             break;
         }
         let bare = line.trim_start();
-        if !bare.starts_with("//") {
+        // (Documents are named after what they are for.)
+        if !bare.starts_with("//") && !bare.contains("include_str!") {
             code.push_str(line.split(" // ").next().unwrap_or(line));
             code.push('\n');
         }

@@ -5,7 +5,7 @@ use dam::prelude::*;
 use dam::read::Node;
 use dam::studies::Control;
 use dam::studies::order::Certainty;
-use dam::studies::reduce::{Part, Reduction, Refusal, Role, Step};
+use dam::studies::reduce::{Part, Reduction, Refusal, Step};
 use std::sync::atomic::AtomicBool;
 
 fn of(part: &Part) -> impl Fn(&&Step) -> bool + '_ {
