@@ -515,13 +515,13 @@ fn wanted(
     check: bool,
     digits: u8,
     threads: Option<usize>,
-) -> PyResult<map::QuantityChoice> {
+) -> PyResult<map::Wanted> {
     let axis = |text: &str| Axis::parse(text).map_err(|what| fault::scene_error(py, &wrong(what)));
     if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
         let message = format!("between 1 and {MOST_THREADS} threads work on a map");
         return Err(PyValueError::new_err(message));
     }
-    Ok(map::QuantityChoice {
+    Ok(map::Wanted {
         x: axis(x)?,
         y: y.map(axis).transpose()?,
         figure,
