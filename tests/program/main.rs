@@ -25,3 +25,4 @@ mod steady;
 mod study_figures;
 mod study_verdicts;
 mod verdicts;
+mod words;
