@@ -1,6 +1,6 @@
 //! The check of a run that shares nothing with what it was computed by.
 //!
-//! In every run instants and switches are drawn at random ([`look`]) and states are kept
+//! In every run instants and switches are drawn at random ([`sampler`]) and states are kept
 //! there. Afterwards the motions and forces of the scene are evaluated at these states by
 //! laws that are written a second time ([`crate::dynamics::stated`], [`mechanics`],
 //! [`contact`]), and the equations of motion are put to the test ([`judge`]): over a short

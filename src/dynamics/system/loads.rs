@@ -18,7 +18,7 @@ pub(super) struct FrozenLoad {
     pub(super) stop: Option<usize>,
     /// False for a function of which no power series is known.
     pub(super) has_series: bool,
-    /// Of [`LoadLaw::FrozenExpression`]: the expression.
+    /// Of [`LoadLaw::Written`]: the expression.
     pub(super) written: Option<FrozenExpression>,
 }
 
