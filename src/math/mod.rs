@@ -16,6 +16,9 @@
 //! `linkages::table`, `methods::limit`, `cam::findings` (Newton's method for two unknowns in
 //! closed form), `steady::extrapolation`, and `exact::independent`, which integrates by a
 //! method of its own as an independent check.
+//!
+//! `number`, `jet` and `polynomial` are public, as `dam::number`, `dam::jet` and
+//! `dam::polynomial`. A test holds this folder free of imports from others.
 
 pub(crate) mod bounded_series;
 pub(crate) mod chebyshev;

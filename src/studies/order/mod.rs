@@ -14,8 +14,8 @@
 //! pair opens, of masses otherwise: modes make the forces of stiff impacts too great. Behind a
 //! contact element modes are taken for a pair that opens only if they agree with the limit of
 //! the chains. Of an object behind a prescribed drive whose output drives nothing, what the
-//! modes not kept may add is bounded (`bound`): such results end the row as soon as the bound
-//! serves.
+//! modes not kept may add is bounded (`bound`): such results are reported as bounds, and end the row
+//! as soon as the bound serves.
 //!
 //! `Mechanism::of_within` makes the choice if an object leaves its level open
 //! (`BodySpec::Open`), a map once for all its points (`map::levels`). `dam compare` needs the
