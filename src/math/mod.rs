@@ -11,11 +11,12 @@
 //! * [`optimise`], [`roots`] and [`quadrature`] state on their pages which function serves
 //!   what.
 //!
-//! Some loops have a form of their own elsewhere, each for a reason on its page: the searches
-//! of `exact`, the series of `system::taylor`, `system::forest`, `exact::pencil`,
-//! `linkages::table`, `methods::limit`, `cam::findings` (Newton's method for two unknowns in
-//! closed form), `steady::extrapolation`, and `exact::independent`, which integrates by a
-//! method of its own as an independent check.
+//! Some loops have a form of their own elsewhere, each for a reason on its page:
+//!
+//! * the searches of `exact`, `exact::pencil`, `system::forest` and `methods::limit`;
+//! * the series of `system::taylor` and the fits of `linkages::table`;
+//! * Newton's method for two unknowns in closed form in `cam::findings`;
+//! * the integrators of `steady::extrapolation` and of `exact::independent`, which is a check.
 //!
 //! `number`, `jet` and `polynomial` are public, as `dam::number`, `dam::jet` and
 //! `dam::polynomial`. A test holds this folder free of imports from others.

@@ -1,11 +1,6 @@
 //! Contact elements between a law and what follows it.
 //!
-//! A contact (`pair.contact`) is lowered to one of three forms:
-//!
-//! * before a rigid body, to its only link;
-//! * before an undamped link 1, if the contact has no loss, to one link in series with it;
-//! * otherwise to a massless point with a link of its own, from which link 1 leads on.
-//!
+//! A contact (`pair.contact`) is lowered to one of the three forms that [`ContactElement`] lists.
 //! Static flexibility has the contact in series.
 
 use super::spec::{BodySpec, ChainSpec, ContactSpec};

@@ -13,8 +13,8 @@
 //! of 1 does is one evaluation without speeds, deformations and loads.
 //!
 //! Impacts that follow each other in ever shorter times (e < 1) make a geometric series:
-//! what is too low to be followed is held ([`crate::dynamics::restitution`]), and the time at which the series
-//! ends is told.
+//! what is too low to be followed is held ([`crate::dynamics::restitution`]), and the time at
+//! which the series ends is reported.
 //!
 //! A held body is one with its law: it hands inertia and forces to its driver as a rigid node
 //! does, and the contact force is what the balance leaves. A held stop takes the acceleration
