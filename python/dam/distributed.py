@@ -5,6 +5,9 @@ What is worked out is shared out in chunks of about a second by the cost that is
 smaller towards the end, so that nobody waits. A chunk is named by the hash of everything that
 its values depend on and by its place: worked out twice it is the same, so that what a worker
 takes with it is worked out again, and what lies in a folder is not.
+
+One loop (`_share`) serves maps and sweeps; it knows no question. The program's `--cells` and
+`--merge` use the same cells.
 """
 
 from __future__ import annotations

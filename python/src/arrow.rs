@@ -3,6 +3,9 @@
 //!
 //! A stream yields one batch, a structure of columns of doubles. Whoever is given it owns
 //! what `release` frees.
+//!
+//! This is the only file with unsafe code. NumPy reads columns in place by
+//! `__array_interface__`: the buffer protocol is not in the stable interface of 3.10.
 #![allow(
     unsafe_code,
     reason = "the interface is one of C: structures with pointers and functions to free them"

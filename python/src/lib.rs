@@ -1,5 +1,10 @@
 //! The extension module `dam._dam`: what Python's package `dam` stands on. Its classes are
 //! not meant for users; `python/dam` wraps them in documented ones with types.
+//!
+//! It is a thin layer over `ask`, `studies` and `report`: `scene` takes a question, a file of
+//! `studies` answers it and keeps the result (`answer::Found`, or `Told` with `Findings`;
+//! `Table` for the columns). The package depends on `dam` with the features of the plain build,
+//! so that a release build compiles `dam` once for both.
 
 mod answer;
 mod arrow;

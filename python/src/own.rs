@@ -1,4 +1,7 @@
 //! Python functions in scenes: position functions and loads.
+//!
+//! A position function is interpolated beforehand (`position::Interpolated`); a load is called.
+//! An exception ends the run by its watch.
 
 use crate::fault;
 use crate::work::watched;

@@ -1,4 +1,6 @@
 //! The program `dam`, as the console script calls it.
+//!
+//! It calls `cli::main_with` without Python's handlers of signals, and ends the process.
 
 use pyo3::prelude::*;
 use std::panic::catch_unwind;

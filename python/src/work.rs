@@ -2,6 +2,12 @@
 //! while the calling one, without the interpreter's lock, waits for it, hears signals and
 //! tells how far it is. A run is often shorter than threads take to tell one another, and
 //! goes on the calling thread, which listens whenever the run looks whether it may go on.
+//!
+//! The calling thread looks at signals and progress every 20 ms, and ends a computation by its
+//! budget. One that does not end in time is abandoned; its question is its own. A run on the
+//! calling thread is heard as often (`budget::Listener`). A run copies nothing of the scene,
+//! and results and columns are made when they are read. A forked process starts a thread anew.
+//! Panics become `dam.InternalError`.
 
 use crate::fault;
 use dam::budget::{Budget, Listener};

@@ -19,6 +19,9 @@
 //! | [`steady`](Scene::steady) | how evenly does the machine turn | [`Answer`](crate::studies::steady::Answer) |
 //!
 //! All fail with the one [`Error`](crate::Error).
+//!
+//! The library prints nothing. It reads no files but scenes and the catalogue folders beside
+//! them (`Scene::read`). The program makes the same [`Mechanism`].
 
 mod cam;
 mod ended;

@@ -1,4 +1,6 @@
 //! Findings of a command: shown in one form, and written into a folder in all of them.
+//!
+//! All studies are shown in this form.
 
 use super::console;
 use super::failure::Failure;

@@ -1,4 +1,7 @@
 //! Who asks a command: the terminal that it was typed in, or a window of the studio.
+//!
+//! A window has the text of its document and a budget, and takes the findings in place of
+//! standard output and folders.
 
 use super::answer::{Answer, AnswerForm};
 use super::args::scene::SceneArgs;

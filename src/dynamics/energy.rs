@@ -1,4 +1,7 @@
 //! The energy audit: does what went in equal what is there and what was lost?
+//!
+//! Balance, error and bound are defined here alone. The works come from two sources: in closed
+//! form over a phase (`exact::audit`), and from powers at places of a step (`record::audit`).
 
 /// The energies of a run, or of a stretch of it (J).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

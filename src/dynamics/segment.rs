@@ -4,6 +4,15 @@
 //! to end: a closed form (exact propagation), or the polynomials of an integration.
 //! Whoever wants figures, works or samples asks a [`Segment`] and need not know
 //! which of the two it is.
+//!
+//! A segment has the state at an instant, the greatest values of a signal, ∫|δ| and the works.
+//! There are three:
+//!
+//! * a phase of a tree, in closed form (`exact::event_loop`);
+//! * a step of an integration, in polynomials and observations between them
+//!   (`record::observed`);
+//! * a stretch of what a mass of a tree carries rigidly, in observations alone
+//!   (`record::sampled`).
 
 use crate::dynamics::energy::EnergyAudit;
 

@@ -21,6 +21,10 @@
 //! A run is made at once ([`ExactTree::run`]) or phase by phase ([`Cursor`]);
 //! scenes are played to the recorder from the latter.
 //!
+//! If some branches behind a prescribed drive qualify and others do not, the others are a
+//! system of their own ([`Rest`]), which is integrated. After each of its steps the branches
+//! are followed to its end.
+//!
 //! # What is guaranteed
 //!
 //! The next switch is searched for by bounds, not by sampling: every step of

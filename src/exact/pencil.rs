@@ -7,6 +7,8 @@
 //!
 //! and det Q = Π (k_i + Y_i). No term cancels artificially (an assembled
 //! c_m + c_{m+1} loses digits of the slow modes as n² grows).
+//!
+//! Elimination along a branch is Holzer's method.
 
 use nalgebra::Complex;
 

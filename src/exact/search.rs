@@ -5,6 +5,10 @@
 //! polished to rounding. Accepted steps and the certified root cover the phase:
 //! no crossing is lost, however short. What cannot be decided, because the
 //! signal is below its own rounding, is counted as grazing.
+//!
+//! Exponentials are moved from place to place instead of evaluating a function, several at
+//! once. So the search has a form of its own, as have `hermite`, `bound` and `track::climb`,
+//! and stands beside `math::roots`.
 
 use super::basis::Basis;
 use super::bound::{Assessment, Bracket, assess, reversed};

@@ -1,4 +1,8 @@
 //! The graph of a mechanism: objects, joined by their ports.
+//!
+//! Objects are nodes (of petgraph), and connections are edges from an output port to an input
+//! port: φ and φ̇ go along an edge, the reaction goes back. The order, circles, inputs that
+//! lead nowhere, and what drives what in the model follow from it.
 
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::{Object, object_of};

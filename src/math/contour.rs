@@ -1,4 +1,7 @@
 //! Contour lines of values on a grid: marching squares, joined to lines.
+//!
+//! The contour lines of maps and the singular curves of linkages with two inputs are drawn by
+//! it.
 
 use std::collections::BTreeMap;
 

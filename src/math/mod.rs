@@ -1,6 +1,25 @@
 //! The mathematics that everything else stands on: numbers with derivatives, power
 //! series, polynomials, searches, quadrature, linear systems. Nothing here knows of
 //! mechanisms, and nothing here is taken from the rest of the crate.
+//!
+//! Look here before you write a search, a fit, a rule of quadrature or an elimination. Matrices
+//! that are not small, and eigenvalues, are nalgebra's. If two things look alike, each has its
+//! purpose:
+//!
+//! * [`series`] is as long as its caller requires, known when it is compiled;
+//!   [`bounded_series`] carries a magnitude with each coefficient;
+//! * [`optimise`], [`roots`] and [`quadrature`] state on their pages which function serves
+//!   what.
+//!
+//! Some loops have a form of their own elsewhere, each for a reason on its page:
+//!
+//! * the searches of `exact`, `exact::pencil`, `system::forest` and `methods::limit`;
+//! * the series of `system::taylor` and the fits of `linkages::table`;
+//! * Newton's method for two unknowns in closed form in `cam::findings`;
+//! * the integrators of `steady::extrapolation` and of `exact::independent`, which is a check.
+//!
+//! `number`, `jet` and `polynomial` are public, as `dam::number`, `dam::jet` and
+//! `dam::polynomial`. A test holds this folder free of imports from others.
 
 pub(crate) mod bounded_series;
 pub(crate) mod chebyshev;

@@ -1,6 +1,9 @@
 //! What lies between two places: a root of a function of opposite signs, or where
 //! something ceases to hold. Roots of polynomials: see
 //! [`polynomial`](crate::math::polynomial).
+//!
+//! `bisect` asks whether something still holds. `bracketed` (T. R. Chandrupatla) is for the
+//! root of a function whose values count.
 
 /// Bisections that place a change to rounding, relative to the bracket.
 pub(crate) const BISECTIONS: u32 = 60;

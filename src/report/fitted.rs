@@ -1,4 +1,6 @@
 //! Texts in the width of a terminal.
+//!
+//! Texts, warnings and help keep to that width. A number is not separated from its unit.
 
 /// The text with no line longer than `width` characters, as far as its words allow: a line that
 /// is too long goes on below, under the column in which its last part begins where there is

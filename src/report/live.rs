@@ -1,5 +1,9 @@
 //! What the studio shows of a run and of a map: the tables, charts and drawings of the pages,
 //! taken apart so that what moves is sent alone.
+//!
+//! The program draws a chart once. As long as charts differ in numbers alone, only the columns
+//! go to the window, as bytes; `plot.js` and `player.js`, the scripts of the pages, draw them
+//! anew (`live.update`, `machine.player`).
 
 use super::compare;
 use super::diagram::Diagram;

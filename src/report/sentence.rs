@@ -1,5 +1,8 @@
 //! Sentences of answers and warnings as data: words and quantities, so that quantities can be
 //! told in other units than those that read best.
+//!
+//! The text of a sentence has its quantities in the units that read best. A reader may choose
+//! others.
 
 mod reading;
 

@@ -1,4 +1,9 @@
 //! What of a run is wanted.
+//!
+//! A map requests one result of an exact cell, and what a verdict rests on, but no samples and
+//! no balance. `dam methods` times the same walk, or the integration itself with samples of δ
+//! and events alone (`studies::methods::light`). `steady` integrates its cycles into listeners
+//! of its own.
 
 use super::exact;
 use crate::dynamics::system::System;

@@ -1,6 +1,10 @@
 //! Results of other studies than the run, by their addresses: `frequency.1`,
 //! `steady.mean_time`, `cam.follower.least_radius`, `kinematics.press.ram.speed.greatest`,
 //! `forces.press.drive.greatest`. They are found when they are asked for.
+//!
+//! The addresses are read in `frontend::scene::study_address`. `attach` adds such results to
+//! those of a run (`Figures::studies`): those that the accuracy or the expectations of a scene
+//! name, and those of `compare --figure`. A map requests them for each cell.
 
 use super::cam::{CamForce, Reserve, disc_cam};
 use super::expectations::{Verdict, judged};

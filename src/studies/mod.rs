@@ -1,4 +1,6 @@
 //! Questions asked of a system: one file or folder a question.
+//!
+//! The results of all studies have addresses (`lookup`), so that scenes can expect them.
 
 #[cfg(test)]
 mod audit_tests;

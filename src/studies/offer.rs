@@ -1,4 +1,7 @@
 //! Expectations made from a run: which of its figures a scene may expect, and how closely.
+//!
+//! The bound is the error of the certificate if the model is judged; else how far the result
+//! moves with the tolerance and with rounding (`spread`).
 
 use super::order::Certificate;
 use super::run::RunResult;

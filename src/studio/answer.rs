@@ -1,5 +1,11 @@
 //! From a text to its answer: faults with their places, the numbers that can be moved, and the
 //! run as it is shown.
+//!
+//! Sliders and maps change the text in the window, at the numbers that `Document::numbers`
+//! lists with unit and bounds, and nothing else. Both follow from the declarations that read
+//! the scene; so do completion and help, by `schema_of`. The graph shows `Document::outline`:
+//! the objects of a text, however faulty, with their ports. Faults are shown at objects and
+//! fields by their addresses.
 
 use super::limits::{MASSES, ROWS, RUN, SAMPLES};
 use super::pins::Source;

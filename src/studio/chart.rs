@@ -1,4 +1,9 @@
 //! The live map: a figure over two numbers of the text, first coarse, then finer.
+//!
+//! It is a `studies::map` of 25, then 100, then 400 cells. The coarse one is always finished.
+//! Finer ones begin if nothing newer came for longer than a move of the pointer takes, and end
+//! as soon as something newer waits. A map that does not depend on the change is not made
+//! again.
 
 use super::limits::{CELLS, RUN};
 use super::messages::MapRequest;

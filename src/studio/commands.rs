@@ -1,5 +1,8 @@
 //! The questions besides the run, as the program's commands answer them: what a window may ask,
 //! and what it is told. The program brings them along (`crate::cli`).
+//!
+//! `cli::questions` lends the commands to the server, since this module is below the program.
+//! The form of a command is made from its clap declaration.
 
 use super::limits::RUN;
 use crate::budget::Budget;

@@ -1,4 +1,6 @@
 //! The questions that there are, and the files that their commands write.
+//!
+//! A file is made when it is requested, by the same command once more.
 
 use super::commands::{CommandScene, Question};
 use super::limits::{ANSWER, MEMORY};

@@ -1,4 +1,8 @@
 //! The first page: what may be opened, and what a new scene may begin with.
+//!
+//! Templates are those of `dam new` (`frontend::scene::template`). Scenarios are built in by
+//! `build.rs`; their questions are the tables of `scenarios/README.md` (`gallery`). A new file
+//! is made by `Folder::place`, which replaces none.
 
 use super::folder::Folder;
 use super::gallery;

@@ -1,5 +1,10 @@
 //! Who is let in: requests to exactly the address served, from its own pages, with the token
 //! where anything is told or changed.
+//!
+//! Everybody on the machine may get the interface, which holds no secret. All that concerns
+//! scenes needs the token, behind `Host`, `Origin` and `Sec-Fetch-Site`. No element of the
+//! interface has a style attribute, and nothing that the server writes for it has one: the
+//! content security policy would drop it.
 
 use super::files::FILE;
 use super::limits::{REQUEST, RUN};

@@ -1,4 +1,8 @@
 //! What was done to a text, in steps that undo takes back.
+//!
+//! The history belongs to the document, so that undo goes through whatever made an edit:
+//! typing, a slider, a form, the graph, a map, another window. Edits with the number of one
+//! drag are one step.
 
 use super::limits::HISTORY;
 use std::time::{Duration, Instant};

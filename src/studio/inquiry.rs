@@ -1,4 +1,6 @@
 //! The questions of windows, answered anew as the text changes: the newest version wins.
+//!
+//! They have a desk of their own, under the limits of runs.
 
 use super::commands::{CommandScene, Commands, Question};
 use super::folder::Shelf;

@@ -1,5 +1,7 @@
 //! Opening the browser: the token goes through a file that only the user can read, so that it
 //! stands in no list of processes.
+//!
+//! The token is behind the `#` of an address.
 
 use super::{atomic, by_file, token};
 use std::fs;

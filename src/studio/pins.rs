@@ -1,5 +1,8 @@
 //! Pinned runs as they are kept in the user's state folder: the scene that each was run of, so
 //! that it can be worked out again by a later program, whatever its port.
+//!
+//! A text is run anew (`room::pinned`) for the same tab, or for the first window that comes. It
+//! is dropped if the scene would be another, by its hash.
 
 use super::by_file::ByFile;
 use super::limits::{BODY, PINS};

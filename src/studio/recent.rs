@@ -1,5 +1,7 @@
 //! Which scenes were opened when: kept in the user's state folder, a file for every scene, so
 //! that programs that run beside each other forget nothing of each other's.
+//!
+//! A scene is listed only if it is below the folder and exists.
 
 use super::by_file::{ByFile, Record};
 use super::folder::Folder;

@@ -1,4 +1,9 @@
 //! The document of a file: its text, which all windows on it share, and what follows from it.
+//!
+//! Windows send edits of a version of the text, in the form that their editor has. Edits of the
+//! newest version are taken and sent to all windows; the window that sent others makes them
+//! anew. A window sends up to three messages ahead, each with the version that it knew. They
+//! are taken if all that came since is its own.
 
 mod desks;
 mod pinned;

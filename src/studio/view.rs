@@ -1,4 +1,7 @@
 //! What a window sees besides the run: runs that it has pinned, a signal over another.
+//!
+//! Pins are drawn by the charts of several runs and the tables of `dam compare`. Windows that
+//! see more than the run get answers of their own.
 
 use super::limits::{NAME, PINS};
 use super::pins::{KeptPin, Source};

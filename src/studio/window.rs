@@ -1,5 +1,12 @@
 //! What a window is sent: every message in order, of answers and maps the newest alone, and the
 //! next only once the one before was taken up.
+//!
+//! A window states which charts are in its sight. It gets the columns of those and of what
+//! moves; a chart that comes into sight comes with its numbers. Charts out of sight get their
+//! numbers after a second without a change, so that a print shows the scene as it is. A window
+//! gets the next answer once it has taken up the one before. It draws that as it comes, the
+//! first since a frame, so that the frame finds it done. A quick answer is sent before faults
+//! and numbers.
 
 use super::answer::{Answer, Had};
 use super::limits::{NAME, WAITING};

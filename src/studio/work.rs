@@ -1,4 +1,7 @@
 //! Work beside the server: the newest question wins, the one before is ended.
+//!
+//! A superseded computation may go on for a moment, so that something is seen while a number
+//! moves, and is then ended by its budget. Time and memory of runs are limited.
 
 use super::limits::{GRACE, MEMORY};
 use std::panic::{AssertUnwindSafe, catch_unwind};

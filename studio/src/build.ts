@@ -1,6 +1,9 @@
 // What the tools of a drawing do to the text of a linkage: ground points, links, points of links
 // and guides are added, and taken away. Everything is drawn at the input that the assembly holds
 // at: frames of new links stand there as the ground's does, so that their numbers are the drawing's.
+//
+// Edits follow one after the other (`Steps`). The assembly mode of a new link is the angle
+// zero. An act waits until the drawing shows the text that it changes.
 
 import type { Known } from "./draft";
 import { freeName } from "./graph";

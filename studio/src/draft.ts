@@ -1,5 +1,7 @@
 // A linkage as its text has it, in the position in which it is drawn, however much of it is
 // missing: what the server cannot tell of a text that is not whole yet.
+//
+// Angles are the last known ones; places follow along the pairs.
 
 import { angleOf, lengthOf, placed, type End, type Named, type Pair, type Point, type Sketch } from "./linkage";
 import { find, member, type Value } from "./tree";

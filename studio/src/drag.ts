@@ -1,5 +1,11 @@
 // What a dragged joint changes of the text of its linkage: points, frames that are there, and what
 // guides make go with it. All links keep their angles, so that the position stays that of its inputs.
+//
+// The points of the links that meet in the joint change so that at the inputs shown all other
+// joints and all angles stay. If a link has its frame there, its other points are computed
+// anew. Positions come as courses, one over each input with the others held
+// (`report/mechanism/sketch/courses.rs`). If several inputs are moved, courses through that
+// position are requested.
 
 import { COPY, far, length, NAME, placed, sizeOf, within, type Joint, type Pair, type Point, type Sketch } from "./linkage";
 import { find, member, type Change, type Edits, type Step } from "./tree";

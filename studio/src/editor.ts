@@ -1,6 +1,10 @@
 // The text in the window: CodeMirror, in step with the document on the server, which has the
 // history. Edits go there one after the other; those of others come as they are made. The view has
 // a state of its own, which follows: to read and draw the text anew is what takes long.
+//
+// A move of a slider changes that state and goes to the server at once. Text, numbers and
+// charts are drawn once a frame; the text of a hundred moves a few times. `npm run latency`
+// measures from the input event to the presented frame.
 
 import { acceptCompletion, autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, startCompletion } from "@codemirror/autocomplete";
 import { collab, getSyncedVersion, receiveUpdates, sendableUpdates } from "@codemirror/collab";

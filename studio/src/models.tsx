@@ -1,4 +1,8 @@
 // The dynamic model and the equations of the scene, as the program writes them.
+//
+// They are requested when they are in view (`src/studio/questions.rs`): levels and errors of a
+// judged run, the tables of `dam show`, a picture (`report/svg/masses.rs`), and the formulas
+// as MathML.
 
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Host } from "./host";

@@ -1,5 +1,7 @@
 // Makes what is shown another by touching only what differs: the browser lays out and paints anew
 // whatever is written.
+//
+// Charts out of sight are left until they are in view.
 
 // Makes an element's content that of another. Own children that `kept` matches are left alone, and
 // so are those of the other (a script made what they hold).

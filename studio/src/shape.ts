@@ -1,4 +1,7 @@
 // What a schema of the program is for a form.
+//
+// A form is made from the schema alone: a property that the program declares is in it, with
+// unit and help.
 
 import type { Guide, Schema } from "./schema";
 

@@ -1,5 +1,7 @@
 // The text of a scene as a tree that knows its places, and edits of it that keep what the author
 // wrote around them: every change of the graph and of the forms is a change of the text.
+//
+// An edit continues as the author wrote: on a line of its own, or within one.
 
 import { jsonLanguage } from "@codemirror/lang-json";
 import { ChangeSet, Text } from "@codemirror/state";

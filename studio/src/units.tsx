@@ -1,4 +1,9 @@
 // Units in which figures, charts and numbers are shown, as the user chose: the text stays as it is.
+//
+// One place chooses a unit, `scaleFor` of `numbers.js` (`numbers.prefer`), for charts, tables,
+// fields and sentences. An answer is a `Sentence` (`report/sentence.rs`): words and quantities
+// with value and SI unit. In warnings and causes, which come as text, the quantities are read
+// (`sentence/reading.rs`).
 
 import { useEffect, useRef, useState } from "preact/hooks";
 import { Kept, type Link } from "./link";

@@ -1,5 +1,8 @@
 //! The options of a command as fields of a form: from the declarations that the command line is
 //! read by.
+//!
+//! So an option that is declared is in the form. Options that name files, and those of
+//! terminals, are in no form; what is in no form is refused.
 
 use crate::cli::args::Cli;
 use clap::{Arg, ArgAction, Command, CommandFactory};

@@ -1,4 +1,6 @@
 //! Both sides of a switch.
+//!
+//! An impact follows its coefficient of restitution; its impulse and its energy are balanced.
 
 use super::contact::Pressed;
 use super::judge::Judge;

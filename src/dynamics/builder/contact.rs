@@ -1,4 +1,7 @@
 //! Contact elements between a law and what follows it.
+//!
+//! A contact (`pair.contact`) is lowered to one of the three forms that [`ContactElement`] lists.
+//! Static flexibility has the contact in series.
 
 use super::spec::{BodySpec, ChainSpec, ContactSpec};
 use super::{ChainParameters, ModelBuilder, Place};

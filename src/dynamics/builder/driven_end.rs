@@ -7,6 +7,9 @@
 //! the cell so that this moment is kept: the quasi-static deviation is right for every n.
 //! Behind a contact element, which nothing may lie on, the first cell has its inertia at its
 //! far end.
+//!
+//! The inertia at the driven end follows the law rigidly. It stands in the model as an inner
+//! part of the object, `rocker.driven_end`.
 
 use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, Lumping, MassChoice};
 use super::{ChainParameters, ModelBuilder, Place};

@@ -4,6 +4,11 @@
 //! What the scene calls one object becomes a chain of masses that moves at the contact as the
 //! free object does, and an inner part, `rocker.output`, that sums the masses' motions to
 //! that of the output. Static flexibility is that of the object and of the contact in series.
+//!
+//! It is a chain on a contact as any other, with its point, events, statics and closed forms.
+//! Its masses are no places on the object. Loads and followers act on the sum
+//! (`Reduced::output`), and motion and deviation are read from it; in `exact` the deviation is
+//! the same sum (`TreeObject::output`).
 
 use super::continuum::Continuum;
 use super::modes::{Modal, Shares};

@@ -5,6 +5,16 @@
 //! sums them ([`continuum`](super::continuum)). What those modes do under slow forces is
 //! read off the acceleration of the driven end where that is known and nothing else
 //! depends on it; otherwise it is one more oscillator.
+//!
+//! Each mode is an inner part `rocker.mode_1`; the output is a constraint with several drivers.
+//! The residual flexibility is read off the acceleration of the driven end (`system::reduced`)
+//! if that is prescribed and continuous, nothing is driven by the output, and all loads are
+//! constant. Otherwise it is the oscillator `rocker.residual`. Without modes the object is
+//! rigid with an elastic output (`flexibility: "static"`).
+//!
+//! Limits: without a contact element, behind a closing force, the output carries the pair as
+//! that of a rigid object does. The pair is taken to stay closed; the least force that this
+//! needs is its margin.
 
 use super::continuum::{Continuum, Oscillator, Reduction};
 use super::spec::{ChainSpec, ContactSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};

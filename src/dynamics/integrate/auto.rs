@@ -1,4 +1,19 @@
 //! Which method for which system: `method: auto`.
+//!
+//! `auto` takes `exact` for every branch that qualifies. For the rest it takes the method that
+//! is expected to reach the tolerance soonest; the reason stands in the results.
+//!
+//! * The estimate follows from the eigenvalues, of up to 40 coordinates; of more, from the
+//!   fastest rate.
+//! * Vibrations that die out count for the share of a turn in which they exceed the tolerance.
+//!   Laws and their breaks limit steps. The rest is the speed of the drives. How far a series
+//!   follows the laws, the laws themselves state.
+//! * A tolerance bounds the error of a step, and errors add up. `auto` gives its method a finer
+//!   tolerance, by a margin measured on the scenarios, so that the whole run keeps the
+//!   tolerance of the scene.
+//!
+//! `tests/runs/auto.rs` holds its choices by counts of evaluations; `benches/auto` by errors
+//! and times on all scenarios that have something to integrate.
 
 use super::{Dynamics, Method, Modes, Reserve};
 use crate::units::shown;

@@ -4,6 +4,12 @@
 //! measured, not foreseen: now and then, ever more rarely, a long step of `radau` is tried
 //! from where the run stands, and the state that it came to is compared when the run gets
 //! there. A method that gives up, or whose step falls to its floor, hands over to the next.
+//!
+//! If `radau` is cheaper, and foresees the state that then comes, it takes over.
+//! A run whose energies or equations of motion fail their checks is made anew by the next
+//! method. Before each leg given functions of time are searched by bounds for stretches in
+//! which they change briefly (`math::narrow`); legs end where these begin, and steps in them
+//! are short with every method.
 
 use super::run::Run;
 use super::{Dynamics, Method, Stop, radau};

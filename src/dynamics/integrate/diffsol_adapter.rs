@@ -1,6 +1,8 @@
 //! The implicit methods of `diffsol`, and what has to be known about that crate
 //! (version 0.18). Nothing of its nalgebra leaves this file.
 //!
+//! The methods are `bdf`, `tr_bdf2` and `esdirk34`, with the feature `diffsol`.
+//!
 //! * It reckons rounding of the clock from its absolute value: the solver's
 //!   time starts at zero with every leg.
 //! * Its least step is an absolute 1e-13 s: it is set from the clock.

@@ -4,6 +4,16 @@
 //! A method produces accepted steps; [`integrate`] makes of each the same kind
 //! of continuous output, finds on it the earliest switch (none is skipped),
 //! cuts the step there, and begins the method anew from the located state.
+//!
+//! The modes (which flank of a pair is engaged, which piece of a law is in force) are constant
+//! within a step, so that the right-hand side is smooth there and a little beyond. The
+//! polynomials of a step are in Bernstein form and counted from the signal's value at the
+//! start, so that a great angle costs a short step no digits. Nothing here knows a system:
+//! `System` implements the contract `Dynamics`.
+//!
+//! A listener that looks only at the ends of steps, or at sparse samples, says so
+//! (`Sink::looks_within`). Without a guard to watch, nothing is then evaluated that nobody
+//! reads.
 
 mod auto;
 mod changing;

@@ -1,6 +1,8 @@
 //! The explicit methods of `ode_solvers`, and all that has to be known about
 //! that crate (version 0.6.2):
 //!
+//! The methods are `rk4`, `dopri5` and `dop853`: for comparison, and where they are best.
+//!
 //! * `Rk4` takes ⌈span/step⌉ whole steps and overshoots the end: the step is
 //!   made to fit, and half a step is taken off the span.
 //! * `Rk4` hands `solout` the derivative of the old point: it is evaluated anew

@@ -13,6 +13,10 @@
 //! instant at which everything is still a number, and the time of the edge is
 //! extrapolated from there. On the way steps get shorter in proportion to z,
 //! whatever the method makes of its error.
+//!
+//! The share is a millionth of the range of motion, more at loose tolerances. The end of a
+//! given travel is an edge too, though nothing grows there: the run then stops with
+//! `end_of_travel`, not `dead_position`.
 
 mod approach;
 mod given;

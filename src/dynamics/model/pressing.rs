@@ -1,4 +1,9 @@
 //! How hard a follower is pressed on its cam.
+//!
+//! It is read off a state: the curvature of the profile at the cam's angle, and the force of
+//! the pair. The pressure of a contact whose stiffness follows from geometry (`contact.from`)
+//! is read in the same way. Records have a column of each. In `exact` such objects are observed
+//! like those that trees carry.
 
 use crate::kinematics::cam::DiscCam;
 use crate::kinematics::hertzian::ContactPressure;

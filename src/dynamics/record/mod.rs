@@ -1,4 +1,7 @@
 //! What a run leaves behind: columns of samples, switches, figures.
+//!
+//! Columns and results have typed keys, [`Quantity`] and [`Figure`]; files and addresses have
+//! the same by name.
 
 mod addresses;
 mod area;

@@ -1,5 +1,8 @@
 //! The figures of one object, gathered segment by segment: the only place that says
 //! which extremes and integrals of which signals the figures are.
+//!
+//! `run`, `compare`, `map`, `spread`, `law compare` and the search for the lift-off speed
+//! request what they need (`Demand`) and get it from the same walk.
 
 use super::{FinalState, ObjectFigures, PressingFigures, greatest_magnitude};
 use crate::dynamics::model::{Closure, ContactLaw, Pair};

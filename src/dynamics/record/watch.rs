@@ -4,6 +4,9 @@
 //! (`Fitted`); what they leave open is halved, the left half first, down to what the clock
 //! resolves. No time at which a condition holds is stepped over; a stretch on which that
 //! takes too much work is looked at in places, and is reported.
+//!
+//! All methods alike are watched. A run that `run.until` ends is made once to its `duration`
+//! and once more to that instant.
 
 use super::fitted::{Fitted, NODES};
 use crate::dynamics::audit::fastest_rate;

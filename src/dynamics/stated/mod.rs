@@ -5,6 +5,8 @@
 //! the scene, and share nothing with them but the language of expressions. The check of a
 //! run ([`super::audit`]) reads its motions and forces from here. All matches over kinds
 //! are exhaustive; what has no second form says so.
+//!
+//! `Model::stated` keeps these laws; the solver never reads them.
 
 mod curve;
 mod drive;

@@ -1,5 +1,7 @@
 //! Ordinary differential equations by extrapolation (Gragg, Bulirsch, Stoer).
 //!
+//! It is a method of its own beside those of `integrate`, for this module depends on no system.
+//!
 //! Smooth right-hand sides over a stretch without breaks, to tight tolerances.
 //! Source: E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential
 //! Equations I, section II.9: modified midpoint rule, harmonic sequence.

@@ -19,6 +19,8 @@
 //! cycle, J not above zero, a mean below the lowest of all motions without a
 //! stop, a stall.
 //!
+//! Nothing here depends on a scene.
+//!
 //! Source: V. Malkov, A. Vlasova, P. Nosko, V. Stavitsky, An iterative method of
 //! dynamic analysis of a mechanism, TEKA Kom. Mot. i Energ. Roln. 11A, 2011,
 //! 145–150. Two things differ from it: the lower end of its bracket is raised

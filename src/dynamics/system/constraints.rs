@@ -8,6 +8,8 @@
 //! diagonal but for a term of rank one for each such node). Several of them make a small
 //! linear system. It is solved in between two passes of accelerations, so that nothing
 //! is left out, and scenes without inertia on constrained nodes do nothing of it.
+//!
+//! It holds on dual numbers too.
 
 mod coupling;
 

@@ -7,6 +7,8 @@
 //! eigenvalues are halved in from both sides (J. Barth, R. Martin and J. Wilkinson,
 //! Calculation of the eigenvalues of a symmetric tridiagonal matrix by the method of
 //! bisection, 1967).
+//!
+//! Eight intervals are halved at a time.
 
 /// A symmetric matrix: every unknown is coupled with unknowns that hang on it and
 /// with at most one before it, on which it hangs.

@@ -13,8 +13,15 @@
 //! of 1 does is one evaluation without speeds, deformations and loads.
 //!
 //! Impacts that follow each other in ever shorter times (e < 1) make a geometric series:
-//! what is too low to be followed is held ([`crate::dynamics::restitution`]), and the time at which the series
-//! ends is told.
+//! what is too low to be followed is held ([`crate::dynamics::restitution`]), and the time at
+//! which the series ends is reported.
+//!
+//! A held body is one with its law: it hands inertia and forces to its driver as a rigid node
+//! does, and the contact force is what the balance leaves. A held stop takes the acceleration
+//! of its mass. Separation is a probe, the acceleration with which the bodies would part. Steps
+//! are bounded while bodies are held, since no state shows that force. `Dynamics::switch`
+//! returns the `Impact`, which goes to the listeners with the event. `exact` has impacts of its
+//! own on single masses (`exact::impacts`).
 
 mod passing;
 

@@ -8,6 +8,8 @@
 //! `switches` what enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
 //! `observe`, `energy` and `reduce` what is read off; `scales` and `frequencies` what the
 //! methods are chosen and steered by.
+//!
+//! Limits: two tables of the system are made at the first request; all else never changes.
 
 mod accelerations;
 mod balance;

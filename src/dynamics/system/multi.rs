@@ -9,6 +9,11 @@
 //! roots themselves, the motion T of the inputs over that of the roots, their accelerations
 //! a⁰ so far, the forces F on bare roots, and the accelerations Δ that are missing. It is
 //! solved as L·D·Lᵀ. Scenes without such linkages do nothing of it.
+//!
+//! Each input has a node: a rigid one behind an object, or a rotor without inertia if the input
+//! is free. The outputs are constrained nodes. The linkage's own node is the first input once
+//! more. The margin of each of its groups from a singular position is a signal
+//! (`MultiValue::Distance`); its zero ends a run as a dead position does.
 
 mod couple;
 mod direct;

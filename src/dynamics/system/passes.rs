@@ -7,6 +7,12 @@
 //! what it drives (`accelerations`).
 //!
 //! Written once for every kind of number.
+//!
+//! The mass matrix stays diagonal, but for nodes with several drivers (`constraints`) and
+//! linkages of several inputs (`multi`). Rigid objects are eliminated exactly on the way: a
+//! body of inertia J behind a law U adds J·U′² to the inertia of its driver and J·U′·U″·φ̇² to
+//! its bias force. On dual numbers the passes give the exact Jacobian. `trains` and
+//! `multi/direct` replace them in scenes of rigid bodies at constant ratios.
 
 use super::constraints::{Chains, ConstraintValues, Coupling};
 use super::friction::{Rubbing, SeveralWork};

@@ -11,6 +11,11 @@
 //! and z̈ is the derivative of the balance; so guards, Jacobians and series are those of all
 //! other coordinates. Forces are taken from the balance and not from the ż of the state, and
 //! a switch of the pair sets that one anew.
+//!
+//! The balance is a first integral. It is linear if the contact is, and every method then keeps
+//! it; if it is not linear, ż is drawn back to it. A point has no inertia: statics, scales and
+//! the pattern of the Jacobian treat it as a node without load. Natural frequencies leave it
+//! out, with contact and link 1 in series.
 
 use super::System;
 use super::balance::Balance;

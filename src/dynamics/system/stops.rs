@@ -3,6 +3,14 @@
 //! A stop is a contact like that of a force-closed pair ([`super::pairs`]), of the
 //! deformation x = φ − at of its mass's own displacement, and a load on that mass: it pushes
 //! with −F. Its mode is a component of its own.
+//!
+//! The components of all stops follow those of the pairs, so that whatever asks for a pair's
+//! component treats them as pairs with the ground. φ of the mass is an extra signal, as that of
+//! a track. In the model a stop is an inner part of its object, `valve.seat`. Its state is read
+//! off its contact, and what it does is stored or lost energy, no work of a load.
+//!
+//! A chain rests while its pair is open and one of its stops is engaged. Statics then omit its
+//! pair, and an opening is no separation. Natural frequencies omit stops.
 
 use super::balance::BalanceState;
 use super::frozen::{Chain, Frozen, segment};

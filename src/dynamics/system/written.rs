@@ -1,5 +1,14 @@
 //! Loads that are written as expressions: their force along a motion, and which of
 //! their smooth pieces is in force.
+//!
+//! A load by an expression has *guards*, functions whose sign or whole part says which smooth
+//! piece is in force. Their modes are components behind all others. A guard is no polynomial:
+//! it is evaluated on bounds of the signals over the step and of their rates
+//! (`math::expression::crossing`), halved until the bounds exclude a zero or prove a single
+//! one. With the mode `OPEN` the expression reads its operands; so it is evaluated outside a
+//! run.
+//!
+//! Limits: if a jump drives the motion back from both sides, the run stops (`held_at_jump`).
 
 mod missing;
 mod switches;

@@ -6,6 +6,8 @@
 //! which nothing switches, and a listener is told of it as a whole. Nothing is laid
 //! between its ends: a tree is known in closed form at every instant of its phase, and
 //! so are its figures and its works.
+//!
+//! The listener takes what lies between two events; `audit` closes the energies.
 
 mod branch;
 mod clock;

@@ -2,6 +2,8 @@
 //! shares nothing with it but the problem: Runge and Kutta's fourth-order method
 //! with small fixed steps, pair rules tested after every step, switches found
 //! by halving the step.
+//!
+//! It has its own integrator on purpose.
 
 mod integrate;
 

@@ -23,6 +23,9 @@
 //! property, `rocker.pair.gap`. Whatever has no method of its own is set by its name
 //! (`.set("pair.gap", 1e-4)`), and what no text can state is given as a value:
 //! [`Position::own`], [`OwnObject`].
+//!
+//! Values of such a tree have no place in a text: their faults show the address of the property
+//! alone. A test compares the methods of the builders with the JSON Schema.
 
 mod chains;
 mod coupling;

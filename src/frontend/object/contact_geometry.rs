@@ -1,4 +1,6 @@
 //! Stiffness of a contact from the geometry of its bodies.
+//!
+//! Once read, it is a number like any other; `kinematics::hertzian` has the formulas.
 
 use super::measures::Measures;
 use super::spec::OnCamSpec;

@@ -5,6 +5,19 @@
 //! scene; kinds live in a [`Registry`]. A new kind of this library is one file and
 //! two lines in this one (`ARCHITECTURE.md` says what else goes with it); one of another
 //! crate is added with [`Registry::with`].
+//!
+//! `Ports` are named inputs, none, one or several, and outputs. The first output is the
+//! object's own displacement; the others have an address such as `press.ram`. A connection
+//! leads from an output to an input: φ and φ̇ go along it, the reaction goes back.
+//! `Object::lower` is given a [`Place`], which knows the nodes that drive its inputs, and adds
+//! its parts to the [`ModelBuilder`].
+//!
+//! `Object::chain`, `linkage` and `cam` are `None` by default. They state what an object is, so
+//! that a start state knows its number of masses, maps set single numbers in place, and `dam
+//! cam` finds the geometry. The model is made by `lower` alone. Behind the [`Registry`] a kind
+//! is only a name that is shown.
+//!
+//! Limits: the program `dam` knows the kinds of this library alone.
 
 mod body;
 mod cam;

@@ -1,4 +1,6 @@
 //! Scenes: what the engineer wrote, typed, in SI units, every value still knowing its place in the text.
+//!
+//! `Places` finds the place in the text for the address of a property.
 
 mod accuracy;
 mod address;

@@ -1,4 +1,6 @@
 //! What is wrong with a cam: undercuts, loops, corners, shocks.
+//!
+//! Loops are found by Newton's method for two unknowns, in closed form.
 
 use super::curve::Polygon;
 use super::disc::DiscCam;

@@ -9,6 +9,13 @@
 //! A cam and its roller are coupled without a carrier: in the cam's frame the roller's centre lies on
 //! the pitch curve.
 //!
+//! A coupling is one equation between three links, handed out like those of pairs. What it ties
+//! is solved by iteration (`newton::geared`). Angles are continued along the walk, and a table
+//! over the whole period, in which the wheels come back to where they were, gives the turn.
+//! Behind several inputs a coupling is one more row of a larger group's matrix
+//! (`multi::geared`, `multi::larger`). A position is then found on the way from the last one,
+//! in parts in which nothing turns by half a turn.
+//!
 //! Source: the rolling of two pitch circles on each other (Willis' equation for a moving carrier).
 
 mod cams;

@@ -16,6 +16,11 @@
 //! beforehand.
 //!
 //! SI units; angles in radians, counterclockwise.
+//!
+//! The assembly mode of a dyad is the sign of its one square root. If many loops come into line
+//! at once, each depends on those before it. What is interpolated there has length one again
+//! (`Vector::nearly_unit`): an error of length would grow by the reciprocal distance from the
+//! point with every loop, an error of direction does not.
 
 mod assemble;
 mod assemblies;

@@ -3,6 +3,9 @@
 //! Of links that are joined by welds one is the base, the ground where it is among them; the others
 //! are attached to it. Their pairs are taken as pairs of the base where the linkage is solved, and
 //! they are placed after it.
+//!
+//! The free-body equations are those of every link, with three unknowns a weld
+//! (`kinetostatics::welds`).
 
 use super::elements::Frame;
 use super::spec::{AssemblyChoice, LinkageSpec, PairKind, PairSpec, PointOf};

@@ -5,6 +5,10 @@
 //! where it changes its formula ([`Breaks`]) and which interval of φ it
 //! reaches. The system evaluates [`Position`], a closed set for speed, with one
 //! open variant.
+//!
+//! The functions `slider_crank`, `four_bar` and `slotted_link` are massless short forms of
+//! linkages (`short_form`) and take their closure from there. `function`, `spec` and the
+//! functions themselves are imported by their own files, since this module knows linkages.
 
 pub(crate) mod cam;
 mod four_bar;

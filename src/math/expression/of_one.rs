@@ -1,4 +1,7 @@
 //! An expression of one variable: where its pieces end, and which is in force where.
+//!
+//! A function of time alone is cut into its pieces beforehand, with the period at which they
+//! repeat. So motions of drives, and the loads of `exact`, know their breaks.
 
 use super::crossing::{Stretch, follow};
 use super::evaluate::Scalar;

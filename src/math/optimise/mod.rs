@@ -1,6 +1,9 @@
 //! Greatest values: golden section for what may have kinks, Brent's method and
 //! parabolas for what is smooth, and the search over the pieces of a function. The least
 //! value of f is the greatest of −f.
+//!
+//! Golden section tolerates kinks; Brent's method is quick without them; `climb_among` is
+//! quicker if seven values are known.
 
 mod among;
 mod brent;

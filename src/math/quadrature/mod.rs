@@ -1,4 +1,7 @@
 //! Integrals: Gauss's rules, widened by Kronrod where an error is to be known.
+//!
+//! `integrate` estimates the error of one smooth integrand; `Integrals` closes in on jumps of
+//! several.
 
 mod adaptive;
 mod kronrod;

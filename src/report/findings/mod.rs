@@ -1,6 +1,13 @@
 //! What a study found, as data: an answer in a sentence, figures, tables, charts, drawings and
 //! notes, in sections. One exporter makes the text of the terminal of it (`text`), one the page
 //! (`page`); tables for other programs are [`Rows`](super::csv::Rows).
+//!
+//! A number is written by `units::shown` on the terminal. On pages and in sentences it is
+//! written by `quantity::significant`, which is the same with a real minus sign and raised
+//! powers; the terminal turns these back. Columns of sentences follow the others, in their
+//! order, if the terminal has room for them, else they go below each row. Columns that are too
+//! much for the terminal leave narrow pages and paper too. A table that is wider than the
+//! terminal continues below under its first column.
 
 mod page;
 pub(super) mod table;

@@ -1,4 +1,7 @@
 //! Pages that open without a network: style, script and data are in them.
+//!
+//! One player (`player.rs`, `player.js`) moves all drawings: parts are placed anew by tables
+//! over rows or coordinates, turns and slides.
 
 pub(in crate::report) mod player;
 pub mod runs;

@@ -2,6 +2,8 @@
 //!
 //! A formula is built once; both notations are renderings of the same tree, so
 //! they cannot say different things.
+//!
+//! MathML is a third rendering of the same tree.
 
 mod latex;
 #[cfg(feature = "studio")]

@@ -6,6 +6,10 @@
 //! * `frame`: where frame, title and legend stand; `draw`: the picture;
 //! * `palette`: all colours, light and dark; `page`: the data of a page for `plot.js`, which
 //!   has `numbers.js` before it.
+//!
+//! `plot.js` zooms a chart, shows values at the pointer, moves cursors together and switches
+//! series, with the colours and shapes of the drawing. Ticks and numbers exist a second time in
+//! `numbers.js`, since a page that is zoomed has no Rust at hand; `script_tests` compares both.
 
 mod draw;
 pub(in crate::report) mod field;

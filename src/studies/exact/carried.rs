@@ -1,4 +1,7 @@
 //! What trees carry, looked at as parts of the whole system.
+//!
+//! These are rigid objects that a mass of a tree carries, the sums of modes, and the forces on
+//! driven ends.
 
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::record::{Log, SampledStretch, Tally};

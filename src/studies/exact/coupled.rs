@@ -7,6 +7,8 @@
 //! are known. Most often |A| + Σ|G|·|F| tells that nothing in the stretch can be greater
 //! than what has been met. Where it could, A + ΣG·F is climbed to as the figures of a
 //! tree are: cut at the summits of its cubics until nothing is left above.
+//!
+//! At the maximum the whole system is observed.
 
 use super::forces::Forces;
 use super::lever::Drivetrain;

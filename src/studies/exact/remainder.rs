@@ -1,4 +1,7 @@
 //! What no tree holds, beside trees that are propagated exactly.
+//!
+//! Its steps are observed like those of an integration. If the drives prescribe all of it,
+//! steps are laid over it.
 
 use super::coupled::TreeBase;
 use super::forces::Forces;

@@ -1,6 +1,9 @@
 //! Kinematics of linkages: positions, transfer functions, speeds and
 //! accelerations of every link, point and sliding pair, over a turn, a range of
 //! the input coordinate or time.
+//!
+//! One loop makes the rows (`rows`) over a `Course`, of one input or of several (`several`),
+//! and finds extremes, errors and warnings.
 
 mod ask;
 mod columns;

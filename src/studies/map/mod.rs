@@ -6,6 +6,11 @@
 //! with the cell's values set (objects that do not change from cell to cell once only),
 //! lowered, frozen, run and judged ([`Verdict`]). Cells depend on nothing but their values, so that the results
 //! are the same for any number of threads and in any order.
+//!
+//! A cell decodes only what varies (`scene::Variation`). Plain numbers of chains are set in
+//! place, and the rigid motion is kept as long as the laws are the same. Threads take cell by
+//! cell. `--cells` and `--merge` of the program, and `dam/distributed.py`, work on the same
+//! cells (`map_cells`, `journal::part`, `journal::merge`).
 
 mod cell;
 mod ends;

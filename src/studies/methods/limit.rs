@@ -1,4 +1,7 @@
 //! The greatest stable step of a method of fixed step, measured.
+//!
+//! The step is halved; the middles are moved to the step that was really taken. So it has a
+//! search of its own.
 
 use super::attempt::{Attempt, Effort, Problem};
 use super::reference::ReferenceInUse;

@@ -1,5 +1,8 @@
 //! The error of the model as a floor under the methods: nobody needs to integrate to nine
 //! digits what is wrong by five per cent.
+//!
+//! The same errors as of `dam reduce` and of a run's accuracy are taken
+//! ([`crate::studies::order`]).
 
 use crate::fault::Fault;
 use crate::frontend::scene::{Accuracy, AccuracySpec, Levels, TypedScene, in_words};

@@ -4,6 +4,11 @@
 //! says. A run of the model that was chosen needs to be no better than a tenth of what is
 //! asked for. A tolerance alone promises little of a single figure: how far each is off is
 //! measured by the finer run that there has been.
+//!
+//! This holds if the scene states neither tolerance nor method: the rows are integrated as
+//! ever, and the model is chosen once more to a tenth of the accuracy. The tolerance goes with
+//! the settings (`RunSettings::of_accuracy`) and holds for `studies::run` alone; other studies
+//! have their own.
 
 use super::asked::{RequestedFigure, is_count};
 use super::judge::{Judge, value};

@@ -6,6 +6,10 @@
 //! that can be left out is tried: alone first, then what changes least first, on top of what
 //! is left out already. A pair that never opens is made bilateral, which allows lower levels
 //! again.
+//!
+//! A removal (`removal`) is a change of the scene's tree by addresses (`scene::edit`), so that
+//! every simpler scene is read, checked and run like any other. The remaining scene is written
+//! out with descriptions (`description`).
 
 mod cost;
 mod description;

@@ -1,4 +1,8 @@
 //! The map of the state over a period of the drive, and its derivative.
+//!
+//! It is taken over time behind prescribed drives, and over the angle of a drive on its motor
+//! (`phase`). After which angle a machine repeats follows from its ratios (`cycle`). A moment
+//! that holds a mean speed is one more entry of the state (`held`).
 
 mod tree;
 

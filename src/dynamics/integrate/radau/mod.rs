@@ -8,6 +8,10 @@
 //! one real and some complex systems, which are eliminated side by side. The
 //! collocation polynomial is the continuous output.
 //!
+//! It takes long steps over vibrations that have died away, and few of them at fine tolerances.
+//! A step with an event in its midst is taken anew so that it ends just behind it, where the
+//! method is best.
+//!
 //! E. Hairer and G. Wanner, Stiff differential equations solved by Radau methods,
 //! Journal of Computational and Applied Mathematics 111 (1999).
 

@@ -2,6 +2,10 @@
 //!
 //! A Rosenbrock method: eight linear systems a step, all with one matrix (see
 //! [`crate::math::linear`]), and no iteration that might fail.
+//!
+//! The analytic Jacobian is taken by coloured columns, eight at a time. The system is halved to
+//! accelerations and eliminated sparsely, in an order without fill on trees
+//! ([`super::jacobian`]): the work of a step grows with the number of masses.
 
 mod tableau;
 

@@ -13,6 +13,20 @@
 //! corners of blocks begin to press on the other side, and where the reaction of a pin
 //! passes close by zero, so that friction is smooth in between; `unsolved` where there
 //! is no motion, or more than one.
+//!
+//! All that follows a free coordinate rigidly has the acceleration q̈ = a₀ + s·T. The friction
+//! T also depends on the forces and inertias on the outputs. The free-body equations are solved
+//! with T as the unknown of the driver, so that they hold for any s, down to a prescribed
+//! motion, s = 0. Several linkages of one group are iterated until they agree. Derivatives
+//! follow from the same factorised matrix; those by position and speed from differences.
+//!
+//! A resting group is observed within every step (a `Probe`, located by bisection) until a
+//! start is possible. The friction of a start exceeds that of sliding by 1e-10, so that nothing
+//! chatters.
+//!
+//! Limits: if no acceleration agrees with its friction (`self_locking`), or several do
+//! (`several_solutions`), the run stops with that reason. Linkages that move as one are
+//! searched for other accelerations each by itself and all together.
 
 mod force;
 mod hold;

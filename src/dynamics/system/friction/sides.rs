@@ -1,6 +1,8 @@
 //! The sides on which pairs press, as modes: within them friction is smooth, and where
 //! the normal force on a block's corner passes through zero, or the reaction of a pin
 //! close by, the run is cut.
+//!
+//! Both are located from the state.
 
 use super::{Group, Member, StickSlip};
 use crate::dynamics::integrate::PhysicalStop;

@@ -1,5 +1,7 @@
 //! Where a group stops: does it turn back, go on, or rest? And when does what rests
 //! break loose?
+//!
+//! The friction of an impending start in both directions decides.
 
 use super::passes::sign_of;
 use super::stick_slip::ProbeAction;

@@ -7,6 +7,9 @@
 //! kink of a force, the neighbourhood of a dead position) the linkage is solved as
 //! anywhere else. The derivatives are those of the polynomials, so that energy is
 //! kept as well as with the functions themselves.
+//!
+//! The fits are kept in powers, four functions side by side, as the right-hand side evaluates
+//! them.
 
 mod build;
 

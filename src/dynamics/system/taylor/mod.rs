@@ -10,6 +10,9 @@
 //!
 //! The speed table of a motor has kinks that no series knows of: systems with
 //! one have no expansion here, and neither have those with a linkage.
+//!
+//! Series are extended order by order, in memory that the passes lay out: a product of whole
+//! series would do the work of all orders again.
 
 mod accelerations;
 mod begin;

@@ -1,4 +1,7 @@
 //! What is wrong with cams and what is hardly meant: profiles that do not close, jumps, undercuts.
+//!
+//! A profile is refused if it does not close, jumps in its second derivative, or does not go
+//! round its centre. An undercut is a remark.
 
 use super::pitch::PitchCurve;
 use crate::fault::Faults;

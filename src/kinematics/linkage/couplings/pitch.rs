@@ -1,4 +1,11 @@
 //! The pitch curve of a cam: where the centre of its roller can be, seen from the cam.
+//!
+//! In the cam's frame the roller's centre p, seen from the cam's own centre, satisfies |p| =
+//! R(angle of p). R is a prime radius and a lift, one of the position functions that repeat
+//! after a turn. Directions are enough; no turns are counted.
+//!
+//! Limits: the motion takes the pair for closed. A cam with one flank that would have to pull
+//! is reported by `studies::forces::closing`.
 
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;

@@ -7,6 +7,10 @@
 //! each other without any load. All such states together are the null space of the equilibrium. An
 //! unknown that takes part in one of them is statically indeterminate: it depends on elasticity,
 //! clearances and errors of length.
+//!
+//! Elimination with the greatest pivot of all finds the unknowns that the others replace best.
+//! The columns of the inverse at these rows span the null space. Friction of an indeterminate
+//! pair makes what it acts on indeterminate too.
 
 use super::workspace::ForceWorkspace;
 use super::{InputMotion, Kinetostatics, Options};

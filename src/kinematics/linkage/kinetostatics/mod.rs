@@ -19,6 +19,11 @@
 //! on j from i. The driver's force is a couple on j (opposite on i) or a force
 //! on j along the guide, positive along the input coordinate.
 //!
+//! An iteration of friction costs some tens of nanoseconds, since it runs on a few scalars. A
+//! bound on f(F₀ − K·τ) proves that the solution is the only one; if it fails, others are
+//! searched for. Over time `MultiMotion` gives the positions, and the force along it is the
+//! power of all drivers.
+//!
 //! Source: K. Maczyński, S. Suwaj, "The influence of constructional and
 //! kinematic parameters of the mechanism upon its dynamic transmission ratio"
 //! (1987), the equations derived anew: printed signs are wrong in places.

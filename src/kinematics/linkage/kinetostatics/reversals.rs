@@ -1,6 +1,8 @@
 //! Where pairs change the direction in which they slide while the input goes on
 //! in one direction: the roots of their first transfer functions, found
 //! beforehand.
+//!
+//! They are a track of modes in a run.
 
 use super::Kinetostatics;
 use super::friction::sign as sign_of;

@@ -12,6 +12,9 @@
 //! nothing is solved on them or beyond.
 //!
 //! SI units; angles in radians, counterclockwise.
+//!
+//! Two links whose pair is an input become one body of a group. On numbers with derivatives the
+//! positions are lifted by the velocities, and the rest is the same code.
 
 mod columns;
 mod compile;

@@ -5,6 +5,10 @@
 //! and angle of one of its links. Where that can be put together, the rates of all pairs by these
 //! coordinates are known: with others the linkage may be much farther from a singular position. Those
 //! are taken that span the greatest volume (elimination with the greatest row first).
+//!
+//! A proposal is not applied by itself, for three reasons. Which inputs are best depends on
+//! numbers, and the names of columns must not. Where a free coordinate starts is known to the
+//! author of the scene. An input that is absent may be forgotten.
 
 use super::compile;
 use super::spec::{InputCoordinate, InputSpec, MultiSpec};

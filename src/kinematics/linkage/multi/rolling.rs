@@ -5,6 +5,9 @@
 //! P, w = (P × n, n), it is w·(t₂ − t₁) = 0 with the velocities of roller and cam; accelerations
 //! follow w·(a₂ − a₁) + ẇ·(t₂ − t₁) = 0. The derivatives of w in time are the coefficients of the
 //! same formula over power series in time.
+//!
+//! The line w moves along the pitch curve with the roller. So the curvature counts in the
+//! accelerations, and R‴ in the second derivative of the matrix.
 
 use super::twist::{Motion, Parts, PartsMoved, Pose, Twist, at, dot, minus};
 use crate::kinematics::linkage::couplings::PitchCurve;

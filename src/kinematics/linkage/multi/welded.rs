@@ -3,6 +3,9 @@
 //! Welded links have the same velocity, taken as a screw about one point: an attached link is a
 //! body of its own to all that asks for places and velocities, and takes those of its base. Its
 //! pairs are solved as pairs of the base, and what acts on it acts on the base.
+//!
+//! A link that floats is the base of its body. An input whose pair is on attached links is that
+//! between the bases, and a constant.
 
 use super::columns::Columns;
 use super::dynamics::MultiReduced;

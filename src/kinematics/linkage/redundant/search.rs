@@ -2,6 +2,11 @@
 //!
 //! Candidates are left out, as many as the count of degrees of freedom lacks, and what is left is
 //! put together and followed over its reach; what was left out must hold there.
+//!
+//! Candidates are pairs beside another one, a pin of a link between two pairs along its length
+//! or across its guide, and the couple of a guide. Those omitted must hold at the start, before
+//! anything is walked, and at 400 positions of the range to 1e-9 of the size.
+//! `LinkageSpec::redundant` keeps the result.
 
 use super::{other_pair, pairs_of};
 use crate::fault::Fault;

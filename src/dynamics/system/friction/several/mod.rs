@@ -8,6 +8,22 @@
 //! The rates of pairs are signals; where one passes zero, `decide` looks at all the ways in which
 //! the pairs at rest may go on, and takes the one whose accelerations and forces agree with
 //! Coulomb's law. What is held is looked at within every step (`probes`) until it breaks loose.
+//!
+//! With the rates A of the pairs by the inputs, T = Aᵀτ and q̈ = a₀ + G·Aᵀτ, G = ∂q̈/∂T. So the
+//! equations are those of `dam forces`, τ = f(F₀ − K·τ), solved by the same iteration. A pair
+//! at rest has a multiplier instead.
+//!
+//! Redundant multipliers have no numbers of their own. Whether pairs hold together follows from
+//! the motions in which as many as possible of them stay at rest, as in the theory of plastic
+//! hinges. Two combinations of directions that differ by rounding alone, at the limit of a
+//! start, are one. A pair that passes a position in which it does not move (a guide in a
+//! dead-centre position) is distinguished from one that stops by the rates of what moves with
+//! it.
+//!
+//! Limits: no combination, or several, end the run. Sides of blocks are no modes here: the
+//! error control of the steps handles a kink. A scene has one linkage with such friction, and
+//! nothing that is solved together with it may be driven by its outputs rigidly; both are
+//! refused.
 
 mod decide;
 mod derivatives;
