@@ -49,6 +49,16 @@ def on_page_markdown(markdown: str, page: Page, **_: object) -> str:
     return TO_MEASURED.sub(led, markdown)
 
 
+# What a browser needs to search in pages that were opened from disk; the site brings it along.
+WORKER = "https://unpkg.com/iframe-worker/shim"
+
+
+def on_post_page(output: str, page: Page, **_: object) -> str:
+    """No page loads anything from a network."""
+    folder = page.file.src_uri.rpartition("/")[0]
+    return output.replace(WORKER, relpath("scripts/iframe-worker.js", folder or "."))
+
+
 # What the converter does not know, or takes for something else.
 SAME = {"aligned}": "align*}", r"\lvert": r"\left|", r"\rvert": r"\right|"}
 
