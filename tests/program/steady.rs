@@ -199,3 +199,22 @@ fn a_machine_that_almost_stops_is_confirmed_and_warned_of() {
         assert_eq!(text.contains("almost stops"), speed != "18 rad/s", "{text}");
     }
 }
+
+/// A long run that ends early says why in the words of a run.
+#[test]
+fn a_long_run_that_stops_says_why_in_words() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("stop.json");
+    let scene = r#"{ "dam": 1, "name": "Ram on a stop", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": "600 rpm" } },
+        "ram": { "kind": "slider", "input": "shaft", "masses": 1, "inertia": "1 kg",
+            "stiffness": "40 N/mm", "damping_capacity": 0.3,
+            "position": { "sine": { "amplitude": "10 mm", "phase": "-90 deg", "offset": "10 mm" } },
+            "stops": { "seat": { "at": "19 mm", "side": "+", "contact": { "restitution": 0.4 } } } } },
+        "run": { "duration": 1 } }"#;
+    std::fs::write(&path, scene).unwrap();
+    let output = dam(&[path.to_str().unwrap()]);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(text.contains("long run"), "{text}");
+    assert!(!text.contains(" { ") && !text.contains("Method"), "{text}");
+}

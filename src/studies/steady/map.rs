@@ -14,6 +14,8 @@ use crate::dynamics::integrate::{
     Dynamics, Limits, Method, Modes, Settings, Sink, Stop, integrate,
 };
 use crate::dynamics::system::System;
+use crate::studies::document::stop_in_words;
+use crate::units::shown;
 use nalgebra::DMatrix;
 
 /// A motion as a list of states.
@@ -202,7 +204,11 @@ pub(super) fn follow(
             let spent = budget.spent().map(|spent| spent.to_string());
             Err(spent.unwrap_or_else(|| "interrupted".to_owned()))
         }
-        stop => Err(format!("it stopped at t = {at} s: {stop:?}")),
+        stop => Err(format!(
+            "it stopped at t = {} s: {}",
+            shown(at, 7),
+            stop_in_words(&stop).1
+        )),
     }
 }
 
