@@ -257,6 +257,13 @@ pub trait Dynamics: Sync {
     /// tolerance × scale (all > 0 and finite).
     fn scales(&self) -> &[f64];
 
+    /// Scales of a signal and of its rate. Default: those of the entries of the state, none of
+    /// extra signals.
+    fn scales_of_signal(&self, signal: usize) -> Option<[f64; 2]> {
+        let n = self.coordinates();
+        (signal < n).then(|| [self.scales()[signal], self.scales()[n + signal]])
+    }
+
     /// Size of a state entry that errors are measured by. Default: its scale and
     /// its value together. The angle of a rotor, which grows with every turn, is not
     /// known less well for that.

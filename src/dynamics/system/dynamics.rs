@@ -379,6 +379,17 @@ impl Dynamics for System {
         self.end_of_reach(time, edge)
     }
 
+    /// (A displacement is known no better than the deviation that it is the sum of.)
+    fn scales_of_signal(&self, signal: usize) -> Option<[f64; 2]> {
+        let n = self.frozen.coordinates;
+        let own = match signal.checked_sub(n) {
+            None => signal,
+            Some(extra) => self.frozen.coordinate[*self.frozen.extra.get(extra)?]?,
+        };
+        let scales = self.scales();
+        Some([scales[own], scales[n + own]])
+    }
+
     fn given_signal(&self, signal: usize, time: f64) -> Option<[f64; 2]> {
         let extra = signal.checked_sub(self.frozen.coordinates)?;
         let node = *self.frozen.extra.get(extra)?;

@@ -561,3 +561,29 @@ fn a_rigid_valve_with_lash_goes_from_its_seat_to_its_cam_and_back() {
         assert!(result.figures.run.energy_error < 1e-8, "{what}");
     }
 }
+
+/// A ram comes to rest on its stop and leaves it again in every turn, with neither distance nor
+/// speed: the polynomial of a step may lie behind the stop there by its error.
+#[test]
+fn a_stop_that_is_left_without_speed_is_left_once() {
+    let text = r#"{ "dam": 1, "name": "Ram on a stop", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": "600 rpm" } },
+        "ram": { "kind": "slider", "input": "shaft", "masses": 1, "inertia": "1 kg",
+            "stiffness": "40 N/mm", "damping_capacity": 0.3,
+            "position": { "sine": { "amplitude": "10 mm", "phase": "-90 deg", "offset": "10 mm" } },
+            "stops": { "seat": { "at": "19 mm", "side": "+", "contact": { "restitution": 0.4 } } } } },
+        "run": { "duration": 1, "tolerance": 1e-8 } }"#;
+    let places = INTEGRATED.iter().map(|&method| {
+        let result = run_text(text, Some(method));
+        assert!(
+            result.figures.run.complete,
+            "{method:?}: {:?}",
+            result.outcome.stop
+        );
+        result.figures.objects["ram"].end.displacement
+    });
+    let places: Vec<f64> = places.collect();
+    for place in &places {
+        assert!((place - places[0]).abs() < 1e-8, "{places:?}");
+    }
+}

@@ -109,13 +109,16 @@ impl<D: Dynamics> Run<'_, D> {
         };
         let mut functions = Vec::new();
         dynamics.event_functions(&after, &mut functions);
-        let touching = functions.iter().filter(|function| apart(function));
-        self.zero_at_start
-            .extend(touching.map(|function| function.guards[0]));
+        let mut released = Vec::new();
+        for function in functions.iter().filter(|function| apart(function)) {
+            self.zero_at_start.push(function.guards[0]);
+            released.push(function.component);
+        }
         self.enter(time, y, (before, after), Some(watch), impact);
         self.resting.retain(|own| own.component != watch.component);
         self.release_touching();
         self.find_touching(|own| !own.rising && own.component == watch.component);
+        self.keep_apart(&released);
         if let Err(stop) = result {
             return self.end(Stop::Physical(stop));
         }

@@ -47,8 +47,20 @@ impl Touching {
 }
 
 impl<D: Dynamics> Run<'_, D> {
-    /// Finds which contacts just touch where the run stands, by those of their functions.
+    /// Finds which elastic contacts just touch where the run stands, by those of their
+    /// functions.
     pub(super) fn find_touching(&mut self, of: impl Fn(&EventFunction) -> bool) {
+        let dynamics = self.evaluator.dynamics;
+        self.hold_touching(|own| of(own) && !dynamics.is_rigid_contact(own.component));
+    }
+
+    /// Keeps a rigid contact open that has just come apart: it leaves with neither distance
+    /// nor speed, and the polynomial of a method may lie on the other side by its error.
+    pub(super) fn keep_apart(&mut self, components: &[usize]) {
+        self.hold_touching(|own| own.rising && components.contains(&own.component));
+    }
+
+    fn hold_touching(&mut self, of: impl Fn(&EventFunction) -> bool) {
         for function in &self.event_functions {
             let component = function.component;
             let known = self.touching.iter().any(|own| own.component == component);
@@ -106,13 +118,12 @@ impl<D: Dynamics> Run<'_, D> {
         dynamics.undecided(self.from.time, &self.from.y, &modes, share)
     }
 
-    /// True of a change of an elastic contact whose depth and its rate cannot be told from
-    /// zero.
+    /// True of a change of a contact whose depth and its rate cannot be told from zero.
     fn touches(&self, function: &EventFunction) -> bool {
         let dynamics = self.evaluator.dynamics;
         let [depth, _] = function.guards;
-        let own = depth.signal < dynamics.coordinates() && dynamics.is_pair(function.component);
-        if !own || dynamics.is_rigid_contact(function.component) {
+        let known = dynamics.scales_of_signal(depth.signal).is_some();
+        if !(known && dynamics.is_pair(function.component)) {
             return false;
         }
         let rate = depth.displacement * self.from.signals[depth.signal][1];
@@ -134,9 +145,8 @@ impl<D: Dynamics> Run<'_, D> {
     /// Size of a guard of a coordinate that is nothing but the tolerance of the run.
     fn floor(&self, guard: &Guard) -> f64 {
         let dynamics = self.evaluator.dynamics;
-        let (n, scales) = (dynamics.coordinates(), dynamics.scales());
-        let size = guard.displacement.abs() * scales[guard.signal]
-            + guard.speed.abs() * scales[n + guard.signal];
+        let [place, rate] = dynamics.scales_of_signal(guard.signal).unwrap_or_default();
+        let size = guard.displacement.abs() * place + guard.speed.abs() * rate;
         TOLERANCES * self.settings.tolerance * size
     }
 }
