@@ -133,7 +133,7 @@ impl Answer<'_> {
             console::talk(&format!("warning: {warning}"));
         }
         if let Some(folder) = folder {
-            folder.tell_report();
+            folder.print_report_path();
         }
         Ok(())
     }

@@ -41,7 +41,7 @@ impl<'a> Expectations<'a> {
     }
 
     /// Adds the verdicts to a document, where there are any.
-    pub(super) fn beside(&self, mut document: Value) -> Value {
+    pub(super) fn add_verdicts(&self, mut document: Value) -> Value {
         if !self.verdicts().is_empty() {
             document["expect"] = json!(self.verdicts());
         }

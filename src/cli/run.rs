@@ -84,7 +84,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let input = asker.input(&args.scene)?;
     let accuracy = super::accuracy::setting(&args.accuracy, &[])?;
     let mut ready = input.prepare_judging(&accuracy, Judging::Asked)?;
-    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
         console::diagnose(&ready.reading.warnings);
@@ -104,7 +104,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         settings.masses = columns == Columns::All;
     }
     settings.closeups = files;
-    if !files && !plausible::looks_at_samples(ready.system.model()) {
+    if !files && !plausible::needs_samples(ready.system.model()) {
         // The record goes into files only.
         settings.samples = 0;
     }
@@ -175,7 +175,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     if !quiet {
         talk(&ready, &result, &expected, seconds);
         if let Some(folder) = &folder {
-            folder.tell_report();
+            folder.print_report_path();
         }
     }
     Ok(

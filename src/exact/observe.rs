@@ -26,7 +26,7 @@ pub(super) struct Tracks<'a> {
 
 impl Witness for Tracks<'_> {
     #[inline(always)]
-    fn looks(&self) -> bool {
+    fn wants_steps(&self) -> bool {
         !self.tracks.is_empty()
     }
 
@@ -257,7 +257,7 @@ impl Workspace<'_> {
     /// Looks at the steps noted since the last time. To be called before modes
     /// leave the phase or come back to it.
     #[inline(always)]
-    pub(super) fn look_back<A: Arith>(&mut self, regime: usize) {
+    pub(super) fn process_noted_steps<A: Arith>(&mut self, regime: usize) {
         for (o, track) in self.tracks.iter_mut().enumerate() {
             if track.has_steps() {
                 let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);

@@ -171,7 +171,7 @@ impl Workspace<'_> {
         self.begin_tracks::<A>(regime);
         self.begin_ledger(regime);
         let event = self.pass::<A>(regime, horizon)?;
-        self.look_back::<A>(regime);
+        self.process_noted_steps::<A>(regime);
         if self.tracks.iter().any(|track| track.lost) {
             return Err(self.too_fast());
         }
@@ -265,7 +265,7 @@ impl Workspace<'_> {
             .phase
             .fades(&self.regimes[regime].basis, &self.search.e)
         {
-            self.look_back::<A>(regime);
+            self.process_noted_steps::<A>(regime);
             self.phase.fade(&mut self.search.e);
         }
     }

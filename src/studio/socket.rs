@@ -116,9 +116,9 @@ impl Visit {
                 return Ok(());
             }
             WindowMessage::Keep { name, value } => return self.studio.settings.keep(&name, &value),
-            WindowMessage::Shown => self.window.shown(WindowInput::Answer),
-            WindowMessage::MapShown => self.window.shown(WindowInput::Map),
-            WindowMessage::QuestionShown => self.window.shown(WindowInput::Question),
+            WindowMessage::Shown => self.window.acknowledge(WindowInput::Answer),
+            WindowMessage::MapShown => self.window.acknowledge(WindowInput::Map),
+            WindowMessage::QuestionShown => self.window.acknowledge(WindowInput::Question),
             WindowMessage::Hello { .. } => return Err("it is known who you are".to_owned()),
             WindowMessage::New { scene, from } => {
                 let text = match from {
@@ -144,12 +144,12 @@ impl Visit {
                 Ok(())
             }
             WindowMessage::Unpin { pin } => {
-                room.look_at(id, |view| view.unpin(pin));
+                room.change_view(id, |view| view.unpin(pin));
                 keep_pins(room);
                 Ok(())
             }
             WindowMessage::Rename { pin, name } => {
-                room.look_at(id, |view| view.rename(pin, &name));
+                room.change_view(id, |view| view.rename(pin, &name));
                 keep_pins(room);
                 Ok(())
             }
@@ -166,7 +166,9 @@ impl Visit {
                     WindowMessage::Draft { restore } => room.draft(restore),
                     WindowMessage::Map { question } => room.map(id, question),
                     WindowMessage::Question { question } => room.question(id, question),
-                    WindowMessage::Over { signals } => room.look_at(id, |view| view.over = signals),
+                    WindowMessage::Over { signals } => {
+                        room.change_view(id, |view| view.over = signals)
+                    }
                     WindowMessage::Sight { charts } => room.sight(&self.window, charts),
                     // Heard above.
                     _ => {}

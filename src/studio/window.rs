@@ -123,7 +123,7 @@ impl Window {
     }
 
     /// What was sent last was taken up.
-    pub(super) fn shown(&self, taken: WindowInput) {
+    pub(super) fn acknowledge(&self, taken: WindowInput) {
         let mut queue = self.lock();
         match taken {
             WindowInput::Answer => queue.showing = false,

@@ -178,8 +178,8 @@ impl<'s> Judge<'s> {
     }
 
     /// Looks at a state, and takes it into the scales.
-    pub(super) fn look(&mut self, time: f64, y: &[f64], modes: &[i64]) {
-        self.mechanics.look(time, y, modes);
+    pub(super) fn take_state(&mut self, time: f64, y: &[f64], modes: &[i64]) {
+        self.mechanics.take_state(time, y, modes);
         for (greatest, at) in self.scales.motion.iter_mut().zip(&self.mechanics.nodes) {
             for (greatest, value) in greatest.iter_mut().zip(at.motion) {
                 *greatest = greatest.max(value.abs());
@@ -201,7 +201,7 @@ impl<'s> Judge<'s> {
                 (&turn.before, &turn.modes[0]),
                 (&turn.after, &turn.modes[1]),
             ] {
-                self.look(turn.time, y, &modes.0);
+                self.take_state(turn.time, y, &modes.0);
             }
         }
     }
@@ -237,7 +237,7 @@ impl<'s> Judge<'s> {
         let mut found = vec![Balance::default(); self.mechanics.nodes.len()];
         let last = window.times.len() - 1;
         for (k, (&time, y)) in window.times.iter().zip(&window.states).enumerate() {
-            self.look(time, y, &look.modes.0);
+            self.take_state(time, y, &look.modes.0);
             for (balance, at) in found.iter_mut().zip(&self.mechanics.nodes) {
                 match k {
                     0 => balance.begin(at),
@@ -337,7 +337,7 @@ impl<'s> Judge<'s> {
         let inner = window.times.iter().zip(&window.states).skip(1);
         for ((&time, y), weight) in inner.zip(WEIGHTS) {
             let mut force = |y: &[f64]| {
-                self.mechanics.look(time, y, &look.modes.0);
+                self.mechanics.take_state(time, y, &look.modes.0);
                 self.mechanics.nodes[node].force + self.mechanics.nodes[node].link
             };
             let here = force(y);
@@ -422,7 +422,7 @@ impl<'s> Judge<'s> {
     fn judge_contacts(&mut self, look: &DrawnInstant) {
         let window = &look.windows[0];
         for (&time, y) in window.times.iter().zip(&window.states).skip(1).step_by(3) {
-            self.look(time, y, &look.modes.0);
+            self.take_state(time, y, &look.modes.0);
             for k in 0..self.mechanics.pressed.len() {
                 let pressed = self.mechanics.pressed[k];
                 if pressed.component.is_none() {
@@ -460,7 +460,7 @@ impl<'s> Judge<'s> {
         let (time, y) = (window.times[middle], &window.states[middle]);
         let mut states = vec![ObjectState::default(); model.objects.len()];
         (self.system).observe(time, y, &look.modes, &mut self.scratch, &mut states);
-        self.look(time, y, &look.modes.0);
+        self.take_state(time, y, &look.modes.0);
         for (part, state) in model.objects.iter().zip(&states) {
             let Some(&node) = part.nodes.last() else {
                 continue;

@@ -157,7 +157,7 @@ impl<'s> Mechanics<'s> {
     }
 
     /// Looks at a state: motions, momenta, forces.
-    pub(super) fn look(&mut self, time: f64, y: &[f64], modes: &[i64]) {
+    pub(super) fn take_state(&mut self, time: f64, y: &[f64], modes: &[i64]) {
         self.nodes.fill(At::default());
         self.pressed.clear();
         self.move_nodes(time, y);

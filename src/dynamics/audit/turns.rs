@@ -82,7 +82,7 @@ fn pressed_at(
     component: usize,
 ) -> Option<Pressed> {
     let y = [&turn.before, &turn.after][side];
-    judge.look(turn.time, y, &turn.modes[side].0);
+    judge.take_state(turn.time, y, &turn.modes[side].0);
     let mut all = judge.mechanics.pressed.iter();
     all.find(|pressed| pressed.component == Some(component))
         .copied()

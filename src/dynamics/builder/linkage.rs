@@ -1,6 +1,6 @@
 //! Linkages: an input node that carries the whole, and a node for each output.
 
-use super::reach::{DEAD, place, range};
+use super::assembly_range::{DEAD, place, range};
 use super::spec::DrivenLinkage;
 use super::{Connected, ModelBuilder, Place};
 use crate::dynamics::model::{Law, LinkageBody, NodeIndex, Pair};

@@ -223,7 +223,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             return self.end_not_finite(index);
         }
         let mut shorter = std::mem::take(&mut self.shorter_middle);
-        let edge = self.look_at_singularities(&mut shorter);
+        let edge = self.locate_singularity(&mut shorter);
         let verdict = edge.map(|edge| match (given, edge) {
             (StepInterpolant::Middle(_) | StepInterpolant::Polynomial(..), Some(edge)) => {
                 self.take_step(time, StepInterpolant::Middle(&shorter), Some(edge))
@@ -277,7 +277,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         }
         let found = self.probe_before(found);
         let found = match given {
-            StepInterpolant::Nothing => self.look_again(found),
+            StepInterpolant::Nothing => self.refine_probe(found),
             _ => found,
         };
         // Trial points beyond a switch may leave the domain; that is no failure.
@@ -374,7 +374,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
 
     /// What a probe has found on an output that only a method of low order has, once
     /// more on a better one: the run restarts from there.
-    fn look_again(&mut self, found: Option<Located>) -> Option<Located> {
+    fn refine_probe(&mut self, found: Option<Located>) -> Option<Located> {
         let probed = found.is_some_and(|found| found.watch >= self.event_functions.len());
         if !probed || self.settings.method == Method::Dop853 {
             return found;

@@ -139,7 +139,7 @@ impl<D: Dynamics> Run<'_, D> {
     /// Looks at the edges on the step between `from` and `to`, before anything
     /// else does. Where one is reached, `to` is drawn in to that place, with the
     /// state in the `middle` of what is left.
-    pub(super) fn look_at_singularities(
+    pub(super) fn locate_singularity(
         &mut self,
         middle: &mut [f64],
     ) -> Result<Option<Singularity>, Verdict> {

@@ -47,7 +47,11 @@ impl Log<'_> {
             }
             let state = match looked {
                 Some((time, state)) if time == claim.time => state,
-                _ => stretch.look(claim.time, &mut self.observer, &mut []).states[object],
+                _ => {
+                    stretch
+                        .view_at(claim.time, &mut self.observer, &mut [])
+                        .states[object]
+                }
             };
             looked = Some((claim.time, state));
             self.confirmed[place] = Some(Confirmed {

@@ -179,7 +179,7 @@ impl<'s> FigureCollector<'s> {
         }
         if let Some((impact, _)) = event.impact {
             let energy = self.observer.energy_of(event.time, event.y, event.after);
-            self.audit.go_on(&self.ledger.strike(impact, energy));
+            self.audit.append(&self.ledger.strike(impact, energy));
             let states = self.observer.state(event.time, event.y, event.after);
             for (tally, state) in self.tallies.iter_mut().zip(states) {
                 tally.see(event.time, state);
@@ -195,7 +195,7 @@ impl<'s> FigureCollector<'s> {
         for index in 0..PLACES.len() {
             if index > 0 || !self.continues {
                 let states = &mut self.states[index * count..(index + 1) * count];
-                self.observer.put_there(step, index, modes, states);
+                self.observer.states_at_place(step, index, modes, states);
                 if WEIGHTED.contains(&index) {
                     self.powers[index] = self.observer.power_there(modes);
                 }
@@ -271,11 +271,11 @@ impl<'s> FigureCollector<'s> {
         for (object, tally) in self.tallies.iter_mut().enumerate() {
             tally.take(object, &mut segment);
         }
-        self.audit.go_on(&segment.works());
+        self.audit.append(&segment.works());
         // The end of this step is the start of the next.
         let last = 6 * self.tallies.len();
         for (tally, state) in self.tallies.iter_mut().zip(&self.states[last..]) {
-            tally.stand(state);
+            tally.set_last(state);
         }
         self.states.copy_within(last.., 0);
         self.sides[0] = self.sides[6];

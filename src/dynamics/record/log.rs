@@ -133,17 +133,17 @@ impl<'s> Log<'s> {
             if self.failure.is_some() {
                 return;
             }
-            let seen = stretch.look(time, &mut self.observer, &mut self.masses);
+            let seen = stretch.view_at(time, &mut self.observer, &mut self.masses);
             if !self.rows.sample_at(time, seen) {
                 self.fail(from);
             }
         }
         if !self.masses.is_empty() && self.rows.nearly_due(until) {
             // The last sample is taken from what was seen last.
-            stretch.look(until, &mut self.observer, &mut self.masses);
+            stretch.view_at(until, &mut self.observer, &mut self.masses);
         }
         if self.budget > 0 && self.failure.is_none() {
-            self.look_closely(stretch);
+            self.refine_samples(stretch);
         }
         self.time = until;
     }
@@ -173,7 +173,7 @@ impl<'s> Log<'s> {
         let whole = matches!(stretch.course, Course::Known(_));
         let (span, observer) = (stretch.span, &mut self.observer);
         self.watch.follow(span, whole, &mut |time, object| {
-            stretch.look(time, observer, &mut []).states[object]
+            stretch.view_at(time, observer, &mut []).states[object]
         });
     }
 
@@ -266,7 +266,7 @@ impl<'s> Log<'s> {
             if self.peaks.iter().any(|kept| kept.0 == time) {
                 continue;
             }
-            let seen = stretch.look(time, &mut self.observer, &mut self.masses);
+            let seen = stretch.view_at(time, &mut self.observer, &mut self.masses);
             if let Some(values) = self.rows.values(seen) {
                 self.peaks.push((time, values.to_vec()));
             }
@@ -275,10 +275,10 @@ impl<'s> Log<'s> {
 
     /// Takes samples between those that are due, where straight lines between them would
     /// not show the course of every column.
-    fn look_closely(&mut self, mut stretch: Stretch<'_>) {
+    fn refine_samples(&mut self, mut stretch: Stretch<'_>) {
         let [from, until] = stretch.span;
         let mut row = |log: &mut Self, time: f64| -> Option<Vec<f64>> {
-            let seen = stretch.look(time, &mut log.observer, &mut log.masses);
+            let seen = stretch.view_at(time, &mut log.observer, &mut log.masses);
             log.rows.values(seen).map(<[f64]>::to_vec)
         };
         let Some(first) = row(self, from) else {

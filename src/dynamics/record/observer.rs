@@ -87,10 +87,10 @@ impl<'s> Observer<'s> {
         if let Some(bends) = self.bends.as_mut().filter(|bends| bends.is_wanted()) {
             bends.read(step, s);
         }
-        self.look(time, modes, states);
+        self.observe_current(time, modes, states);
     }
 
-    /// Looks at a step at all its [`PLACES`], for [`Self::put_there`].
+    /// Looks at a step at all its [`PLACES`], for [`Self::states_at_place`].
     pub(crate) fn go_to(&mut self, step: &Step<'_>) {
         if step.coordinates == 0 {
             return;
@@ -106,7 +106,7 @@ impl<'s> Observer<'s> {
     }
 
     /// States of all objects at one of the [`PLACES`] of the step gone to, into `states`.
-    pub(crate) fn put_there(
+    pub(crate) fn states_at_place(
         &mut self,
         step: &Step<'_>,
         place: usize,
@@ -119,12 +119,12 @@ impl<'s> Observer<'s> {
         if let Some(bends) = self.bends.as_mut().filter(|bends| bends.is_wanted()) {
             bends.set(&self.bends_there[n * place..][..n]);
         }
-        self.look(step.time(PLACES[place] * step.end), modes, states);
+        self.observe_current(step.time(PLACES[place] * step.end), modes, states);
     }
 
     /// States of all objects at an instant at which the state is there, and what bends the
     /// step.
-    fn look(&mut self, time: f64, modes: &Modes, states: &mut [ObjectState]) {
+    fn observe_current(&mut self, time: f64, modes: &Modes, states: &mut [ObjectState]) {
         let (system, scratch) = (self.system, &mut self.scratch);
         match self.bends.as_ref().filter(|bends| bends.is_wanted()) {
             Some(bends) => system.observe_bent(time, &self.y, modes, bends, scratch, states),

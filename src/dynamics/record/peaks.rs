@@ -6,7 +6,7 @@
 //! where that could beat the greatest value so far is it looked for closely.
 
 use crate::dynamics::segment::Peak;
-use crate::math::optimise::{climb_among, vertex};
+use crate::math::optimise::{refine_maximum_among, vertex};
 use crate::math::quadrature::FIVE;
 
 /// Places within a step, as fractions of it: its ends and the five
@@ -68,7 +68,7 @@ impl Peak {
             let gain = hoped - values[top];
             if gain > 1e-15 * hoped.abs() && values[top] + 2.0 * gain > self.value {
                 let points = std::array::from_fn(|i| (places[i], values[i]));
-                let (place, value) = climb_among(&points, top, near, &mut look);
+                let (place, value) = refine_maximum_among(&points, top, near, &mut look);
                 self.see(time(place), value);
             }
         }

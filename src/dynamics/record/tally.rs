@@ -285,7 +285,7 @@ impl Tally {
     }
 
     /// Sets the object's state last seen.
-    pub(crate) fn stand(&mut self, state: &ObjectState) {
+    pub(crate) fn set_last(&mut self, state: &ObjectState) {
         self.last = *state;
     }
 

@@ -124,7 +124,7 @@ impl<N: Quantity> Work<N> {
             reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
             rubbing: frozen.rubbing_memory(),
-            several: frozen.several_memory(),
+            several: frozen.multi_input_friction_memory(),
             cursors: vec![Cell::default(); frozen.linkages.len()],
         }
     }

@@ -64,7 +64,7 @@ pub(super) fn scales(frozen: &Frozen, sampled: &MotionRanges) -> Vec<f64> {
             }
             Step::Rotor(rotor) => {
                 let speed = nominal_speed(frozen, rotor.node, rotor.speed);
-                scales[rotor.coordinate] = frozen.way_of(rotor.node).unwrap_or(ROTOR_ANGLE);
+                scales[rotor.coordinate] = frozen.input_length(rotor.node).unwrap_or(ROTOR_ANGLE);
                 scales[n + rotor.coordinate] = positive(speed, 1.0);
             }
             Step::Chain(index) => {

@@ -259,7 +259,7 @@ impl<'a> EventLoop<'a> {
     }
 
     /// State and modes of everything where the walk stands.
-    pub(crate) fn stand(&mut self, given: Option<&RemainderStep<'_>>) -> (&[f64], &Modes) {
+    pub(crate) fn current_state(&mut self, given: Option<&RemainderStep<'_>>) -> (&[f64], &Modes) {
         let mut motion = Motion {
             branches: &mut self.branches,
             given,

@@ -128,7 +128,7 @@ pub(crate) fn fit(
         while tried < trials && passed < HALVINGS && time + length > time {
             match attempt(course, &formulas, last, (time, length), target, tail) {
                 Trial::Good(fit) => {
-                    if course.is_shown(&formulas, (time, length), target) {
+                    if course.is_resolved_by_samples(&formulas, (time, length), target) {
                         return Some(Fit { end, ..fit });
                     }
                     length *= 0.5;

@@ -1,13 +1,13 @@
 //! Looking back at the steps of a phase: what is bounded, and what happens in them.
 
-use super::climb::{Climb, Turns};
 use super::lanes_ahead::LanesAhead;
+use super::refine::{Climb, Turns};
 use super::walk::TrackWalk;
 use super::{Scene, Track};
 use crate::exact::hermite::{Loss, Point, enclose};
 use crate::exact::lanes::{Arith, Task, V};
 
-/// [`Track::look_back`], out of line.
+/// [`Track::process_noted_steps`], out of line.
 pub(crate) struct LookBack<'a> {
     pub(crate) track: &'a mut Track,
     pub(crate) scene: Scene<'a>,
@@ -18,24 +18,24 @@ impl Task for LookBack<'_> {
 
     #[inline(always)]
     fn run<A: Arith>(self) {
-        self.track.look_back::<A>(self.scene);
+        self.track.process_noted_steps::<A>(self.scene);
     }
 }
 
 impl Track {
     /// Takes the steps that were seen into the figures.
     #[inline(always)]
-    fn look_back<A: Arith>(&mut self, scene: Scene) {
+    fn process_noted_steps<A: Arith>(&mut self, scene: Scene) {
         for number in 0..self.steps.len() {
             let [a, b] = self.steps[number];
-            self.look_into::<A>(scene, &a, &b);
+            self.process_step::<A>(scene, &a, &b);
         }
         self.steps.clear();
     }
 
     /// Takes a step into the figures.
     #[inline(always)]
-    pub(super) fn look_into<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
+    pub(super) fn process_step<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
         if scene.followed(b.s - a.s) == scene.lanes() {
             self.span::<A>(scene, LanesAhead::Followed(a.fourth), a, b);
         } else if !self.settled::<A>(scene, a, b) {

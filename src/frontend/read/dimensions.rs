@@ -21,7 +21,7 @@ impl Fields<'_> {
         self.maybe("dimensions", doc, |slot| {
             slot.names(|name, mut slot| {
                 let place = slot.name_place();
-                let value = slot.look(dimension);
+                let value = slot.read_in_place(dimension);
                 entries.push(Entry {
                     name: name.to_owned(),
                     place,

@@ -127,7 +127,7 @@ impl<'a> Closing<'a> {
     /// 1/ω* is the greatest over the turn of the positive roots of
     /// (f + preload + rate·x)·x² + b·x + a = 0; without damping
     /// ω*² = min (f + preload + rate·x)/(−a) over all φ with a < 0.
-    pub fn lets_go(&self, spring: ClosingSpring, sense: f64) -> LetsGo {
+    pub fn separation_speed(&self, spring: ClosingSpring, sense: f64) -> LetsGo {
         let rest = self.least(spring, 0.0);
         if rest.value < 0.0 {
             return LetsGo::AtRest(At {

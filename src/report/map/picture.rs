@@ -1,8 +1,8 @@
 //! A map as a picture: heat maps with contour lines over two parameters, curves over one,
 //! verdicts marked in both; and its parts for a page.
 
-use super::looks::{hatching, plain};
 use super::panel::{Panel, undetermined};
+use super::style::{hatching, plain};
 use super::values::Values;
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;

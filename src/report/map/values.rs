@@ -62,7 +62,7 @@ impl Values {
     }
 
     /// The value as it is interpolated and coloured.
-    pub(super) fn shown(&self, value: f64) -> f64 {
+    pub(super) fn scaled(&self, value: f64) -> f64 {
         if self.log {
             value.abs().max(self.range[0]).log10()
         } else {
@@ -72,8 +72,8 @@ impl Values {
 
     /// Place of a value within the range, 0 … 1.
     pub(super) fn share(&self, value: f64) -> f64 {
-        let [low, high] = self.range.map(|value| self.shown(value));
-        ((self.shown(value) - low) / (high - low)).clamp(0.0, 1.0)
+        let [low, high] = self.range.map(|value| self.scaled(value));
+        ((self.scaled(value) - low) / (high - low)).clamp(0.0, 1.0)
     }
 
     /// Shade of a value.

@@ -109,14 +109,14 @@ impl<'a> CombinedRecord<'a> {
     }
 
     /// A switch in what is integrated.
-    pub(super) fn switch_beside(&mut self, event: &SwitchEvent<'_>) {
+    pub(super) fn switch_integrated(&mut self, event: &SwitchEvent<'_>) {
         if let Some(beside) = &mut self.beside {
             beside.switch_integrated(event);
         }
     }
 
     /// The start of what is integrated.
-    pub(super) fn start_beside(&mut self, y: &[f64], modes: &Modes) {
+    pub(super) fn start_integrated(&mut self, y: &[f64], modes: &Modes) {
         if let Some(beside) = &mut self.beside {
             beside.start_integrated(y, modes);
         }
@@ -131,7 +131,7 @@ impl<'a> CombinedRecord<'a> {
 
     /// Forces and rigid objects over a stretch, part by part of the grid; as far as the walk
     /// goes on.
-    fn look(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
+    fn record_forces(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
         let Some(beside) = &mut self.beside else {
             return;
         };
@@ -153,9 +153,9 @@ impl<'a> CombinedRecord<'a> {
             };
             let part = [from, to];
             if !at_rest {
-                self.look_at_forces(motion, part, modes);
+                self.sample_forces(motion, part, modes);
             }
-            if !self.look_at_carried(motion, part, modes) {
+            if !self.record_carried(motion, part, modes) {
                 return;
             }
             from = to;
@@ -163,7 +163,7 @@ impl<'a> CombinedRecord<'a> {
     }
 
     /// Forces in a stretch, halved where they are not followed over it.
-    fn look_at_forces(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
+    fn sample_forces(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
         let mut parts = vec![(span, 0)];
         while let Some(([from, to], halvings)) = parts.pop() {
             let Some(beside) = &mut self.beside else {
@@ -178,18 +178,18 @@ impl<'a> CombinedRecord<'a> {
                 parts.extend([[middle, to], [from, middle]].map(|part| (part, halvings + 1)));
                 continue;
             }
-            self.climb(motion, modes);
+            self.refine_force_extrema(motion, modes);
         }
     }
 
     /// Climbs to the greatest forces in the stretch taken up last.
-    fn climb(&mut self, motion: &mut Motion<'_, '_>, modes: &Modes) {
+    fn refine_force_extrema(&mut self, motion: &mut Motion<'_, '_>, modes: &Modes) {
         let Some(beside) = &mut self.beside else {
             return;
         };
         for own in &mut beside.coupled {
             self.found.clear();
-            own.climb(motion.branches, &mut beside.forces, |time| {
+            own.refine_force_extrema(motion.branches, &mut beside.forces, |time| {
                 self.found.push(time);
             });
             for &time in &self.found {
@@ -201,7 +201,7 @@ impl<'a> CombinedRecord<'a> {
     }
 
     /// False where the walk ended meanwhile.
-    fn look_at_carried(
+    fn record_carried(
         &mut self,
         motion: &mut Motion<'_, '_>,
         span: [f64; 2],
@@ -292,7 +292,7 @@ impl<'a> CombinedRecord<'a> {
         }
         let last = self.log.observe(time, y, modes);
         for (tally, state) in tallies.iter_mut().zip(last) {
-            tally.stand(state);
+            tally.set_last(state);
         }
         let mut recorded = self.log.finish(time, &tallies, Vec::new(), audit);
         recorded.failure = failure.or(recorded.failure);
@@ -343,7 +343,7 @@ impl Listener for CombinedRecord<'_> {
             modes,
             course: Course::Known(&mut |time, y| motion.state(time, y)),
         });
-        self.look(motion, span, modes);
+        self.record_forces(motion, span, modes);
         let trees = self.trees.iter().flatten();
         let carried = self.carried.iter().map(|carried| &carried.2);
         let coupled = self.beside.iter().flat_map(|beside| &beside.coupled);

@@ -178,7 +178,7 @@ impl TreeBase {
 
     /// Instants at which it meets what it has not met before, in a stretch whose nodes
     /// were taken up.
-    pub(super) fn climb(
+    pub(super) fn refine_force_extrema(
         &self,
         branches: &mut [Branch<'_>],
         forces: &mut Forces,

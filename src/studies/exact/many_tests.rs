@@ -82,7 +82,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     let parts = whole(&system).unwrap();
     assert_eq!(parts.trees.len(), TREES);
     let initial = system.initial_place().unwrap();
-    let rest = Rest::beside(&system, &parts).unwrap();
+    let rest = Rest::outside_trees(&system, &parts).unwrap();
     let trees = trees(&parts, &initial);
     let way = Schedule {
         system: &system,
@@ -131,7 +131,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
         ..
     } = counted;
     let evaluations = joint.beside.as_ref().unwrap().forces.evaluations;
-    let (y, modes) = walk.stand(None);
+    let (y, modes) = walk.current_state(None);
     let (y, modes) = (y.to_vec(), modes.clone());
     let recorded = joint.finish(walk.time(), (&y, &modes), walk.branches());
     let found = recorded.figures[0].peak_reaction;

@@ -155,7 +155,7 @@ pub(super) fn follow(
     sink: &mut dyn Sink,
 ) -> MotionFindings {
     let rest = match wanted {
-        None => Rest::beside(system, parts),
+        None => Rest::outside_trees(system, parts),
         Some(_) => None,
     };
     let trees = trees(parts, initial);
@@ -192,7 +192,7 @@ pub(super) fn follow(
 fn finish(mut walk: EventLoop<'_>, mut joint: CombinedRecord<'_>) -> MotionFindings {
     let outcome = walk.outcome();
     walk.cut(&mut joint);
-    let (y, modes) = walk.stand(None);
+    let (y, modes) = walk.current_state(None);
     let (y, modes) = (y.to_vec(), modes.clone());
     let grazing = walk.grazing();
     let recorded = joint.finish(walk.time(), (&y, &modes), walk.branches());
@@ -334,7 +334,7 @@ fn never_begun(
 ///
 /// Ends where either does. Trees that give up are not waited for: their reason is that
 /// of the whole.
-pub(super) fn follow_beside(
+pub(super) fn propagate_with_remainder(
     system: &System,
     (parts, rest): (&Parts, &Rest),
     initial: &InitialState,

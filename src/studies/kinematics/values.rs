@@ -1,6 +1,6 @@
 //! The values of all columns at a position, in the order of [`super::columns::headings`].
 
-use super::ask::KinematicsRequest;
+use super::request::KinematicsRequest;
 use crate::kinematics::linkage::Workspace;
 use crate::kinematics::linkage::spec::{PairKind, PairSpec, PointOf};
 use crate::math::jet::Jet;

@@ -1,6 +1,6 @@
 //! One point of a map.
 
-use super::ends::failed;
+use super::ends::failure_verdict;
 use super::figure::{read, scale, wanted};
 use super::judge::{self, Begun, Evidence, judge};
 use super::rigid::RigidMotion;
@@ -252,7 +252,7 @@ impl Task<'_> {
 
     /// The cell of a run that did not come to its end or is not to be trusted.
     fn failed(&self, found: &Motion) -> Option<Cell> {
-        let (verdict, cause) = failed(self.system.model(), self.settings, found)?;
+        let (verdict, cause) = failure_verdict(self.system.model(), self.settings, found)?;
         Some(Cell::without_value(verdict, cause))
     }
 

@@ -248,7 +248,7 @@ impl<'a> Study<'a> {
             StudyFault::Question(format!("{}; {hint}", fault.message))
         })?;
         self.unit = unit(&self.figure, model);
-        let written = |axis: &Axis| axis.shown_unit(model);
+        let written = |axis: &Axis| axis.display_unit(model);
         self.parameter_units = [
             written(&self.x),
             self.y.as_ref().map(written).unwrap_or_default(),

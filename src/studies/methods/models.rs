@@ -7,11 +7,11 @@
 use crate::fault::Fault;
 use crate::frontend::scene::{Accuracy, AccuracySpec, Levels, TypedScene, in_words};
 use crate::math::order::Total;
-use crate::studies::order::asked::RequestedFigure;
 use crate::studies::order::choose::families;
+use crate::studies::order::figure_limits::{FigureLimits, first_enough};
 use crate::studies::order::judge::Judge;
-use crate::studies::order::known::{FigureLimits, first_enough};
 use crate::studies::order::lessen::lessened;
+use crate::studies::order::requested_figures::RequestedFigure;
 use crate::studies::order::row::Course;
 use crate::studies::order::trial::{Trial, Trials, coordinates};
 use crate::studies::{Control, RunSettings};

@@ -1,8 +1,8 @@
 //! The row of runs from which the limit of the model is told: the coordinates of all elastic
 //! objects doubled from run to run.
 
-use super::asked::{RequestedFigure, is_count, no_limit};
 use super::bound::of_figure;
+use super::requested_figures::{RequestedFigure, is_count, no_limit};
 use super::settling::{Settled, scatter, settled};
 use super::trial::{Trials, coordinates};
 use crate::dynamics::builder::spec::{Level, Lumping};

@@ -43,7 +43,7 @@ const ROUNDING: f64 = 1e-13;
 const NONE: f64 = 1e-290;
 
 /// Objects with several inputs that move with a drive.
-pub(super) fn several_inputs(model: &Model, moved: &[bool]) -> Vec<Fault> {
+pub(super) fn multi_input_objects(model: &Model, moved: &[bool]) -> Vec<Fault> {
     let parts = model.objects.iter();
     let combined = parts.filter(|part| part.combination.is_some_and(|node| moved[node]));
     combined
@@ -76,7 +76,7 @@ pub(super) fn over_time(model: &Model, moved: &[bool]) -> Vec<Fault> {
 
 /// Faults of objects and loads that have no place in the method.
 fn obstacles(model: &Model, moved: &[bool]) -> Vec<Fault> {
-    let mut faults = several_inputs(model, moved);
+    let mut faults = multi_input_objects(model, moved);
     for part in &model.objects {
         let node = part.nodes[0];
         let combined = part.combination.is_some_and(|node| moved[node]);

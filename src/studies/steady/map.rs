@@ -2,7 +2,7 @@
 //!
 //! It is taken over time behind prescribed drives, and over the angle of a drive on its motor
 //! (`phase`). After which angle a machine repeats follows from its ratios (`cycle`). A moment
-//! that holds a mean speed is one more entry of the state (`held`).
+//! that holds a mean speed is one more entry of the state (`mean_speed`).
 
 mod tree;
 

@@ -9,9 +9,10 @@ mod answer;
 pub mod csv;
 mod cycle;
 mod expectations;
-mod held;
+mod flywheel;
 mod machine;
 mod map;
+mod mean_speed;
 mod motor;
 mod multipliers;
 mod over_period;
@@ -22,7 +23,6 @@ mod rigid;
 mod shooting;
 mod simulate;
 mod sink;
-mod wheel;
 
 pub use answer::DriveFigures;
 pub use answer::DriveRow;
@@ -114,7 +114,7 @@ pub fn steady_motion_within(
     spec: &SteadySpec,
     control: &Control<'_>,
 ) -> Result<Answer, Vec<Fault>> {
-    found(system, settings, spec, control).map_err(|faults| match control.spent() {
+    solve(system, settings, spec, control).map_err(|faults| match control.spent() {
         // What it came to by then is no word on the machine.
         Some(spent) => {
             let message = format!("ended before a steady motion was found: {spent}");
@@ -156,7 +156,7 @@ fn moves_with_drives(model: &Model, spec: &SteadySpec) -> bool {
     spec.drive.is_none() && elastic
 }
 
-fn found(
+fn solve(
     system: &System,
     settings: &RunSettings,
     spec: &SteadySpec,

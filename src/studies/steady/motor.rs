@@ -8,13 +8,13 @@ use super::answer::DriveFigures;
 use super::answer::DriveRow;
 use super::answer::StartOf;
 use super::cycle::{AFTER_A_CYCLE, Rhythms};
-use super::held::{Added, with_added};
-use super::machine::{behind, over_time, several_inputs};
+use super::flywheel::{WheelRequest, WheelResult};
+use super::machine::{behind, multi_input_objects, over_time};
 use super::map::Map;
+use super::mean_speed::{Added, with_added};
 use super::periodic::{About, ORBIT, PeriodicAnswer, none, part_near, state_names};
 use super::phase::PhaseMap;
 use super::portrait::{Portrait, Row};
-use super::wheel::{WheelRequest, WheelResult};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::Model;
 use crate::dynamics::steady::Means;
@@ -76,7 +76,7 @@ fn obstacles(model: &Model, drive: usize, moved: &[bool]) -> Vec<Fault> {
             Fault::new(&other.id, message, hint)
         })
         .collect();
-    faults.extend(several_inputs(model, moved));
+    faults.extend(multi_input_objects(model, moved));
     faults.extend(over_time(model, moved));
     faults
 }
@@ -253,7 +253,7 @@ pub(super) fn answer(
     };
     let found = match (spec.balance, spec.fluctuation) {
         (false, None) => WheelResult::default(),
-        _ => machine.found()?,
+        _ => machine.solve()?,
     };
     let own;
     let system = match found.added == Added::default() {

@@ -39,7 +39,7 @@ pub(crate) enum Course<'a> {
 
 impl Stretch<'_> {
     /// Looks at an instant.
-    pub(in crate::dynamics::record) fn look<'o>(
+    pub(in crate::dynamics::record) fn view_at<'o>(
         &mut self,
         time: f64,
         observer: &'o mut Observer<'_>,

@@ -30,15 +30,15 @@
 
 mod force;
 mod hold;
+mod multi_input;
 mod passes;
-mod several;
 mod sides;
 mod standstill;
 mod stick_slip;
 mod stops;
 mod unsolved;
 
-pub(super) use several::{Several, SeveralWork};
+pub(super) use multi_input::{Several, SeveralWork};
 pub(crate) use stick_slip::StickSlip;
 
 use super::frozen::{Frozen, FrozenTrack};

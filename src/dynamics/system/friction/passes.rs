@@ -53,7 +53,7 @@ impl Frozen {
                 (member.object, if held { 0.0 } else { loss })
             })
         });
-        groups.chain(self.loss_of_several(work))
+        groups.chain(self.multi_input_friction_loss(work))
     }
 
     /// Corners of blocks that press, as found last, of linkages whose motion is given;

@@ -269,7 +269,7 @@ fn not_of_one(fields: &mut Fields<'_>) -> bool {
 
 fn travel(mut slot: Slot<'_>, input: Measures) -> Option<[f64; 2]> {
     let end = |slot: Slot<'_>| slot.quantity(input.displacement(), Bounds::ANY);
-    let (from, to) = slot.look(|slot| slot.pair(end, end))?;
+    let (from, to) = slot.read_in_place(|slot| slot.pair(end, end))?;
     if from < to {
         return Some([from, to]);
     }

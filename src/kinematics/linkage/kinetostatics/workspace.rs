@@ -1,8 +1,8 @@
 //! Memory for one position, kept from position to position.
 
 use super::friction::{Law, Term};
+use super::held_pairs::SeveralForces;
 use super::positions::{LinkPosition, PointPosition};
-use super::several_held::SeveralForces;
 use crate::math::linear::Factors;
 
 /// Place of a pair, and how it slides.

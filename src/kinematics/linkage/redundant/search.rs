@@ -27,7 +27,7 @@ const MOST_TRIED: usize = 1000;
 /// does not move, or the search finds no reason. What is said approximately of its links chooses
 /// among the assemblies in which it moves, and is no reason to refuse it. A branch may be: where a
 /// single one is why it does not move, that is what is wrong.
-pub(in crate::kinematics::linkage) fn found(
+pub(in crate::kinematics::linkage) fn find_movable_linkage(
     spec: &LinkageSpec,
     closed_forms: bool,
 ) -> Option<Result<Linkage, Vec<Fault>>> {
@@ -146,7 +146,7 @@ fn collides(one: &Redundant, other: &Redundant) -> bool {
 /// What could be left out: whole pairs beside another one of the same links, links that hang between
 /// two pairs, guides that turn; the last ones first, so that what was there before stays.
 fn candidates(spec: &LinkageSpec) -> Vec<Redundant> {
-    let mut list = beside_another(spec);
+    let mut list = duplicate_pairs(spec);
     for link in (0..spec.links.len()).rev() {
         list.extend(between(spec, link));
     }
@@ -160,7 +160,7 @@ fn candidates(spec: &LinkageSpec) -> Vec<Redundant> {
 }
 
 /// Pairs whose links are joined by an earlier pair of the same kind.
-fn beside_another(spec: &LinkageSpec) -> Vec<Redundant> {
+fn duplicate_pairs(spec: &LinkageSpec) -> Vec<Redundant> {
     let ends = |pair: &PairSpec| {
         let mut ends = [pair.on.link, pair.link.link];
         ends.sort_unstable();

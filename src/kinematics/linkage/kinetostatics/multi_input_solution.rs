@@ -1,7 +1,7 @@
 //! What was found of the friction of a linkage of several inputs.
 
 use super::Kinetostatics;
-use super::several_held::{DEPENDENT, GIVEN, dot};
+use super::held_pairs::{DEPENDENT, GIVEN, dot};
 use super::workspace::ForceWorkspace;
 
 impl Kinetostatics {

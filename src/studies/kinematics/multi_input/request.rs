@@ -1,8 +1,8 @@
 //! What is asked of a linkage of several inputs.
 
-use super::super::ask::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
+use super::super::request::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
 use super::super::subject::{of_outputs, start_of};
-use super::reach::{InputReach, reach};
+use super::input_range::{InputReach, reach};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
 use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion, NotAssembled};

@@ -2,7 +2,7 @@
 
 use super::super::columns::Heading;
 use super::super::rows::Course;
-use super::ask::AskedSeveral;
+use super::request::AskedSeveral;
 use super::values;
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiMotion, MultiRounding, NotAssembled};

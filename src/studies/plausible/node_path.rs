@@ -52,7 +52,7 @@ const TURNS: f64 = 37.3;
 
 /// The ways of the objects' last nodes, which is what others follow; `None` for other
 /// nodes, where the motion is not known, and where nothing is a number.
-pub(super) fn ways(
+pub(super) fn node_paths(
     model: &Model,
     duration: f64,
     stretch: Stretch,

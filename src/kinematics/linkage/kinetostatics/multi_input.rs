@@ -16,7 +16,7 @@
 
 use super::external::Input;
 use super::friction::Law;
-use super::several_held::dot;
+use super::held_pairs::dot;
 use super::solve::{ForceFailure, Options};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
@@ -50,7 +50,7 @@ impl Kinetostatics {
     ///
     /// # Errors
     /// The equations are singular, or not finite.
-    pub fn place_several(
+    pub fn set_motion(
         &self,
         motion: &MultiMotion,
         carried: OutputLoads<'_>,
@@ -124,13 +124,13 @@ impl Kinetostatics {
     }
 
     /// The force of friction on the inputs with the accelerations that it leaves, at what
-    /// [`Self::place_several`] took over, where the pairs do what `sliding` says; the number of
+    /// [`Self::set_motion`] took over, where the pairs do what `sliding` says; the number of
     /// solutions.
     ///
     /// # Errors
     /// [`ForceFailure::SelfLocking`] where no accelerations agree with the friction that they
     /// cause.
-    pub fn rub_several(
+    pub fn solve_friction(
         &self,
         mobility: &[f64],
         sliding: &[Sliding],

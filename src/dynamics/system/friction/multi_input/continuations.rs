@@ -79,7 +79,7 @@ impl<'a> Ways<'a> {
         } = &mut *self.own;
         let solver = &self.several.kinetostatics;
         solver
-            .rub_several(mobility_values, &self.sliding, &options(false), forces)
+            .solve_friction(mobility_values, &self.sliding, &options(false), forces)
             .is_ok()
     }
 
@@ -188,9 +188,9 @@ impl<'a> Ways<'a> {
     /// All ways in which pairs at rest go on that agree with Coulomb's law; of two that are one
     /// but for rounding the one in which more pairs start, where some are to, or fewer.
     pub(super) fn consistent(&mut self, resting: &[usize], start: bool) -> Vec<Continuation> {
-        let mut found = self.all_ways(resting, 0.0);
+        let mut found = self.all_continuations(resting, 0.0);
         if found.is_empty() {
-            found = self.all_ways(resting, ROUNDING);
+            found = self.all_continuations(resting, ROUNDING);
         }
         if let [one, other] = &found[..]
             && one.is_next_to(other)
@@ -201,7 +201,7 @@ impl<'a> Ways<'a> {
         found
     }
 
-    fn all_ways(&mut self, resting: &[usize], slack: f64) -> Vec<Continuation> {
+    fn all_continuations(&mut self, resting: &[usize], slack: f64) -> Vec<Continuation> {
         let mut found = Vec::new();
         for number in 0..3usize.pow(resting.len() as u32) {
             let digit = |place: usize| number / 3usize.pow(place as u32) % 3;

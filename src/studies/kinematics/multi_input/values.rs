@@ -5,7 +5,7 @@
 use super::super::Quantity;
 use super::super::columns::{CENTRE, Heading, OUTPUT, SLIDE, heading, unit_of};
 use super::super::values::{along_path, instant_centre, moved, transport, under_block};
-use super::ask::AskedSeveral;
+use super::request::AskedSeveral;
 use crate::kinematics::linkage::multi::MultiMotion;
 use crate::kinematics::linkage::spec::{OutputKind, PairKind, PointOf};
 use crate::math::jet::Jet;

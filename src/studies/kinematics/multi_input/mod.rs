@@ -1,14 +1,14 @@
 //! Kinematics of linkages of several inputs: over the way of one input or of several, or over
 //! the time of the scene's drives; the singular positions over two of them.
 
-mod ask;
-mod asked;
 mod course;
+mod input_range;
 mod plane;
-mod reach;
+mod request;
+mod resolved_request;
 mod values;
 
-pub use ask::AskedSeveral;
+pub use request::AskedSeveral;
 
 use super::columns::unit_of;
 use super::figures::{NamedFigure, Places, figures_of};
@@ -18,11 +18,11 @@ use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, Stopped, Stroke, Tran
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::NotAssembled;
 use crate::math::roots::bisect;
-use ask::Advance;
 use course::SeveralInputs;
+use request::Advance;
 
 /// Positions, speeds and accelerations of a linkage of several inputs over what was asked.
-pub fn several_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
+pub fn multi_input_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
     let mut rows = Rows::new(SeveralInputs::new(asked));
     let places = evenly(asked.span(), asked.positions, asked.also);
     let stopped = rows.fill(&places);
@@ -137,7 +137,7 @@ fn strokes(asked: &AskedSeveral<'_>, rows: &mut Rows<SeveralInputs<'_, '_>>) -> 
         // Speeds stand behind their displacements.
         let owner = (column.owner.clone(), unit_of(coordinate));
         let course = &mut rows.course;
-        let sense = asked.rate_of_way();
+        let sense = asked.axis_rate();
         let mut look = |place: f64, value: bool| match course.at(place, &mut values) {
             Ok(()) if value => values[index],
             Ok(()) => values[index + 1] / sense,
