@@ -130,7 +130,7 @@ impl Answer<'_> {
             return Ok(());
         }
         for warning in &self.findings.warnings {
-            console::talk(&format!("warning: {warning}"));
+            console::print_message(&format!("warning: {warning}"));
         }
         if let Some(folder) = folder {
             folder.print_report_path();

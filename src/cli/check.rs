@@ -42,7 +42,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
             console::diagnose(warnings);
         }
         for text in said {
-            console::talk(&format!("warning: {text}"));
+            console::print_message(&format!("warning: {text}"));
         }
     }
     let coordinates = start.y.len() / 2;

@@ -106,7 +106,7 @@ fn escaped(json: &str) -> String {
 }
 
 /// Says something on standard error, in the width of the terminal.
-pub(crate) fn talk(text: &str) {
+pub(crate) fn print_message(text: &str) {
     let text = printable(text);
     match width(Stream::Error) {
         Some(width) => rendered(&fitted(&text, width)),
@@ -116,11 +116,11 @@ pub(crate) fn talk(text: &str) {
 
 impl Failure {
     /// Tells people.
-    pub(crate) fn talk(&self) {
+    pub(crate) fn print_message(&self) {
         match self {
             Self::Scene(diagnostics) => diagnose(diagnostics),
             Self::Other(message) | Self::Output(message) => {
-                talk(&format!("error: {message}\n"));
+                print_message(&format!("error: {message}\n"));
             }
         }
     }

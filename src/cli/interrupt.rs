@@ -126,7 +126,7 @@ pub(crate) fn status() -> Status {
 }
 
 /// A signal has come; `code` is its exit status.
-fn heard(code: u8) {
+fn handle_signal(code: u8) {
     if SIGNALLED.load(Ordering::Relaxed) {
         std::process::exit(i32::from(code));
     }
@@ -152,7 +152,7 @@ fn listen() {
     };
     std::thread::spawn(move || {
         for signal in signals.forever() {
-            heard(128 + u8::try_from(signal).unwrap_or(0));
+            handle_signal(128 + u8::try_from(signal).unwrap_or(0));
         }
     });
 }

@@ -92,7 +92,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let known_before = &ready.system.model().warnings;
     if !quiet {
         for warning in known_before {
-            console::talk(&format!("warning: {warning}"));
+            console::print_message(&format!("warning: {warning}"));
         }
     }
     let control = asker.budget();
@@ -173,7 +173,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let shown = AnswerForm::json_or(args.scene.json, AnswerForm::Text);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !quiet {
-        talk(&ready, &result, &expected, seconds);
+        print_summary(&ready, &result, &expected, seconds);
         if let Some(folder) = &folder {
             folder.print_report_path();
         }
@@ -247,14 +247,14 @@ pub(crate) fn run_with_progress(
     Ok(result)
 }
 
-fn talk(ready: &Ready, result: &RunResult, expected: &Expectations<'_>, seconds: f64) {
+fn print_summary(ready: &Ready, result: &RunResult, expected: &Expectations<'_>, seconds: f64) {
     let known_before = &ready.system.model().warnings;
     let found = result.figures.warnings.iter();
     for warning in found.filter(|warning| !known_before.contains(warning)) {
-        console::talk(&format!("warning: {warning}"));
+        console::print_message(&format!("warning: {warning}"));
     }
-    expected.talk();
-    console::talk(&format!("computed in {seconds:.3} s"));
+    expected.print_verdicts();
+    console::print_message(&format!("computed in {seconds:.3} s"));
 }
 
 /// A run that ends as the scene expects, be it by a stop, has answered.

@@ -189,7 +189,7 @@ impl Track {
         self.calm = self.whole;
         // What flies is at rest at the start alone.
         let flies = self.asked.mean && !phase.flights.is_empty();
-        self.quiet = !flies && self.nothing_between::<A>(0.0, 0.0);
+        self.quiet = !flies && self.is_calm_between::<A>(0.0, 0.0);
         (self.before.s, self.now.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         (self.last.s, self.look.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         if !self.quiet || self.asked.mean {
@@ -212,13 +212,13 @@ impl Track {
     #[inline(always)]
     fn set_envelope<A: Arith>(&mut self, s: f64, envelope: V) {
         self.calm = envelope;
-        self.quiet = self.nothing_between::<A>(s, s);
+        self.quiet = self.is_calm_between::<A>(s, s);
     }
 
     /// True when the envelopes tell that between two instants no figure can
     /// pass its greatest value and δ keeps its sign.
     #[inline(always)]
-    fn nothing_between<A: Arith>(&self, from: f64, to: f64) -> bool {
+    fn is_calm_between<A: Arith>(&self, from: f64, to: f64) -> bool {
         self.rules_out::<A>(from, to, self.calm)
     }
 
@@ -227,13 +227,13 @@ impl Track {
     #[inline(always)]
     fn rules_out<A: Arith>(&self, from: f64, to: f64, envelope: V) -> bool {
         let bounds = self.state.envelope::<A>(from, to, envelope);
-        bounds.is_some_and(|bounds| self.nothing_within(&bounds))
+        bounds.is_some_and(|bounds| self.is_calm_within(&bounds))
     }
 
     /// True when values within the bounds pass nothing, rounding apart, and δ
     /// keeps its sign.
     #[inline(always)]
-    fn nothing_within(&self, bounds: &Bounds) -> bool {
+    fn is_calm_within(&self, bounds: &Bounds) -> bool {
         let beyond = (bounds.high - self.high).max(self.low - bounds.low);
         (beyond - self.margin()).greatest() <= 0.0 && !self.may_turn(bounds)
     }
@@ -292,7 +292,7 @@ impl Track {
     /// Notes the step from the local time `from` to the instant of `now`.
     #[inline(always)]
     pub(crate) fn see<A: Arith>(&mut self, scene: Scene, from: f64, now: &Exponentials) {
-        if self.quiet && self.nothing_between::<A>(from, now.s) {
+        if self.quiet && self.is_calm_between::<A>(from, now.s) {
             return;
         }
         if self.last.s != from {
@@ -308,7 +308,7 @@ impl Track {
         } else {
             self.steps.push([before, self.last]);
             if self.steps.len() == TOGETHER {
-                A::apart(LookBack { track: self, scene });
+                A::run_out_of_line(LookBack { track: self, scene });
             }
         }
         self.seen += 1;

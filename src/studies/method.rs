@@ -77,7 +77,7 @@ pub(super) fn choose_method(
 
 /// The linkages whose joints have friction, in words; `None` without any.
 fn rubbing(system: &System) -> Option<String> {
-    let objects = system.rubbing_objects();
+    let objects = system.objects_with_friction();
     let ids: Vec<&str> = objects
         .map(|(object, _)| system.model().objects[object].id.as_str())
         .collect();

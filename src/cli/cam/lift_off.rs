@@ -32,7 +32,7 @@ pub(super) fn search(
         );
         runs += 1;
         if !args.scene.quiet {
-            console::talk(&format!("run at {cam_speed:.6} rad/s of the cam"));
+            console::print_message(&format!("run at {cam_speed:.6} rad/s of the cam"));
         }
         input.prepare(&[setting])
     })

@@ -68,7 +68,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
             None => {
                 status = interrupt::status();
                 if let (Some(spent), false) = (asker.budget().spent(), args.scene.quiet) {
-                    console::talk(&format!(
+                    console::print_message(&format!(
                         "warning: the search for the lift-off of the elastic follower was ended \
                          before it had found it ({spent}): it is left out"
                     ));
@@ -125,7 +125,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     let shown = AnswerForm::json_or(args.scene.json, shown);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
-        expected.talk();
+        expected.print_verdicts();
     }
     Ok(match (status, expected.hold()) {
         (Status::Answered, false) => Status::NotTrusted,

@@ -48,7 +48,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         None => of_one(args, &ready)?,
     };
     let object = object.as_str();
-    let warnings = warnings(args, &found, &behind(model, object));
+    let warnings = warnings(args, &found, &loads_on_outputs(model, object));
     let report = ForcesReport {
         study: &found,
         warnings: &warnings,
@@ -96,9 +96,9 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
         if found.settings.output.is_none() && found.several.is_none() {
-            console::talk("no transmission ratio: name the loaded output with --load");
+            console::print_message("no transmission ratio: name the loaded output with --load");
         }
-        expected.talk();
+        expected.print_verdicts();
     }
     let answered = found.missing() == 0 && found.solved().next().is_some();
     Ok(match answered && expected.hold() {
@@ -254,7 +254,7 @@ fn faults_of(ready: &Ready, object: &str, faults: Vec<Fault>) -> Failure {
 }
 
 /// Objects that hang on the linkage's outputs, and outputs that carry loads of their own.
-fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
+fn loads_on_outputs<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
     let own = |id: &str| {
         id == object
             || id

@@ -97,7 +97,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     };
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
-        expected.talk();
+        expected.print_verdicts();
     }
     let whole = found.stopped.is_none() && found.warnings.is_empty();
     Ok(match whole && expected.hold() {

@@ -90,7 +90,7 @@ impl OutputFolder {
 
     /// Says where the report is.
     pub(crate) fn print_report_path(&self) {
-        console::talk(&format!("report: {}", self.path("report.html").display()));
+        console::print_message(&format!("report: {}", self.path("report.html").display()));
     }
 
     /// Makes the folder, takes it, and makes sure, before the work, that `names` can be

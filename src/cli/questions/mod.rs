@@ -238,7 +238,7 @@ fn arguments(question: &Question) -> Result<Vec<OsString>, String> {
             ),
         }
     }
-    let taken = fields::taken(command);
+    let taken = fields::positionals_of(command);
     if taken.quiet {
         all.push("--quiet".into());
     }

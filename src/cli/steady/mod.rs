@@ -110,7 +110,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     warn(&mut found.findings, &mut found.document, until);
     let status = print_answer((args, asker), found, folder.as_ref())?;
     if !args.quiet {
-        expected.talk();
+        expected.print_verdicts();
     }
     match expected.hold() {
         true => Ok(status),

@@ -265,15 +265,15 @@ impl<'a, D: Dynamics> Run<'a, D> {
             }
         };
         // (A series knows its own error in them; a fixed step is what was asked for.)
-        let own = matches!(given, StepInterpolant::Series(..)) || !self.takes_again();
+        let own = matches!(given, StepInterpolant::Series(..)) || !self.can_repeat_step();
         if let (None, false, Some(shorter)) = (edge, own, self.misses_given_signal()) {
             self.shorten(shorter);
-            return self.take_again(shorter);
+            return self.repeat_step(shorter);
         }
         if edge.is_none()
             && let Some(shorter) = self.passes_over()
         {
-            return self.take_again(shorter);
+            return self.repeat_step(shorter);
         }
         let found = self.probe_before(found);
         let found = match given {
@@ -289,7 +289,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             && self.is_to_draw_in(found.s)
         {
             self.drawn_in += 1;
-            return self.take_again(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
+            return self.repeat_step(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
         }
         if let (Some(found), None, false) = (found, edge, own)
             && found.s > 0.0
@@ -298,7 +298,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             && self.is_misplaced(watch, found.s)
         {
             self.drawn_in += 1;
-            return self.take_again(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
+            return self.repeat_step(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
         }
         self.drawn_in = 0;
         match (found, edge) {
@@ -317,7 +317,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// True where a step can be taken anew with another length.
-    fn takes_again(&self) -> bool {
+    fn can_repeat_step(&self) -> bool {
         match self.settings.method {
             Method::Dopri5
             | Method::Dop853
@@ -331,7 +331,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// The step is taken anew with a length (s).
-    fn take_again(&mut self, length: f64) -> Verdict {
+    fn repeat_step(&mut self, length: f64) -> Verdict {
         if self.evaluator.dynamics.coordinates() == 0 {
             self.shorten(length);
         }

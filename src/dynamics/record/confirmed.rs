@@ -110,7 +110,7 @@ pub(crate) fn judge_confirmed(
             };
             let bound = bound + rounding / size;
             let (defect, id) = ((own.seen - own.told).abs(), &*model.objects[own.object].id);
-            check.see(defect / size, bound, (own.time, id), name(own.signal));
+            check.include(defect / size, bound, (own.time, id), name(own.signal));
         }
     }
 }

@@ -77,7 +77,7 @@ impl<'s> FigureCollector<'s> {
                 .map(|object| Tally::new(system, object, settings.window))
                 .collect(),
             joints: system
-                .rubbing_objects()
+                .objects_with_friction()
                 .map(|(object, component)| JointTracker::new(object, component))
                 .collect(),
             sides: [0; 7],
@@ -132,7 +132,7 @@ impl<'s> FigureCollector<'s> {
                 None => *state,
                 Some(_) => failure::motion_of(state),
             };
-            tally.see(time, &told);
+            tally.include_state(time, &told);
         }
         for joints in &mut self.joints {
             joints.start(time, modes);
@@ -153,7 +153,7 @@ impl<'s> FigureCollector<'s> {
             return;
         }
         self.observer.begin(step.length);
-        let (length, most) = (step.end * step.length, pieces::most(step.degree));
+        let (length, most) = (step.end * step.length, pieces::max_pieces(step.degree));
         self.longest = self.longest.max(length);
         // What is short already needs no pieces.
         if !self.long_steps || most as f64 * length <= self.longest {
@@ -182,7 +182,7 @@ impl<'s> FigureCollector<'s> {
             self.audit.append(&self.ledger.strike(impact, energy));
             let states = self.observer.state(event.time, event.y, event.after);
             for (tally, state) in self.tallies.iter_mut().zip(states) {
-                tally.see(event.time, state);
+                tally.include_state(event.time, state);
             }
         }
     }
@@ -191,7 +191,7 @@ impl<'s> FigureCollector<'s> {
     /// the energies at the end.
     fn observe_step(&mut self, step: &Step<'_>, modes: &Modes) {
         let count = self.tallies.len();
-        self.observer.go_to(step);
+        self.observer.evaluate_places(step);
         for index in 0..PLACES.len() {
             if index > 0 || !self.continues {
                 let states = &mut self.states[index * count..(index + 1) * count];
@@ -218,7 +218,7 @@ impl<'s> FigureCollector<'s> {
             if 0.0 < s && s < step.end {
                 let states = self.observer.at(step, s, modes);
                 for (tally, state) in self.tallies.iter_mut().zip(states) {
-                    tally.see(edge, state);
+                    tally.include_state(edge, state);
                 }
             }
         }

@@ -15,7 +15,7 @@ use super::{Interval, SwitchRow};
 use crate::dynamics::audit::{InstantSampler, fastest_rate};
 use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
-use stretch::seen;
+use stretch::current_view;
 
 pub(crate) use stretch::{Course, Stretch};
 
@@ -114,7 +114,7 @@ impl<'s> Log<'s> {
         let bad = states.iter().position(|state| !is_finite(state));
         self.watch.start(time, states);
         if self.rows.is_wanted() {
-            let seen = seen(&self.observer, modes, &mut self.masses);
+            let seen = current_view(&self.observer, modes, &mut self.masses);
             self.rows.sample_at(time, seen);
         }
         if bad.is_some() {
@@ -247,7 +247,7 @@ impl<'s> Log<'s> {
             let struck = event.impact.map_or(event.y, |(_, before)| before);
             for (y, modes) in [(struck, event.before), (event.y, event.after)] {
                 self.observer.state(event.time, y, modes);
-                let seen = seen(&self.observer, modes, &mut self.masses);
+                let seen = current_view(&self.observer, modes, &mut self.masses);
                 if !self.rows.push(event.time, seen) {
                     return self.fail(event.time);
                 }

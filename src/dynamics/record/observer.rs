@@ -72,11 +72,11 @@ impl<'s> Observer<'s> {
         modes: &Modes,
         states: &mut [ObjectState],
     ) {
-        self.put_at(step, (s, step.time(s)), modes, states);
+        self.states_at(step, (s, step.time(s)), modes, states);
     }
 
     /// States of all objects at s, which is told to be at an instant, into `states`.
-    fn put_at(
+    fn states_at(
         &mut self,
         step: &Step<'_>,
         (s, time): (f64, f64),
@@ -91,7 +91,7 @@ impl<'s> Observer<'s> {
     }
 
     /// Looks at a step at all its [`PLACES`], for [`Self::states_at_place`].
-    pub(crate) fn go_to(&mut self, step: &Step<'_>) {
+    pub(crate) fn evaluate_places(&mut self, step: &Step<'_>) {
         if step.coordinates == 0 {
             return;
         }
@@ -127,7 +127,9 @@ impl<'s> Observer<'s> {
     fn observe_current(&mut self, time: f64, modes: &Modes, states: &mut [ObjectState]) {
         let (system, scratch) = (self.system, &mut self.scratch);
         match self.bends.as_ref().filter(|bends| bends.is_wanted()) {
-            Some(bends) => system.observe_bent(time, &self.y, modes, bends, scratch, states),
+            Some(bends) => {
+                system.observe_with_accelerations(time, &self.y, modes, bends, scratch, states)
+            }
             None => system.observe(time, &self.y, modes, scratch, states),
         }
     }
@@ -163,7 +165,7 @@ impl<'s> Observer<'s> {
         let s = ((time - step.start) / step.length).clamp(0.0, step.end);
         self.begin(step.length);
         let mut states = std::mem::take(&mut self.states);
-        self.put_at(step, (s, time), modes, &mut states);
+        self.states_at(step, (s, time), modes, &mut states);
         self.states = states;
     }
 

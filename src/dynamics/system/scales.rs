@@ -350,7 +350,7 @@ pub(super) fn sample(frozen: &Frozen) -> MotionRanges {
             linkages[index] = linkages[index].max(force);
         }
         for (node, seen) in &mut given {
-            seen.see(&motion[*node]);
+            seen.include(&motion[*node]);
         }
         for (range, at) in ranges.iter_mut().zip(&motion) {
             // NaN, outside the reach of a law, is passed over by `max`.

@@ -168,7 +168,7 @@ impl Parts {
     }
 
     /// True when nothing that no tree holds looks at what a tree moves.
-    pub fn are_apart(&self, system: &System) -> bool {
+    pub fn are_independent(&self, system: &System) -> bool {
         rest::objects_outside_trees(system.model(), self).is_some()
     }
 

@@ -39,7 +39,7 @@ impl Track {
         if scene.followed(b.s - a.s) == scene.lanes() {
             self.span::<A>(scene, LanesAhead::Followed(a.fourth), a, b);
         } else if !self.settled::<A>(scene, a, b) {
-            A::apart(TrackWalk {
+            A::run_out_of_line(TrackWalk {
                 track: self,
                 scene,
                 ends: (a, b),
@@ -58,7 +58,7 @@ impl Track {
             .state
             .loss::<A>(scene.basis, scene.panel, lanes, b.s - a.s);
         let bounds = enclose::<A>(a, b, &loss);
-        self.nothing_within(&self.narrowed::<A>(bounds, a, b.s))
+        self.is_calm_within(&self.narrowed::<A>(bounds, a, b.s))
     }
 
     /// What Hermite's cubic may miss over a length h.
@@ -122,7 +122,7 @@ impl Track {
                 let margin = margin.0[k].max(noise.0[k]);
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
                     if beyond > margin {
-                        A::apart(Climb {
+                        A::run_out_of_line(Climb {
                             track: self,
                             scene,
                             ahead,
@@ -135,7 +135,7 @@ impl Track {
             }
         }
         if self.may_turn(&bounds) {
-            A::apart(Turns {
+            A::run_out_of_line(Turns {
                 track: self,
                 scene,
                 ahead,

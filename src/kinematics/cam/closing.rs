@@ -11,7 +11,7 @@
 //! above zero is the margin.
 
 use super::motion::intervals;
-use super::search::{At, even, refined};
+use super::search::{At, evenly_spaced, refined};
 use crate::math::optimise::golden;
 use crate::math::roots::root;
 use serde::Serialize;
@@ -81,7 +81,7 @@ impl<'a> Closing<'a> {
     pub fn new(pieces: &[[f64; 2]], demand: &'a dyn Fn(usize, f64) -> Demand) -> Self {
         let count = intervals(pieces.len());
         let sampled = |(index, &ends): (usize, &[f64; 2])| {
-            let places = even(ends, count);
+            let places = evenly_spaced(ends, count);
             places.map(|phi| (phi, demand(index, phi))).collect()
         };
         Self {

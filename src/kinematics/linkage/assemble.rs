@@ -303,7 +303,7 @@ fn not_assemblable(
 ) -> Wrong {
     let around = around::<1>(dyad, state);
     let [one, other] = [0, 1].map(|k| dyad.arm(&around, k).length().value());
-    let apart = dyad.apart(&around).square().value().sqrt();
+    let apart = dyad.separation(&around).square().value().sqrt();
     let start = start_in_words(spec);
     if matches!(dyad.form, Form::Prp | Form::Rpp) {
         return (

@@ -127,7 +127,7 @@ impl Linkage {
 
     /// Of a linkage whose redundant constraints are known, in the assembly nearest to what is said
     /// approximately in which these hold.
-    fn built_as_it_moves(spec: &LinkageSpec, closed_forms: bool) -> Option<Self> {
+    fn assemble_redundant(spec: &LinkageSpec, closed_forms: bool) -> Option<Self> {
         let skeleton = Skeleton::of(spec);
         let (plan, groups) = compile::compile(&skeleton, closed_forms).ok()?;
         let solved = &skeleton.spec.assembly;
@@ -321,7 +321,7 @@ fn explore(
     if !spec.couplings.is_empty()
         && unexplored(down)
         && unexplored(up)
-        && endless::goes_on(plan, course, state)
+        && endless::assembles_everywhere(plan, course, state)
     {
         course.ends = [f64::NEG_INFINITY, f64::INFINITY];
         course.table.goes_on = true;

@@ -80,7 +80,7 @@ impl Sink for CoSimulation<'_> {
             coordinates: &self.rest.coordinates,
         };
         self.walk
-            .go_to(step.end_time(), Some(&given), &mut self.joint);
+            .advance_to(step.end_time(), Some(&given), &mut self.joint);
         let reached = (self.walk.time() - step.start) / step.length;
         let reached = Step {
             end: reached.min(step.end),

@@ -195,7 +195,7 @@ impl<'a> CombinedRecord<'a> {
             for &time in &self.found {
                 motion.state(time, &mut self.y);
                 let states = self.log.observe(time, &self.y, modes);
-                own.tally.see_forces(time, &states[own.object]);
+                own.tally.include_forces(time, &states[own.object]);
             }
         }
     }
@@ -306,15 +306,15 @@ impl Listener for CombinedRecord<'_> {
         let states = self.log.start(0.0, y, modes);
         for (own, part) in self.trees.iter_mut().zip(&self.route.parts.trees) {
             for (tally, &object) in own.iter_mut().zip(&part.objects) {
-                tally.see_motion(0.0, &states[object]);
+                tally.include_motion(0.0, &states[object]);
             }
         }
         for (_, object, tally) in &mut self.carried {
-            tally.see(0.0, &states[*object]);
+            tally.include_state(0.0, &states[*object]);
         }
         if let Some(beside) = &mut self.beside {
             for own in &mut beside.coupled {
-                own.tally.see(0.0, &states[own.object]);
+                own.tally.include_state(0.0, &states[own.object]);
             }
             if !beside.integrated {
                 let period = self.route.parts.period(self.route.system);
@@ -323,7 +323,7 @@ impl Listener for CombinedRecord<'_> {
         }
     }
 
-    fn again(&mut self, number: usize) {
+    fn reset_tree(&mut self, number: usize) {
         let (system, window) = (self.route.system, self.settings.window);
         let objects = &self.route.parts.trees[number].objects;
         for (tally, &object) in self.trees[number].iter_mut().zip(objects) {

@@ -47,8 +47,8 @@ impl Listener for Counted<'_, '_> {
         self.joint.start(y, modes);
     }
 
-    fn again(&mut self, number: usize) {
-        self.joint.again(number);
+    fn reset_tree(&mut self, number: usize) {
+        self.joint.reset_tree(number);
     }
 
     fn phase(&mut self, number: usize, branch: &mut Branch<'_>) {
@@ -111,7 +111,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
         checked: false,
     };
     let clock = Clock::new(&limits);
-    let goes_on = || clock.goes_on();
+    let goes_on = || clock.is_running();
     let asked = |number: usize| request(&parts.trees[number], &limits, duration, None);
     let mut nobody: [&mut dyn Sink; 0] = [];
     let sink = &mut Tee(&mut nobody);
@@ -124,7 +124,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     };
     let mut walk = EventLoop::new(way, &asked, &clock, &goes_on).unwrap();
     walk.begin(&mut counted);
-    walk.go_to(duration, None, &mut counted);
+    walk.advance_to(duration, None, &mut counted);
     let Counted {
         stretches,
         greatest,

@@ -42,7 +42,7 @@ pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
 pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fault>> {
     let parts = Parts::with_laws(system, laws);
     if parts.is_whole() {
-        return match parts.are_apart(system) {
+        return match parts.are_independent(system) {
             true => Ok(parts),
             false => Err(vec![fault(
                 "drives",
@@ -169,7 +169,7 @@ pub(super) fn follow(
         whole: wanted.is_none() || settings.samples > 0,
     };
     let clock = Clock::new(limits);
-    let goes_on = || clock.goes_on();
+    let goes_on = || clock.is_running();
     let request = |number: usize| request(&parts.trees[number], limits, end, wanted);
     let mut joint = CombinedRecord::new(
         (way, &goes_on),
@@ -182,8 +182,8 @@ pub(super) fn follow(
         Err(stop) => return never_begun(joint, initial, stop),
     };
     walk.begin(&mut joint);
-    while walk.goes_on(end) {
-        walk.go_on_to(end, None, &mut joint);
+    while walk.is_running(end) {
+        walk.advance_to_next_event(end, None, &mut joint);
         joint.passes(walk.time(), walk.switches());
     }
     finish(walk, joint)
@@ -234,7 +234,7 @@ pub(super) fn deviations(
         whole: false,
     };
     let clock = Clock::new(limits);
-    let goes_on = || clock.goes_on();
+    let goes_on = || clock.is_running();
     let request = |number: usize| Request {
         switches: limits.switches,
         all_steps: limits.steps,
@@ -253,7 +253,7 @@ pub(super) fn deviations(
         }
     };
     walk.begin(&mut heard);
-    walk.go_to(end, None, &mut heard);
+    walk.advance_to(end, None, &mut heard);
     let outcome = walk.outcome();
     walk.cut(&mut heard);
     let branches = walk.branches().iter();
@@ -296,7 +296,7 @@ struct EventTimes(Vec<f64>);
 impl Listener for EventTimes {
     fn start(&mut self, _y: &[f64], _modes: &Modes) {}
 
-    fn again(&mut self, _number: usize) {}
+    fn reset_tree(&mut self, _number: usize) {}
 
     fn phase(&mut self, _number: usize, _branch: &mut Branch<'_>) {}
 
@@ -354,7 +354,7 @@ pub(super) fn propagate_with_remainder(
         whole: true,
     };
     let clock = Clock::new(limits);
-    let goes_on = || clock.goes_on();
+    let goes_on = || clock.is_running();
     let request = |number: usize| request(&parts.trees[number], limits, end, None);
     let joint = CombinedRecord::new((way, &goes_on), settings, Some((rest, true)), sink);
     let walk = match EventLoop::new(way, &request, &clock, &goes_on) {

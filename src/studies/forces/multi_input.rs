@@ -83,10 +83,11 @@ impl PositionSource for Source<'_, '_> {
 
     fn at(&mut self, place: f64) -> Result<&MultiMotion, String> {
         let inputs = self.asked.inputs_at(place);
-        if let Err(why) = self.motion.go(&inputs) {
+        if let Err(why) = self.motion.set_inputs(&inputs) {
             // From a singular position on it does not find its way: it starts anew.
             let mut anew = MultiMotion::new(self.asked.linkage());
-            anew.go(&inputs).map_err(|_| self.asked.cause(why))?;
+            anew.set_inputs(&inputs)
+                .map_err(|_| self.asked.cause(why))?;
             self.motion = anew;
         }
         Ok(&self.motion)

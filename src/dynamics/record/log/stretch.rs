@@ -7,7 +7,7 @@ use crate::dynamics::system::MassState;
 use crate::math::polynomial::Step;
 
 /// What the observer has just seen, with the masses if they are recorded.
-pub(super) fn seen<'o>(
+pub(super) fn current_view<'o>(
     observer: &'o Observer<'_>,
     modes: &Modes,
     masses: &'o mut [MassState],
@@ -51,6 +51,6 @@ impl Stretch<'_> {
                 observer.state_of(time, self.modes, |y| state(time, y));
             }
         }
-        seen(observer, self.modes, masses)
+        current_view(observer, self.modes, masses)
     }
 }

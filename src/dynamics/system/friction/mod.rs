@@ -135,7 +135,7 @@ pub(super) struct Rubbing<N> {
 
 impl Frozen {
     /// Memory for the friction of all linkages.
-    pub(super) fn rubbing_memory<N: Quantity>(&self) -> Vec<Rubbing<N>> {
+    pub(super) fn friction_memory<N: Quantity>(&self) -> Vec<Rubbing<N>> {
         let empty = |_| Rubbing {
             forces: None,
             beside: None,

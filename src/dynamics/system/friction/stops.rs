@@ -18,7 +18,7 @@ pub(super) const LOCKED: Obstacle = Obstacle::Failed(ForceFailure::SelfLocking {
 impl System {
     /// A group at rest that may start in either direction.
     pub(super) fn ambiguous_direction(&self, index: usize, time: f64) -> PhysicalStop {
-        let id = self.rubbing_id(index, 0);
+        let id = self.member_id(index, 0);
         PhysicalStop {
             name: "several_solutions",
             message: format!(
@@ -55,7 +55,7 @@ impl System {
         self.friction_stop(index, member, failure)
     }
 
-    fn rubbing_id(&self, index: usize, member: usize) -> String {
+    fn member_id(&self, index: usize, member: usize) -> String {
         let object = self.frozen.groups[index].members[member].object;
         self.model.objects[object].id.clone()
     }
@@ -67,7 +67,7 @@ impl System {
         failure: Obstacle,
     ) -> PhysicalStop {
         let given = self.frozen.groups[index].coordinate.is_none();
-        stop_for(self.rubbing_id(index, member), given, failure)
+        stop_for(self.member_id(index, member), given, failure)
     }
 
     /// Why the last evaluation gave no numbers, where friction is the reason.

@@ -33,7 +33,7 @@ pub(crate) fn outlines(spec: &LinkageSpec) -> Vec<Outline> {
         if let CouplingKind::Cam(cam) = &coupling.kind {
             return of_cam(coupling.wheels, cam);
         }
-        let meeting = coupling.meeting(&spec.pairs).ok()?;
+        let meeting = coupling.axis_positions(&spec.pairs).ok()?;
         Some(of_one(coupling, &meeting, &spec.pairs))
     };
     spec.couplings.iter().filter_map(of).flatten().collect()

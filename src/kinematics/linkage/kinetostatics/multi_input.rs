@@ -177,12 +177,12 @@ impl Kinetostatics {
         column.fill(0.0);
         let [wrench, _] = self.frictions(pair, &w.pairs[pair]);
         self.each_row(pair, &wrench, &w.centres, |row, value| column[row] += value);
-        self.take_off_inertia(pair, column, w);
+        self.subtract_inertia(pair, column, w);
         w.factors.solve(column, 1);
     }
 
     /// Takes the inertia forces of what a unit of a pair's friction accelerates off rows.
-    fn take_off_inertia(&self, pair: usize, rows: &mut [f64], w: &ForceWorkspace) {
+    fn subtract_inertia(&self, pair: usize, rows: &mut [f64], w: &ForceWorkspace) {
         let (inputs, several) = (self.drivers.len(), &w.several);
         let rates = &several.rates[pair * inputs..(pair + 1) * inputs];
         for (input, inertia) in several.inertia.chunks_exact(rows.len()).enumerate() {

@@ -161,7 +161,7 @@ impl ForceWorkspace {
 
     /// `next` = friction that belongs to the reactions F.
     #[inline]
-    pub(super) fn rub(&mut self) {
+    pub(super) fn update_friction(&mut self) {
         for term in &self.terms {
             term.friction(&self.unknowns, &mut self.next);
         }

@@ -91,7 +91,7 @@ fn completed(spec: &MultiSpec) -> Option<Completed> {
             let welded = Welded::of(&tried);
             match last {
                 true => compile::compile(&welded).is_ok(),
-                false => !compile::holds_more_than_once(&welded),
+                false => !compile::is_overconstrained(&welded),
             }
         });
         add(&mut all, InputCoordinate::Pair(next?));
@@ -265,7 +265,7 @@ fn better_conditioned_inputs(
         ..Jet::default()
     };
     let inputs: Vec<Jet> = spec.inputs.iter().map(still).collect();
-    motion.go(&inputs).ok()?;
+    motion.set_inputs(&inputs).ok()?;
     let candidates = candidates(spec, own);
     let mut rows: Vec<Vec<f64>> = candidates
         .iter()

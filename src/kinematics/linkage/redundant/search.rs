@@ -62,7 +62,7 @@ pub(in crate::kinematics::linkage) fn find_movable_linkage(
 /// The linkage as it is said, or else in another assembly in which it moves.
 fn moving(spec: &LinkageSpec, closed_forms: bool) -> Option<Linkage> {
     let as_said = |trial: &LinkageSpec| Linkage::built(trial.clone(), closed_forms).ok();
-    let as_it_moves = |trial: &LinkageSpec| Linkage::built_as_it_moves(trial, closed_forms);
+    let as_it_moves = |trial: &LinkageSpec| Linkage::assemble_redundant(trial, closed_forms);
     search(spec, &as_said).or_else(|| search(spec, &as_it_moves))
 }
 
@@ -94,7 +94,7 @@ fn search(spec: &LinkageSpec, built: &Built<'_>) -> Option<Linkage> {
         left: MOST_TRIED,
         built,
     };
-    search.leave_out(0, missing)
+    search.remove_equations(0, missing)
 }
 
 /// Makes a linkage of which it is known what is redundant, if it moves.
@@ -111,7 +111,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Leaves out `missing` more equations by candidates from the one given on.
-    fn leave_out(&mut self, from: usize, missing: usize) -> Option<Linkage> {
+    fn remove_equations(&mut self, from: usize, missing: usize) -> Option<Linkage> {
         if missing == 0 {
             self.left = self.left.checked_sub(1)?;
             return (self.built)(&self.trial);
@@ -124,7 +124,7 @@ impl Search<'_> {
                 continue;
             }
             self.trial.redundant.push(next);
-            let found = self.leave_out(index + 1, missing - next.equations());
+            let found = self.remove_equations(index + 1, missing - next.equations());
             self.trial.redundant.pop();
             if found.is_some() {
                 return found;

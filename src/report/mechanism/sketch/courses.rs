@@ -103,7 +103,7 @@ fn over(linkage: &MultiLinkage, at: &[f64], input: usize, own: &InputSpec) -> Co
             let inputs = at.iter().enumerate();
             let inputs =
                 inputs.map(|(k, &value)| held(if k == input { values[place] } else { value }));
-            if motion.go(&inputs.collect::<Vec<Jet>>()).is_ok() {
+            if motion.set_inputs(&inputs.collect::<Vec<Jet>>()).is_ok() {
                 poses[place] = frames((0..links).map(|link| motion.pose(link)));
             }
         }

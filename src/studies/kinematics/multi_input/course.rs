@@ -30,7 +30,7 @@ impl<'q, 'a> SeveralInputs<'q, 'a> {
 
     /// Goes to a place of the axis.
     pub(super) fn go(&mut self, place: f64) -> Result<(), NotAssembled> {
-        self.motion.go(&self.asked.inputs_at(place))
+        self.motion.set_inputs(&self.asked.inputs_at(place))
     }
 }
 
@@ -95,7 +95,7 @@ impl Course for SeveralInputs<'_, '_> {
     }
 
     fn resume(&mut self, row: usize) {
-        self.motion.go_on_from(&self.angles[row]);
+        self.motion.unwrap_angles(&self.angles[row]);
     }
 }
 

@@ -148,7 +148,7 @@ fn positions(
             stride *= values.len();
             rest = line;
         }
-        if motion.go(&inputs).is_ok() {
+        if motion.set_inputs(&inputs).is_ok() {
             found[place] = frames(&motion, links);
         }
     }

@@ -293,13 +293,15 @@ impl<'a> AskedSeveral<'a> {
     /// The first place must be one at which the linkage can be assembled.
     fn begins(&self) -> Result<(), String> {
         let mut motion = MultiMotion::new(&self.linkage);
-        motion.go(&self.inputs_at(self.span()[0])).map_err(|why| {
-            format!(
-                "`{}` cannot be assembled where the way of its inputs begins: {}",
-                self.object,
-                self.cause(why)
-            )
-        })
+        motion
+            .set_inputs(&self.inputs_at(self.span()[0]))
+            .map_err(|why| {
+                format!(
+                    "`{}` cannot be assembled where the way of its inputs begins: {}",
+                    self.object,
+                    self.cause(why)
+                )
+            })
     }
 
     fn input(&self, name: &str) -> Result<usize, String> {

@@ -100,7 +100,11 @@ impl AskedSeveral<'_> {
         let ends = [[from, length], [to, -length]].into_iter();
         let ends = ends.filter_map(|[place, inwards]| {
             let mut motion = MultiMotion::new(&self.linkage);
-            let mut go = |part: f64| motion.go(&self.inputs_at(place + part * inwards)).is_ok();
+            let mut go = |part: f64| {
+                motion
+                    .set_inputs(&self.inputs_at(place + part * inwards))
+                    .is_ok()
+            };
             if !go(BESIDE) || go(-BESIDE) {
                 return None;
             }

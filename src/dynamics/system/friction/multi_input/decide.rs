@@ -111,7 +111,7 @@ impl System {
             // Too many ways to look at: what rests stays so, if it can.
             return match ways.loosens(&resting, 0.0) {
                 Some(margin) if margin <= 0.0 => {
-                    several.note_whole(modes);
+                    several.record_full_stick(modes);
                     Ok(())
                 }
                 _ => Err(self.too_many_at_rest(several, time, resting.len())),
@@ -137,7 +137,7 @@ impl System {
                 };
             }
         }
-        several.note_whole(modes);
+        several.record_full_stick(modes);
         for _ in 0..ROUNDS {
             frozen.stop_pairs(several, (time, y, modes), &mut work);
         }
@@ -147,7 +147,7 @@ impl System {
 
 impl Several {
     /// Writes down whether friction holds all of it.
-    fn note_whole(&self, modes: &mut [i64]) {
+    fn record_full_stick(&self, modes: &mut [i64]) {
         let all = self.states(modes).all(|state| state == StickSlip::Stuck);
         let state = if all {
             StickSlip::Stuck

@@ -25,7 +25,7 @@ struct TrialMotion<'a> {
 impl TrialMotion<'_> {
     /// T on an input at the motion in `inputs`.
     fn find(&mut self) -> Option<Vec<f64>> {
-        self.motion.go(&self.inputs).ok()?;
+        self.motion.set_inputs(&self.inputs).ok()?;
         let (solver, forces) = (self.solver, &mut *self.forces);
         solver.set_motion(self.motion, self.carried, forces).ok()?;
         let options = options(false);
@@ -108,7 +108,7 @@ impl Frozen {
             sliding: &own.sliding,
             inputs: own.inputs.clone(),
         };
-        beside.motion.go_on_from(own.motion.angles());
+        beside.motion.unwrap_angles(own.motion.angles());
         for (l, &node) in self.multi[several.linkage].nodes.iter().enumerate() {
             let step = STEP * solver.input_scale(l);
             let by_place = beside.slopes((&here, step), |own| &mut own.inputs[l].value);

@@ -187,7 +187,7 @@ impl Frozen {
             linkage,
             value: MultiValue::Pair(pair),
         };
-        let pairs = kinetostatics.rubbing_pairs().map(|pair| RubbingPair {
+        let pairs = kinetostatics.pairs_with_friction().map(|pair| RubbingPair {
             pair,
             signal: self.add_signal_of(place(pair)),
             component: usize::MAX,

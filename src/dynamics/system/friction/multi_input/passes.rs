@@ -124,7 +124,7 @@ impl Frozen {
         own.inputs.clear();
         own.inputs.extend(nodes.iter().enumerate().map(jet));
         let finite = own.free.iter().all(|free| free.value().is_finite());
-        if !finite || own.motion.go(&own.inputs).is_err() {
+        if !finite || own.motion.set_inputs(&own.inputs).is_err() {
             own.failure = Some(Obstacle::Failed(ForceFailure::NotFinite));
             return own.force.fill(N::from(f64::NAN));
         }

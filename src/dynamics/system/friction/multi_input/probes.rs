@@ -36,7 +36,7 @@ impl Frozen {
     }
 
     /// Number of things with joint friction that have probes.
-    pub(in crate::dynamics::system) fn rubbing_things(&self) -> usize {
+    pub(in crate::dynamics::system) fn friction_group_count(&self) -> usize {
         self.groups.len() + usize::from(self.several.is_some())
     }
 
