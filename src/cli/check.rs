@@ -46,7 +46,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         }
     }
     let coordinates = start.y.len() / 2;
-    console::text(&format!(
+    console::print_text(&format!(
         "{} is valid: {}, {}, hash {}\n",
         scene.name,
         counted(scene.objects.len(), "object"),
@@ -54,7 +54,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         &scene.hash[..16]
     ))?;
     for reach in reaches {
-        console::text(&format!("{reach}\n"))?;
+        console::print_text(&format!("{reach}\n"))?;
     }
     Ok(Status::Answered)
 }

@@ -27,7 +27,7 @@ pub(crate) fn data(text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// Those of [`data`].
-pub(crate) fn text(text: &str) -> Result<(), Failure> {
+pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
     match width(Stream::Output) {
         Some(width) => data(&fitted(text, width)),
         None => data(text),
@@ -39,7 +39,7 @@ pub(crate) fn text(text: &str) -> Result<(), Failure> {
 /// # Errors
 /// Those of [`data`].
 pub(crate) fn findings(found: &Findings<'_>) -> Result<(), Failure> {
-    text(&found.text(width(Stream::Output)))
+    print_text(&found.text(width(Stream::Output)))
 }
 
 /// Standard output or standard error.

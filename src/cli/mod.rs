@@ -98,7 +98,7 @@ fn without_command(told: &clap::Error) -> u8 {
         console::print_message(&words);
         return 2;
     }
-    match console::text(&words) {
+    match console::print_text(&words) {
         Ok(()) => 0,
         Err(failure) => {
             failure.print_message();

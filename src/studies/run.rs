@@ -78,7 +78,7 @@ pub fn run(
     control: &Control<'_>,
     sinks: &mut [&mut dyn Sink],
 ) -> Result<RunResult, Vec<Fault>> {
-    let settings = &settings.taken();
+    let settings = &settings.with_effective_tolerance();
     let motion = motion(system, settings, Demand::EVERYTHING, control, sinks)?;
     let Motion {
         recorded,

@@ -79,7 +79,7 @@ impl OnDisk {
     }
 
     /// How it stands with the file, in a word.
-    pub(super) fn word(&self) -> &'static str {
+    pub(super) fn state_name(&self) -> &'static str {
         match self.file {
             File::Same(_) => "same",
             File::Changed(_) => "changed",

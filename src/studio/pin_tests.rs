@@ -73,8 +73,8 @@ fn a_tab_that_is_loaded_anew_has_its_pinned_runs() {
     // Before the old window was missed, and after.
     let old = joined(&mut opened, window(9, "one"));
     opened.told("answer", |one| one["pins"] == json!(["first"]));
-    opened.room.leave(&old);
-    opened.room.leave(&opened.window);
+    opened.room.remove_window(&old);
+    opened.room.remove_window(&opened.window);
     joined(&mut opened, window(10, "one"));
     opened.told("answer", |one| one["pins"] == json!(["first"]));
     // Another tab, and one that says nothing, see the run alone.

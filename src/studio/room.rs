@@ -173,14 +173,14 @@ impl Room {
     }
 
     /// A window is gone, or looks at another.
-    pub(super) fn leave(&self, window: &Window) {
+    pub(super) fn remove_window(&self, window: &Window) {
         self.lock().part(window);
     }
 
     /// A window sees these charts: those that come into its sight it is sent with their numbers.
     pub(super) fn sight(&self, window: &Window, charts: BTreeSet<usize>) {
         let state = self.lock();
-        if window.see(charts)
+        if window.set_visible_charts(charts)
             && let Some(answer) = state.answer_for(window.id)
         {
             window.answer_again(answer.clone());

@@ -64,7 +64,7 @@ pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
     // What goes wrong with the connection ends the visit.
     let _ = visit.last(&mut socket).await;
     if let Some(room) = visit.room.take() {
-        room.leave(&visit.window);
+        room.remove_window(&visit.window);
     }
 }
 
@@ -88,7 +88,7 @@ impl Visit {
             tokio::select! {
                 () = window.wake.notified() => {}
                 said = socket.recv() => match said?.ok()? {
-                    Message::Text(text) => self.hear(&text)?,
+                    Message::Text(text) => self.handle_message(&text)?,
                     Message::Ping(_) | Message::Pong(_) => {}
                     Message::Binary(_) | Message::Close(_) => return None,
                 },
@@ -97,7 +97,7 @@ impl Visit {
     }
 
     /// `None`: it says what no window says, and is not listened to any more.
-    fn hear(&mut self, text: &str) -> Option<()> {
+    fn handle_message(&mut self, text: &str) -> Option<()> {
         let said = serde_json::from_str(text).ok()?;
         if let Err(message) = self.obey(said) {
             let told = json!({ "type": "error", "message": message });
@@ -186,7 +186,7 @@ impl Visit {
             tokio::task::spawn_blocking(move || recent.remember(&path));
         }
         if let Some(before) = self.room.replace(room.clone()) {
-            before.leave(&self.window);
+            before.remove_window(&self.window);
         }
         room.join(&self.window);
         Ok(())

@@ -81,7 +81,7 @@ impl State {
     /// A window comes: whether it sees again what its tab saw.
     pub(super) fn back(&mut self, window: &Window) -> bool {
         let view = self.view_of(&window.tab).or_else(|| {
-            let kept = self.pins.give(&window.tab)?;
+            let kept = self.pins.claim(&window.tab)?;
             Some(View::from_records(kept))
         });
         let again = view.is_some();
@@ -174,7 +174,7 @@ impl State {
             "saved": self.disk.holds(self.text.text()),
             "undo": undo,
             "redo": redo,
-            "disk": self.disk.word(),
+            "disk": self.disk.state_name(),
             "draft": self.disk.is_asking(),
         })
         .to_string()

@@ -173,7 +173,7 @@ impl Text {
         let mut walk = UnitTraversal::new(&self.text);
         for part in changes.as_array().ok_or(WRONG)? {
             if let Some(kept) = part.as_u64() {
-                walk.go(kept).ok_or(WRONG)?;
+                walk.advance(kept).ok_or(WRONG)?;
                 continue;
             }
             let (count, lines) = part
@@ -181,7 +181,7 @@ impl Text {
                 .and_then(|part| part.split_first())
                 .ok_or(WRONG)?;
             let start = walk.at;
-            walk.go(count.as_u64().ok_or(WRONG)?).ok_or(WRONG)?;
+            walk.advance(count.as_u64().ok_or(WRONG)?).ok_or(WRONG)?;
             let lines: Option<Vec<&str>> = lines.iter().map(Value::as_str).collect();
             let lines = lines.ok_or(WRONG)?;
             if lines.iter().any(|line| line.contains(['\r', '\n'])) {

@@ -121,7 +121,7 @@ impl Profile {
 }
 
 impl Family for Profile {
-    fn mean(&self, level: f64, mean: Mean) -> f64 {
+    fn mean_speed(&self, level: f64, mean: Mean) -> f64 {
         match mean {
             Mean::Time => self.cycle() / self.period(level).value,
             Mean::Angle => self.mean_over_angle(level),
@@ -134,7 +134,7 @@ impl Family for Profile {
 
     fn lowest(&self, mean: Mean) -> f64 {
         if mean != Mean::Time {
-            return Family::mean(self, 0.0, mean);
+            return Family::mean_speed(self, 0.0, mean);
         }
         if !self.is_pointed() {
             return 0.0;

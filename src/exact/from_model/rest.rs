@@ -194,7 +194,7 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
             load: loads.iter().position(|&own| own == stop.load)?,
         });
     }
-    out.start = start(&model.start, kept);
+    out.start = start_of_objects(&model.start, kept);
     out.horizon = model.horizon;
     Some((out, tracks))
 }
@@ -228,7 +228,7 @@ fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Ve
     (0..used.len()).filter(|&track| used[track]).collect()
 }
 
-fn start(start: &Start, kept: &[usize]) -> Start {
+fn start_of_objects(start: &Start, kept: &[usize]) -> Start {
     let Start::Explicit(all) = start else {
         return start.clone();
     };

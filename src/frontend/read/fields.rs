@@ -225,7 +225,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Notes that one of these properties is missing.
-    pub(super) fn lack_one_of(&mut self, names: Vec<&'static str>, what: &'static str) {
+    pub(super) fn note_missing_one_of(&mut self, names: Vec<&'static str>, what: &'static str) {
         let alternatives = quoted_list(names.iter().copied(), "or");
         let hint = Some(format!("give {alternatives}"));
         self.missing.push(Missing { names, what, hint });

@@ -250,7 +250,8 @@ fn next(program: &Program, modes: &[i64], from: f64, to: f64) -> Option<(f64, us
                 continue;
             }
             let limit = first.map_or(1.0, |first| first.0);
-            let found = guard.leaves(modes[index], &mode, &axis, limit, (start == from, 0.0));
+            let found =
+                guard.first_crossing(modes[index], &mode, &axis, limit, (start == from, 0.0));
             if let Some(found) = found
                 && first.is_none_or(|first| found.s < first.0)
             {

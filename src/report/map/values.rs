@@ -50,7 +50,7 @@ impl Values {
         let range = if log {
             [smallest, largest]
         } else {
-            apart(low, high)
+            nonempty_range(low, high)
         };
         Self {
             figure: study.figure.clone(),
@@ -152,7 +152,7 @@ fn middle(mut sizes: Vec<f64>) -> f64 {
 }
 
 /// A range that is never empty.
-fn apart(low: f64, high: f64) -> [f64; 2] {
+fn nonempty_range(low: f64, high: f64) -> [f64; 2] {
     let size = low.abs().max(high.abs());
     if high - low > 1e-9 * size {
         [low, high]

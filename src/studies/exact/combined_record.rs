@@ -8,7 +8,7 @@
 //! on ([`super::coupled`]), and rigid objects that a mass of a tree carries
 //! ([`super::carried`]).
 
-use super::carried::{CarriedObserver, carried};
+use super::carried::{CarriedObserver, sampled_in_tree};
 use super::remainder::Remainder;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Dynamics, Modes, Sink, SwitchEvent};
@@ -81,7 +81,7 @@ impl<'a> CombinedRecord<'a> {
             log: Log::new(system, settings.clone()),
             trees: trees.iter().map(|part| tallies(&part.objects)).collect(),
             carried: match rest {
-                Some(_) => carried(route, settings.window),
+                Some(_) => sampled_in_tree(route, settings.window),
                 None => Vec::new(),
             },
             beside: rest.map(|rest| Remainder::new(route, &settings, rest)),
@@ -258,7 +258,7 @@ impl<'a> CombinedRecord<'a> {
         let mut failure = None;
         if let Some(mut beside) = self.beside.take() {
             if !beside.integrated {
-                beside.take_to(time);
+                beside.advance_figures(time);
             }
             let gathered = beside.figured.finish();
             audit = gathered.audit;

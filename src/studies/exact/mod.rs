@@ -238,7 +238,7 @@ pub(super) fn deviations(
     let request = |number: usize| Request {
         switches: limits.switches,
         all_steps: limits.steps,
-        all_masses: !last_alone(&parts.trees[number]),
+        all_masses: !samples_last_mass_only(&parts.trees[number]),
         ..Request::new(end, count)
     };
     let mut heard = EventTimes(Vec::new());
@@ -248,7 +248,7 @@ pub(super) fn deviations(
             return Deviations {
                 samples: Vec::new(),
                 switches: Vec::new(),
-                outcome: at_once(stop),
+                outcome: ended_at_start(stop),
             };
         }
     };
@@ -265,7 +265,7 @@ pub(super) fn deviations(
 }
 
 /// True when the tree's last mass is all that is sampled.
-fn last_alone(part: &Part) -> bool {
+fn samples_last_mass_only(part: &Part) -> bool {
     let objects = &part.problem().objects;
     let last = part.problem().masses.len() - 1;
     matches!(&objects[..], [only] if only.output == [(last, 1.0)] && only.driver.is_none())
@@ -278,7 +278,7 @@ fn sampled<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)
     let columns = 2 * part.problem().masses.len();
     let objects = part.objects.iter().zip(&part.problem().objects);
     objects.map(move |(&object, place)| {
-        if last_alone(part) {
+        if samples_last_mass_only(part) {
             return (object, samples.to_vec());
         }
         let delta = |row: &[f64]| {
@@ -307,7 +307,7 @@ impl Listener for EventTimes {
     }
 }
 
-fn at_once(stop: Stop) -> Outcome {
+fn ended_at_start(stop: Stop) -> Outcome {
     Outcome {
         time: 0.0,
         stop,
@@ -324,7 +324,7 @@ fn never_begun(
     joint.start(&initial.y, &initial.modes);
     MotionFindings {
         recorded: joint.finish(0.0, (&initial.y, &initial.modes), &mut []),
-        outcome: at_once(stop),
+        outcome: ended_at_start(stop),
         grazing: 0,
     }
 }

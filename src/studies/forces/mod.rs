@@ -137,7 +137,7 @@ fn solved<S: PositionSource>(
         })
         .collect();
     let zones = zones::find(&mut solver, &course);
-    ends::leave_out(&mut solver, &course, &mut rows);
+    ends::remove_unbounded_forces(&mut solver, &course, &mut rows);
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
     let indeterminate = open::joined(&rows);

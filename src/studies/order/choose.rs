@@ -1,7 +1,7 @@
 //! The least model that gives the figures asked for within their accuracy.
 
 use super::certificate::{Certainty, Certificate};
-use super::figure_limits::{FigureLimits, first_enough};
+use super::figure_limits::{FigureLimits, first_accurate_trial};
 use super::integration::coarsest;
 use super::lessen::lessened;
 use super::requested_figures::no_limit;
@@ -46,7 +46,7 @@ fn chosen(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
     let mut families = families(trials);
     let known = FigureLimits::of(trials, &mut families)?;
     let judge = known.judge();
-    let mut found = first_enough(trials, &families, &known.row, &judge)?;
+    let mut found = first_accurate_trial(trials, &families, &known.row, &judge)?;
     if judge.accepts(trials, found) {
         found = lessened(trials, &families, &judge, found, |trials, _| !spent(trials));
     }

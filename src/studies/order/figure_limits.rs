@@ -64,7 +64,7 @@ impl FigureLimits {
 ///
 /// # Errors
 /// No model can be built or started.
-pub(in crate::studies) fn first_enough(
+pub(in crate::studies) fn first_accurate_trial(
     trials: &mut Trials<'_>,
     families: &Families,
     row: &Row,

@@ -27,7 +27,7 @@ const FASTEST_SLIDING: f64 = 340.0;
 pub(super) fn out_of_proportion(model: &Model, ways: &[Option<NodePath>]) -> Vec<String> {
     let beside = neighbours(model);
     let sizes = [Size::Stiffness, Size::Inertia];
-    let odd = sizes.map(|size| odd_objects(model, ways, &beside, size));
+    let odd = sizes.map(|size| outliers(model, ways, &beside, size));
     let mut found = Vec::new();
     for (index, part) in model.objects.iter().enumerate() {
         found.extend(within(model, part));
@@ -124,7 +124,7 @@ struct Odd {
 
 /// The objects that are out of proportion to all their neighbours, and to one side; of
 /// two such neighbours the one that differs from more of its own, or the driven one.
-fn odd_objects(
+fn outliers(
     model: &Model,
     ways: &[Option<NodePath>],
     beside: &[Vec<usize>],
@@ -209,7 +209,9 @@ fn within(model: &Model, part: &ObjectPart) -> Vec<String> {
         ("link", stiffnesses, Size::Stiffness.unit(part.coordinate)),
         ("mass", inertias, Size::Inertia.unit(part.coordinate)),
     ] {
-        let Some(at) = odd_one(&sizes) else { continue };
+        let Some(at) = first_outlier(&sizes) else {
+            continue;
+        };
         let beside = if at > 0 { at - 1 } else { at + 1 };
         found.push(format!(
             "{what} {} of `{}` has {} {unit} and {what} {} beside it {} {unit}: is one of them in \
@@ -225,7 +227,7 @@ fn within(model: &Model, part: &ObjectPart) -> Vec<String> {
 }
 
 /// The first of a row that differs from both beside it.
-fn odd_one(sizes: &[f64]) -> Option<usize> {
+fn first_outlier(sizes: &[f64]) -> Option<usize> {
     let far = |a: f64, b: f64| (a / b).max(b / a) >= OUT_OF_PROPORTION_WITHIN;
     (0..sizes.len()).find(|&at| {
         let before = at.checked_sub(1).map(|before| sizes[before]);

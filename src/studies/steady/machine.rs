@@ -2,7 +2,7 @@
 
 mod drive;
 
-pub(super) use drive::behind;
+pub(super) use drive::nodes_moved_by;
 pub use drive::{constant_speed, drive_of, is_elastic};
 
 use super::cycle::AFTER_A_CYCLE;
@@ -116,7 +116,7 @@ impl Machine {
     /// positions out of reach, a J that the cycle does not bring back.
     pub fn new(model: &Model, drive: usize, cycle: f64) -> Result<Self, Vec<Fault>> {
         let node = model.objects[drive].nodes[0];
-        let moved = behind(model, node);
+        let moved = nodes_moved_by(model, node);
         let mut faults = obstacles(model, &moved);
         faults.extend(backwards(model, drive));
         if !faults.is_empty() {

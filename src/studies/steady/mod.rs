@@ -130,7 +130,7 @@ pub fn steady_motion_within(
 /// # Errors
 /// Why it is not.
 pub fn suits(model: &Model, spec: &SteadySpec) -> Result<(), Vec<Fault>> {
-    let rubs = rubbing(model);
+    let rubs = friction_faults(model);
     if !rubs.is_empty() {
         return Err(rubs);
     }
@@ -183,7 +183,7 @@ fn solve(
 }
 
 /// The linkages whose friction would act on the motion.
-fn rubbing(model: &Model) -> Vec<Fault> {
+fn friction_faults(model: &Model) -> Vec<Fault> {
     let bodies = model.linkages.iter();
     let rubs = bodies.filter(|body| body.friction.as_ref().is_some_and(|k| k.has_friction()));
     rubs.map(|body| {

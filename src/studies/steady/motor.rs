@@ -9,7 +9,7 @@ use super::answer::DriveRow;
 use super::answer::StartOf;
 use super::cycle::{AFTER_A_CYCLE, Rhythms};
 use super::flywheel::{WheelRequest, WheelResult};
-use super::machine::{behind, multi_input_objects, over_time};
+use super::machine::{multi_input_objects, nodes_moved_by, over_time};
 use super::map::Map;
 use super::mean_speed::{Added, with_added};
 use super::periodic::{About, ORBIT, PeriodicAnswer, none, part_near, state_names};
@@ -106,7 +106,7 @@ fn check_cycle(
     let count = system.coordinates();
     let mut scratch = system.scratch();
     let mut at = |angle: f64| {
-        let y = map.whole(state, angle);
+        let y = map.full_state(state, angle);
         let modes = system.modes_at_start(&y);
         let mut dy = vec![0.0; y.len()];
         system.derivatives(0.0, &y, &modes, &mut scratch, &mut dy);
@@ -224,7 +224,7 @@ pub(super) fn answer(
     control: &Control<'_>,
 ) -> Result<PeriodicAnswer, Vec<Fault>> {
     let model = system.model();
-    let moved = behind(model, model.objects[drive].nodes[0]);
+    let moved = nodes_moved_by(model, model.objects[drive].nodes[0]);
     let mut faults = contradictions(model, drive, spec);
     faults.extend(obstacles(model, drive, &moved));
     if !faults.is_empty() {
@@ -270,7 +270,7 @@ pub(super) fn answer(
         part_near(&map, &start, known, cycle, spec.periods, &about).map_err(none)?;
     let angle = cycle * motion.periods as f64;
     let portrait = map.portrait(&state, angle, ORBIT).map_err(none)?;
-    let y = map.whole(&state, 0.0);
+    let y = map.full_state(&state, 0.0);
     let turn = map.duration(&state, cycle).map_err(none)?;
     let period = motion.period;
     let answer = PeriodicAnswer {

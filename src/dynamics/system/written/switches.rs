@@ -282,7 +282,7 @@ impl Frozen {
                 let end = first.as_ref().map_or(end, |first| first.0);
                 let rests = resting.iter().find(|own| own.component == component);
                 let floor = rests.map_or(0.0, |own| own.floor);
-                let found = guard.leaves(mode, &of_guard, &along, end, (fresh, floor));
+                let found = guard.first_crossing(mode, &of_guard, &along, end, (fresh, floor));
                 let Some(found) = found else { continue };
                 if first.as_ref().is_some_and(|first| first.0 <= found.s) {
                     continue;

@@ -91,7 +91,7 @@ impl Kinetostatics {
     }
 
     /// Accelerations that the friction found gives to the inputs.
-    pub fn pushed_by_friction(&self, mobility: &[f64], w: &ForceWorkspace) -> Vec<f64> {
+    pub fn friction_accelerations(&self, mobility: &[f64], w: &ForceWorkspace) -> Vec<f64> {
         let rows = mobility.chunks_exact(self.drivers.len());
         let force = &w.several.force;
         rows.map(|row| row.iter().zip(force).map(|(g, t)| g * t).sum())

@@ -27,7 +27,7 @@ pub struct NotAssembled {
 /// Places what inputs alone place.
 pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
     for joint in &plan.tree {
-        let relative = joint.driver.relative::<1>(joint.between(inputs));
+        let relative = joint.driver.relative_frame::<1>(joint.between(inputs));
         let relative = match joint.reversed {
             false => relative,
             true => inverse(&relative),
@@ -50,7 +50,7 @@ pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
 pub(super) fn inside(plan: &MultiPlan, group: usize, inputs: &[f64], state: &mut State) {
     if let Some(inner) = &plan.groups[group].inner {
         let between = inner.between(inputs);
-        let relative = inner.driver.relative::<1>(between);
+        let relative = inner.driver.relative_frame::<1>(between);
         state.relative.set(&relative);
         (state.reduced, state.turned) = (between, inner.driver.sliding.is_none());
     }

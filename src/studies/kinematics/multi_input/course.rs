@@ -29,7 +29,7 @@ impl<'q, 'a> SeveralInputs<'q, 'a> {
     }
 
     /// Goes to a place of the axis.
-    pub(super) fn go(&mut self, place: f64) -> Result<(), NotAssembled> {
+    pub(super) fn set_place(&mut self, place: f64) -> Result<(), NotAssembled> {
         self.motion.set_inputs(&self.asked.inputs_at(place))
     }
 }
@@ -46,7 +46,7 @@ impl Course for SeveralInputs<'_, '_> {
     }
 
     fn at(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), NotAssembled> {
-        self.go(place)?;
+        self.set_place(place)?;
         values::values(self.asked, &self.motion, values);
         Ok(())
     }

@@ -103,11 +103,13 @@ fn limits(asked: &AskedSeveral<'_>) -> Vec<Limit> {
 fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled) -> Stopped {
     let mut course = SeveralInputs::new(asked);
     let mut why = why;
-    let [_, at] = bisect([inside, outside], 100, |place| match course.go(place) {
-        Ok(()) => true,
-        Err(found) => {
-            why = found;
-            false
+    let [_, at] = bisect([inside, outside], 100, |place| {
+        match course.set_place(place) {
+            Ok(()) => true,
+            Err(found) => {
+                why = found;
+                false
+            }
         }
     });
     let input = match asked.way {
@@ -156,7 +158,7 @@ fn transmission(asked: &AskedSeveral<'_>, places: &[f64]) -> Vec<Transmission> {
         spec,
         linkage.structure(),
         places,
-        &mut |place, dyad| match course.go(place) {
+        &mut |place, dyad| match course.set_place(place) {
             Ok(()) => dyad.angle(
                 &|point| course.motion.point(point).map(|jet| jet.value),
                 &|link| course.motion.angle(link).value,

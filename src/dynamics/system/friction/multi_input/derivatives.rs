@@ -72,7 +72,7 @@ impl Frozen {
         let (mut by_free, mut by_loads) = (vec![0.0; inputs * inputs], vec![0.0; inputs * outputs]);
         solver.friction_derivatives(&mut own.forces, &mut by_free, &mut by_loads);
         let here = solver.friction_on_inputs(&own.forces).to_vec();
-        let pushed = solver.pushed_by_friction(&own.mobility_values, &own.forces);
+        let pushed = solver.friction_accelerations(&own.mobility_values, &own.forces);
         let change = |value: N| value - N::from(value.value());
         // What the accelerations without friction and the mobility change by, together.
         for l in 0..inputs {
