@@ -45,7 +45,7 @@ pub(super) fn choose_method(
         return Ok(Choice::exact(parts, settings, "it is the quickest"));
     }
     match settings.method {
-        Some(Method::Taylor) => match linkages_with_friction(system) {
+        Some(Method::Taylor) => match ids_with_friction(system) {
             Some(ids) => Err(vec![Fault::new(
                 "run.method",
                 format!("`taylor` cannot be used: the joint friction of {ids} has no power series"),
@@ -76,7 +76,7 @@ pub(super) fn choose_method(
 }
 
 /// The linkages whose joints have friction, in words; `None` without any.
-fn linkages_with_friction(system: &System) -> Option<String> {
+fn ids_with_friction(system: &System) -> Option<String> {
     let objects = system.objects_with_friction();
     let ids: Vec<&str> = objects
         .map(|(object, _)| system.model().objects[object].id.as_str())

@@ -45,7 +45,7 @@ pub(super) struct CombinedRecord<'a> {
     /// By tree, then by object of the tree.
     trees: Vec<Vec<Tally>>,
     pub(super) beside: Option<Remainder<'a>>,
-    /// What is looked at in trees, with the tree: see [`carried`].
+    /// What is looked at in trees, with the tree: see [`sampled_in_tree`].
     carried: Vec<(usize, usize, Tally)>,
     /// Length of a stretch (s).
     length: f64,
