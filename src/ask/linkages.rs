@@ -5,7 +5,7 @@ use crate::Error;
 use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{Convention, Kinetostatics, Options};
 use crate::studies::forces::{
-    ForceSettings, ForceStudy, LinkagePositions, course_of, only_loaded_output, several_forces,
+    ForceSettings, ForceStudy, LinkagePositions, course_of, multi_input_forces, only_loaded_output,
     study,
 };
 use crate::studies::kinematics::{
@@ -32,7 +32,7 @@ impl Mechanism {
         if let Some(body) = several_of(model, question.object.as_deref()) {
             let asked = AskedSeveral::new(model, body, &self.complete(question));
             let object = &model.objects[body.object].id;
-            return several_forces(&asked.map_err(Error::question)?, Options::default())
+            return multi_input_forces(&asked.map_err(Error::question)?, Options::default())
                 .map_err(|faults| self.diagnose(&placed(object, faults)));
         }
         let body = linkage_of(model, question.object.as_deref()).map_err(Error::question)?;

@@ -130,10 +130,10 @@ impl Answer<'_> {
             return Ok(());
         }
         for warning in &self.findings.warnings {
-            console::talk(&format!("warning: {warning}"));
+            console::print_message(&format!("warning: {warning}"));
         }
         if let Some(folder) = folder {
-            folder.tell_report();
+            folder.print_report_path();
         }
         Ok(())
     }

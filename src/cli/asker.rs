@@ -30,7 +30,7 @@ pub(crate) trait Asker {
     }
 
     /// So much is done of so much (0: nobody knows), and this is under way.
-    fn tell(&self, _done: usize, _of: usize, _now: &str) {}
+    fn report_progress(&self, _done: usize, _of: usize, _now: &str) {}
 
     /// Takes the answer, to be shown in this form.
     fn deliver(

@@ -42,11 +42,11 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
             console::diagnose(warnings);
         }
         for text in said {
-            console::talk(&format!("warning: {text}"));
+            console::print_message(&format!("warning: {text}"));
         }
     }
     let coordinates = start.y.len() / 2;
-    console::text(&format!(
+    console::print_text(&format!(
         "{} is valid: {}, {}, hash {}\n",
         scene.name,
         counted(scene.objects.len(), "object"),
@@ -54,7 +54,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         &scene.hash[..16]
     ))?;
     for reach in reaches {
-        console::text(&format!("{reach}\n"))?;
+        console::print_text(&format!("{reach}\n"))?;
     }
     Ok(Status::Answered)
 }

@@ -237,7 +237,7 @@ fn prepare_folder(
     }
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     let scene = &ready[0].scene().name;
-    Ok(OutputFolder::asked(&args.out, scene, &names)?)
+    Ok(OutputFolder::from_args(&args.out, scene, &names)?)
 }
 
 /// The files: figures, page, samples, curves over each other.

@@ -27,7 +27,7 @@ pub(crate) fn data(text: &str) -> Result<(), Failure> {
 ///
 /// # Errors
 /// Those of [`data`].
-pub(crate) fn text(text: &str) -> Result<(), Failure> {
+pub(crate) fn print_text(text: &str) -> Result<(), Failure> {
     match width(Stream::Output) {
         Some(width) => data(&fitted(text, width)),
         None => data(text),
@@ -39,7 +39,7 @@ pub(crate) fn text(text: &str) -> Result<(), Failure> {
 /// # Errors
 /// Those of [`data`].
 pub(crate) fn findings(found: &Findings<'_>) -> Result<(), Failure> {
-    text(&found.text(width(Stream::Output)))
+    print_text(&found.text(width(Stream::Output)))
 }
 
 /// Standard output or standard error.
@@ -106,7 +106,7 @@ fn escaped(json: &str) -> String {
 }
 
 /// Says something on standard error, in the width of the terminal.
-pub(crate) fn talk(text: &str) {
+pub(crate) fn print_message(text: &str) {
     let text = printable(text);
     match width(Stream::Error) {
         Some(width) => rendered(&fitted(&text, width)),
@@ -116,11 +116,11 @@ pub(crate) fn talk(text: &str) {
 
 impl Failure {
     /// Tells people.
-    pub(crate) fn talk(&self) {
+    pub(crate) fn print_message(&self) {
         match self {
             Self::Scene(diagnostics) => diagnose(diagnostics),
             Self::Other(message) | Self::Output(message) => {
-                talk(&format!("error: {message}\n"));
+                print_message(&format!("error: {message}\n"));
             }
         }
     }

@@ -41,7 +41,7 @@ impl<'a> Expectations<'a> {
     }
 
     /// Adds the verdicts to a document, where there are any.
-    pub(super) fn beside(&self, mut document: Value) -> Value {
+    pub(super) fn add_verdicts(&self, mut document: Value) -> Value {
         if !self.verdicts().is_empty() {
             document["expect"] = json!(self.verdicts());
         }
@@ -54,17 +54,17 @@ impl<'a> Expectations<'a> {
     }
 
     /// Says how many hold, which do not, and which another command judges.
-    pub(super) fn talk(&self) {
+    pub(super) fn print_verdicts(&self) {
         for verdict in self.verdicts().iter().filter(|verdict| !verdict.holds) {
-            console::talk(&format!("expectation failed: {}", verdict.message));
+            console::print_message(&format!("expectation failed: {}", verdict.message));
         }
         let judged = self.verdicts().len();
         if judged > 0 {
             let held = self.verdicts().iter().filter(|verdict| verdict.holds);
-            console::talk(&format!("expectations: {} of {judged} hold", held.count()));
+            console::print_message(&format!("expectations: {} of {judged} hold", held.count()));
         }
         for line in self.open() {
-            console::talk(&line);
+            console::print_message(&line);
         }
     }
 
@@ -79,7 +79,7 @@ impl<'a> Expectations<'a> {
         for one in self.all {
             let what = subject(one);
             if self.verdicts().iter().all(|verdict| verdict.what != what) {
-                let command = self.other(one);
+                let command = self.judging_command(one);
                 let list = others.entry(command).or_default();
                 list.push(match &one.what {
                     Expected::Figure { figure, .. } => figure,
@@ -99,7 +99,7 @@ impl<'a> Expectations<'a> {
     }
 
     /// The command that judges an expectation in place of this one.
-    fn other(&self, expectation: &Expectation) -> String {
+    fn judging_command(&self, expectation: &Expectation) -> String {
         let command = judges(expectation)[0];
         match object(expectation) {
             Some(object) if command == self.command => format!("dam {command} --object {object}"),

@@ -98,7 +98,7 @@ pub(crate) fn start(limit: Option<Duration>, json: bool) {
             if ANSWERING.load(Ordering::Relaxed) {
                 return;
             }
-            end_if_nothing_is_kept(|| {
+            exit_unless_saving(|| {
                 let stage = *STAGE.lock().unwrap_or_else(PoisonError::into_inner);
                 let over = Failure::Output(format!(
                     "the time limit of {} s was over before there was a result, {}",
@@ -126,17 +126,17 @@ pub(crate) fn status() -> Status {
 }
 
 /// A signal has come; `code` is its exit status.
-fn heard(code: u8) {
+fn handle_signal(code: u8) {
     if SIGNALLED.load(Ordering::Relaxed) {
         std::process::exit(i32::from(code));
     }
     Status::set_signalled(code);
     SIGNALLED.store(true, Ordering::Relaxed);
-    end_if_nothing_is_kept(|| code);
+    exit_unless_saving(|| code);
 }
 
 /// Nobody can begin to keep anything while the program ends.
-fn end_if_nothing_is_kept(last_words: impl FnOnce() -> u8) {
+fn exit_unless_saving(last_words: impl FnOnce() -> u8) {
     let keepers = keepers();
     if *keepers == 0 {
         std::process::exit(i32::from(last_words()));
@@ -152,7 +152,7 @@ fn listen() {
     };
     std::thread::spawn(move || {
         for signal in signals.forever() {
-            heard(128 + u8::try_from(signal).unwrap_or(0));
+            handle_signal(128 + u8::try_from(signal).unwrap_or(0));
         }
     });
 }

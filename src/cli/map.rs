@@ -93,8 +93,8 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     drop(keeping);
     if !args.scene.quiet {
         match args.merge.len() {
-            0 => talk(&study, &result, folder.is_some(), seconds, kept),
-            files => super::console::talk(&format!("{kept} cells of {files} files")),
+            0 => print_summary(&study, &result, folder.is_some(), seconds, kept),
+            files => super::console::print_message(&format!("{kept} cells of {files} files")),
         }
     }
     Ok(match (status(&result), study.shortfalls.is_empty()) {
@@ -214,24 +214,30 @@ fn files<'a>(
     FILES.map(str::to_owned).into_iter().zip(contents).collect()
 }
 
-fn talk(study: &Study<'_>, result: &MapResult, kept_in_folder: bool, seconds: f64, kept: usize) {
+fn print_summary(
+    study: &Study<'_>,
+    result: &MapResult,
+    kept_in_folder: bool,
+    seconds: f64,
+    kept: usize,
+) {
     let known = result.panels.iter().flatten().flatten().count();
     let done = known - kept;
-    console::talk(&format!(
+    console::print_message(&format!(
         "{done} cells in {seconds:.3} s, {:.0} cells/s",
         done as f64 / seconds.max(1e-9)
     ));
     if kept > 0 {
-        console::talk(&format!(
+        console::print_message(&format!(
             "{kept} cells were known from before the interruption"
         ));
     }
     match (result.complete, kept_in_folder) {
-        (false, true) => console::talk(&format!(
+        (false, true) => console::print_message(&format!(
             "interrupted: {known} of {} cells are kept; go on with --resume",
             study.cells()
         )),
-        (false, false) => console::talk("interrupted: nothing is kept without --out"),
+        (false, false) => console::print_message("interrupted: nothing is kept without --out"),
         (true, _) => {}
     }
 }

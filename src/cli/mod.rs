@@ -95,13 +95,13 @@ fn run(command: &Command) -> Result<Status, Failure> {
 fn without_command(told: &clap::Error) -> u8 {
     let words = told.render().to_string();
     if told.use_stderr() {
-        console::talk(&words);
+        console::print_message(&words);
         return 2;
     }
-    match console::text(&words) {
+    match console::print_text(&words) {
         Ok(()) => 0,
         Err(failure) => {
-            failure.talk();
+            failure.print_message();
             failure.code()
         }
     }
@@ -113,5 +113,5 @@ fn report(failure: &Failure, json: bool) {
     if json && console::json(&failure.json()).is_ok() {
         return;
     }
-    failure.talk();
+    failure.print_message();
 }

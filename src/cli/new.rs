@@ -21,6 +21,6 @@ pub(crate) fn command(args: &NewArgs) -> Result<Status, Failure> {
     file.write_all(text.as_bytes())
         .and_then(|()| file.sync_all())
         .map_err(|error| Failure::Output(format!("cannot write `{shown}`: {error}")))?;
-    console::talk(&format!("scene: {shown}; try `dam run {shown}`"));
+    console::print_message(&format!("scene: {shown}; try `dam run {shown}`"));
     Ok(Status::Answered)
 }

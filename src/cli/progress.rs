@@ -42,7 +42,7 @@ impl<'a> Progress<'a> {
         }
     }
 
-    fn look(&mut self, time: f64) {
+    fn update_bar(&mut self, time: f64) {
         let Some(bar) = &self.bar else { return };
         if self.begun.elapsed() < PATIENCE {
             return;
@@ -88,7 +88,7 @@ impl Sink for Progress<'_> {
         self.until_look -= 1;
         if self.until_look == 0 {
             self.until_look = STRIDE;
-            self.look(step.end_time());
+            self.update_bar(step.end_time());
         }
     }
 
@@ -102,7 +102,7 @@ impl Sink for Progress<'_> {
         self.until_look -= 1;
         if self.until_look == 0 {
             self.until_look = STRIDE;
-            self.look(time);
+            self.update_bar(time);
         }
     }
 

@@ -24,7 +24,7 @@ pub(crate) fn command(args: &ReduceArgs, asker: &dyn Asker) -> Result<Status, Fa
     let input = asker.input(&args.scene)?;
     let accuracy = accuracy::setting(&args.accuracy, &args.figure)?;
     let ready = input.prepare_judging(&accuracy, Judging::Never)?;
-    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
         console::diagnose(&ready.reading.warnings);

@@ -84,7 +84,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let input = asker.input(&args.scene)?;
     let accuracy = super::accuracy::setting(&args.accuracy, &[])?;
     let mut ready = input.prepare_judging(&accuracy, Judging::Asked)?;
-    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
         console::diagnose(&ready.reading.warnings);
@@ -92,7 +92,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let known_before = &ready.system.model().warnings;
     if !quiet {
         for warning in known_before {
-            console::talk(&format!("warning: {warning}"));
+            console::print_message(&format!("warning: {warning}"));
         }
     }
     let control = asker.budget();
@@ -104,7 +104,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         settings.masses = columns == Columns::All;
     }
     settings.closeups = files;
-    if !files && !plausible::looks_at_samples(ready.system.model()) {
+    if !files && !plausible::needs_samples(ready.system.model()) {
         // The record goes into files only.
         settings.samples = 0;
     }
@@ -173,9 +173,9 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let shown = AnswerForm::json_or(args.scene.json, AnswerForm::Text);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !quiet {
-        talk(&ready, &result, &expected, seconds);
+        print_summary(&ready, &result, &expected, seconds);
         if let Some(folder) = &folder {
-            folder.tell_report();
+            folder.print_report_path();
         }
     }
     Ok(
@@ -247,14 +247,14 @@ pub(crate) fn run_with_progress(
     Ok(result)
 }
 
-fn talk(ready: &Ready, result: &RunResult, expected: &Expectations<'_>, seconds: f64) {
+fn print_summary(ready: &Ready, result: &RunResult, expected: &Expectations<'_>, seconds: f64) {
     let known_before = &ready.system.model().warnings;
     let found = result.figures.warnings.iter();
     for warning in found.filter(|warning| !known_before.contains(warning)) {
-        console::talk(&format!("warning: {warning}"));
+        console::print_message(&format!("warning: {warning}"));
     }
-    expected.talk();
-    console::talk(&format!("computed in {seconds:.3} s"));
+    expected.print_verdicts();
+    console::print_message(&format!("computed in {seconds:.3} s"));
 }
 
 /// A run that ends as the scene expects, be it by a stop, has answered.

@@ -34,7 +34,7 @@ pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
         ShowForm::Latex => latex(&equations(model)),
         ShowForm::Text => in_words(args.view, &ready),
     };
-    console::text(&out)?;
+    console::print_text(&out)?;
     Ok(Status::Answered)
 }
 

@@ -12,7 +12,11 @@ pub(crate) fn command(args: &StudioArgs) -> Result<Status, Failure> {
         port: args.port,
         open: !args.no_open,
     };
-    crate::studio::serve(&options, &super::questions::Program, super::console::talk)?;
+    crate::studio::serve(
+        &options,
+        &super::questions::Program,
+        super::console::print_message,
+    )?;
     Ok(Status::Answered)
 }
 

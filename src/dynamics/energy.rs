@@ -77,7 +77,7 @@ impl EnergyAudit {
     }
 
     /// Goes on with what comes next.
-    pub(crate) fn go_on(&mut self, next: &Self) {
+    pub(crate) fn append(&mut self, next: &Self) {
         self.sum(next);
         for (own, next) in self.greatest.iter_mut().zip(next.greatest) {
             *own = own.max(next);
@@ -147,7 +147,7 @@ mod tests {
         };
         let (mut beside, mut after) = (part, part);
         beside.add(&part);
-        after.go_on(&part);
+        after.append(&part);
         assert_eq!((beside.drives, after.drives), (6.0, 6.0));
         assert_eq!((beside.greatest, after.greatest), ([10.0, 2.0], [5.0, 1.0]));
         assert_eq!((beside.scale(), beside.error()), (10.0, 0.0));

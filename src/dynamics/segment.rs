@@ -81,7 +81,7 @@ impl Peak {
     }
 
     /// Takes a single value into account.
-    pub(crate) fn see(&mut self, time: f64, value: f64) {
+    pub(crate) fn include(&mut self, time: f64, value: f64) {
         if value > self.value && self.bounds[0] <= time && time <= self.bounds[1] {
             (self.value, self.time) = (value, time);
         }

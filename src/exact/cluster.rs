@@ -251,7 +251,7 @@ impl Cluster {
             ));
         }
         if !pencil.damped() {
-            return dense::undamped(pencil, self.mean.im, self.members.len())
+            return dense::undamped_modes(pencil, self.mean.im, self.members.len())
                 .ok_or_else(|| self.refusal());
         }
         let space = Subspace::new(pencil, self.mean, self.gap, self.members.len(), self.real)

@@ -158,7 +158,7 @@ impl<'a> Cursor<'a> {
     /// Bounds of the force of link 1 of an object, which has figures, between two local
     /// times of the present phase.
     pub(crate) fn force_ahead(&self, object: usize, span: [f64; 2]) -> Ahead {
-        self.ahead((object, observe::FORCE), span)
+        self.bounds_in_phase((object, observe::FORCE), span)
     }
 
     /// The force of link 1 of an object, which has figures, and its slope, at local time
@@ -185,12 +185,14 @@ impl<'a> Cursor<'a> {
     /// Bounds of the acceleration of its last mass, between two local times of the
     /// present phase.
     pub(crate) fn acceleration_ahead(&self, object: usize, span: [f64; 2]) -> Ahead {
-        self.ahead((object, observe::ACCELERATION), span)
+        self.bounds_in_phase((object, observe::ACCELERATION), span)
     }
 
-    fn ahead(&self, what: (usize, usize), span: [f64; 2]) -> Ahead {
+    fn bounds_in_phase(&self, what: (usize, usize), span: [f64; 2]) -> Ahead {
         let passed = self.passed.filter(|_| !self.work.tracks.is_empty());
-        let ahead = |passed: CompletedPhase| observe::ahead(&self.work, passed.regime, what, span);
+        let ahead = |passed: CompletedPhase| {
+            observe::bounds_in_phase(&self.work, passed.regime, what, span)
+        };
         passed.map_or(Ahead::UNKNOWN, ahead)
     }
 

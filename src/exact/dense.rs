@@ -83,7 +83,7 @@ impl Pencil {
 /// Lanes of the `count` undamped modes whose frequencies are nearest to `omega`
 /// (rad/s): the eigenvectors of a symmetric matrix, orthogonal whatever
 /// coincides.
-pub(super) fn undamped(pencil: &Pencil, omega: f64, count: usize) -> Option<Vec<Lane>> {
+pub(super) fn undamped_modes(pencil: &Pencil, omega: f64, count: usize) -> Option<Vec<Lane>> {
     let n = pencil.nodes.len();
     let eigen = SymmetricEigen::try_new(
         pencil.scaled(|n| n.stiffness, |n| n.ground_stiffness),

@@ -75,7 +75,11 @@ impl Workspace<'_> {
     /// X > 0 the next event can only be the root of X itself (Ẋ < 0 there, so
     /// the pull is negative too).
     #[inline(always)]
-    pub(super) fn comes_clear<A: Arith>(&mut self, regime: usize, fired: Option<usize>) -> bool {
+    pub(super) fn release_cleared_pairs<A: Arith>(
+        &mut self,
+        regime: usize,
+        fired: Option<usize>,
+    ) -> bool {
         let mut changed = false;
         for number in 0..self.watches.len() {
             let watch = self.watches[number];

@@ -21,7 +21,7 @@ impl Workspace<'_> {
     }
 
     /// Puts a mass on flank f, of which its clearance grows at a speed.
-    fn put_on_flank(&mut self, mass: usize, flank: u8, rate: f64) {
+    fn set_on_flank(&mut self, mass: usize, flank: u8, rate: f64) {
         let own = self.problem.masses[mass].pair.flanks().0[usize::from(flank)];
         self.q[mass] = -own.sign * own.offset;
         self.v[mass] = own.sign * rate;
@@ -40,12 +40,12 @@ impl Workspace<'_> {
         let (before, inertia) = (self.states[i], mass.inertia);
         let [_, law, _] = self.problem.law.jet(self.at);
         let carried = mass.ratio * law;
-        self.put_on_flank(i, f, rate);
+        self.set_on_flank(i, f, rate);
         let pressing = -self.pull_on_flank(i, f) / inertia;
         let rests = restitution::rests(time, place, [rate, pressing], coefficient);
         if rests.is_some() {
             rate = 0.0;
-            self.put_on_flank(i, f, rate);
+            self.set_on_flank(i, f, rate);
             self.states[i] = PairState::Engaged(f);
             self.zeros[clear + 1] = if pressing == 0.0 { 4 } else { 0 };
         } else {
@@ -78,13 +78,13 @@ impl Workspace<'_> {
     /// Mass i comes off its flank f, where nothing presses it on any longer.
     pub(super) fn release(&mut self, i: usize, f: u8, time: f64) {
         let clear = self.first[i] + 2 * usize::from(f);
-        self.put_on_flank(i, f, 0.0);
+        self.set_on_flank(i, f, 0.0);
         // Clearance, its speed and its acceleration begin at zero.
         self.zeros[clear] = 3;
-        self.come_off(i, f, time);
+        self.record_separation(i, f, time);
     }
 
-    fn come_off(&mut self, i: usize, f: u8, time: f64) {
+    fn record_separation(&mut self, i: usize, f: u8, time: f64) {
         self.states[i] = PairState::Free;
         self.out.switches.push(ExactSwitch {
             time,
@@ -98,7 +98,7 @@ impl Workspace<'_> {
 
     /// Lets go what its law has begun to leave with a jump of the acceleration, where the
     /// run stands: at the end of a piece of the law.
-    pub(super) fn let_go(&mut self) {
+    pub(super) fn release_from_law(&mut self) {
         for i in 0..self.states.len() {
             let PairState::Engaged(f) = self.states[i] else {
                 continue;
@@ -107,9 +107,9 @@ impl Workspace<'_> {
                 continue;
             }
             let clear = self.first[i] + 2 * usize::from(f);
-            self.put_on_flank(i, f, 0.0);
+            self.set_on_flank(i, f, 0.0);
             self.zeros[clear] = 2;
-            self.come_off(i, f, self.at.0);
+            self.record_separation(i, f, self.at.0);
         }
     }
 }

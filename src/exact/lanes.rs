@@ -26,7 +26,7 @@ pub(crate) trait Arith: Copy {
     /// Does a task out of line, compiled for the same processor as the caller:
     /// what is rarely needed, or needed in several places, does not swell the
     /// loops that are always run.
-    fn apart<T: Task>(task: T) -> T::Output;
+    fn run_out_of_line<T: Task>(task: T) -> T::Output;
 }
 
 /// Something to be done in the arithmetic of the caller.
@@ -65,7 +65,7 @@ impl Arith for Plain {
     }
 
     #[inline(never)]
-    fn apart<T: Task>(task: T) -> T::Output {
+    fn run_out_of_line<T: Task>(task: T) -> T::Output {
         task.run::<Self>()
     }
 }
@@ -84,7 +84,7 @@ impl Arith for Fused {
 
     #[cfg(target_arch = "x86_64")]
     #[inline(always)]
-    fn apart<T: Task>(task: T) -> T::Output {
+    fn run_out_of_line<T: Task>(task: T) -> T::Output {
         #[target_feature(enable = "avx2,fma")]
         #[inline(never)]
         fn fused<T: Task>(task: T) -> T::Output {
@@ -100,7 +100,7 @@ impl Arith for Fused {
 
     #[cfg(not(target_arch = "x86_64"))]
     #[inline(never)]
-    fn apart<T: Task>(task: T) -> T::Output {
+    fn run_out_of_line<T: Task>(task: T) -> T::Output {
         task.run::<Self>()
     }
 }
@@ -114,14 +114,14 @@ pub(crate) fn fuses() -> bool {
 /// Does a task out of line in the best arithmetic of this processor; with `plain` in that of
 /// every processor.
 #[inline]
-pub(crate) fn apart<T: Task>(plain: bool, task: T) -> T::Output {
+pub(crate) fn run_out_of_line<T: Task>(plain: bool, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
     if !plain && fuses() {
-        return Fused::apart(task);
+        return Fused::run_out_of_line(task);
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = plain;
-    Plain::apart(task)
+    Plain::run_out_of_line(task)
 }
 
 /// Numbers in a vector.

@@ -100,7 +100,6 @@
 //! and Bernstein coefficients as bounds of a polynomial on an interval;
 //! products and sums of two numbers after Dekker.
 
-mod asked;
 mod audit;
 mod basis;
 mod bound;
@@ -127,6 +126,7 @@ mod polynomial;
 mod problem;
 mod regime;
 mod request;
+mod requested_figures;
 mod resonance;
 mod run;
 mod sample;
@@ -138,7 +138,6 @@ mod tests;
 mod track;
 mod workspace;
 
-pub use asked::RequestedFigures;
 pub use cursor::Cursor;
 pub use from_model::{KeptLaws, Part, Parts, Rest};
 pub(crate) use from_model::{PrescribedMotion, Rhythm, straight};
@@ -149,6 +148,7 @@ pub use problem::{
     TreeProblem,
 };
 pub use request::{ExactRun, ExactSwitch, Halt, Request};
+pub use requested_figures::RequestedFigures;
 use std::sync::Arc;
 pub(crate) use track::Ahead;
 pub use track::{FigureTimes, TreeFigures};

@@ -2,7 +2,7 @@
 
 use super::audit::{Instant, law_at};
 use super::hermite::End;
-use super::lanes::{Arith, Task, apart};
+use super::lanes::{Arith, Task, run_out_of_line};
 use super::phase::{Exponentials, Phase};
 use super::problem::{TreeObject, TreePair, TreeProblem};
 use super::regime::Regime;
@@ -26,13 +26,13 @@ pub(super) struct Tracks<'a> {
 
 impl Witness for Tracks<'_> {
     #[inline(always)]
-    fn looks(&self) -> bool {
+    fn wants_steps(&self) -> bool {
         !self.tracks.is_empty()
     }
 
     #[inline(always)]
     fn see<A: Arith>(&mut self, from: f64, now: &Exponentials) {
-        A::apart(See {
+        A::run_out_of_line(See {
             tracks: self,
             from,
             now,
@@ -81,7 +81,7 @@ pub(super) fn state(
         q,
         v,
     };
-    apart(work.plain, task);
+    run_out_of_line(work.plain, task);
 }
 
 /// The state at an instant of a phase.
@@ -107,7 +107,7 @@ impl Task for State<'_> {
 
 /// Bounds of functional f of object `o` between two local times of the phase gone through
 /// last; the force of an open link is none.
-pub(super) fn ahead(
+pub(super) fn bounds_in_phase(
     work: &Workspace<'_>,
     regime: usize,
     (o, f): (usize, usize),
@@ -124,7 +124,7 @@ pub(super) fn ahead(
         f,
         span,
     };
-    apart(work.plain, task)
+    run_out_of_line(work.plain, task)
 }
 
 /// Bounds of a functional over a part of a phase.
@@ -163,7 +163,7 @@ pub(super) fn force(
         s,
         e,
     };
-    apart(plain, task)
+    run_out_of_line(plain, task)
 }
 
 /// A force at an instant of a phase.
@@ -257,11 +257,11 @@ impl Workspace<'_> {
     /// Looks at the steps noted since the last time. To be called before modes
     /// leave the phase or come back to it.
     #[inline(always)]
-    pub(super) fn look_back<A: Arith>(&mut self, regime: usize) {
+    pub(super) fn process_noted_steps<A: Arith>(&mut self, regime: usize) {
         for (o, track) in self.tracks.iter_mut().enumerate() {
             if track.has_steps() {
                 let scene = scene(&self.regimes[regime], &self.phase, o, &self.variants);
-                A::apart(LookBack { track, scene });
+                A::run_out_of_line(LookBack { track, scene });
             }
         }
     }

@@ -146,11 +146,11 @@ impl Panel {
 impl Panel {
     /// |weight| of lane k in functional f.
     pub(crate) fn size(&self, f: usize, k: usize) -> f64 {
-        self.seen(k).size.0[f]
+        self.lane_functionals(k).size.0[f]
     }
 
     #[inline(always)]
-    fn seen(&self, k: usize) -> &LaneFunctionals {
+    fn lane_functionals(&self, k: usize) -> &LaneFunctionals {
         &self.lanes[k / WIDTH][k % WIDTH]
     }
 }

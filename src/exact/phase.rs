@@ -194,7 +194,7 @@ impl Phase {
     /// Evaluates e^{λs} of the active lanes.
     #[inline(always)]
     pub(crate) fn exponentials<A: Arith>(&self, basis: &Basis, s: f64, out: &mut Exponentials) {
-        A::apart(Evaluate {
+        A::run_out_of_line(Evaluate {
             phase: self,
             basis,
             s,
@@ -321,7 +321,7 @@ impl Task for Evaluate<'_> {
         // where they are, and not put aside for the next round.
         out.turn::<A>(basis, 0);
         if phase.active > 1 {
-            A::apart(Others {
+            A::run_out_of_line(Others {
                 basis,
                 active: phase.active,
                 out,

@@ -1,7 +1,7 @@
 //! What is asked of a run, and what it leaves behind.
 
-use super::asked::RequestedFigures;
 use super::problem::PairState;
+use super::requested_figures::RequestedFigures;
 use super::track::TreeFigures;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::Impact;

@@ -1,6 +1,6 @@
 //! The run: phases and switches in turn.
 
-use super::lanes::{Arith, Task, apart};
+use super::lanes::{Arith, Task, run_out_of_line};
 use super::observe::Tracks;
 use super::problem::Refusal;
 use super::request::{ExactRun, ExactSwitch, Halt, Request};
@@ -39,7 +39,7 @@ fn not_finite() -> Refusal {
 
 /// Passes one phase more in the best arithmetic of this processor.
 fn forward(work: &mut Workspace<'_>, end: f64) -> Result<CompletedPhase, Refusal> {
-    apart(work.plain, Pass { work, end })
+    run_out_of_line(work.plain, Pass { work, end })
 }
 
 /// A phase to be passed.
@@ -171,7 +171,7 @@ impl Workspace<'_> {
         self.begin_tracks::<A>(regime);
         self.begin_ledger(regime);
         let event = self.pass::<A>(regime, horizon)?;
-        self.look_back::<A>(regime);
+        self.process_noted_steps::<A>(regime);
         if self.tracks.iter().any(|track| track.lost) {
             return Err(self.too_fast());
         }
@@ -244,7 +244,7 @@ impl Workspace<'_> {
             }
             self.switch(number, self.at.0);
         } else {
-            self.let_go();
+            self.release_from_law();
         }
         Ok(())
     }
@@ -265,7 +265,7 @@ impl Workspace<'_> {
             .phase
             .fades(&self.regimes[regime].basis, &self.search.e)
         {
-            self.look_back::<A>(regime);
+            self.process_noted_steps::<A>(regime);
             self.phase.fade(&mut self.search.e);
         }
     }
@@ -340,14 +340,14 @@ impl Workspace<'_> {
                 Step::NotFinite => return Err(not_finite()),
                 Step::Reached => return Ok(None),
                 Step::Root(number) => {
-                    anew = self.comes_clear::<A>(regime, Some(number));
+                    anew = self.release_cleared_pairs::<A>(regime, Some(number));
                     if !anew {
                         return Ok(Some(number));
                     }
                 }
                 Step::Free => {
                     self.fade::<A>(regime);
-                    anew = self.comes_clear::<A>(regime, None);
+                    anew = self.release_cleared_pairs::<A>(regime, None);
                 }
             }
         }

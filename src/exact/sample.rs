@@ -141,7 +141,7 @@ impl Sampler {
             q: vec![0.0; room],
             v: vec![0.0; room],
         };
-        sampler.go_on(0);
+        sampler.advance(0);
         sampler
     }
 
@@ -159,7 +159,7 @@ impl Sampler {
     }
 
     #[inline(always)]
-    fn go_on(&mut self, by: usize) {
+    fn advance(&mut self, by: usize) {
         self.next += by;
         self.due = if self.next <= self.count {
             self.time(self.next)
@@ -186,14 +186,14 @@ impl Sampler {
         if let Some(strides) = strides {
             let count = self.within(phase, first, s);
             self.last_mass::<A>(basis, strides, phase, count, out);
-            self.go_on(count);
+            self.advance(count);
             return;
         }
         loop {
             phase.state::<A>(basis, &mut self.e, &mut self.q, &mut self.v);
             out.extend_from_slice(&self.q);
             out.extend_from_slice(&self.v);
-            self.go_on(1);
+            self.advance(1);
             let local = phase.local(self.due);
             if local > s {
                 return;

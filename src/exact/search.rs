@@ -7,7 +7,7 @@
 //! signal is below its own rounding, is counted as grazing.
 //!
 //! Exponentials are moved from place to place instead of evaluating a function, several at
-//! once. So the search has a form of its own, as have `hermite`, `bound` and `track::climb`,
+//! once. So the search has a form of its own, as have `hermite`, `bound` and `track::refine`,
 //! and stands beside `math::roots`.
 
 use super::basis::Basis;
@@ -35,7 +35,7 @@ pub(crate) enum Step {
 /// inline, and out of line they lose the processor's instructions.)
 pub(crate) trait Witness {
     /// False when it need not be told.
-    fn looks(&self) -> bool;
+    fn wants_steps(&self) -> bool;
 
     /// Nothing has switched between the local time `from` and the instant of `now`.
     fn see<A: Arith>(&mut self, from: f64, now: &Exponentials);
@@ -125,7 +125,7 @@ impl Search {
             length = lesser(length, free);
         }
         self.steps += 1;
-        let looks = witness.looks();
+        let looks = witness.wants_steps();
         if let Some((number, bracket)) = root
             && (second >= bracket.high || second >= left)
             && !(s == 0.0 && signals[watched[number]].passing)

@@ -11,9 +11,9 @@
 
 mod ahead;
 mod back;
-mod climb;
 mod figures;
 mod lanes_ahead;
+mod refine;
 #[cfg(test)]
 mod tests;
 mod walk;
@@ -22,12 +22,12 @@ pub(crate) use ahead::Ahead;
 pub(crate) use back::LookBack;
 pub use figures::{FigureTimes, TreeFigures};
 
-use super::asked::RequestedFigures;
 use super::basis::Basis;
 use super::hermite::{Bounds, End, Piece, Point};
 use super::lanes::{Arith, V, WIDTH};
 use super::panel::{Amplitudes, Panel, PanelPhase};
 use super::phase::{Exponentials, Phase};
+use super::requested_figures::RequestedFigures;
 
 /// Most cuts of one step for one figure; what is left is then believed.
 const CUTS: usize = 64;
@@ -189,7 +189,7 @@ impl Track {
         self.calm = self.whole;
         // What flies is at rest at the start alone.
         let flies = self.asked.mean && !phase.flights.is_empty();
-        self.quiet = !flies && self.nothing_between::<A>(0.0, 0.0);
+        self.quiet = !flies && self.is_calm_between::<A>(0.0, 0.0);
         (self.before.s, self.now.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         (self.last.s, self.look.s) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         if !self.quiet || self.asked.mean {
@@ -210,15 +210,15 @@ impl Track {
     /// Asks the envelope of all lanes from the local time s on whether anything
     /// can happen.
     #[inline(always)]
-    fn look_ahead<A: Arith>(&mut self, s: f64, envelope: V) {
+    fn set_envelope<A: Arith>(&mut self, s: f64, envelope: V) {
         self.calm = envelope;
-        self.quiet = self.nothing_between::<A>(s, s);
+        self.quiet = self.is_calm_between::<A>(s, s);
     }
 
     /// True when the envelopes tell that between two instants no figure can
     /// pass its greatest value and δ keeps its sign.
     #[inline(always)]
-    fn nothing_between<A: Arith>(&self, from: f64, to: f64) -> bool {
+    fn is_calm_between<A: Arith>(&self, from: f64, to: f64) -> bool {
         self.rules_out::<A>(from, to, self.calm)
     }
 
@@ -227,13 +227,13 @@ impl Track {
     #[inline(always)]
     fn rules_out<A: Arith>(&self, from: f64, to: f64, envelope: V) -> bool {
         let bounds = self.state.envelope::<A>(from, to, envelope);
-        bounds.is_some_and(|bounds| self.nothing_within(&bounds))
+        bounds.is_some_and(|bounds| self.is_calm_within(&bounds))
     }
 
     /// True when values within the bounds pass nothing, rounding apart, and δ
     /// keeps its sign.
     #[inline(always)]
-    fn nothing_within(&self, bounds: &Bounds) -> bool {
+    fn is_calm_within(&self, bounds: &Bounds) -> bool {
         let beyond = (bounds.high - self.high).max(self.low - bounds.low);
         (beyond - self.margin()).greatest() <= 0.0 && !self.may_turn(bounds)
     }
@@ -253,7 +253,7 @@ impl Track {
 
     /// Evaluates at the instant of `e`, and notes what is greater than before.
     #[inline(always)]
-    fn stand_at<A: Arith>(&mut self, scene: Scene, e: &Exponentials) -> Point {
+    fn evaluate_at<A: Arith>(&mut self, scene: Scene, e: &Exponentials) -> Point {
         let Scene { panel, phase, .. } = scene;
         self.state.amplitudes::<A>(phase, e, &mut self.now);
         let point = self.state.point::<A>(panel, phase.active, &self.now, e);
@@ -263,14 +263,14 @@ impl Track {
 
     /// The same at the local time s, which was passed by.
     #[inline(always)]
-    fn stand_before<A: Arith>(&mut self, scene: Scene, s: f64) {
+    fn evaluate_passed<A: Arith>(&mut self, scene: Scene, s: f64) {
         let mut e = std::mem::take(&mut self.e);
         if s == 0.0 {
             e.start(scene.phase.active);
         } else {
             scene.phase.exponentials::<A>(scene.basis, s, &mut e);
         }
-        self.last = self.stand_at::<A>(scene, &e);
+        self.last = self.evaluate_at::<A>(scene, &e);
         self.e = e;
     }
 
@@ -292,28 +292,28 @@ impl Track {
     /// Notes the step from the local time `from` to the instant of `now`.
     #[inline(always)]
     pub(crate) fn see<A: Arith>(&mut self, scene: Scene, from: f64, now: &Exponentials) {
-        if self.quiet && self.nothing_between::<A>(from, now.s) {
+        if self.quiet && self.is_calm_between::<A>(from, now.s) {
             return;
         }
         if self.last.s != from {
-            self.stand_before::<A>(scene, from);
+            self.evaluate_passed::<A>(scene, from);
         }
         std::mem::swap(&mut self.before, &mut self.now);
         let before = self.last;
-        self.last = self.stand_at::<A>(scene, now);
+        self.last = self.evaluate_at::<A>(scene, now);
         if self.asked.mean {
             // Most steps have to be looked into anyway, in their order.
             let after = self.last;
-            self.look_into::<A>(scene, &before, &after);
+            self.process_step::<A>(scene, &before, &after);
         } else {
             self.steps.push([before, self.last]);
             if self.steps.len() == TOGETHER {
-                A::apart(LookBack { track: self, scene });
+                A::run_out_of_line(LookBack { track: self, scene });
             }
         }
         self.seen += 1;
         if self.seen.is_multiple_of(PATIENCE) {
-            self.look_ahead::<A>(now.s, self.last.envelope);
+            self.set_envelope::<A>(now.s, self.last.envelope);
         }
     }
 

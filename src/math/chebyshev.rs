@@ -101,7 +101,7 @@ pub(crate) fn integral<const N: usize>(series: &[f64; N]) -> [f64; N] {
 }
 
 /// ∫ over [−1, 1], no term left out.
-pub(crate) fn whole<const N: usize>(series: &[f64; N]) -> f64 {
+pub(crate) fn definite_integral<const N: usize>(series: &[f64; N]) -> f64 {
     let even = (0..N).step_by(2);
     even.map(|k| 2.0 * series[k] / (1.0 - (k * k) as f64)).sum()
 }
@@ -138,7 +138,7 @@ pub(crate) fn combined<const N: usize>(coefficients: &[f64], rows: &[[f64; N]]) 
 
 #[cfg(test)]
 mod tests {
-    use super::{Nodes, combined, derivative, in_powers, integral, value, whole};
+    use super::{Nodes, combined, definite_integral, derivative, in_powers, integral, value};
 
     #[test]
     fn a_smooth_function_its_slope_and_its_integral_come_out_to_rounding() {
@@ -153,7 +153,7 @@ mod tests {
             approx::assert_abs_diff_eq!(value(&area, x), exact, epsilon = 1e-15);
         }
         let exact = ((-0.5f64).cos() - 0.9f64.cos()) / 0.7;
-        approx::assert_abs_diff_eq!(whole(&series), exact, epsilon = 1e-15);
+        approx::assert_abs_diff_eq!(definite_integral(&series), exact, epsilon = 1e-15);
     }
 
     #[test]

@@ -180,12 +180,12 @@ const ROUNDINGS: f64 = 4.0;
 /// step they are right to more digits than the values have left.)
 pub(crate) fn gain(from: &[f64], to: &[f64], length: f64) -> f64 {
     let told = length * (0.5 * (from[1] + to[1]) + length / 12.0 * (from[2] - to[2]));
-    told_gain(told, from[0], to[0])
+    rounded_gain(told, from[0], to[0])
 }
 
 /// What a signal gains between two values: as it is `told`, where that is their
 /// difference within their rounding.
-pub(crate) fn told_gain(told: f64, from: f64, to: f64) -> f64 {
+pub(crate) fn rounded_gain(told: f64, from: f64, to: f64) -> f64 {
     let difference = to - from;
     if (told - difference).abs() <= ROUNDINGS * f64::EPSILON * (from.abs() + to.abs()) {
         told

@@ -173,7 +173,7 @@ fn detail(model: &Model, object: &ObjectPart) -> String {
         Some(NodeMotion::Prescribed { motion, .. }) => motion::summary(motion, object.coordinate),
         Some(NodeMotion::Rotor { .. }) if object.kind == OUTPUT => "free".into(),
         Some(NodeMotion::Rotor { .. }) => "motor".into(),
-        Some(NodeMotion::Constrained { .. }) => several(model, object),
+        Some(NodeMotion::Constrained { .. }) => multi_input_block(model, object),
         Some(NodeMotion::Rigid { .. }) => rigid(model, object),
         _ => match object.nodes.len() {
             1 => "1 mass".into(),
@@ -189,7 +189,7 @@ fn is_of_modes(model: &Model, object: &ObjectPart) -> bool {
 }
 
 /// A linkage of several inputs, or an output of it.
-fn several(model: &Model, object: &ObjectPart) -> String {
+fn multi_input_block(model: &Model, object: &ObjectPart) -> String {
     let is = |body: &&MultiLinkageBody| object.nodes.first() == Some(&body.node);
     match model.multi_linkages.iter().find(is) {
         Some(body) => format!("{} links", body.linkage.spec().linkage.links.len()),

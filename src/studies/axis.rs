@@ -165,7 +165,7 @@ impl Axis {
 
     /// The unit to show the values with: the one they were given in, else the SI
     /// unit of the parameter in a model where it is known, else none.
-    pub fn shown_unit(&self, model: &Model) -> String {
+    pub fn display_unit(&self, model: &Model) -> String {
         match self.unit.as_str() {
             "" => parameter_unit(&self.path, model).to_owned(),
             unit => unit.to_owned(),

@@ -38,7 +38,7 @@ impl Choice {
     }
 
     /// Adds the changes of the method that were made on the way.
-    pub(super) fn tell_changes(&mut self, changes: &[Change]) {
+    pub(super) fn describe_changes(&mut self, changes: &[Change]) {
         for change in changes {
             let Change { time, from, to, .. } = change;
             let time = shown(*time, 6);

@@ -264,7 +264,7 @@ pub(super) fn blank(model: &Model) -> Figures {
             }),
             pressing: part.pressing.as_ref().map(|_| PressingFigures::default()),
             creep: may_creep(model, index).then(CreepFigures::default),
-            joints: rubs(model, part).then(JointFigures::default),
+            joints: has_active_friction(model, part).then(JointFigures::default),
             ..ObjectFigures::default()
         })
         .collect();
@@ -278,7 +278,7 @@ pub(super) fn blank(model: &Model) -> Figures {
 }
 
 /// True when the friction of the object's joints acts on the motion.
-fn rubs(model: &Model, part: &ObjectPart) -> bool {
+fn has_active_friction(model: &Model, part: &ObjectPart) -> bool {
     let of_one = model.linkages.iter();
     let of_one = of_one.map(|body| (body.node, &body.friction));
     let of_several = model.multi_linkages.iter();

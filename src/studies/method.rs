@@ -45,7 +45,7 @@ pub(super) fn choose_method(
         return Ok(Choice::exact(parts, settings, "it is the quickest"));
     }
     match settings.method {
-        Some(Method::Taylor) => match rubbing(system) {
+        Some(Method::Taylor) => match ids_with_friction(system) {
             Some(ids) => Err(vec![Fault::new(
                 "run.method",
                 format!("`taylor` cannot be used: the joint friction of {ids} has no power series"),
@@ -68,7 +68,7 @@ pub(super) fn choose_method(
                 Choice::exact(parts, settings, &why)
             }
             Err(_) => match mixed(system) {
-                Some(mixed) => choose_beside(system, settings, mixed),
+                Some(mixed) => choose_for_remainder(system, settings, mixed),
                 None => Choice::general(choose(&situation(system, settings))),
             },
         }),
@@ -76,8 +76,8 @@ pub(super) fn choose_method(
 }
 
 /// The linkages whose joints have friction, in words; `None` without any.
-fn rubbing(system: &System) -> Option<String> {
-    let objects = system.rubbing_objects();
+fn ids_with_friction(system: &System) -> Option<String> {
+    let objects = system.objects_with_friction();
     let ids: Vec<&str> = objects
         .map(|(object, _)| system.model().objects[object].id.as_str())
         .collect();
@@ -85,7 +85,7 @@ fn rubbing(system: &System) -> Option<String> {
 }
 
 /// Exact propagation of some branches, and the method for the rest.
-fn choose_beside(system: &System, settings: &RunSettings, mixed: Mixed) -> Choice {
+fn choose_for_remainder(system: &System, settings: &RunSettings, mixed: Mixed) -> Choice {
     let Mixed { parts, rest } = mixed;
     let own = &rest.system;
     let chosen = match own.coordinates() {
@@ -212,18 +212,18 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
     let (fastest, eigenvalues) = rates(system);
     let modes = eigenvalues.unwrap_or_default();
     let duration = settings.duration;
-    let vibrations = shown_frequencies(system).map(|frequency| nearest(frequency, &modes));
+    let vibrations = vibration_frequencies(system).map(|frequency| nearest(frequency, &modes));
     let turning = driving_speeds(system, duration).fold(0.0, f64::max);
     Situation {
         fastest,
         vibrations: vibrations.collect(),
         turning,
         has_variable_ratio: system.has_variable_ratio(),
-        way: system.way_of_laws(turning * duration),
+        way: system.series_range_of_laws(turning * duration),
         breaks: system.breaks_passed(duration),
         expands: system.expands(),
         corners: system.has_corners(),
-        joint_friction: system.has_friction_of_several(),
+        joint_friction: system.has_multi_input_friction(),
         tolerance: settings.tolerance,
         coordinates: system.coordinates(),
         duration,
@@ -276,7 +276,7 @@ fn driving_speeds(system: &System, duration: f64) -> impl Iterator<Item = f64> {
 /// the motion: those whose contact comes and goes, and all when the start is
 /// not the quiet one. (The scale of an object's speed is that of its deviation
 /// times its base frequency.)
-fn shown_frequencies(system: &System) -> impl Iterator<Item = f64> {
+fn vibration_frequencies(system: &System) -> impl Iterator<Item = f64> {
     let model: &Model = system.model();
     let quiet = model.start == Start::Kinetostatic;
     let objects = model.objects.iter().enumerate();

@@ -78,7 +78,7 @@ pub fn run(
     control: &Control<'_>,
     sinks: &mut [&mut dyn Sink],
 ) -> Result<RunResult, Vec<Fault>> {
-    let settings = &settings.taken();
+    let settings = &settings.with_effective_tolerance();
     let motion = motion(system, settings, Demand::EVERYTHING, control, sinks)?;
     let Motion {
         recorded,
@@ -361,7 +361,7 @@ fn attempt(
                 outcome
             };
             let (both, sink) = ((parts, rest), &mut Tee(sinks));
-            exact::follow_beside(system, both, &initial, recording, &limits, sink, own)
+            exact::propagate_with_remainder(system, both, &initial, recording, &limits, sink, own)
         }
         (Some(parts), None) => {
             let sink = &mut Tee(sinks);
@@ -383,7 +383,7 @@ fn attempt(
             }
         }
     };
-    choice.tell_changes(&changed.into_inner());
+    choice.describe_changes(&changed.into_inner());
     let mut recorded = found.recorded;
     for object in 0..recorded.figures.len() {
         recorded.figures[object].creep = plausible::creep(system.model(), &recorded.record, object);

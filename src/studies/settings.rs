@@ -100,7 +100,7 @@ impl RunSettings {
     }
 
     /// The same with the tolerance that a run takes.
-    pub(super) fn taken(&self) -> Self {
+    pub(super) fn with_effective_tolerance(&self) -> Self {
         let of_accuracy = self.of_accuracy.clone().filter(|_| self.method.is_none());
         Self {
             tolerance: (of_accuracy.as_ref()).map_or(self.tolerance, |found| found.tolerance),

@@ -7,7 +7,7 @@
 use super::expectations::{Verdict, did_you_mean, judged};
 use super::forces::{
     ForceSettings, ForceStudy, LinkagePositions, course_of, figures, figures_of_inputs,
-    only_loaded_output, several_forces, study,
+    multi_input_forces, only_loaded_output, study,
 };
 use super::kinematics::{
     self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Question, linkage_of,
@@ -69,7 +69,7 @@ pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinem
 pub fn forces_of(model: &Model, object: &str, duration: f64) -> Result<ForceStudy, String> {
     if let Some(body) = several_of(model, Some(object)) {
         let asked = AskedSeveral::new(model, body, &question(object, duration))?;
-        return several_forces(&asked, Options::default()).map_err(in_words);
+        return multi_input_forces(&asked, Options::default()).map_err(in_words);
     }
     let linkage = &linkage_of(model, Some(object))?.linkage;
     let asked = KinematicsRequest::new(model, &question(object, duration))?;

@@ -79,7 +79,7 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
     }
 
     /// The message to windows: faults and numbers.
-    pub(super) fn told(&self, checked: &Checked) -> String {
+    pub(super) fn checked_message(&self, checked: &Checked) -> String {
         self.message(checked.document.as_ref(), &checked.faults)
     }
 
@@ -164,7 +164,7 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
         };
         let mut mechanism = Mechanism::of_within(reading, judging, &budget).map_err(wrong)?;
         let settings = &mut mechanism.settings;
-        if !plausible::looks_at_samples(mechanism.system.model()) {
+        if !plausible::needs_samples(mechanism.system.model()) {
             settings.samples = settings.samples.min(SAMPLES);
         }
         let masses = mechanism
@@ -214,7 +214,7 @@ impl Ran {
         let model = mechanism.model();
         let cams = disc_cams(mechanism.scene(), model);
         let found = (&result.figures, &result.record);
-        let shown = live::run(model, &cams, found, &view.beside(), before);
+        let shown = live::run(model, &cams, found, &view.run_extras(), before);
         let mut warnings = mechanism.warnings();
         let found = result.figures.warnings.iter();
         let new: Vec<String> = found

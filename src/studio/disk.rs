@@ -79,7 +79,7 @@ impl OnDisk {
     }
 
     /// How it stands with the file, in a word.
-    pub(super) fn word(&self) -> &'static str {
+    pub(super) fn state_name(&self) -> &'static str {
         match self.file {
             File::Same(_) => "same",
             File::Changed(_) => "changed",
@@ -114,7 +114,7 @@ impl OnDisk {
     }
 
     /// Looks at the file: whether others have changed it.
-    pub(super) fn look(&mut self, text: &str) {
+    pub(super) fn check_for_changes(&mut self, text: &str) {
         let now = stamp(&self.path);
         let was = match self.file {
             File::Same(was) | File::Changed(was) => was,
@@ -141,7 +141,7 @@ impl OnDisk {
     /// They have, or it cannot be written.
     pub(super) fn save(&mut self, text: &str) -> Result<(), String> {
         // The last look before it is written over.
-        self.look(text);
+        self.check_for_changes(text);
         if let File::Changed(_) = self.file {
             return Err("the file was changed by another program; decide first".to_owned());
         }

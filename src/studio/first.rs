@@ -25,13 +25,13 @@ const HEAD: u64 = 64 << 10;
 
 /// Recent scenes, those of the folder with their names, templates, scenarios.
 pub(super) async fn page(State(studio): State<Arc<Studio>>) -> Response {
-    match tokio::task::spawn_blocking(move || told(&studio)).await {
+    match tokio::task::spawn_blocking(move || opening_message(&studio)).await {
         Ok(told) => Json(told).into_response(),
         Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
     }
 }
 
-fn told(studio: &Studio) -> Value {
+fn opening_message(studio: &Studio) -> Value {
     let folder: &Folder = &studio.folder;
     let scenes = folder.scenes().into_iter().map(|name| {
         let title = folder.file(&name).ok().and_then(|path| title(&path));

@@ -86,7 +86,7 @@ impl History {
         self.undone.clear();
         let time = Instant::now();
         if let Some(last) = self.done.last_mut()
-            && last.goes_on_with(&edits, &group, time)
+            && last.continues_with(&edits, &group, time)
         {
             last.time = time;
             last.join(&mut edits);
@@ -101,7 +101,7 @@ impl History {
 }
 
 impl Step {
-    fn goes_on_with(&self, edits: &[Edit], group: &EditGroup, now: Instant) -> bool {
+    fn continues_with(&self, edits: &[Edit], group: &EditGroup, now: Instant) -> bool {
         match group {
             _ if self.group != *group => false,
             EditGroup::Alone => false,

@@ -33,7 +33,7 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
     // The other window sees nothing of it.
     let mut seen = 0;
     while let Some(sent) = other.next().unwrap() {
-        other.shown(WindowInput::Answer);
+        other.acknowledge(WindowInput::Answer);
         if let Sent::Binary(bytes) = sent {
             assert!(!String::from_utf8_lossy(&bytes).contains("pinned runs"));
             seen += 1;
@@ -50,10 +50,10 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
     let full = opened.told("answer", |one| one["pins"].as_array().unwrap().len() == 3);
     assert_eq!(full["pins"], json!(["first", "first (2)", "run 3"]));
     assert!(opened.room.pin(7, "one too many").is_err());
-    opened.room.look_at(7, |view| view.rename(1, "now"));
+    opened.room.change_view(7, |view| view.rename(1, "now"));
     opened.told("answer", |one| one["pins"][1] == "now (2)");
     for _ in 0..3 {
-        opened.room.look_at(7, |view| view.unpin(0));
+        opened.room.change_view(7, |view| view.unpin(0));
     }
     let alone = opened.told("answer", |one| one["pins"] == json!([]));
     assert_eq!(alone["compared"], "");
@@ -73,8 +73,8 @@ fn a_tab_that_is_loaded_anew_has_its_pinned_runs() {
     // Before the old window was missed, and after.
     let old = joined(&mut opened, window(9, "one"));
     opened.told("answer", |one| one["pins"] == json!(["first"]));
-    opened.room.leave(&old);
-    opened.room.leave(&opened.window);
+    opened.room.remove_window(&old);
+    opened.room.remove_window(&opened.window);
     joined(&mut opened, window(10, "one"));
     opened.told("answer", |one| one["pins"] == json!(["first"]));
     // Another tab, and one that says nothing, see the run alone.
@@ -104,7 +104,7 @@ fn pinned_runs_are_worked_out_again_after_a_restart() {
     opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
     let moved = opened.told("answer", |one| one["version"] == 1);
     opened.room.pin(7, "").unwrap();
-    opened.room.look_at(7, |view| view.rename(1, "second"));
+    opened.room.change_view(7, |view| view.rename(1, "second"));
     let named = opened.told("answer", |one| one["pins"] == json!(["first", "second"]));
     opened.room.keep_pins();
     let again = started_again(opened);
@@ -143,7 +143,7 @@ fn pinned_runs_are_worked_out_again_after_a_restart() {
     assert_eq!(again.told("answer", |_| true)["pins"], json!([]));
     // Unpinned, they are gone for good.
     for _ in 0..2 {
-        again.room.look_at(1, |view| view.unpin(0));
+        again.room.change_view(1, |view| view.unpin(0));
     }
     again.room.keep_pins();
     let last = started_again(again);

@@ -53,7 +53,7 @@ impl PinRecord {
     }
 
     /// What a window that comes sees of it: its tab, or whoever comes first, has it again.
-    pub(super) fn give(&mut self, tab: &str) -> Option<&[KeptPin]> {
+    pub(super) fn claim(&mut self, tab: &str) -> Option<&[KeptPin]> {
         let own = !tab.is_empty() && tab == self.tab;
         if self.pins.is_empty() || (self.given && !own) {
             return None;
@@ -126,10 +126,10 @@ mod tests {
             .unwrap();
         assert_eq!(pins.find(other).pins, []);
         let mut found = pins.find(one);
-        assert_eq!(found.give("new").unwrap(), all);
-        assert_eq!(found.give("newer"), None);
-        assert_eq!(found.give(""), None);
-        assert_eq!(found.give("tab").unwrap(), all);
+        assert_eq!(found.claim("new").unwrap(), all);
+        assert_eq!(found.claim("newer"), None);
+        assert_eq!(found.claim(""), None);
+        assert_eq!(found.claim("tab").unwrap(), all);
         pins.keep(one, &PinRecord::of_window("tab", Vec::new()))
             .unwrap();
         assert_eq!(pins.find(one), PinRecord::default());

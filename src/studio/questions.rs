@@ -75,7 +75,7 @@ pub(super) async fn parts(Opened(room): Opened) -> Response {
 /// The dynamic model and the equations of a scene as it is edited at present; where the levels
 /// of its objects are open, those of the levels that are chosen, with their error.
 pub(super) async fn model(opened: Opened) -> Response {
-    told(opened, Judging::Asked, |mechanism| {
+    respond(opened, Judging::Asked, |mechanism| {
         let [model, equations] = live::model(&mechanism.system);
         let accuracy = mechanism.certificate.as_ref().map(live::accuracy);
         json!({ "model": accuracy.unwrap_or_default() + &model, "equations": equations })
@@ -99,12 +99,12 @@ pub(super) async fn linkages(opened: Opened, Query(place): Query<Place>) -> Resp
         let linkages = live::sketches(&mechanism.system, &at);
         json!({ "linkages": linkages })
     };
-    told(opened, Judging::Never, tell).await
+    respond(opened, Judging::Never, tell).await
 }
 
 /// The figures of its run that it may expect, with how closely.
 pub(super) async fn figures(opened: Opened) -> Response {
-    told(opened, Judging::Asked, |mechanism| {
+    respond(opened, Judging::Asked, |mechanism| {
         let budget = Budget::FREE.within(FIGURES);
         let Ok(result) = mechanism.run_within(&budget) else {
             return json!({ "figures": [] });
@@ -120,12 +120,12 @@ pub(super) async fn figures(opened: Opened) -> Response {
     .await
 }
 
-async fn told(
+async fn respond(
     Opened(room): Opened,
     judging: Judging,
     tell: impl FnOnce(&Mechanism) -> Value + Send + 'static,
 ) -> Response {
-    let worked = tokio::task::spawn_blocking(move || shown(&room, judging, tell)).await;
+    let worked = tokio::task::spawn_blocking(move || answer_json(&room, judging, tell)).await;
     match worked {
         Ok(told) => Json(told).into_response(),
         Err(_) => refused(StatusCode::INTERNAL_SERVER_ERROR, "the computation failed"),
@@ -133,7 +133,11 @@ async fn told(
 }
 
 /// `None`: the text is no scene, or none that can be run.
-fn shown(room: &Room, judging: Judging, tell: impl FnOnce(&Mechanism) -> Value) -> Option<Value> {
+fn answer_json(
+    room: &Room,
+    judging: Judging,
+    tell: impl FnOnce(&Mechanism) -> Value,
+) -> Option<Value> {
     let (version, text) = room.newest();
     let document = Document::parse(room.name(), text.as_bytes()).ok()?;
     let catalogue = Layered(room.catalogue(), &BuiltIn);

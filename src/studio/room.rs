@@ -117,7 +117,7 @@ impl Room {
         // They are set here alone.
         let _ = (room.runs.set(runs), room.maps.set(maps));
         let _ = room.questions.set(questions);
-        room.ask(&room.lock());
+        room.request_run(&room.lock());
         Ok(room)
     }
 
@@ -160,7 +160,7 @@ impl Room {
         window.send(state.opened(&self.name).into());
         let again = state.back(window);
         state.windows.insert(window.id, window.clone());
-        window.send(state.told_status().into());
+        window.send(state.status_message().into());
         if let Some(checked) = &state.checked {
             window.send(checked.clone());
         }
@@ -168,19 +168,19 @@ impl Room {
             window.answer(answer.clone());
         }
         if again {
-            self.ask_again(&state);
+            self.request_more_of_run(&state);
         }
     }
 
     /// A window is gone, or looks at another.
-    pub(super) fn leave(&self, window: &Window) {
+    pub(super) fn remove_window(&self, window: &Window) {
         self.lock().part(window);
     }
 
     /// A window sees these charts: those that come into its sight it is sent with their numbers.
     pub(super) fn sight(&self, window: &Window, charts: BTreeSet<usize>) {
         let state = self.lock();
-        if window.see(charts)
+        if window.set_visible_charts(charts)
             && let Some(answer) = state.answer_for(window.id)
         {
             window.answer_again(answer.clone());
@@ -223,7 +223,7 @@ impl Room {
             taken.push(update.changes.clone());
         }
         // At once: a window that hears of a part would send the rest again.
-        state.tell_changes(before, window.id, &taken);
+        state.broadcast_changes(before, window.id, &taken);
         if fault.is_some() {
             // The window has what the others have not: it begins anew.
             window.send(state.opened(&self.name).into());
@@ -244,7 +244,7 @@ impl Room {
             false => state.text.redo(),
         };
         if let Some(changes) = changes {
-            state.tell_changes(before, 0, &changes);
+            state.broadcast_changes(before, 0, &changes);
             self.changed(state);
         }
     }
@@ -254,7 +254,7 @@ impl Room {
         let mut state = self.lock();
         let State { text, disk, .. } = &mut *state;
         let saved = disk.save(text.text());
-        state.tell_status();
+        state.broadcast_status();
         saved
     }
 
@@ -265,7 +265,7 @@ impl Room {
         if reload {
             let before = state.text.version();
             let changes = state.text.replace(&found);
-            state.tell_changes(before, 0, &changes);
+            state.broadcast_changes(before, 0, &changes);
         }
         self.changed(state);
         Ok(())
@@ -280,7 +280,7 @@ impl Room {
         if let Some(draft) = draft {
             let before = state.text.version();
             let changes = state.text.replace(&draft);
-            state.tell_changes(before, 0, &changes);
+            state.broadcast_changes(before, 0, &changes);
         }
         self.changed(state);
     }
@@ -292,7 +292,7 @@ impl Room {
             Some(question) => state.asked.insert(window, question),
             None => state.asked.remove(&window),
         };
-        self.ask_map(&state);
+        self.submit_map(&state);
     }
 
     /// Asks a question that follows the text.
@@ -302,27 +302,31 @@ impl Room {
             Some(question) => state.questions.insert(window, question),
             None => state.questions.remove(&window),
         };
-        self.ask_questions(&state);
+        self.submit_questions(&state);
     }
 
     /// The text is another.
     fn changed(&self, mut state: MutexGuard<'_, State>) {
-        state.tell_status();
-        self.ask(&state);
+        state.broadcast_status();
+        self.request_run(&state);
     }
 
     /// What is looked at from time to time: work that has gone on too long; the file; the draft.
-    pub(super) fn look(&self, memory: u64, round: u64) -> Option<impl FnOnce() + Send + use<>> {
+    pub(super) fn supervise(
+        &self,
+        memory: u64,
+        round: u64,
+    ) -> Option<impl FnOnce() + Send + use<>> {
         for desk in self.runs.get().into_iter() {
-            if desk.look(memory) {
+            if desk.end_overdue(memory) {
                 self.exhausted.store(true, Ordering::Relaxed);
             }
         }
         if let Some(desk) = self.maps.get() {
-            desk.look(memory);
+            desk.end_overdue(memory);
         }
         for desk in self.questions.get().into_iter() {
-            if desk.look(memory) {
+            if desk.end_overdue(memory) {
                 self.exhausted_question.store(true, Ordering::Relaxed);
             }
         }
@@ -331,12 +335,12 @@ impl Room {
         }
         let mut state = self.lock();
         let State { text, disk, .. } = &mut *state;
-        disk.look(text.text());
+        disk.check_for_changes(text.text());
         let kept = match round.is_multiple_of(20) {
             true => disk.keep(text.text(), text.version()),
             false => None,
         };
-        state.tell_status();
+        state.broadcast_status();
         kept
     }
 }

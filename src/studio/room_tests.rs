@@ -73,7 +73,7 @@ impl Opened {
                 let message: Value = match sent {
                     Sent::Text(text) => serde_json::from_str(&text).unwrap(),
                     Sent::Binary(bytes) => {
-                        self.window.shown(WindowInput::Answer);
+                        self.window.acknowledge(WindowInput::Answer);
                         let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
                         assert_eq!((4 + length) % 8, 0);
                         let mut head: Value =
@@ -126,7 +126,7 @@ fn a_question_is_answered_anew_as_the_text_changes_and_no_longer_than_it_is_aske
     opened.room.question(7, Some(asked.clone()));
     let told = |version: u64| {
         let answer = opened.told("question", |one| one["version"] == version);
-        opened.window.shown(WindowInput::Question);
+        opened.window.acknowledge(WindowInput::Question);
         answer
     };
     let first = told(0);
@@ -162,7 +162,7 @@ fn a_signal_over_another_is_a_chart_of_the_columns() {
         signals.contains(&json!(["t", "s"])) && signals.contains(&json!(["rocker.speed", "rad/s"]))
     );
     let over = ["rocker.displacement", "rocker.speed"].map(str::to_owned);
-    opened.room.look_at(7, |view| view.over = Some(over));
+    opened.room.change_view(7, |view| view.over = Some(over));
     let drawn = opened.told("answer", |one| one["plots"][0]["id"] == "over");
     let plot = &drawn["plots"][0];
     assert_eq!(
@@ -175,7 +175,7 @@ fn a_signal_over_another_is_a_chart_of_the_columns() {
     );
     // What no record has is no chart.
     let over = ["t", "nobody.speed"].map(str::to_owned);
-    opened.room.look_at(7, |view| view.over = Some(over));
+    opened.room.change_view(7, |view| view.over = Some(over));
     opened.told("answer", |one| {
         one["plots"][0]["id"] != "over" && one["charts"].is_string()
     });

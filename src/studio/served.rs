@@ -126,7 +126,7 @@ pub(super) async fn keep(studio: Arc<Studio>) {
         interval.tick().await;
         let used = memory().saturating_sub(start);
         for room in studio.rooms() {
-            if let Some(write) = room.look(used, round) {
+            if let Some(write) = room.supervise(used, round) {
                 tokio::task::spawn_blocking(write);
             }
         }

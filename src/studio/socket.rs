@@ -64,7 +64,7 @@ pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
     // What goes wrong with the connection ends the visit.
     let _ = visit.last(&mut socket).await;
     if let Some(room) = visit.room.take() {
-        room.leave(&visit.window);
+        room.remove_window(&visit.window);
     }
 }
 
@@ -88,7 +88,7 @@ impl Visit {
             tokio::select! {
                 () = window.wake.notified() => {}
                 said = socket.recv() => match said?.ok()? {
-                    Message::Text(text) => self.hear(&text)?,
+                    Message::Text(text) => self.handle_message(&text)?,
                     Message::Ping(_) | Message::Pong(_) => {}
                     Message::Binary(_) | Message::Close(_) => return None,
                 },
@@ -97,7 +97,7 @@ impl Visit {
     }
 
     /// `None`: it says what no window says, and is not listened to any more.
-    fn hear(&mut self, text: &str) -> Option<()> {
+    fn handle_message(&mut self, text: &str) -> Option<()> {
         let said = serde_json::from_str(text).ok()?;
         if let Err(message) = self.obey(said) {
             let told = json!({ "type": "error", "message": message });
@@ -116,9 +116,9 @@ impl Visit {
                 return Ok(());
             }
             WindowMessage::Keep { name, value } => return self.studio.settings.keep(&name, &value),
-            WindowMessage::Shown => self.window.shown(WindowInput::Answer),
-            WindowMessage::MapShown => self.window.shown(WindowInput::Map),
-            WindowMessage::QuestionShown => self.window.shown(WindowInput::Question),
+            WindowMessage::Shown => self.window.acknowledge(WindowInput::Answer),
+            WindowMessage::MapShown => self.window.acknowledge(WindowInput::Map),
+            WindowMessage::QuestionShown => self.window.acknowledge(WindowInput::Question),
             WindowMessage::Hello { .. } => return Err("it is known who you are".to_owned()),
             WindowMessage::New { scene, from } => {
                 let text = match from {
@@ -144,12 +144,12 @@ impl Visit {
                 Ok(())
             }
             WindowMessage::Unpin { pin } => {
-                room.look_at(id, |view| view.unpin(pin));
+                room.change_view(id, |view| view.unpin(pin));
                 keep_pins(room);
                 Ok(())
             }
             WindowMessage::Rename { pin, name } => {
-                room.look_at(id, |view| view.rename(pin, &name));
+                room.change_view(id, |view| view.rename(pin, &name));
                 keep_pins(room);
                 Ok(())
             }
@@ -166,7 +166,9 @@ impl Visit {
                     WindowMessage::Draft { restore } => room.draft(restore),
                     WindowMessage::Map { question } => room.map(id, question),
                     WindowMessage::Question { question } => room.question(id, question),
-                    WindowMessage::Over { signals } => room.look_at(id, |view| view.over = signals),
+                    WindowMessage::Over { signals } => {
+                        room.change_view(id, |view| view.over = signals)
+                    }
                     WindowMessage::Sight { charts } => room.sight(&self.window, charts),
                     // Heard above.
                     _ => {}
@@ -184,7 +186,7 @@ impl Visit {
             tokio::task::spawn_blocking(move || recent.remember(&path));
         }
         if let Some(before) = self.room.replace(room.clone()) {
-            before.leave(&self.window);
+            before.remove_window(&self.window);
         }
         room.join(&self.window);
         Ok(())

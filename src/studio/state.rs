@@ -81,8 +81,8 @@ impl State {
     /// A window comes: whether it sees again what its tab saw.
     pub(super) fn back(&mut self, window: &Window) -> bool {
         let view = self.view_of(&window.tab).or_else(|| {
-            let kept = self.pins.give(&window.tab)?;
-            Some(View::of_kept(kept))
+            let kept = self.pins.claim(&window.tab)?;
+            Some(View::from_records(kept))
         });
         let again = view.is_some();
         if let Some(view) = view {
@@ -111,9 +111,9 @@ impl State {
     /// Changes what a window sees; what is pinned is to be kept then.
     pub(super) fn change_view<T>(&mut self, window: u64, change: impl FnOnce(&mut View) -> T) -> T {
         let view = self.views.entry(window).or_default();
-        let before = view.kept();
+        let before = view.pin_records();
         let told = change(view);
-        let pins = view.kept();
+        let pins = view.pin_records();
         if pins != before {
             let tab = self.windows.get(&window).map_or("", |window| &window.tab);
             self.pins = PinRecord::of_window(tab, pins);
@@ -126,7 +126,7 @@ impl State {
         self.answers.get(&window).or(self.answer.as_ref())
     }
 
-    pub(super) fn tell(&self, message: &Arc<str>) {
+    pub(super) fn broadcast(&self, message: &Arc<str>) {
         for window in self.windows.values() {
             window.send(message.clone());
         }
@@ -138,7 +138,7 @@ impl State {
             "type": "opened",
             "scene": name,
             "version": self.text.version(),
-            "text": self.text.shown(),
+            "text": self.text.with_unix_newlines(),
             "draft": self.disk.offered(),
         })
         .to_string()
@@ -153,7 +153,7 @@ impl State {
     }
 
     /// Tells all windows of changes from a version on, and who made them.
-    pub(super) fn tell_changes(&mut self, version: u64, by: u64, changes: &[Value]) {
+    pub(super) fn broadcast_changes(&mut self, version: u64, by: u64, changes: &[Value]) {
         if self.stretch.0 != by {
             self.stretch = (by, version);
         }
@@ -164,27 +164,27 @@ impl State {
                 .map(|changes| json!({ "by": by.to_string(), "changes": changes }))
                 .collect::<Vec<_>>(),
         });
-        self.tell(&message.to_string().into());
+        self.broadcast(&message.to_string().into());
     }
 
-    pub(super) fn told_status(&self) -> String {
+    pub(super) fn status_message(&self) -> String {
         let [undo, redo] = self.text.history();
         json!({
             "type": "status",
             "saved": self.disk.holds(self.text.text()),
             "undo": undo,
             "redo": redo,
-            "disk": self.disk.word(),
+            "disk": self.disk.state_name(),
             "draft": self.disk.is_asking(),
         })
         .to_string()
     }
 
     /// Tells all windows how it stands with the document, where that is news.
-    pub(super) fn tell_status(&mut self) {
-        let status = self.told_status();
+    pub(super) fn broadcast_status(&mut self) {
+        let status = self.status_message();
         if status != self.status {
-            self.tell(&status.as_str().into());
+            self.broadcast(&status.as_str().into());
             self.status = status;
         }
     }

@@ -45,7 +45,7 @@ impl Text {
     }
 
     /// The text as windows hold it.
-    pub(super) fn shown(&self) -> String {
+    pub(super) fn with_unix_newlines(&self) -> String {
         self.text.replace("\r\n", "\n")
     }
 
@@ -173,7 +173,7 @@ impl Text {
         let mut walk = UnitTraversal::new(&self.text);
         for part in changes.as_array().ok_or(WRONG)? {
             if let Some(kept) = part.as_u64() {
-                walk.go(kept).ok_or(WRONG)?;
+                walk.advance(kept).ok_or(WRONG)?;
                 continue;
             }
             let (count, lines) = part
@@ -181,7 +181,7 @@ impl Text {
                 .and_then(|part| part.split_first())
                 .ok_or(WRONG)?;
             let start = walk.at;
-            walk.go(count.as_u64().ok_or(WRONG)?).ok_or(WRONG)?;
+            walk.advance(count.as_u64().ok_or(WRONG)?).ok_or(WRONG)?;
             let lines: Option<Vec<&str>> = lines.iter().map(Value::as_str).collect();
             let lines = lines.ok_or(WRONG)?;
             if lines.iter().any(|line| line.contains(['\r', '\n'])) {
@@ -244,7 +244,7 @@ mod tests {
             let original =
                 "{ \"a\": 1,\r\n\t\"µ😀\": [2, 3] }\n\r\nend".repeat(1 + random.below(3));
             let mut text = Text::new(original.clone()).unwrap();
-            let mut window = text.shown();
+            let mut window = text.with_unix_newlines();
             for step in 0..100 {
                 // Anywhere but within a character.
                 let places: Vec<usize> = std::iter::once(0)
@@ -282,7 +282,7 @@ mod tests {
                     _ => EditGroup::Alone,
                 };
                 text.apply(&changes, group).unwrap();
-                assert_eq!(text.shown(), window, "seed {seed}");
+                assert_eq!(text.with_unix_newlines(), window, "seed {seed}");
             }
             let edited = text.text().to_owned();
             let mut steps = 0;
@@ -290,7 +290,7 @@ mod tests {
                 window = changes
                     .iter()
                     .fold(window, |window, one| in_window(&window, one));
-                assert_eq!(text.shown(), window, "seed {seed}");
+                assert_eq!(text.with_unix_newlines(), window, "seed {seed}");
                 steps += 1;
             }
             assert!(steps > 30 && steps <= 100);
@@ -354,12 +354,12 @@ mod tests {
             ("aaa", "aa"),
         ] {
             let mut text = Text::new(old.to_owned()).unwrap();
-            let window = text.shown();
+            let window = text.with_unix_newlines();
             let changes = text.replace(new);
             let window = changes
                 .iter()
                 .fold(window, |window, one| in_window(&window, one));
-            assert_eq!((text.text(), text.shown()), (new, window));
+            assert_eq!((text.text(), text.with_unix_newlines()), (new, window));
             text.undo();
             assert_eq!(text.text(), old);
         }

@@ -35,7 +35,7 @@ struct Pin {
 
 impl View {
     /// Runs that an earlier program kept, still to be worked out again.
-    pub(super) fn of_kept(kept: &[KeptPin]) -> Self {
+    pub(super) fn from_records(kept: &[KeptPin]) -> Self {
         let mut view = Self::default();
         for pin in kept {
             let name = view.named(&pin.name, view.pins.len());
@@ -49,7 +49,7 @@ impl View {
     }
 
     /// The pinned runs as they are kept.
-    pub(super) fn kept(&self) -> Vec<KeptPin> {
+    pub(super) fn pin_records(&self) -> Vec<KeptPin> {
         let one = |pin: &Pin| KeptPin {
             name: pin.name.clone(),
             source: (*pin.source).clone(),
@@ -89,7 +89,7 @@ impl View {
         self.pins.iter().map(|pin| pin.name.as_str()).collect()
     }
 
-    pub(super) fn beside(&self) -> RunExtras<'_> {
+    pub(super) fn run_extras(&self) -> RunExtras<'_> {
         let pins = self.pins.iter();
         let pins = pins.filter_map(|pin| Some((pin.name.as_str(), &**pin.result.as_ref()?)));
         RunExtras {

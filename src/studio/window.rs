@@ -123,7 +123,7 @@ impl Window {
     }
 
     /// What was sent last was taken up.
-    pub(super) fn shown(&self, taken: WindowInput) {
+    pub(super) fn acknowledge(&self, taken: WindowInput) {
         let mut queue = self.lock();
         match taken {
             WindowInput::Answer => queue.showing = false,
@@ -135,7 +135,7 @@ impl Window {
     }
 
     /// It sees these charts; true: some of them it did not see before.
-    pub(super) fn see(&self, charts: BTreeSet<usize>) -> bool {
+    pub(super) fn set_visible_charts(&self, charts: BTreeSet<usize>) -> bool {
         let sight = &mut self.lock().had.sight;
         let new = sight
             .as_ref()

@@ -46,20 +46,20 @@ impl Rank {
     /// Takes it, for this thread and those that it starts.
     fn take(self) {
         if self == Self::Behind {
-            stand_back();
+            lower_priority();
         }
     }
 }
 
 /// Of Linux alone: elsewhere this would be of the whole program.
 #[cfg(target_os = "linux")]
-fn stand_back() {
+fn lower_priority() {
     // Without it all is as right, and slower.
     let _ = rustix::process::nice(19);
 }
 
 #[cfg(not(target_os = "linux"))]
-fn stand_back() {}
+fn lower_priority() {}
 
 impl<Q: Send + 'static> Desk<Q> {
     /// A desk with a thread that works on what is laid there. Work is given the flag that ends
@@ -128,7 +128,7 @@ impl<Q: Send + 'static> Desk<Q> {
 
     /// Lays down a question in place of one that waits. What is being worked on is ended when
     /// it has gone on for a while.
-    pub(super) fn ask(&self, question: Q) {
+    pub(super) fn submit(&self, question: Q) {
         let mut state = self.lock();
         state.next = Some(question);
         if let Some(running) = &mut state.running {
@@ -143,7 +143,7 @@ impl<Q: Send + 'static> Desk<Q> {
 
     /// Ends what is superseded and has had its time, and everything where memory runs out.
     /// True: memory ran out.
-    pub(super) fn look(&self, memory: u64) -> bool {
+    pub(super) fn end_overdue(&self, memory: u64) -> bool {
         let state = self.lock();
         let Some(running) = &state.running else {
             return false;
@@ -222,21 +222,21 @@ mod tests {
         };
         let desk = Desk::new("test", Rank::Beside, work, move || failed.send(0).unwrap()).unwrap();
         let next = || told.recv_timeout(Duration::from_secs(20)).unwrap();
-        desk.ask(1);
+        desk.submit(1);
         let begun = Instant::now();
         while desk.has_next() {
             assert!(begun.elapsed() < Duration::from_secs(20));
         }
-        desk.ask(2);
-        desk.ask(3);
+        desk.submit(2);
+        desk.submit(3);
         while desk.has_next() {
-            assert!(!desk.look(0));
+            assert!(!desk.end_overdue(0));
             assert!(begun.elapsed() < Duration::from_secs(20));
         }
         assert_eq!((next(), next()), (1, 3));
-        desk.ask(13);
+        desk.submit(13);
         assert_eq!(next(), 0);
-        desk.ask(4);
+        desk.submit(4);
         assert_eq!(next(), 4);
         desk.close();
     }
@@ -252,7 +252,7 @@ mod tests {
                 tell.send(started).unwrap();
             };
             let desk = Desk::new("test", rank, work, || {}).unwrap();
-            desk.ask(());
+            desk.submit(());
             let found = told.recv_timeout(Duration::from_secs(20)).unwrap();
             desk.close();
             found

@@ -6,7 +6,7 @@ use dam::linkage::kinetostatics::Options;
 use dam::lower::lower;
 use dam::model::Model;
 use dam::report::kinematics::document;
-use dam::studies::forces::{ZoneKind, several_forces};
+use dam::studies::forces::{ZoneKind, multi_input_forces};
 use dam::studies::judgement::Judgement;
 use dam::studies::kinematics::{
     AskedSeveral, InputCourse, InputOver, Question, kinematics_of, several_of,
@@ -161,7 +161,7 @@ fn forces_of_several_inputs_at_a_dead_position_have_no_bounds() {
         question.inputs[0].over = Some(over);
         AskedSeveral::new(&model, body, &question).expect("a question")
     };
-    let forces = |over| several_forces(&left(over), Options::default()).expect("a study");
+    let forces = |over| multi_input_forces(&left(over), Options::default()).expect("a study");
     let whole = forces(InputOver::Free);
     for zone in &whole.zones {
         let end = zone.from;
@@ -189,7 +189,7 @@ fn a_lacking_closing_force_is_told() {
         let model = free(cam);
         let body = several_of(&model, None).expect("a linkage of several inputs");
         let asked = AskedSeveral::new(&model, body, &question(0.9, 1.3)).expect("a question");
-        let study = several_forces(&asked, Options::default()).expect("a study");
+        let study = multi_input_forces(&asked, Options::default()).expect("a study");
         let lacking = |warning: &String| warning.contains("the cam of `K` does not press at");
         study.warnings().iter().any(lacking)
     };
@@ -216,7 +216,7 @@ fn forces_at_the_ends_of_the_reach_have_no_bounds() {
     let mut question = question(0.9, 1.3);
     question.inputs[0].over = Some(InputOver::Free);
     let asked = AskedSeveral::new(&model, body, &question).expect("a question");
-    let study = several_forces(&asked, Options::default()).expect("a study");
+    let study = multi_input_forces(&asked, Options::default()).expect("a study");
     let unbounded: Vec<_> = study.zones.iter().map(|zone| zone.unbounded).collect();
     assert_eq!(unbounded, [[false, true], [true, false]]);
     for zone in &study.zones {
@@ -249,7 +249,7 @@ fn forces_at_the_ends_of_the_reach_have_no_bounds() {
     // A range within has them all.
     question.inputs[0].over = Some(InputOver::Range { from: 0.9, to: 1.3 });
     let asked = AskedSeveral::new(&model, body, &question).expect("a question");
-    let study = several_forces(&asked, Options::default()).expect("a study");
+    let study = multi_input_forces(&asked, Options::default()).expect("a study");
     assert!(study.zones.is_empty() && study.rows.iter().all(|row| row.forces.is_ok()));
 }
 

@@ -7,7 +7,7 @@ use dam::model::Model;
 use dam::report::findings::Source;
 use dam::report::forces::{ForcesReport, document, findings, rows};
 use dam::scene::{BuiltIn, Document, Overrides};
-use dam::studies::forces::{ForceStudy, several_forces};
+use dam::studies::forces::{ForceStudy, multi_input_forces};
 use dam::studies::kinematics::{AskedSeveral, InputCourse, InputOver, Question, several_of};
 
 // Lengths and centres (m), masses (kg), moments of inertia (kg·m²), gravity (m/s²).
@@ -86,7 +86,7 @@ fn question() -> Question {
 fn studied(model: &Model, question: &Question) -> ForceStudy {
     let body = several_of(model, None).expect("a linkage of several inputs");
     let asked = AskedSeveral::new(model, body, question).expect("a question");
-    several_forces(&asked, Options::default()).expect("a study")
+    multi_input_forces(&asked, Options::default()).expect("a study")
 }
 
 fn column(study: &ForceStudy, name: &str) -> Vec<f64> {

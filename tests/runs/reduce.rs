@@ -78,7 +78,10 @@ fn what_does_not_matter_is_left_out_and_what_matters_stays() {
         assert!(is_left_out(&found, &part), "{part} of {:#?}", found.steps);
     }
     let cutting = Part::Load("cutting".to_owned());
-    let kept = found.kept().find(of(&cutting)).expect("the load stays");
+    let kept = found
+        .refused_steps()
+        .find(of(&cutting))
+        .expect("the load stays");
     assert!(kept.refused.is_some());
     // A thousand times too stiff to matter.
     let levels = &found.certificate.models["shaft"];
@@ -158,7 +161,10 @@ fn a_linkage_that_is_driven_by_a_prescribed_motion_may_be_massless() {
         .expect("a reduction");
     assert!(is_left_out(&found, &Part::Masses), "{:#?}", found.steps);
     let work = Part::Load("work".to_owned());
-    let kept = found.kept().find(of(&work)).expect("the work stays");
+    let kept = found
+        .refused_steps()
+        .find(of(&work))
+        .expect("the work stays");
     assert!(matches!(kept.refused, Some(Refusal::Figure { .. })));
     let reduced = Scene::of(found.document.clone());
     let (figure, said) = (

@@ -25,14 +25,14 @@ pub(super) fn search(
         .map_err(|what| Failure::Other(format!("--lift-off: {what}")))?;
     let mut runs = 0;
     lift_off_by_runs(&search, asker.budget(), |setting, cam_speed| {
-        asker.tell(
+        asker.report_progress(
             runs,
             SOME,
             &format!("run at {cam_speed:.4} rad/s of the cam"),
         );
         runs += 1;
         if !args.scene.quiet {
-            console::talk(&format!("run at {cam_speed:.6} rad/s of the cam"));
+            console::print_message(&format!("run at {cam_speed:.6} rad/s of the cam"));
         }
         input.prepare(&[setting])
     })

@@ -11,7 +11,7 @@ use super::expected::Expectations;
 use super::failure::Failure;
 use super::input::Ready;
 use super::interrupt;
-use super::law::told;
+use super::law::argument_failure;
 use super::output::OutputFolder;
 use super::status::Status;
 use crate::kinematics::cam::DiscCam;
@@ -37,7 +37,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     let input = asker.input(&args.scene)?;
     let ready = input.prepare(&[])?;
     let id = chosen(args, &ready)?;
-    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let model = ready.system.model();
     let diagnose = |faults: Vec<crate::fault::Fault>| ready.reading.places.diagnose(&faults);
     let cam = disc_cam(ready.scene(), model, &id).map_err(diagnose)?;
@@ -46,8 +46,8 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     let index = index.ok_or_else(|| format!("there is no object `{id}`"))?;
     let force = CamForce::new(model, index, &cam, asked.speed);
     let force_or_why = force.as_ref().map_err(String::as_str);
-    let mut found =
-        figures(&cam, &asked.question, force_or_why).map_err(|faults| told(&faults, "--"))?;
+    let mut found = figures(&cam, &asked.question, force_or_why)
+        .map_err(|faults| argument_failure(&faults, "--"))?;
     let closed = found
         .force
         .as_ref()
@@ -68,7 +68,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
             None => {
                 status = interrupt::status();
                 if let (Some(spent), false) = (asker.budget().spent(), args.scene.quiet) {
-                    console::talk(&format!(
+                    console::print_message(&format!(
                         "warning: the search for the lift-off of the elastic follower was ended \
                          before it had found it ({spent}): it is left out"
                     ));
@@ -77,7 +77,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
         }
     }
     let curves = curves(&cam, asked.tolerance, asked.cutter);
-    let curves = curves.map_err(|fault| told(&[fault], "--"))?;
+    let curves = curves.map_err(|fault| argument_failure(&[fault], "--"))?;
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
     let report = CamReport {
         name,
@@ -92,7 +92,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     let answer = Answer {
         command: "cam",
         findings: &findings(&report, Source::scene(input.text(), hash)),
-        document: expected.beside(report.document(hash)).into(),
+        document: expected.add_verdicts(report.document(hash)).into(),
         files: vec![
             (FILES[0].into(), Content::Document),
             (
@@ -125,7 +125,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     let shown = AnswerForm::json_or(args.scene.json, shown);
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
-        expected.talk();
+        expected.print_verdicts();
     }
     Ok(match (status, expected.hold()) {
         (Status::Answered, false) => Status::NotTrusted,

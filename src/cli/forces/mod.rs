@@ -18,7 +18,7 @@ use crate::report::findings::Source;
 use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
 use crate::studies::forces::{
     Course, ForceStudy, LinkagePositions, MasslessComparison, Row, compare_massless,
-    several_forces, study,
+    multi_input_forces, study,
 };
 use crate::studies::kinematics::{linkage_of, several_of};
 use crate::studies::rigid::Rigid;
@@ -44,11 +44,11 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         massless,
         motion,
     } = match several_of(model, args.course.object.as_deref()) {
-        Some(body) => of_several(args, &ready, body)?,
+        Some(body) => solve_multi_input(args, &ready, body)?,
         None => of_one(args, &ready)?,
     };
     let object = object.as_str();
-    let warnings = warnings(args, &found, &behind(model, object));
+    let warnings = warnings(args, &found, &loads_on_outputs(model, object));
     let report = ForcesReport {
         study: &found,
         warnings: &warnings,
@@ -83,7 +83,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     let answer = Answer {
         command: "forces",
         findings: &shown,
-        document: expected.beside(written).into(),
+        document: expected.add_verdicts(written).into(),
         files,
         quiet: args.scene.quiet,
     };
@@ -96,9 +96,9 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
         if found.settings.output.is_none() && found.several.is_none() {
-            console::talk("no transmission ratio: name the loaded output with --load");
+            console::print_message("no transmission ratio: name the loaded output with --load");
         }
-        expected.talk();
+        expected.print_verdicts();
     }
     let answered = found.missing() == 0 && found.solved().next().is_some();
     Ok(match answered && expected.hold() {
@@ -116,7 +116,7 @@ struct ForceAnswer {
     motion: String,
 }
 
-fn of_several(
+fn solve_multi_input(
     args: &ForcesArgs,
     ready: &Ready,
     body: &MultiLinkageBody,
@@ -126,10 +126,10 @@ fn of_several(
         let why = "--frictionless has no effect: no pair has friction";
         return Err(Failure::Other(why.to_owned()));
     }
-    let asked = question::of_several(args, ready, body)?;
+    let asked = question::multi_input_request(args, ready, body)?;
     let object = ready.system.model().objects[body.object].id.clone();
-    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
-    let found = several_forces(&asked, question::options(args));
+    let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
+    let found = multi_input_forces(&asked, question::options(args));
     let found = found.map_err(|faults| faults_of(ready, &object, faults))?;
     unused_convention(args, &found)?;
     let motion = found.several.as_ref().map(|several| several.motion.clone());
@@ -195,7 +195,7 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<ForceAnswer, Failure> {
             ForceFailure::NoDirection
         )));
     }
-    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let mut source = LinkagePositions::new(&body.linkage);
     let spec = body.linkage.spec();
     let massless = match args.compare_massless.as_slice() {
@@ -254,7 +254,7 @@ fn faults_of(ready: &Ready, object: &str, faults: Vec<Fault>) -> Failure {
 }
 
 /// Objects that hang on the linkage's outputs, and outputs that carry loads of their own.
-fn behind<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
+fn loads_on_outputs<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
     let own = |id: &str| {
         id == object
             || id

@@ -4,7 +4,7 @@ use crate::cli::args::{ConventionName, Direction, ForcesArgs};
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::kinematics;
-use crate::cli::kinematics::several;
+use crate::cli::kinematics::multi_input;
 use crate::dynamics::model::{Coordinate, LinkageBody, MultiLinkageBody};
 use crate::frontend::object::Measures;
 use crate::kinematics::linkage::Linkage;
@@ -18,7 +18,7 @@ use crate::studies::kinematics::{
 use std::path::Path;
 
 /// A linkage of several inputs, and what is asked of it.
-pub(super) fn of_several<'m>(
+pub(super) fn multi_input_request<'m>(
     args: &ForcesArgs,
     ready: &'m Ready,
     body: &MultiLinkageBody,
@@ -34,7 +34,7 @@ pub(super) fn of_several<'m>(
         let message = format!("{option} belongs to a linkage of one input, and `{id}` has several");
         return Err(Failure::Other(message));
     }
-    let question = several::question(&args.course, args.positions, ready, &body.linkage)?;
+    let question = multi_input::question(&args.course, args.positions, ready, &body.linkage)?;
     Ok(AskedSeveral::new(ready.system.model(), body, &question)?)
 }
 
@@ -152,7 +152,7 @@ fn question(
     let asked = kinematics::question(&args.course, args.positions, ready, own)?;
     // A speed, or a comparison over speeds, is meant for the whole travel.
     let whole = asked.speed.or(asked.acceleration).is_some() || !args.compare_massless.is_empty();
-    let over = kinematics::asked_over(&args.course, ready, own)?;
+    let over = kinematics::requested_range(&args.course, ready, own)?;
     let over = over.or_else(|| whole.then(|| whole_travel(linkage)));
     Ok(Question { over, ..asked })
 }

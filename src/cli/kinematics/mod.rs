@@ -1,7 +1,7 @@
 //! `dam kinematics`: positions, transfer functions, speeds and accelerations of
 //! a linkage.
 
-pub(super) mod several;
+pub(super) mod multi_input;
 
 use super::answer::{Answer, AnswerForm, Content, PAGE, ignores_until, warn};
 use super::args::{CourseArgs, KinematicsArgs};
@@ -20,7 +20,7 @@ use crate::report::findings::Source;
 use crate::report::kinematics::{document, drawing, findings, picture, rows};
 use crate::studies::kinematics::{
     AskedSeveral, Kinematics, KinematicsRequest, Over, Question, Subject, kinematics,
-    several_kinematics, several_of, whole_travel,
+    multi_input_kinematics, several_of, whole_travel,
 };
 use crate::studies::rigid::Rigid;
 use crate::studies::studied::{POSITIONS, check_kinematics};
@@ -38,9 +38,9 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     let (question, found) = match several_of(model, object) {
         Some(body) => {
             let mut question =
-                several::question(&args.course, args.positions, &ready, &body.linkage)?;
+                multi_input::question(&args.course, args.positions, &ready, &body.linkage)?;
             if let Some(at) = &args.svg {
-                question.also = Some(several::place(&question, at, &body.linkage)?);
+                question.also = Some(multi_input::place(&question, at, &body.linkage)?);
             }
             let asked = AskedSeveral::new(model, body, &question)?;
             (question, Study::Several(asked))
@@ -48,7 +48,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
         None => {
             let subject = Subject::of(model, object)?;
             let own = Measures(Some(subject.input));
-            let over = asked_over(&args.course, &ready, own)?;
+            let over = requested_range(&args.course, &ready, own)?;
             let mut question = question(&args.course, args.positions, &ready, own)?;
             question.over = over;
             if let Some(at) = &args.svg {
@@ -58,10 +58,10 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
             (question, Study::One(asked))
         }
     };
-    let folder = OutputFolder::asked(&args.out, &ready.scene().name, &FILES)?;
+    let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let found = match &found {
         Study::One(asked) => kinematics(asked),
-        Study::Several(asked) => several_kinematics(asked),
+        Study::Several(asked) => multi_input_kinematics(asked),
     };
     let expected = expectations(args, &ready, &found);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
@@ -80,7 +80,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     let answer = Answer {
         command: "kinematics",
         findings: &shown,
-        document: expected.beside(written).into(),
+        document: expected.add_verdicts(written).into(),
         files: vec![
             (FILES[0].into(), Content::made(|| rows(&found).csv())),
             (FILES[1].into(), Content::Document),
@@ -97,7 +97,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     };
     asker.deliver(&answer, folder.as_ref(), shown)?;
     if !args.scene.quiet {
-        expected.talk();
+        expected.print_verdicts();
     }
     let whole = found.stopped.is_none() && found.warnings.is_empty();
     Ok(match whole && expected.hold() {
@@ -135,7 +135,7 @@ pub(super) fn quantity(name: &str, text: &str, wanted: QuantityChoice) -> Result
 }
 
 /// Course over which the linkage is to be looked at, where it is said.
-pub(super) fn asked_over(
+pub(super) fn requested_range(
     args: &CourseArgs,
     ready: &Ready,
     input: Measures,

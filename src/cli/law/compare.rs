@@ -25,7 +25,7 @@ pub(super) fn command(args: &CompareArgs, asker: &dyn Asker) -> Result<Status, F
         &question,
         |settings| input.prepare(settings),
         |ready, settings, searching| {
-            asker.tell(
+            asker.report_progress(
                 runs,
                 0,
                 if searching {

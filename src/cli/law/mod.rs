@@ -44,7 +44,7 @@ fn deliver(
     rows: &Rows,
     (json, form): (bool, LawForm),
 ) -> Result<(), Failure> {
-    let folder = OutputFolder::asked(args, &findings.title, &FILES)?;
+    let folder = OutputFolder::from_args(args, &findings.title, &FILES)?;
     let answer = Answer {
         command: "law",
         findings,
@@ -105,7 +105,10 @@ fn row(name: &str, words: &str, law: &AnyLaw) -> Result<LawRow, Failure> {
     Ok(LawRow {
         name: name.to_owned(),
         words: words.to_owned(),
-        constants: law.law().map_err(|faults| told(&faults, ""))?.constants(),
+        constants: law
+            .law()
+            .map_err(|faults| argument_failure(&faults, ""))?
+            .constants(),
     })
 }
 
@@ -114,7 +117,7 @@ fn show(args: &ShowArgs, asker: &dyn Asker) -> Result<(), Failure> {
         true => AnyLaw::RunUp(run_up_law(&args.law)?),
         false => any_law(&args.law)?,
     };
-    let law: Law = spec.law().map_err(|faults| told(&faults, ""))?;
+    let law: Law = spec.law().map_err(|faults| argument_failure(&faults, ""))?;
     let row = LawRow::of(&spec, &law);
     let document = row.document(&law);
     let rows = law_rows(&law, args.form.samples as usize);
@@ -124,7 +127,7 @@ fn show(args: &ShowArgs, asker: &dyn Asker) -> Result<(), Failure> {
 }
 
 /// Faults of arguments; their paths are names of options after `prefix`.
-pub(crate) fn told(faults: &[Fault], prefix: &str) -> Failure {
+pub(crate) fn argument_failure(faults: &[Fault], prefix: &str) -> Failure {
     let lines = faults.iter().map(|fault| {
         let place = match fault.path.as_str() {
             "" => String::new(),

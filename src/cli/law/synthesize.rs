@@ -1,7 +1,7 @@
 //! `dam law synthesize`: a stroke of run-up, uniform section and run-out.
 
 use super::args::SynthesizeArgs;
-use super::{deliver, told};
+use super::{argument_failure, deliver};
 use crate::ask::StrokeQuestion;
 use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
@@ -70,5 +70,5 @@ fn refused(faults: Vec<Fault>, args: &SynthesizeArgs) -> Failure {
             fault
         })
         .collect();
-    told(&named, "--")
+    argument_failure(&named, "--")
 }

@@ -170,7 +170,7 @@ fn prepare_folder(args: &MethodsArgs, ready: &Ready) -> Result<Option<OutputFold
         Some(_) => &OF_SWEEP,
     };
     let scene = &ready.scene().name;
-    Ok(OutputFolder::asked(&args.out, scene, names)?)
+    Ok(OutputFolder::from_args(&args.out, scene, names)?)
 }
 
 fn axis(text: &str) -> Result<Axis, Failure> {
@@ -253,7 +253,7 @@ fn single(
     let mut tell = |now: &Now| {
         keeping.get_or_insert_with(|| asker.keep());
         bar.at(0, now);
-        asker.tell(
+        asker.report_progress(
             now.done,
             now.total,
             &format!("{}, {}", now.method, now.setting),
@@ -294,7 +294,7 @@ fn over(
             keeping.get_or_insert_with(|| asker.keep());
             bar.at(index, now);
             let (done, of) = (index * now.total + now.done, axis.count * now.total);
-            asker.tell(done, of, &format!("{}, {}", now.method, now.setting));
+            asker.report_progress(done, of, &format!("{}, {}", now.method, now.setting));
         },
     );
     bar.finish();

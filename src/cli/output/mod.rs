@@ -70,7 +70,7 @@ pub(crate) fn deliver(
 
 impl OutputFolder {
     /// The folder that is asked for, if any, ready for the files `names`.
-    pub(crate) fn asked(
+    pub(crate) fn from_args(
         args: &OutArgs,
         scene: &str,
         names: &[&str],
@@ -89,8 +89,8 @@ impl OutputFolder {
     }
 
     /// Says where the report is.
-    pub(crate) fn tell_report(&self) {
-        console::talk(&format!("report: {}", self.path("report.html").display()));
+    pub(crate) fn print_report_path(&self) {
+        console::print_message(&format!("report: {}", self.path("report.html").display()));
     }
 
     /// Makes the folder, takes it, and makes sure, before the work, that `names` can be
@@ -155,7 +155,7 @@ impl OutputFolder {
     fn replace_all(&self, command: &str, hash: &str, files: &[ResultFile]) -> Result<(), String> {
         let signed_before = fs::read(self.path(provenance::NAME)).ok();
         let known = Provenance::of(&self.folder);
-        let gone = self.no_longer_there(known.as_ref(), files);
+        let gone = self.stale_files(known.as_ref(), files);
         let digests = files.iter().map(|f| (f.name.clone(), digest(&f.content)));
         let mut provenance = Provenance {
             dam: env!("CARGO_PKG_VERSION").to_owned(),
@@ -165,7 +165,7 @@ impl OutputFolder {
             files: digests.collect(),
             before: known.map(Provenance::all).unwrap_or_default(),
         };
-        self.sign(&provenance)?;
+        self.write_provenance(&provenance)?;
         if let Err(error) = self.write_parts(files) {
             // Nothing has been replaced: what lay there is whole. Best effort, the
             // error that matters is the one being reported.
@@ -188,12 +188,12 @@ impl OutputFolder {
                 .map_err(|error| format!("cannot remove `{}`: {error}", path.display()))?;
         }
         provenance.before.clear();
-        self.sign(&provenance)
+        self.write_provenance(&provenance)
     }
 
     /// What dam wrote there before under other names than these, as it wrote it, and
     /// the journal of a map: its own that is complete, or one that is given up.
-    fn no_longer_there(&self, known: Option<&Provenance>, files: &[ResultFile]) -> Vec<String> {
+    fn stale_files(&self, known: Option<&Provenance>, files: &[ResultFile]) -> Vec<String> {
         let stays = |name: &str| files.iter().any(|file| file.name == name);
         let names: BTreeSet<&str> = known.iter().flat_map(|known| known.names()).collect();
         let old = |name: &&str| {
@@ -205,7 +205,7 @@ impl OutputFolder {
         gone.map(str::to_owned).collect()
     }
 
-    fn sign(&self, provenance: &Provenance) -> Result<(), String> {
+    fn write_provenance(&self, provenance: &Provenance) -> Result<(), String> {
         let mut text = serde_json::to_string_pretty(provenance).map_err(|e| e.to_string())?;
         text.push('\n');
         self.replace(provenance::NAME, text.as_bytes())

@@ -83,7 +83,7 @@ pub(super) fn of(command: &str) -> Vec<Field> {
     })
 }
 
-pub(super) fn taken(command: &str) -> Positionals {
+pub(super) fn positionals_of(command: &str) -> Positionals {
     with(command, |found| {
         let has = |id: &str| found.get_arguments().any(|arg| arg.get_id() == id);
         Positionals {

@@ -75,7 +75,7 @@ impl Commands for Program {
 
     fn answer(&self, question: &Question, asked: &CommandScene<'_>) -> Result<Value, String> {
         let window = Window::new(asked, None);
-        window.ask(question)?;
+        window.run_command(question)?;
         Ok(window.shown.into_inner())
     }
 
@@ -86,7 +86,7 @@ impl Commands for Program {
         name: &str,
     ) -> Result<Option<String>, String> {
         let window = Window::new(asked, Some(name));
-        window.ask(question)?;
+        window.run_command(question)?;
         Ok(window.file.into_inner())
     }
 }
@@ -110,7 +110,7 @@ impl<'a> Window<'a> {
         }
     }
 
-    fn ask(&self, question: &Question) -> Result<(), String> {
+    fn run_command(&self, question: &Question) -> Result<(), String> {
         let arguments = arguments(question)?;
         let cli = Cli::try_parse_from(arguments).map_err(|wrong| plain(&wrong))?;
         modest(&cli.command)?;
@@ -150,7 +150,7 @@ impl Asker for Window<'_> {
         self.wanted.is_some()
     }
 
-    fn tell(&self, done: usize, of: usize, now: &str) {
+    fn report_progress(&self, done: usize, of: usize, now: &str) {
         (self.asked.tell)(done, of, now);
     }
 
@@ -238,7 +238,7 @@ fn arguments(question: &Question) -> Result<Vec<OsString>, String> {
             ),
         }
     }
-    let taken = fields::taken(command);
+    let taken = fields::positionals_of(command);
     if taken.quiet {
         all.push("--quiet".into());
     }

@@ -1,7 +1,10 @@
 //! Machines that are no scene: tables and expressions.
 
 use super::args::SteadyArgs;
-use super::{RIGID_REPEATS, SteadyOutput, asked, folder, machine_document, machine_source, tell};
+use super::{
+    RIGID_REPEATS, SteadyOutput, apply_arguments, folder, machine_document, machine_source,
+    print_answer,
+};
 use crate::cli::asker::Asker;
 use crate::cli::failure::Failure;
 use crate::cli::status::Status;
@@ -25,7 +28,7 @@ pub(super) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
         return Err(Failure::Other(why));
     }
     let mut spec = SteadySpec::default();
-    asked(&args.question, &mut spec)?;
+    apply_arguments(&args.question, &mut spec)?;
     let Some(mean_speed) = spec.mean_speed else {
         return Err(Failure::Other(
             "no mean speed is asked for; for example --mean-speed \"300 rpm\"".to_owned(),
@@ -112,7 +115,7 @@ fn table(
         halving: motion.figures.halving.as_ref(),
     };
     let found = SteadyOutput::rigid(&motion, document, machine_source(&shown));
-    tell((args, asker), found, folder.as_ref())
+    print_answer((args, asker), found, folder.as_ref())
 }
 
 fn formulas(
@@ -160,5 +163,5 @@ fn formulas(
         halving: None,
     };
     let found = SteadyOutput::rigid(&motion, document, machine_source(&title));
-    tell((args, asker), found, folder.as_ref())
+    print_answer((args, asker), found, folder.as_ref())
 }

@@ -72,7 +72,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
         console::diagnose(&ready.reading.warnings);
     }
     let mut spec = ready.scene().steady.clone().unwrap_or_default();
-    asked(&args.question, &mut spec)?;
+    apply_arguments(&args.question, &mut spec)?;
     let answer = steady_motion_within(&ready.system, &ready.settings, &spec, asker.budget())
         .map_err(|faults| Failure::from(ready.reading.places.diagnose(&faults)))?;
     unused(&args.question, &spec, &answer)?;
@@ -108,9 +108,9 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     found.findings.judge(&mut found.document, label.as_ref());
     let until = ignores_until(ready.system.model());
     warn(&mut found.findings, &mut found.document, until);
-    let status = tell((args, asker), found, folder.as_ref())?;
+    let status = print_answer((args, asker), found, folder.as_ref())?;
     if !args.quiet {
-        expected.talk();
+        expected.print_verdicts();
     }
     match expected.hold() {
         true => Ok(status),
@@ -119,7 +119,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
 }
 
 /// Puts what the command line asks in place of what the scene asks.
-fn asked(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Failure> {
+fn apply_arguments(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Failure> {
     let quantity = |name: &str, text: &Option<String>, wanted: Quantity, bounds: Bounds| {
         let read = |text: &String| read_argument(name, text, |slot| slot.quantity(wanted, bounds));
         text.as_ref().map(read).transpose()
@@ -170,7 +170,7 @@ fn unused(args: &QuestionArgs, spec: &SteadySpec, answer: &Answer) -> Result<(),
 }
 
 fn folder(args: &SteadyArgs, name: &str) -> Result<Option<OutputFolder>, Failure> {
-    Ok(OutputFolder::asked(&args.out, name, &FILES)?)
+    Ok(OutputFolder::from_args(&args.out, name, &FILES)?)
 }
 
 /// Another machine than the scene's, or another question, has no expectations.
@@ -222,7 +222,7 @@ fn document(
 }
 
 /// Prints the answer and writes its files: the status by its checks.
-fn tell(
+fn print_answer(
     (args, asker): (&SteadyArgs, &dyn Asker),
     found: SteadyOutput<'_>,
     folder: Option<&OutputFolder>,

@@ -49,7 +49,13 @@ impl EquationCheck {
     }
 
     /// Takes a defect into account: the one that is greatest against its bound stays.
-    pub(crate) fn see(&mut self, defect: f64, bound: f64, place: (f64, &str), what: &'static str) {
+    pub(crate) fn include(
+        &mut self,
+        defect: f64,
+        bound: f64,
+        place: (f64, &str),
+        what: &'static str,
+    ) {
         let worse = match (self.defect.is_nan(), defect.is_nan()) {
             (true, _) => false,
             (false, true) => true,

@@ -31,7 +31,7 @@ impl Judge<'_> {
             let at = shown(jump.place, 7);
             let name = format!("{} (where its law is at {at})", self.names[index]);
             let what = "displacement at a joint of the law";
-            (self.found).see(jump.height / greatest, JUMP, (0.0, &name), what);
+            (self.found).include(jump.height / greatest, JUMP, (0.0, &name), what);
         }
     }
 
@@ -40,7 +40,7 @@ impl Judge<'_> {
         let [reached, duration] = looks.end;
         if duration > 0.0 && reached > duration {
             let late = (reached - duration) / duration;
-            (self.found).see(late, LATE, (reached, "the run"), "end");
+            (self.found).include(late, LATE, (reached, "the run"), "end");
         }
     }
 }

@@ -20,7 +20,7 @@ const OF_STATE: f64 = 10.0;
 pub(super) const ROUNDINGS: f64 = 256.0 * f64::EPSILON;
 
 /// Keeps the defect that is less against its bound; one that is no number gives way.
-pub(super) fn keep_less(best: &mut Option<(f64, f64)>, (defect, bound): (f64, f64)) {
+pub(super) fn keep_smaller_defect(best: &mut Option<(f64, f64)>, (defect, bound): (f64, f64)) {
     if best.is_none_or(|(d, b)| !(d * bound <= defect * b)) {
         *best = Some((defect, bound));
     }
@@ -147,7 +147,7 @@ impl<'s> Judge<'s> {
             .collect();
         self.see_turns(looks);
         if resolved {
-            self.see_resolved();
+            self.include_resolution();
         }
         for (look, balance) in looks.looks.iter().zip(&longest) {
             self.judge(look, balance);
@@ -178,8 +178,8 @@ impl<'s> Judge<'s> {
     }
 
     /// Looks at a state, and takes it into the scales.
-    pub(super) fn look(&mut self, time: f64, y: &[f64], modes: &[i64]) {
-        self.mechanics.look(time, y, modes);
+    pub(super) fn take_state(&mut self, time: f64, y: &[f64], modes: &[i64]) {
+        self.mechanics.take_state(time, y, modes);
         for (greatest, at) in self.scales.motion.iter_mut().zip(&self.mechanics.nodes) {
             for (greatest, value) in greatest.iter_mut().zip(at.motion) {
                 *greatest = greatest.max(value.abs());
@@ -201,14 +201,14 @@ impl<'s> Judge<'s> {
                 (&turn.before, &turn.modes[0]),
                 (&turn.after, &turn.modes[1]),
             ] {
-                self.look(turn.time, y, &modes.0);
+                self.take_state(turn.time, y, &modes.0);
             }
         }
     }
 
     /// Takes into the scales what errors of a run are measured by: of bounces that die away
     /// no more is left than it resolves.
-    fn see_resolved(&mut self) {
+    fn include_resolution(&mut self) {
         let count = self.system.coordinates();
         let resolved = self.system.scales();
         for (coordinate, motion) in self.mechanics.coordinate.iter().zip(&self.scales.motion) {
@@ -237,7 +237,7 @@ impl<'s> Judge<'s> {
         let mut found = vec![Balance::default(); self.mechanics.nodes.len()];
         let last = window.times.len() - 1;
         for (k, (&time, y)) in window.times.iter().zip(&window.states).enumerate() {
-            self.look(time, y, &look.modes.0);
+            self.take_state(time, y, &look.modes.0);
             for (balance, at) in found.iter_mut().zip(&self.mechanics.nodes) {
                 match k {
                     0 => balance.begin(at),
@@ -296,7 +296,7 @@ impl<'s> Judge<'s> {
                     continue;
                 };
                 let bound = self.allowed(node, length);
-                keep_less(best, (defect, bound));
+                keep_smaller_defect(best, (defect, bound));
                 open |= best.is_some_and(|(d, b)| !(d <= b));
             }
             if !open {
@@ -320,7 +320,7 @@ impl<'s> Judge<'s> {
                     None => "force on the driver",
                 };
                 self.found
-                    .see(defect, bound, (time, &self.names[node]), what);
+                    .include(defect, bound, (time, &self.names[node]), what);
             }
         }
     }
@@ -337,7 +337,7 @@ impl<'s> Judge<'s> {
         let inner = window.times.iter().zip(&window.states).skip(1);
         for ((&time, y), weight) in inner.zip(WEIGHTS) {
             let mut force = |y: &[f64]| {
-                self.mechanics.look(time, y, &look.modes.0);
+                self.mechanics.take_state(time, y, &look.modes.0);
                 self.mechanics.nodes[node].force + self.mechanics.nodes[node].link
             };
             let here = force(y);
@@ -422,7 +422,7 @@ impl<'s> Judge<'s> {
     fn judge_contacts(&mut self, look: &DrawnInstant) {
         let window = &look.windows[0];
         for (&time, y) in window.times.iter().zip(&window.states).skip(1).step_by(3) {
-            self.look(time, y, &look.modes.0);
+            self.take_state(time, y, &look.modes.0);
             for k in 0..self.mechanics.pressed.len() {
                 let pressed = self.mechanics.pressed[k];
                 if pressed.component.is_none() {
@@ -437,16 +437,16 @@ impl<'s> Judge<'s> {
                 let place = (time, &*self.system.model().objects[pressed.object].id);
                 let bound = self.bound();
                 let found = &mut self.found;
-                found.see(held_off, bound, place, "clearance of the open contact");
+                found.include(held_off, bound, place, "clearance of the open contact");
                 if !pressed.holds && pressed.mode != 0 {
                     let pulled = share(-pressed.normal, force).max(0.0);
-                    found.see(pulled, bound, place, "pressure of the closed contact");
+                    found.include(pulled, bound, place, "pressure of the closed contact");
                     let hollow = share(-pressed.depth, depth).max(0.0);
-                    found.see(hollow, bound, place, "depth of the closed contact");
+                    found.include(hollow, bound, place, "depth of the closed contact");
                 }
                 if pressed.holds {
                     let apart = share(pressed.depth.abs(), depth);
-                    found.see(apart, bound, place, "depth of the contact that is held");
+                    found.include(apart, bound, place, "depth of the contact that is held");
                 }
             }
         }
@@ -460,7 +460,7 @@ impl<'s> Judge<'s> {
         let (time, y) = (window.times[middle], &window.states[middle]);
         let mut states = vec![ObjectState::default(); model.objects.len()];
         (self.system).observe(time, y, &look.modes, &mut self.scratch, &mut states);
-        self.look(time, y, &look.modes.0);
+        self.take_state(time, y, &look.modes.0);
         for (part, state) in model.objects.iter().zip(&states) {
             let Some(&node) = part.nodes.last() else {
                 continue;
@@ -489,7 +489,7 @@ impl<'s> Judge<'s> {
                     .map_or(0.0, |k| self.mechanics.nodes[node].unsure[k]);
                 let bound = LEAST + unsure / greatest[k];
                 let defect = (shown - own[k]).abs() / greatest[k];
-                self.found.see(defect, bound, (time, &part.id), what);
+                self.found.include(defect, bound, (time, &part.id), what);
             }
         }
     }
@@ -516,7 +516,7 @@ impl<'s> Judge<'s> {
         if greatest > 0.0 {
             let bound = LEAST + self.asked.tolerance;
             let defect = shown.abs() / greatest;
-            self.found.see(
+            self.found.include(
                 defect,
                 bound,
                 (time, &part.id),

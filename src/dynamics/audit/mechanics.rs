@@ -157,16 +157,16 @@ impl<'s> Mechanics<'s> {
     }
 
     /// Looks at a state: motions, momenta, forces.
-    pub(super) fn look(&mut self, time: f64, y: &[f64], modes: &[i64]) {
+    pub(super) fn take_state(&mut self, time: f64, y: &[f64], modes: &[i64]) {
         self.nodes.fill(At::default());
         self.pressed.clear();
         self.move_nodes(time, y);
         self.load_nodes(time, modes);
-        self.pull_links(y, modes);
+        self.add_link_forces(y, modes);
         self.add_linkages();
         let momenta = self.nodes.iter().map(|at| 0.5 * at.momentum * at.motion[1]);
         self.kinetic = momenta.sum();
-        self.hand_back();
+        self.transfer_to_drivers();
     }
 
     fn move_nodes(&mut self, time: f64, y: &[f64]) {
@@ -295,7 +295,7 @@ impl<'s> Mechanics<'s> {
         }
     }
 
-    fn pull_links(&mut self, y: &[f64], modes: &[i64]) {
+    fn add_link_forces(&mut self, y: &[f64], modes: &[i64]) {
         let half = y.len() / 2;
         for link in &self.links {
             let at =
@@ -358,7 +358,7 @@ impl<'s> Mechanics<'s> {
     }
 
     /// Hands momenta and forces to the drivers.
-    fn hand_back(&mut self) {
+    fn transfer_to_drivers(&mut self) {
         let model = self.system.model();
         for (index, node) in model.nodes.iter().enumerate().rev() {
             let at = self.nodes[index];

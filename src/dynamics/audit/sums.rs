@@ -1,6 +1,6 @@
 //! What is shown of a sum of modes: it moves by the speed that is shown of it.
 
-use super::judge::{Judge, ROUNDINGS, keep_less};
+use super::judge::{Judge, ROUNDINGS, keep_smaller_defect};
 use super::sampler::{DrawnInstant, WEIGHTS, Window};
 use crate::dynamics::system::ObjectState;
 
@@ -29,14 +29,14 @@ impl Judge<'_> {
                 }
                 let rounding = ROUNDINGS * size / window.length() / greatest;
                 let own = ((rate - mean).abs() / greatest, self.bound() + rounding);
-                keep_less(best, own);
+                keep_smaller_defect(best, own);
             }
         }
         let time = look.windows[0].middle();
         for (reduced, best) in model.reduced.iter().zip(best) {
             if let Some((defect, bound)) = best {
                 let place = (time, &*model.objects[reduced.object].id);
-                self.found.see(defect, bound, place, "speed of the sum");
+                self.found.include(defect, bound, place, "speed of the sum");
             }
         }
     }

@@ -56,7 +56,7 @@ fn continuity(judge: &mut Judge<'_>, turn: &Turn) {
                     let bound = bound + unsure / scale;
                     judge
                         .found
-                        .see(defect, bound, (turn.time, &judge.names[node]), what);
+                        .include(defect, bound, (turn.time, &judge.names[node]), what);
                 }
             }
         }
@@ -82,7 +82,7 @@ fn pressed_at(
     component: usize,
 ) -> Option<Pressed> {
     let y = [&turn.before, &turn.after][side];
-    judge.look(turn.time, y, &turn.modes[side].0);
+    judge.take_state(turn.time, y, &turn.modes[side].0);
     let mut all = judge.mechanics.pressed.iter();
     all.find(|pressed| pressed.component == Some(component))
         .copied()
@@ -119,7 +119,7 @@ fn changed(judge: &mut Judge<'_>, turn: &Turn) {
             let bound = judge.bound() + share(late, depth);
             let id = &judge.system.model().objects[pressed.object].id;
             let what = "contact force or depth at a switch";
-            judge.found.see(defect, bound, (turn.time, id), what);
+            judge.found.include(defect, bound, (turn.time, id), what);
         }
     }
 }
@@ -151,15 +151,15 @@ fn struck(judge: &mut Judge<'_>, turn: &Turn, impact: &Impact) {
     let found = &mut judge.found;
     let share = |value: f64, of: f64| if of > 0.0 { value.abs() / of } else { 0.0 };
     let speeds = share(apart - restitution * towards, towards.abs());
-    found.see(speeds, bound, place, "restitution in an impact");
-    found.see(
+    found.include(speeds, bound, place, "restitution in an impact");
+    found.include(
         share(impact.approach - towards, towards.abs()),
         bound,
         place,
         "approach of an impact",
     );
     let depth = judge.scales.contact[before.object][0];
-    found.see(
+    found.include(
         share(before.depth.max(before.held_off[0]), depth),
         bound,
         place,
@@ -171,13 +171,13 @@ fn struck(judge: &mut Judge<'_>, turn: &Turn, impact: &Impact) {
     }
     let lost = kinetic - left + impact.drives;
     let turned = kinetic.abs().max(left.abs()).max(impact.lost.abs());
-    found.see(
+    found.include(
         share(lost - impact.lost, turned),
         bound,
         place,
         "energy lost in an impact",
     );
-    found.see(
+    found.include(
         share(lost.min(0.0), turned),
         bound,
         place,
@@ -213,6 +213,6 @@ fn struck(judge: &mut Judge<'_>, turn: &Turn, impact: &Impact) {
         let place = (turn.time, &*judge.names[node]);
         judge
             .found
-            .see(defect, bound, place, "momentum in an impact");
+            .include(defect, bound, place, "momentum in an impact");
     }
 }

@@ -1,6 +1,6 @@
 //! Linkages: an input node that carries the whole, and a node for each output.
 
-use super::reach::{DEAD, place, range};
+use super::assembly_range::{DEAD, place, range};
 use super::spec::DrivenLinkage;
 use super::{Connected, ModelBuilder, Place};
 use crate::dynamics::model::{Law, LinkageBody, NodeIndex, Pair};
@@ -77,7 +77,7 @@ impl ModelBuilder {
     /// The reactions that friction follows from; `None` where no pair rubs.
     fn joint_friction(&mut self, at: &Place, linkage: &Linkage) -> Option<Arc<Kinetostatics>> {
         let made = Kinetostatics::new(linkage.spec());
-        let kinetostatics = self.rubbing(at, linkage.spec(), made)?;
+        let kinetostatics = self.kinetostatics_with_friction(at, linkage.spec(), made)?;
         match kinetostatics.friction_left_open(linkage) {
             None => Some(Arc::new(kinetostatics)),
             Some(fault) => {
@@ -88,7 +88,7 @@ impl ModelBuilder {
     }
 
     /// The kinetostatics of a linkage whose pairs are to have friction; `None` where none has.
-    pub(super) fn rubbing(
+    pub(super) fn kinetostatics_with_friction(
         &mut self,
         at: &Place,
         spec: &LinkageSpec,

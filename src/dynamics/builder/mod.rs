@@ -12,6 +12,7 @@
 //! [`ModelBuilder::masses`], [`ModelBuilder::output`] and [`ModelBuilder::force`]
 //! are the single steps.
 
+mod assembly_range;
 mod chain;
 mod contact;
 mod continuum;
@@ -30,7 +31,6 @@ mod multi;
 mod nodes;
 mod pieces;
 mod place;
-mod reach;
 mod smooth;
 pub mod spec;
 mod stop;

@@ -76,7 +76,7 @@ impl Rest {
     }
 
     /// Adds a load, of which `constant` is the force at the output.
-    fn give_way(&mut self, load: &LoadSpec, constant: f64) {
+    fn add_load(&mut self, load: &LoadSpec, constant: f64) {
         self.offset += match load.law {
             // Gravity is an acceleration of the whole.
             LoadLawSpec::Weight { inclination } => {
@@ -147,7 +147,7 @@ impl ModelBuilder {
         let mut rest = Rest::of(&reduction, body);
         for load in &spec.loads {
             let constant = self.modal_load(at, load, &shares, output, law.driver);
-            rest.give_way(load, constant);
+            rest.add_load(load, constant);
         }
         self.model.reduced.push(Reduced {
             object: at.object,
@@ -184,7 +184,7 @@ impl ModelBuilder {
                 LoadLawSpec::Constant(force) => force,
                 _ => 0.0,
             };
-            rest.give_way(load, constant);
+            rest.add_load(load, constant);
         }
         self.model.reduced.push(Reduced {
             object: at.object,

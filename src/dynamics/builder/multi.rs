@@ -60,7 +60,7 @@ impl ModelBuilder {
         let friction = match spec.joint_friction {
             true => {
                 let made = Kinetostatics::of_inputs(linkage.spec());
-                self.rubbing(at, &spec.linkage.linkage, made)
+                self.kinetostatics_with_friction(at, &spec.linkage.linkage, made)
             }
             false => None,
         };

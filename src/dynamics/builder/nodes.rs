@@ -1,6 +1,6 @@
 //! The single steps: nodes, laws, links, outputs.
 
-use super::reach::DEAD;
+use super::assembly_range::DEAD;
 use super::{ChainParameters, Connected, ModelBuilder, NodeEntry, Place};
 use crate::dynamics::model::{
     Coordinate, Law, Link, LinkBase, Load, LoadLaw, Node, NodeIndex, NodeMotion, Pair, TrackSource,

@@ -80,7 +80,7 @@ impl Situation {
     /// Highest angular frequency (rad/s) that the motion shows, on the average: a
     /// vibration counts for the share of the time between two turns of the drives in
     /// which it is above the tolerance.
-    pub fn shown(&self) -> f64 {
+    pub fn highest_frequency(&self) -> f64 {
         let turning = self.turning
             * if self.has_variable_ratio {
                 HARMONICS
@@ -233,10 +233,11 @@ impl Behaviour {
     fn steps(&self, situation: &Situation) -> [f64; 2] {
         let aim = self.aim(situation);
         let kept = match self.method {
-            Method::Radau => super::radau::kept(aim),
+            Method::Radau => super::radau::effective_tolerance(aim),
             _ => aim,
         };
-        let mut accurate = self.step * (kept / 1e-8).powf(1.0 / self.order) / situation.shown();
+        let mut accurate =
+            self.step * (kept / 1e-8).powf(1.0 / self.order) / situation.highest_frequency();
         if situation.has_variable_ratio && self.follows_laws {
             let coarse = (aim.clamp(1e-7, 1e-4) / 1e-7).powf(OF_WAY[0]);
             let fine = (aim.min(1e-7) / 1e-7).powf(OF_WAY[1]);
@@ -278,7 +279,7 @@ pub struct MethodChoice {
 pub fn choose(situation: &Situation) -> MethodChoice {
     // A system without springs has no rate of its own.
     let situation = &Situation {
-        fastest: situation.fastest.max(situation.shown()),
+        fastest: situation.fastest.max(situation.highest_frequency()),
         ..situation.clone()
     };
     let implicit = |behaviour: &Behaviour| behaviour.stable.is_infinite();
@@ -335,7 +336,7 @@ pub fn choose(situation: &Situation) -> MethodChoice {
 
 fn why_implicit(situation: &Situation, explicit: &Behaviour, implicit: &Behaviour) -> String {
     let [accurate, stable] = explicit.steps(situation);
-    let (fastest, seen) = (situation.fastest, situation.shown());
+    let (fastest, seen) = (situation.fastest, situation.highest_frequency());
     let held = if stable < accurate {
         format!(
             "the system's fastest rate, {fastest} 1/s, is {:.0} times what the motion shows",
@@ -372,7 +373,7 @@ fn why_explicit(situation: &Situation, explicit: &Behaviour) -> String {
         "{series}as the fastest rate, {} 1/s, is only {:.1} times what the motion shows; \
          {bound} asks for steps of about {} s",
         shown(situation.fastest, 3),
-        situation.fastest / situation.shown(),
+        situation.fastest / situation.highest_frequency(),
         shown(accurate.min(stable).min(situation.duration), 2)
     )
 }

@@ -123,7 +123,7 @@ fn a_vibration_that_dies_out_counts_for_as_long_as_it_lasts() {
             turning,
             ..situation(1e-4, 2.0)
         }
-        .shown()
+        .highest_frequency()
     };
     assert_eq!(shown(0.0, 10.0), 2e4);
     // Half of ln 1e4/400 s of the 2π/10 s of a turn.

@@ -101,7 +101,7 @@ impl Changing {
     }
 
     /// True while a stiff motion would be a reason to change.
-    fn looks(&self, method: Method) -> bool {
+    fn watches_stiffness(&self, method: Method) -> bool {
         let explicit = match method {
             Method::Dopri5 | Method::Dop853 | Method::Taylor => true,
             Method::Rk4
@@ -119,7 +119,7 @@ impl Changing {
 impl<D: Dynamics> Run<'_, D> {
     /// True when `radau` would go on from here with much less work. Asked after every step.
     pub(super) fn is_to_change(&mut self) -> bool {
-        if !self.changing.looks(self.settings.method) {
+        if !self.changing.watches_stiffness(self.settings.method) {
             return false;
         }
         if let Some(trial) = self.changing.trial.take() {

@@ -9,7 +9,7 @@
 //! points degree 8, whose error is of order h⁸; a second raise makes it h⁹.
 
 use super::{Dynamics, evaluator::Evaluator};
-use crate::math::polynomial::{MAX_DEGREE, Step, gain, told_gain};
+use crate::math::polynomial::{MAX_DEGREE, Step, gain, rounded_gain};
 use nalgebra::DMatrix;
 
 /// Inner point of the first raise.
@@ -166,7 +166,7 @@ impl Output {
                     row[k] += row[k - 1];
                 }
             }
-            row[degree] = told_gain(row[degree], a[0], b[0]);
+            row[degree] = rounded_gain(row[degree], a[0], b[0]);
             // Over a short step the rounding of displacements would drown the speed.
             row[degree - 1] = row[degree] - self.length / degree as f64 * b[1];
         }
@@ -182,7 +182,7 @@ impl Output {
         let rows = self.coefficients.chunks_exact_mut(degree + 1);
         for (row, (a, b)) in rows.zip(from.signals.iter().zip(&to.signals)) {
             row[0] = 0.0;
-            row[degree] = told_gain(row[degree], a[0], b[0]);
+            row[degree] = rounded_gain(row[degree], a[0], b[0]);
             row[degree - 1] = row[degree] - self.length / degree as f64 * b[1];
         }
     }

@@ -223,7 +223,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             return self.end_not_finite(index);
         }
         let mut shorter = std::mem::take(&mut self.shorter_middle);
-        let edge = self.look_at_singularities(&mut shorter);
+        let edge = self.locate_singularity(&mut shorter);
         let verdict = edge.map(|edge| match (given, edge) {
             (StepInterpolant::Middle(_) | StepInterpolant::Polynomial(..), Some(edge)) => {
                 self.take_step(time, StepInterpolant::Middle(&shorter), Some(edge))
@@ -265,19 +265,19 @@ impl<'a, D: Dynamics> Run<'a, D> {
             }
         };
         // (A series knows its own error in them; a fixed step is what was asked for.)
-        let own = matches!(given, StepInterpolant::Series(..)) || !self.takes_again();
+        let own = matches!(given, StepInterpolant::Series(..)) || !self.can_repeat_step();
         if let (None, false, Some(shorter)) = (edge, own, self.misses_given_signal()) {
             self.shorten(shorter);
-            return self.take_again(shorter);
+            return self.repeat_step(shorter);
         }
         if edge.is_none()
             && let Some(shorter) = self.passes_over()
         {
-            return self.take_again(shorter);
+            return self.repeat_step(shorter);
         }
         let found = self.probe_before(found);
         let found = match given {
-            StepInterpolant::Nothing => self.look_again(found),
+            StepInterpolant::Nothing => self.refine_probe(found),
             _ => found,
         };
         // Trial points beyond a switch may leave the domain; that is no failure.
@@ -289,7 +289,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             && self.is_to_draw_in(found.s)
         {
             self.drawn_in += 1;
-            return self.take_again(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
+            return self.repeat_step(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
         }
         if let (Some(found), None, false) = (found, edge, own)
             && found.s > 0.0
@@ -298,7 +298,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             && self.is_misplaced(watch, found.s)
         {
             self.drawn_in += 1;
-            return self.take_again(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
+            return self.repeat_step(found.s * (1.0 + BEHIND) * (self.to.time - self.from.time));
         }
         self.drawn_in = 0;
         match (found, edge) {
@@ -317,7 +317,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// True where a step can be taken anew with another length.
-    fn takes_again(&self) -> bool {
+    fn can_repeat_step(&self) -> bool {
         match self.settings.method {
             Method::Dopri5
             | Method::Dop853
@@ -331,7 +331,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// The step is taken anew with a length (s).
-    fn take_again(&mut self, length: f64) -> Verdict {
+    fn repeat_step(&mut self, length: f64) -> Verdict {
         if self.evaluator.dynamics.coordinates() == 0 {
             self.shorten(length);
         }
@@ -374,7 +374,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
 
     /// What a probe has found on an output that only a method of low order has, once
     /// more on a better one: the run restarts from there.
-    fn look_again(&mut self, found: Option<Located>) -> Option<Located> {
+    fn refine_probe(&mut self, found: Option<Located>) -> Option<Located> {
         let probed = found.is_some_and(|found| found.watch >= self.event_functions.len());
         if !probed || self.settings.method == Method::Dop853 {
             return found;

@@ -139,7 +139,7 @@ impl<D: Dynamics> Run<'_, D> {
     /// Looks at the edges on the step between `from` and `to`, before anything
     /// else does. Where one is reached, `to` is drawn in to that place, with the
     /// state in the `middle` of what is left.
-    pub(super) fn look_at_singularities(
+    pub(super) fn locate_singularity(
         &mut self,
         middle: &mut [f64],
     ) -> Result<Option<Singularity>, Verdict> {
@@ -147,9 +147,9 @@ impl<D: Dynamics> Run<'_, D> {
             return Ok(None);
         }
         self.output.quintic(&self.from, &self.to);
-        match self.meeting() {
+        match self.first_meeting() {
             Meeting::None => Ok(None),
-            Meeting::TooLong(longest) => Err(self.take_shorter(longest)),
+            Meeting::TooLong(longest) => Err(self.repeat_shorter_step(longest)),
             Meeting::Reached(edge, 0.0) => Err(self.end_at(&edge)),
             Meeting::Reached(edge, s) => {
                 let step = self.output.step(1.0);
@@ -163,7 +163,7 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// The step is taken anew, at most `longest` long, unless that is no longer a step.
-    fn take_shorter(&mut self, longest: f64) -> Verdict {
+    fn repeat_shorter_step(&mut self, longest: f64) -> Verdict {
         self.singularities.longest = Some(longest);
         self.singularities.shortened += 1;
         self.rejected += 1;
@@ -178,7 +178,7 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
-    fn meeting(&self) -> Meeting {
+    fn first_meeting(&self) -> Meeting {
         let length = self.to.time - self.from.time;
         let mut reached = Meeting::None;
         let mut first = 1.0;

@@ -90,11 +90,11 @@ impl LoadFunction for Friction {
 /// |φ̇|/width down to which a step may lead that starts farther out: 1 − tanh is
 /// then 2·exp(−2·|φ̇|/width), below the digits that a series of this degree is
 /// used for (see the method, which takes 1.25 degrees for a digit).
-fn seen(degree: usize) -> f64 {
+fn narrowest_approach(degree: usize) -> f64 {
     (0.95 * degree as f64 - 3.0).clamp(5.0, 17.0)
 }
 
-/// What is farther out than [`seen`] by this much is far out.
+/// What is farther out than [`narrowest_approach`] by this much is far out.
 const FARTHER: f64 = 2.0;
 
 /// The farthest that φ̇/width may change in a step that starts nearer, in shares
@@ -147,7 +147,7 @@ impl LoadSeries for TanhSeries {
             let beyond = change.map(|change| side * change - most);
             first_positive(&beyond[..=degree]).unwrap_or(1.0)
         };
-        let seen = seen(degree);
+        let seen = narrowest_approach(degree);
         if start.abs() > seen + FARTHER {
             first(-start.signum(), start.abs() - seen)
         } else {

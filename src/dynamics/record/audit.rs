@@ -84,7 +84,7 @@ mod tests {
                 };
                 ledger.add(index, span, power);
             }
-            audit.go_on(&ledger.close(energy(span * f64::from(step + 1))));
+            audit.append(&ledger.close(energy(span * f64::from(step + 1))));
         }
         audit
     }

@@ -47,7 +47,11 @@ impl Log<'_> {
             }
             let state = match looked {
                 Some((time, state)) if time == claim.time => state,
-                _ => stretch.look(claim.time, &mut self.observer, &mut []).states[object],
+                _ => {
+                    stretch
+                        .view_at(claim.time, &mut self.observer, &mut [])
+                        .states[object]
+                }
             };
             looked = Some((claim.time, state));
             self.confirmed[place] = Some(Confirmed {
@@ -106,7 +110,7 @@ pub(crate) fn judge_confirmed(
             };
             let bound = bound + rounding / size;
             let (defect, id) = ((own.seen - own.told).abs(), &*model.objects[own.object].id);
-            check.see(defect / size, bound, (own.time, id), name(own.signal));
+            check.include(defect / size, bound, (own.time, id), name(own.signal));
         }
     }
 }

@@ -77,7 +77,7 @@ impl<'s> FigureCollector<'s> {
                 .map(|object| Tally::new(system, object, settings.window))
                 .collect(),
             joints: system
-                .rubbing_objects()
+                .objects_with_friction()
                 .map(|(object, component)| JointTracker::new(object, component))
                 .collect(),
             sides: [0; 7],
@@ -132,7 +132,7 @@ impl<'s> FigureCollector<'s> {
                 None => *state,
                 Some(_) => failure::motion_of(state),
             };
-            tally.see(time, &told);
+            tally.include_state(time, &told);
         }
         for joints in &mut self.joints {
             joints.start(time, modes);
@@ -153,7 +153,7 @@ impl<'s> FigureCollector<'s> {
             return;
         }
         self.observer.begin(step.length);
-        let (length, most) = (step.end * step.length, pieces::most(step.degree));
+        let (length, most) = (step.end * step.length, pieces::max_pieces(step.degree));
         self.longest = self.longest.max(length);
         // What is short already needs no pieces.
         if !self.long_steps || most as f64 * length <= self.longest {
@@ -179,10 +179,10 @@ impl<'s> FigureCollector<'s> {
         }
         if let Some((impact, _)) = event.impact {
             let energy = self.observer.energy_of(event.time, event.y, event.after);
-            self.audit.go_on(&self.ledger.strike(impact, energy));
+            self.audit.append(&self.ledger.strike(impact, energy));
             let states = self.observer.state(event.time, event.y, event.after);
             for (tally, state) in self.tallies.iter_mut().zip(states) {
-                tally.see(event.time, state);
+                tally.include_state(event.time, state);
             }
         }
     }
@@ -191,11 +191,11 @@ impl<'s> FigureCollector<'s> {
     /// the energies at the end.
     fn observe_step(&mut self, step: &Step<'_>, modes: &Modes) {
         let count = self.tallies.len();
-        self.observer.go_to(step);
+        self.observer.evaluate_places(step);
         for index in 0..PLACES.len() {
             if index > 0 || !self.continues {
                 let states = &mut self.states[index * count..(index + 1) * count];
-                self.observer.put_there(step, index, modes, states);
+                self.observer.states_at_place(step, index, modes, states);
                 if WEIGHTED.contains(&index) {
                     self.powers[index] = self.observer.power_there(modes);
                 }
@@ -218,7 +218,7 @@ impl<'s> FigureCollector<'s> {
             if 0.0 < s && s < step.end {
                 let states = self.observer.at(step, s, modes);
                 for (tally, state) in self.tallies.iter_mut().zip(states) {
-                    tally.see(edge, state);
+                    tally.include_state(edge, state);
                 }
             }
         }
@@ -271,11 +271,11 @@ impl<'s> FigureCollector<'s> {
         for (object, tally) in self.tallies.iter_mut().enumerate() {
             tally.take(object, &mut segment);
         }
-        self.audit.go_on(&segment.works());
+        self.audit.append(&segment.works());
         // The end of this step is the start of the next.
         let last = 6 * self.tallies.len();
         for (tally, state) in self.tallies.iter_mut().zip(&self.states[last..]) {
-            tally.stand(state);
+            tally.set_last(state);
         }
         self.states.copy_within(last.., 0);
         self.sides[0] = self.sides[6];

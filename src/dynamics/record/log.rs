@@ -15,7 +15,7 @@ use super::{Interval, SwitchRow};
 use crate::dynamics::audit::{InstantSampler, fastest_rate};
 use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
-use stretch::seen;
+use stretch::current_view;
 
 pub(crate) use stretch::{Course, Stretch};
 
@@ -114,7 +114,7 @@ impl<'s> Log<'s> {
         let bad = states.iter().position(|state| !is_finite(state));
         self.watch.start(time, states);
         if self.rows.is_wanted() {
-            let seen = seen(&self.observer, modes, &mut self.masses);
+            let seen = current_view(&self.observer, modes, &mut self.masses);
             self.rows.sample_at(time, seen);
         }
         if bad.is_some() {
@@ -133,17 +133,17 @@ impl<'s> Log<'s> {
             if self.failure.is_some() {
                 return;
             }
-            let seen = stretch.look(time, &mut self.observer, &mut self.masses);
+            let seen = stretch.view_at(time, &mut self.observer, &mut self.masses);
             if !self.rows.sample_at(time, seen) {
                 self.fail(from);
             }
         }
         if !self.masses.is_empty() && self.rows.nearly_due(until) {
             // The last sample is taken from what was seen last.
-            stretch.look(until, &mut self.observer, &mut self.masses);
+            stretch.view_at(until, &mut self.observer, &mut self.masses);
         }
         if self.budget > 0 && self.failure.is_none() {
-            self.look_closely(stretch);
+            self.refine_samples(stretch);
         }
         self.time = until;
     }
@@ -173,7 +173,7 @@ impl<'s> Log<'s> {
         let whole = matches!(stretch.course, Course::Known(_));
         let (span, observer) = (stretch.span, &mut self.observer);
         self.watch.follow(span, whole, &mut |time, object| {
-            stretch.look(time, observer, &mut []).states[object]
+            stretch.view_at(time, observer, &mut []).states[object]
         });
     }
 
@@ -247,7 +247,7 @@ impl<'s> Log<'s> {
             let struck = event.impact.map_or(event.y, |(_, before)| before);
             for (y, modes) in [(struck, event.before), (event.y, event.after)] {
                 self.observer.state(event.time, y, modes);
-                let seen = seen(&self.observer, modes, &mut self.masses);
+                let seen = current_view(&self.observer, modes, &mut self.masses);
                 if !self.rows.push(event.time, seen) {
                     return self.fail(event.time);
                 }
@@ -266,7 +266,7 @@ impl<'s> Log<'s> {
             if self.peaks.iter().any(|kept| kept.0 == time) {
                 continue;
             }
-            let seen = stretch.look(time, &mut self.observer, &mut self.masses);
+            let seen = stretch.view_at(time, &mut self.observer, &mut self.masses);
             if let Some(values) = self.rows.values(seen) {
                 self.peaks.push((time, values.to_vec()));
             }
@@ -275,10 +275,10 @@ impl<'s> Log<'s> {
 
     /// Takes samples between those that are due, where straight lines between them would
     /// not show the course of every column.
-    fn look_closely(&mut self, mut stretch: Stretch<'_>) {
+    fn refine_samples(&mut self, mut stretch: Stretch<'_>) {
         let [from, until] = stretch.span;
         let mut row = |log: &mut Self, time: f64| -> Option<Vec<f64>> {
-            let seen = stretch.look(time, &mut log.observer, &mut log.masses);
+            let seen = stretch.view_at(time, &mut log.observer, &mut log.masses);
             log.rows.values(seen).map(<[f64]>::to_vec)
         };
         let Some(first) = row(self, from) else {

@@ -199,7 +199,7 @@ impl Segment for ObservedStep<'_, '_> {
             }
         };
         if let Some((value, place)) = found {
-            peak.see(step.time(place), value);
+            peak.include(step.time(place), value);
         }
     }
 

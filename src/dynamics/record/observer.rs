@@ -72,11 +72,11 @@ impl<'s> Observer<'s> {
         modes: &Modes,
         states: &mut [ObjectState],
     ) {
-        self.put_at(step, (s, step.time(s)), modes, states);
+        self.states_at(step, (s, step.time(s)), modes, states);
     }
 
     /// States of all objects at s, which is told to be at an instant, into `states`.
-    fn put_at(
+    fn states_at(
         &mut self,
         step: &Step<'_>,
         (s, time): (f64, f64),
@@ -87,11 +87,11 @@ impl<'s> Observer<'s> {
         if let Some(bends) = self.bends.as_mut().filter(|bends| bends.is_wanted()) {
             bends.read(step, s);
         }
-        self.look(time, modes, states);
+        self.observe_current(time, modes, states);
     }
 
-    /// Looks at a step at all its [`PLACES`], for [`Self::put_there`].
-    pub(crate) fn go_to(&mut self, step: &Step<'_>) {
+    /// Looks at a step at all its [`PLACES`], for [`Self::states_at_place`].
+    pub(crate) fn evaluate_places(&mut self, step: &Step<'_>) {
         if step.coordinates == 0 {
             return;
         }
@@ -106,7 +106,7 @@ impl<'s> Observer<'s> {
     }
 
     /// States of all objects at one of the [`PLACES`] of the step gone to, into `states`.
-    pub(crate) fn put_there(
+    pub(crate) fn states_at_place(
         &mut self,
         step: &Step<'_>,
         place: usize,
@@ -119,15 +119,17 @@ impl<'s> Observer<'s> {
         if let Some(bends) = self.bends.as_mut().filter(|bends| bends.is_wanted()) {
             bends.set(&self.bends_there[n * place..][..n]);
         }
-        self.look(step.time(PLACES[place] * step.end), modes, states);
+        self.observe_current(step.time(PLACES[place] * step.end), modes, states);
     }
 
     /// States of all objects at an instant at which the state is there, and what bends the
     /// step.
-    fn look(&mut self, time: f64, modes: &Modes, states: &mut [ObjectState]) {
+    fn observe_current(&mut self, time: f64, modes: &Modes, states: &mut [ObjectState]) {
         let (system, scratch) = (self.system, &mut self.scratch);
         match self.bends.as_ref().filter(|bends| bends.is_wanted()) {
-            Some(bends) => system.observe_bent(time, &self.y, modes, bends, scratch, states),
+            Some(bends) => {
+                system.observe_with_accelerations(time, &self.y, modes, bends, scratch, states)
+            }
             None => system.observe(time, &self.y, modes, scratch, states),
         }
     }
@@ -163,7 +165,7 @@ impl<'s> Observer<'s> {
         let s = ((time - step.start) / step.length).clamp(0.0, step.end);
         self.begin(step.length);
         let mut states = std::mem::take(&mut self.states);
-        self.put_at(step, (s, time), modes, &mut states);
+        self.states_at(step, (s, time), modes, &mut states);
         self.states = states;
     }
 

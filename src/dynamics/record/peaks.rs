@@ -6,7 +6,7 @@
 //! where that could beat the greatest value so far is it looked for closely.
 
 use crate::dynamics::segment::Peak;
-use crate::math::optimise::{climb_among, vertex};
+use crate::math::optimise::{refine_maximum_among, vertex};
 use crate::math::quadrature::FIVE;
 
 /// Places within a step, as fractions of it: its ends and the five
@@ -40,8 +40,8 @@ impl Peak {
         }
         let [from, to] = [time(places[0]), time(places[6])];
         if (to - from).abs() <= SPLINTER * to.abs() {
-            self.see(from, values[0]);
-            self.see(to, values[6]);
+            self.include(from, values[0]);
+            self.include(to, values[6]);
             return;
         }
         let most = values.iter().copied().fold(f64::MIN, f64::max);
@@ -51,7 +51,7 @@ impl Peak {
             return;
         }
         for (&place, &value) in places.iter().zip(values) {
-            self.see(time(place), value);
+            self.include(time(place), value);
         }
         for top in 0..7 {
             let rising = top == 0 || values[top] >= values[top - 1];
@@ -68,8 +68,8 @@ impl Peak {
             let gain = hoped - values[top];
             if gain > 1e-15 * hoped.abs() && values[top] + 2.0 * gain > self.value {
                 let points = std::array::from_fn(|i| (places[i], values[i]));
-                let (place, value) = climb_among(&points, top, near, &mut look);
-                self.see(time(place), value);
+                let (place, value) = refine_maximum_among(&points, top, near, &mut look);
+                self.include(time(place), value);
             }
         }
     }
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn a_top_that_cannot_beat_the_best_is_left_alone() {
         let mut peak = Peak::NONE;
-        peak.see(0.0, 5.0);
+        peak.include(0.0, 5.0);
         let f = |s: f64| 1.0 - (s - 0.4).powi(2);
         peak.follow(&PLACES, &PLACES.map(f), |s| s, |_| panic!("no look needed"));
         assert_eq!(peak.value, 5.0);
@@ -151,7 +151,7 @@ mod tests {
         let f = |s: f64| 1.0 - (s - 0.5).powi(2);
         peak.follow(&PLACES, &PLACES.map(f), |s| s, f);
         assert_eq!(peak.value, f(PLACES[2]));
-        peak.see(0.45, f(0.45));
+        peak.include(0.45, f(0.45));
         assert_eq!(peak.value, f(0.45));
     }
 

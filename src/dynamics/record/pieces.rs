@@ -15,7 +15,7 @@ const LONG: usize = 9;
 const LONGER: usize = 14;
 
 /// Most pieces for an output of a degree.
-pub(super) fn most(degree: usize) -> usize {
+pub(super) fn max_pieces(degree: usize) -> usize {
     match degree {
         0..=SHORT => 1,
         6..=LONG => 3,
@@ -97,6 +97,9 @@ mod tests {
             number += 1;
         });
         approx::assert_abs_diff_eq!(next, 2.45, epsilon = 1e-15);
-        assert_eq!((number, most(5), most(9), most(24)), (4, 1, 3, 8));
+        assert_eq!(
+            (number, max_pieces(5), max_pieces(9), max_pieces(24)),
+            (4, 1, 3, 8)
+        );
     }
 }

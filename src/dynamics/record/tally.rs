@@ -177,31 +177,31 @@ impl Tally {
     }
 
     /// A state outside segments: the start, an edge of the window.
-    pub(crate) fn see(&mut self, time: f64, state: &ObjectState) {
+    pub(crate) fn include_state(&mut self, time: f64, state: &ObjectState) {
         if let Some(deviation) = &mut self.deviation {
-            deviation.greatest.see(time, state.delta);
-            deviation.least.see(time, -state.delta);
+            deviation.greatest.include(time, state.delta);
+            deviation.least.include(time, -state.delta);
         }
         for (peak, signal) in self.peaks.iter_mut().zip(MAGNITUDES) {
-            peak.see(time, read(signal, state).abs());
+            peak.include(time, read(signal, state).abs());
         }
         for peak in self.slack.iter_mut().flatten() {
-            peak.see(time, -state.contact_force);
+            peak.include(time, -state.contact_force);
         }
         if let Some(peak) = &mut self.pressure {
-            peak.see(time, state.pressure);
+            peak.include(time, state.pressure);
         }
         if let Some(Indentation::Followed(peak)) = &mut self.indentation {
-            peak.see(time, state.indentation);
+            peak.include(time, state.indentation);
         }
         self.last = *state;
     }
 
     /// The motion at the start alone, where the forces on both its sides are told.
-    pub(crate) fn see_motion(&mut self, time: f64, state: &ObjectState) {
+    pub(crate) fn include_motion(&mut self, time: f64, state: &ObjectState) {
         if let Some(deviation) = &mut self.deviation {
-            deviation.greatest.see(time, state.delta);
-            deviation.least.see(time, -state.delta);
+            deviation.greatest.include(time, state.delta);
+            deviation.least.include(time, -state.delta);
         }
     }
 
@@ -240,12 +240,12 @@ impl Tally {
     }
 
     /// The forces at an instant.
-    pub(crate) fn see_forces(&mut self, time: f64, state: &ObjectState) {
+    pub(crate) fn include_forces(&mut self, time: f64, state: &ObjectState) {
         for (peak, signal) in self.peaks.iter_mut().zip(MAGNITUDES).skip(2) {
-            peak.see(time, read(signal, state).abs());
+            peak.include(time, read(signal, state).abs());
         }
         for peak in self.slack.iter_mut().flatten() {
-            peak.see(time, -state.contact_force);
+            peak.include(time, -state.contact_force);
         }
     }
 
@@ -285,7 +285,7 @@ impl Tally {
     }
 
     /// Sets the object's state last seen.
-    pub(crate) fn stand(&mut self, state: &ObjectState) {
+    pub(crate) fn set_last(&mut self, state: &ObjectState) {
         self.last = *state;
     }
 

@@ -121,7 +121,7 @@ impl Watched {
             Part::Excluded => {}
             Part::Met(time) => self.met = Some(time),
             Part::Open(since) => {
-                self.met = self.look_in_places([since, to], look);
+                self.met = self.first_time_by_sampling([since, to], look);
                 self.undecided_parts += 1;
                 self.undecided.get_or_insert(since);
             }
@@ -151,7 +151,7 @@ impl Watched {
             // (The time is known to its last digit.)
             let narrow = !self.read[0] && !changes && high - low <= NARROW * length;
             if narrow || high - low <= shortest || middle <= low || middle >= high {
-                match self.look_at([low, high], look) {
+                match self.first_time_at_ends([low, high], look) {
                     Some(time) => return (Part::Met(time), evaluations),
                     None => continue,
                 }
@@ -174,7 +174,7 @@ impl Watched {
     }
 
     /// The first time at which it holds, of what is too short to be halved.
-    fn look_at(
+    fn first_time_at_ends(
         &self,
         [low, high]: [f64; 2],
         look: &mut dyn FnMut(f64) -> [f64; VARIABLES],
@@ -187,7 +187,7 @@ impl Watched {
     }
 
     /// The first of some places at which it holds, and from where on.
-    fn look_in_places(
+    fn first_time_by_sampling(
         &self,
         [from, to]: [f64; 2],
         look: &mut dyn FnMut(f64) -> [f64; VARIABLES],

@@ -178,7 +178,7 @@ impl SteadyFigures {
 /// All motions T(φ) = level + rise(φ), rise ≥ 0 being zero somewhere.
 pub(super) trait Family {
     /// The mean at a level (J).
-    fn mean(&self, level: f64, mean: Mean) -> f64;
+    fn mean_speed(&self, level: f64, mean: Mean) -> f64;
     /// The mean at level 0; 0 when the time for a cycle grows without limit.
     fn lowest(&self, mean: Mean) -> f64;
     /// Least and greatest J.
@@ -231,7 +231,7 @@ pub(super) fn find(family: &impl Family, question: &Question) -> Result<Level, R
         low = high;
         loop {
             low *= 1e-2;
-            let found = family.mean(low.max(floor), mean);
+            let found = family.mean_speed(low.max(floor), mean);
             iterations += 1;
             if found <= wanted {
                 break;
@@ -242,7 +242,7 @@ pub(super) fn find(family: &impl Family, question: &Question) -> Result<Level, R
         }
         low = low.max(floor);
     }
-    let mut miss = |logarithm: f64| family.mean(logarithm.exp(), mean) - wanted;
+    let mut miss = |logarithm: f64| family.mean_speed(logarithm.exp(), mean) - wanted;
     // A rounding wider, for a bracket that is a point.
     let ends = [low.ln() - 1e-14, high.ln() + 1e-14];
     let found = bracketed(&mut miss, ends, question.tolerance * wanted);

@@ -62,7 +62,7 @@ pub fn steady(profile: &Profile, question: &Question) -> Result<SteadyMotion, Re
     };
     let level = find(&profile, question)?;
     let mut motion = SteadyMotion::at(profile, level.level, question);
-    motion.tell(&level, question, surplus, balance);
+    motion.set_convergence_figures(&level, question, surplus, balance);
     motion.figures.check()?;
     Ok(motion)
 }
@@ -121,7 +121,7 @@ impl Profile {
 }
 
 impl Family for Profile {
-    fn mean(&self, level: f64, mean: Mean) -> f64 {
+    fn mean_speed(&self, level: f64, mean: Mean) -> f64 {
         match mean {
             Mean::Time => self.cycle() / self.period(level).value,
             Mean::Angle => self.mean_over_angle(level),
@@ -134,7 +134,7 @@ impl Family for Profile {
 
     fn lowest(&self, mean: Mean) -> f64 {
         if mean != Mean::Time {
-            return Family::mean(self, 0.0, mean);
+            return Family::mean_speed(self, 0.0, mean);
         }
         if !self.is_pointed() {
             return 0.0;
@@ -222,7 +222,13 @@ impl SteadyMotion {
         }
     }
 
-    fn tell(&mut self, level: &Level, question: &Question, surplus: f64, balance: Option<f64>) {
+    fn set_convergence_figures(
+        &mut self,
+        level: &Level,
+        question: &Question,
+        surplus: f64,
+        balance: Option<f64>,
+    ) {
         let figures = &mut self.figures;
         figures.cycle_work = surplus;
         figures.balance = balance;
@@ -308,7 +314,7 @@ impl SteadyMotion {
     /// Speed at the end of a way of `length` and time for it, by the equation of motion from
     /// its other end; `sense` −1: the way is gone from its end to `from`.
     fn followed(&self, from: f64, length: f64, sense: f64) -> Option<[f64; 2]> {
-        let mut way = self.way(from, length);
+        let mut way = self.panels_between(from, length);
         if sense < 0.0 {
             way.reverse();
         }
@@ -329,7 +335,7 @@ impl SteadyMotion {
     }
 
     /// The parts of panels on a way, which may lead over the end of the cycle.
-    fn way(&self, from: f64, length: f64) -> Vec<(&Panel, [f64; 2])> {
+    fn panels_between(&self, from: f64, length: f64) -> Vec<(&Panel, [f64; 2])> {
         let (cycle, panels) = (self.profile.cycle(), self.profile.panels());
         let turns = [0.0, cycle].into_iter();
         let parts = turns.flat_map(|turn| {

@@ -119,7 +119,7 @@ impl Panel {
     }
 
     pub(super) fn work(&self) -> f64 {
-        self.half() * chebyshev::whole(&self.moment)
+        self.half() * chebyshev::definite_integral(&self.moment)
     }
 
     /// Counts the work from an end of the panel at which it is `base`.

@@ -220,7 +220,7 @@ impl Table {
 }
 
 impl Family for Table {
-    fn mean(&self, level: f64, mean: Mean) -> f64 {
+    fn mean_speed(&self, level: f64, mean: Mean) -> f64 {
         let means = self.means(&self.speeds(level));
         match mean {
             Mean::Time => means.time,
@@ -230,7 +230,7 @@ impl Family for Table {
     }
 
     fn lowest(&self, mean: Mean) -> f64 {
-        Family::mean(self, 0.0, mean)
+        Family::mean_speed(self, 0.0, mean)
     }
 
     fn inertia(&self) -> [f64; 2] {

@@ -283,7 +283,7 @@ impl Dynamics for System {
         scratch: &mut Scratch,
     ) -> f64 {
         let work = &mut scratch.work;
-        match probe.index.checked_sub(self.frozen.rubbing_things()) {
+        match probe.index.checked_sub(self.frozen.friction_group_count()) {
             Some(contact) => self.frozen.parting(contact, time, y, &modes.0, work),
             None => self.frozen.probe(probe, time, y, &modes.0, work),
         }

@@ -49,7 +49,7 @@ pub(super) struct Motion {
 impl Motion {
     /// Takes a sample in: φ, φ̇ and φ̈. What is at rest, or beyond the reach of a law, tells
     /// nothing.
-    pub(super) fn see(&mut self, at: &[f64; 3]) {
+    pub(super) fn include(&mut self, at: &[f64; 3]) {
         let moving = |value: f64| value != 0.0 && value.is_finite();
         self.speeds
             .extend(Some(at[1].abs()).filter(|_| moving(at[1])));
@@ -83,17 +83,17 @@ mod tests {
         let mut steep = Motion::default();
         for k in 1..=1000 {
             let (sin, cos) = (40.0 * f64::from(k) / 1000.0).sin_cos();
-            steady.see(&[sin, 5.0 * cos, -25.0 * sin]);
+            steady.include(&[sin, 5.0 * cos, -25.0 * sin]);
             let t = f64::from(k) / 1000.0;
-            steep.see(&[t.sqrt(), 0.5 / t.sqrt(), -0.25 * t.powf(-1.5)]);
+            steep.include(&[t.sqrt(), 0.5 / t.sqrt(), -0.25 * t.powf(-1.5)]);
         }
-        steep.see(&[0.0, 1e6, 1e18]);
+        steep.include(&[0.0, 1e6, 1e18]);
         let time = steady.time();
         assert!((0.19..0.21).contains(&time), "{time}");
         let time = steep.time();
         assert!((0.4..0.6).contains(&time), "{time}");
         let mut uniform = Motion::default();
-        uniform.see(&[1.0, 3.0, 0.0]);
+        uniform.include(&[1.0, 3.0, 0.0]);
         assert_eq!(uniform.time(), f64::INFINITY);
     }
 }

@@ -208,7 +208,7 @@ impl Frozen {
     }
 
     /// Puts what a rigid contact binds where it is bound: on its flank, at a speed ṗ.
-    fn put_on_flank(
+    fn set_on_flank(
         &self,
         (component, side): (usize, i64),
         rate: f64,
@@ -278,7 +278,7 @@ impl Frozen {
         for component in 0..self.contacts() {
             if self.contact_of(component).holds(modes[component]) {
                 out.push(Probe {
-                    index: self.rubbing_things() + component,
+                    index: self.friction_group_count() + component,
                     component,
                     target: OPEN,
                     looks: LOOKS,

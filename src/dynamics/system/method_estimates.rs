@@ -46,7 +46,7 @@ impl System {
     }
 
     /// True when joints of a linkage of several inputs have friction.
-    pub fn has_friction_of_several(&self) -> bool {
+    pub fn has_multi_input_friction(&self) -> bool {
         self.frozen.several.is_some()
     }
 
@@ -85,7 +85,7 @@ impl System {
     /// Way of the fastest drive (rad) over which a power series knows the laws of
     /// position at tolerances of 1e-7, on the average over the way `reach` (rad) that the
     /// drive goes; infinite where no law bends.
-    pub fn way_of_laws(&self, reach: f64) -> f64 {
+    pub fn series_range_of_laws(&self, reach: f64) -> f64 {
         let frozen = &self.frozen;
         if !frozen.expands() {
             return f64::INFINITY;

@@ -231,7 +231,7 @@ impl Frozen {
     }
 
     /// Solves all linkages of several inputs anew as if they stood still.
-    pub(super) fn stand_still<N: Quantity>(&self, work: &mut Work<N>) {
+    pub(super) fn solve_at_rest<N: Quantity>(&self, work: &mut Work<N>) {
         for (multi, own) in self.multi.iter().zip(&mut work.multi) {
             for (index, &node) in multi.nodes.iter().enumerate() {
                 own.inputs[index] = work.displacement[node];
@@ -321,7 +321,7 @@ impl Frozen {
     }
 
     /// A length that a free input moves by, where that is one: the size of its linkage (m).
-    pub(super) fn way_of(&self, node: usize) -> Option<f64> {
+    pub(super) fn input_length(&self, node: usize) -> Option<f64> {
         self.multi.iter().find_map(|multi| {
             let place = multi.nodes.iter().position(|&own| own == node)?;
             let linkage = &multi.linkage;

@@ -368,7 +368,7 @@ impl System {
 
     /// Objects whose joints have friction, each with the component of [`Modes`] that
     /// says whether friction holds it; without one its motion is given.
-    pub fn rubbing_objects(&self) -> impl Iterator<Item = (usize, Option<usize>)> + '_ {
+    pub fn objects_with_friction(&self) -> impl Iterator<Item = (usize, Option<usize>)> + '_ {
         let groups = self.frozen.groups.iter();
         let groups = groups.flat_map(|group| {
             let members = group.members.iter();

@@ -80,7 +80,7 @@ impl Deformation<'_> {
     /// True when a motion of which the powers up to `known` of displacements and
     /// rates are known decides the contact: what is not known yet comes after the
     /// first derivative that does not vanish.
-    fn tells(&self, known: usize) -> bool {
+    fn decides_contact(&self, known: usize) -> bool {
         if self.is_rigid() {
             return true;
         }
@@ -192,7 +192,10 @@ impl Frozen {
                 motion[n + index] = motion[index].rate();
             }
             let deformations = self.deformations(&motion, modes);
-            if deformations.iter().all(|one| one.tells(power + 1)) {
+            if deformations
+                .iter()
+                .all(|one| one.decides_contact(power + 1))
+            {
                 break;
             }
         }

@@ -116,7 +116,7 @@ impl Frozen {
 
 impl System {
     /// As [`System::observe`], with the accelerations that a step tells.
-    pub(crate) fn observe_bent(
+    pub(crate) fn observe_with_accelerations(
         &self,
         time: f64,
         y: &[f64],

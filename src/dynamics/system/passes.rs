@@ -123,8 +123,8 @@ impl<N: Quantity> Work<N> {
             dense: Dense::new(frozen),
             reduced_inertia: vec![zero; frozen.linkages.len()],
             linkages: frozen.linkage_memory(),
-            rubbing: frozen.rubbing_memory(),
-            several: frozen.several_memory(),
+            rubbing: frozen.friction_memory(),
+            several: frozen.multi_input_friction_memory(),
             cursors: vec![Cell::default(); frozen.linkages.len()],
         }
     }
@@ -170,7 +170,7 @@ impl Frozen {
         self.apply_reactions(state, modes, extent, work);
         self.reduce_rigid(extent, work);
         if !self.groups.is_empty() {
-            self.rub(state, modes, extent, work);
+            self.add_friction(state, modes, extent, work);
         }
         if !self.multi.is_empty() {
             self.hold_rotors(work);

@@ -64,7 +64,7 @@ pub(super) fn scales(frozen: &Frozen, sampled: &MotionRanges) -> Vec<f64> {
             }
             Step::Rotor(rotor) => {
                 let speed = nominal_speed(frozen, rotor.node, rotor.speed);
-                scales[rotor.coordinate] = frozen.way_of(rotor.node).unwrap_or(ROTOR_ANGLE);
+                scales[rotor.coordinate] = frozen.input_length(rotor.node).unwrap_or(ROTOR_ANGLE);
                 scales[n + rotor.coordinate] = positive(speed, 1.0);
             }
             Step::Chain(index) => {
@@ -350,7 +350,7 @@ pub(super) fn sample(frozen: &Frozen) -> MotionRanges {
             linkages[index] = linkages[index].max(force);
         }
         for (node, seen) in &mut given {
-            seen.see(&motion[*node]);
+            seen.include(&motion[*node]);
         }
         for (range, at) in ranges.iter_mut().zip(&motion) {
             // NaN, outside the reach of a law, is passed over by `max`.

@@ -56,7 +56,7 @@ impl System {
                 self.warn_of_inertia(&balanced, &modes, &mut warnings);
                 balanced.state
             }
-            Start::Kinetostatic => self.quiet(&mut modes, &mut warnings)?,
+            Start::Kinetostatic => self.quiet_start(&mut modes, &mut warnings)?,
         };
         self.check_start(&y, &modes)?;
         if self.frozen.impacts {
@@ -87,7 +87,11 @@ impl System {
     /// The quiet start: on the side of t = 0 that the motion comes from. A law that
     /// repeats has one, and what it asks for there may differ from what it asks for next:
     /// out of a dwell nothing is deflected by inertia yet.
-    fn quiet(&self, modes: &mut [i64], warnings: &mut Vec<String>) -> Result<Vec<f64>, Vec<Fault>> {
+    fn quiet_start(
+        &self,
+        modes: &mut [i64],
+        warnings: &mut Vec<String>,
+    ) -> Result<Vec<f64>, Vec<Fault>> {
         let (mut after, mut before) = (modes.to_vec(), modes.to_vec());
         let law = self.frozen.law_state();
         self.frozen.locate_tracks_on(Side::After, &law, &mut after);

@@ -153,7 +153,7 @@ impl Forms {
         let harmonic: Vec<(usize, f64)> = basis.harmonic.iter().map(lane).collect();
         let drive = Form::new(lanes, (basis.harmonic.clone(), false), |j, k, conjugate| {
             let own = -basis.lanes[j].lambda;
-            own * turned(moment[k], conjugate)
+            own * conjugate_if(moment[k], conjugate)
         });
         let plain = steady && dampers.len() == grounded && !problem.masses.iter().any(varying);
         Self {
@@ -192,7 +192,7 @@ impl Forms {
     }
 }
 
-fn turned(c: C, conjugate: bool) -> C {
+fn conjugate_if(c: C, conjugate: bool) -> C {
     if conjugate { c.conj() } else { c }
 }
 
@@ -212,7 +212,7 @@ fn quadratic(basis: &Basis, dampers: &[Damper]) -> Form {
     Form::new(lanes, (rows, true), |j, k, conjugate| {
         let pairs = dampers.iter().zip(&speeds[j]).zip(&speeds[k]);
         pairs
-            .map(|((d, a), b)| a * turned(*b, conjugate) * d.rate)
+            .map(|((d, a), b)| a * conjugate_if(*b, conjugate) * d.rate)
             .sum()
     })
 }

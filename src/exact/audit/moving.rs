@@ -189,7 +189,7 @@ impl Forms {
             }
             return work;
         }
-        let more = A::apart(PolynomialPart {
+        let more = A::run_out_of_line(PolynomialPart {
             forms: self,
             problem,
             basis,

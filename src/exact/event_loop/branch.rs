@@ -118,7 +118,7 @@ impl Segment for Branch<'_> {
             // (No tree has a massless point, and no pressure is linear.)
             Signal::ContactForce | Signal::Indentation | Signal::Pressure => return,
         };
-        peak.see(time, value);
+        peak.include(time, value);
     }
 
     /// Found of either sign at once.

@@ -20,7 +20,7 @@ impl<'l> Clock<'l> {
     }
 
     /// True as long as nothing ends it.
-    pub(crate) fn goes_on(&self) -> bool {
+    pub(crate) fn is_running(&self) -> bool {
         self.stop().is_none()
     }
 

@@ -39,7 +39,7 @@ pub(crate) trait Listener {
     fn start(&mut self, y: &[f64], modes: &Modes);
 
     /// Forgets what was told of the phases of a tree: they are told anew.
-    fn again(&mut self, number: usize);
+    fn reset_tree(&mut self, number: usize);
 
     /// A tree, by its number, has gone through its next phase; the walk does not stand
     /// at its end yet.
@@ -150,24 +150,24 @@ impl<'a> EventLoop<'a> {
         }
         listener.start(&self.y, &self.modes);
         for index in 0..self.branches.len() {
-            self.go_on(index, listener);
+            self.advance_branch(index, listener);
         }
     }
 
     /// Walks up to `end` (s), with what is `given` beside the trees.
-    pub(crate) fn go_to(
+    pub(crate) fn advance_to(
         &mut self,
         end: f64,
         given: Option<&RemainderStep<'_>>,
         listener: &mut dyn Listener,
     ) {
-        while self.goes_on(end) {
-            self.go_on_to(end, given, listener);
+        while self.is_running(end) {
+            self.advance_to_next_event(end, given, listener);
         }
     }
 
     /// Walks to the next change of anything, at most to `end` (s).
-    pub(crate) fn go_on_to(
+    pub(crate) fn advance_to_next_event(
         &mut self,
         end: f64,
         given: Option<&RemainderStep<'_>>,
@@ -212,7 +212,7 @@ impl<'a> EventLoop<'a> {
             else {
                 continue;
             };
-            listener.again(number);
+            listener.reset_tree(number);
             if self.time <= 0.0 {
                 continue;
             }
@@ -224,7 +224,7 @@ impl<'a> EventLoop<'a> {
     }
 
     /// True before `end` (s), as long as nothing has ended it.
-    pub(crate) fn goes_on(&self, end: f64) -> bool {
+    pub(crate) fn is_running(&self, end: f64) -> bool {
         self.stop.is_none() && self.time < end
     }
 
@@ -259,7 +259,7 @@ impl<'a> EventLoop<'a> {
     }
 
     /// State and modes of everything where the walk stands.
-    pub(crate) fn stand(&mut self, given: Option<&RemainderStep<'_>>) -> (&[f64], &Modes) {
+    pub(crate) fn current_state(&mut self, given: Option<&RemainderStep<'_>>) -> (&[f64], &Modes) {
         let mut motion = Motion {
             branches: &mut self.branches,
             given,
@@ -278,7 +278,7 @@ impl<'a> EventLoop<'a> {
                 if let Some(halt) = self.branches[index].cursor.halt() {
                     self.stop.get_or_insert_with(|| self.clock.why(halt));
                 }
-                if self.stop.is_some() || !self.go_on(index, listener) {
+                if self.stop.is_some() || !self.advance_branch(index, listener) {
                     break;
                 }
             }
@@ -286,7 +286,7 @@ impl<'a> EventLoop<'a> {
     }
 
     /// The next phase of a branch; false when there is none.
-    fn go_on(&mut self, index: usize, listener: &mut dyn Listener) -> bool {
+    fn advance_branch(&mut self, index: usize, listener: &mut dyn Listener) -> bool {
         let branch = &mut self.branches[index];
         match branch.cursor.advance() {
             Ok(true) => {

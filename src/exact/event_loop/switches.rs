@@ -19,7 +19,7 @@ impl EventLoop<'_> {
             return;
         }
         if self.branches.len() > 1 || given.is_some() {
-            self.stand(given);
+            self.current_state(given);
         }
         self.branches[index].end_state(&mut self.y);
         self.switches += 1;
@@ -60,7 +60,7 @@ impl EventLoop<'_> {
             return;
         };
         for (component, mode) in tracks.due(self.system, self.time, &self.modes) {
-            self.stand(given);
+            self.current_state(given);
             self.change(component, mode, listener);
         }
     }

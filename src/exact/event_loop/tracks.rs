@@ -67,7 +67,7 @@ impl<'a> Tracks<'a> {
             let formulas = follower.course.formulas(0.0);
             let limits = follower.course.around(follower.breaks, &formulas, 0.0);
             modes.0[follower.component] = follower.breaks.locate(within(limits), 1.0);
-            follower.look(0.0, self.end);
+            follower.find_next_change(0.0, self.end);
         }
     }
 
@@ -107,7 +107,7 @@ impl<'a> Tracks<'a> {
                 if modes.0[follower.component] != follower.next.1 {
                     changes.push((follower.component, follower.next.1));
                 }
-                follower.look(follower.next.0, self.end);
+                follower.find_next_change(follower.next.0, self.end);
             }
         }
         changes
@@ -116,7 +116,7 @@ impl<'a> Tracks<'a> {
 
 impl Follower<'_> {
     /// Finds the next change after `time`, up to `end`, or how far there is none.
-    fn look(&mut self, mut time: f64, end: f64) {
+    fn find_next_change(&mut self, mut time: f64, end: f64) {
         self.next = (f64::INFINITY, 0);
         let held = self
             .course

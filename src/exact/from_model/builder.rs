@@ -79,9 +79,9 @@ pub(super) fn build(system: &System, laws: &mut KeptLaws) -> Parts {
     for load in &model.loads {
         builder.load(load);
     }
-    builder.look_at_rigid_pairs();
-    builder.look_at_tracks();
-    builder.look_at_laws();
+    builder.check_rigid_pairs();
+    builder.refuse_dead_positions();
+    builder.check_first_spans();
     builder.finish()
 }
 
@@ -223,7 +223,7 @@ impl<'m> Builder<'m> {
     }
 
     /// What is held by a rigid pair is propagated alone, under loads that are constant.
-    fn look_at_rigid_pairs(&mut self) {
+    fn check_rigid_pairs(&mut self) {
         for tree in 0..self.trees.len() {
             let Part {
                 problem, objects, ..
@@ -251,7 +251,7 @@ impl<'m> Builder<'m> {
     }
 
     /// Dead positions are looked for by the general methods only.
-    fn look_at_tracks(&mut self) {
+    fn refuse_dead_positions(&mut self) {
         for track in self.model.tracks.iter().filter(|track| track.stops) {
             if let TrackSource::Node(node) = track.source
                 && matches!(self.roles[node], Role::Prescribed(..))
@@ -263,7 +263,7 @@ impl<'m> Builder<'m> {
     }
 
     /// Laws in spans must have a first one.
-    fn look_at_laws(&mut self) {
+    fn check_first_spans(&mut self) {
         for tree in 0..self.trees.len() {
             if let Law::Spans(source) = &self.trees[tree].problem.law
                 && !source.span(0.0).value.is_finite()

@@ -128,7 +128,7 @@ pub(crate) fn fit(
         while tried < trials && passed < HALVINGS && time + length > time {
             match attempt(course, &formulas, last, (time, length), target, tail) {
                 Trial::Good(fit) => {
-                    if course.is_shown(&formulas, (time, length), target) {
+                    if course.is_resolved_by_samples(&formulas, (time, length), target) {
                         return Some(Fit { end, ..fit });
                     }
                     length *= 0.5;
@@ -152,7 +152,7 @@ fn attempt(
     tail: f64,
 ) -> Trial {
     let depth = course.stages.len();
-    match leaves_any(course, formulas, last, time, length) {
+    match earliest_exit(course, formulas, last, time, length) {
         Ok(None) => {}
         Ok(Some(after)) => return Trial::Leaves(after),
         Err(()) => return Trial::Long,
@@ -218,7 +218,7 @@ fn attempt(
 
 /// When the motion, or a term of it, leaves the limits of one of its formulas within
 /// `length`, or its displacement leaves `last`; `Err`: the interval is too long to tell.
-fn leaves_any(
+fn earliest_exit(
     course: &PrescribedMotion,
     formulas: &Formulas,
     last: (f64, f64),
@@ -234,11 +234,11 @@ fn leaves_any(
         };
     };
     for ((_, term), formulas) in course.terms().iter().zip(&formulas.terms) {
-        note(leaves_any(term, formulas, everywhere, time, length)?);
+        note(earliest_exit(term, formulas, everywhere, time, length)?);
     }
     for (index, &limits) in formulas.limits.iter().chain([&last]).enumerate() {
         let limited = limits.0.is_finite() || limits.1.is_finite();
-        if limited && let Some(after) = leaves(course, formulas, index, limits, time, length)? {
+        if limited && let Some(after) = exit_time(course, formulas, index, limits, time, length)? {
             note(Some(after));
             break;
         }
@@ -248,7 +248,7 @@ fn leaves_any(
 
 /// When the displacement after `depth` stages leaves `limits` within `length`;
 /// `Err`: the interval is too long to tell.
-fn leaves(
+fn exit_time(
     course: &PrescribedMotion,
     formulas: &Formulas,
     depth: usize,

@@ -107,7 +107,7 @@ fn most_until(written: &WrittenMotion, target: Target, end: f64) -> f64 {
 
 /// True where a motion has no detail within `length` after `time`, by the formula of
 /// `segment`, that samples of it do not show.
-pub(super) fn is_shown(
+pub(super) fn is_resolved_by_samples(
     written: &WrittenMotion,
     segment: i64,
     (time, length): (f64, f64),
@@ -199,7 +199,7 @@ impl PartSearch<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Target, is_shown};
+    use super::{Target, is_resolved_by_samples};
     use crate::kinematics::motion::WrittenMotion;
     use crate::math::expression::Expression;
 
@@ -228,7 +228,7 @@ mod tests {
                     for from in [0.0, 0.45, 0.7131 - 2.0 * width, 0.7131] {
                         for length in [1.0, 3.0, 64.0] {
                             assert!(
-                                !is_shown(&pulse, 0, (from, length), target, 0.0),
+                                !is_resolved_by_samples(&pulse, 0, (from, length), target, 0.0),
                                 "{text} from {from} over {length}, {target:?}"
                             );
                         }
@@ -252,7 +252,7 @@ mod tests {
             for start in [0.0, 0.37, 2.0] {
                 for target in BOTH {
                     assert!(
-                        is_shown(&motion, 0, (start, 0.1), target, 0.0),
+                        is_resolved_by_samples(&motion, 0, (start, 0.1), target, 0.0),
                         "{text} from {start}"
                     );
                 }
@@ -262,7 +262,7 @@ mod tests {
         for text in ["tanh((t-3)/1e-5)", "exp(-((t-3)/1e-4)^2)"] {
             for target in BOTH {
                 assert!(
-                    is_shown(&written(text), 0, (0.0, 2.9), target, 0.0),
+                    is_resolved_by_samples(&written(text), 0, (0.0, 2.9), target, 0.0),
                     "{text}"
                 );
             }
@@ -270,7 +270,7 @@ mod tests {
         // Bounds that depend on themselves, of a bend far behind.
         let bend = written("sqrt(t^2 + 1e-4)");
         for target in BOTH {
-            assert!(is_shown(&bend, 0, (3.0, 1.0), target, 0.0));
+            assert!(is_resolved_by_samples(&bend, 0, (3.0, 1.0), target, 0.0));
         }
     }
 }

@@ -58,7 +58,7 @@ fn closed_form(motion: &DriveMotion, laws: &[&ModelLaw]) -> Option<Law> {
                 if frequency == 0.0 {
                     line.angle += amplitude * phase.sin();
                 } else {
-                    sine = Some(turned(amplitude, frequency, phase));
+                    sine = Some(with_positive_frequency(amplitude, frequency, phase));
                 }
             }
             _ => return None,
@@ -72,7 +72,7 @@ fn closed_form(motion: &DriveMotion, laws: &[&ModelLaw]) -> Option<Law> {
 }
 
 /// A sine with a positive frequency.
-fn turned(amplitude: f64, frequency: f64, phase: f64) -> Sine {
+fn with_positive_frequency(amplitude: f64, frequency: f64, phase: f64) -> Sine {
     let sign = frequency.signum();
     Sine {
         amplitude: sign * amplitude,

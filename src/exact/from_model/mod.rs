@@ -168,8 +168,8 @@ impl Parts {
     }
 
     /// True when nothing that no tree holds looks at what a tree moves.
-    pub fn are_apart(&self, system: &System) -> bool {
-        rest::kept(system.model(), self).is_some()
+    pub fn are_independent(&self, system: &System) -> bool {
+        rest::objects_outside_trees(system.model(), self).is_some()
     }
 
     /// True when every coordinate of the system is in a tree, and there is one.

@@ -214,7 +214,7 @@ impl PrescribedMotion {
 
     /// True where samples of an interval show all that the drives do in it. Motions by
     /// named laws do nothing that they do not show.
-    pub(super) fn is_shown(
+    pub(super) fn is_resolved_by_samples(
         &self,
         formulas: &Formulas,
         (time, length): (f64, f64),
@@ -223,12 +223,20 @@ impl PrescribedMotion {
         match &self.source {
             Source::Sum { terms, .. } => {
                 let mut each = terms.iter().zip(&formulas.terms);
-                each.all(|((_, term), own)| term.is_shown(own, (time, length), target))
+                each.all(|((_, term), own)| {
+                    term.is_resolved_by_samples(own, (time, length), target)
+                })
             }
             Source::Drive { motion, least, .. } => match motion {
                 DriveMotion::Written(written) => {
                     let least = least[target as usize];
-                    hidden::is_shown(written, formulas.piece, (time, length), target, least)
+                    hidden::is_resolved_by_samples(
+                        written,
+                        formulas.piece,
+                        (time, length),
+                        target,
+                        least,
+                    )
                 }
                 DriveMotion::Constant { .. }
                 | DriveMotion::Accelerated { .. }

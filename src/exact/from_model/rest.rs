@@ -32,14 +32,14 @@ impl Rest {
         if parts.trees.is_empty() || !held(Holder::Other) || dead_positions(system.model(), parts) {
             return None;
         }
-        Self::beside(system, parts)
+        Self::outside_trees(system, parts)
     }
 
     /// All that no tree holds, be it prescribed throughout. `None` where it looks at
     /// what a tree moves.
-    pub fn beside(system: &System, parts: &Parts) -> Option<Self> {
+    pub fn outside_trees(system: &System, parts: &Parts) -> Option<Self> {
         let model = system.model();
-        let kept = kept(model, parts)?;
+        let kept = objects_outside_trees(model, parts)?;
         let (model, tracks) = cut_out(model, &kept)?;
         let own = System::new(model).ok()?;
         let places = Places { system, own: &own };
@@ -95,7 +95,7 @@ fn dead_positions(model: &Model, parts: &Parts) -> bool {
 
 /// The objects that no tree holds, in the order of the model; `None` when one of
 /// them looks at what a tree moves.
-pub(super) fn kept(model: &Model, parts: &Parts) -> Option<Vec<usize>> {
+pub(super) fn objects_outside_trees(model: &Model, parts: &Parts) -> Option<Vec<usize>> {
     let free = |object: usize| !matches!(parts.holders[object], Holder::Tree(_));
     let holds = |node: NodeIndex| model.objects.iter().position(|o| o.nodes.contains(&node));
     let kept: Vec<usize> = (0..model.objects.len()).filter(|&o| free(o)).collect();
@@ -144,15 +144,15 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
         })
     };
     let nodes: Vec<usize> = (0..model.nodes.len()).filter(owned).collect();
-    number(&mut numbers.nodes, &nodes);
+    assign_numbers(&mut numbers.nodes, &nodes);
     let here = |node: usize| numbers.nodes[node].is_some();
     let loads: Vec<&Load> = model.loads.iter().filter(|load| here(load.node)).collect();
     let links: Vec<usize> = (0..model.links.len())
         .filter(|&l| here(model.links[l].mass))
         .collect();
-    number(&mut numbers.links, &links);
+    assign_numbers(&mut numbers.links, &links);
     let tracks = tracks(model, kept, &nodes, &loads);
-    number(&mut numbers.tracks, &tracks);
+    assign_numbers(&mut numbers.tracks, &tracks);
     let mut out = Model::default();
     for &node in &nodes {
         out.nodes.push(numbers.node(&model.nodes[node])?);
@@ -194,12 +194,12 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
             load: loads.iter().position(|&own| own == stop.load)?,
         });
     }
-    out.start = start(&model.start, kept);
+    out.start = start_of_objects(&model.start, kept);
     out.horizon = model.horizon;
     Some((out, tracks))
 }
 
-fn number(numbers: &mut [Option<usize>], kept: &[usize]) {
+fn assign_numbers(numbers: &mut [Option<usize>], kept: &[usize]) {
     for (new, &old) in kept.iter().enumerate() {
         numbers[old] = Some(new);
     }
@@ -228,7 +228,7 @@ fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Ve
     (0..used.len()).filter(|&track| used[track]).collect()
 }
 
-fn start(start: &Start, kept: &[usize]) -> Start {
+fn start_of_objects(start: &Start, kept: &[usize]) -> Start {
     let Start::Explicit(all) = start else {
         return start.clone();
     };

@@ -86,9 +86,9 @@ impl Rhythm {
             }
             (Self::Periodic(one, advance), Self::Periodic(other, gained)) => {
                 // The longer period, of which the other is a whole fraction.
-                if let Some(turns) = whole(one / other) {
+                if let Some(turns) = as_whole_number(one / other) {
                     Self::Periodic(one, advance + turns * gained)
-                } else if let Some(turns) = whole(other / one) {
+                } else if let Some(turns) = as_whole_number(other / one) {
                     Self::Periodic(other, turns * advance + gained)
                 } else {
                     Self::None
@@ -155,9 +155,9 @@ impl Stage {
                 Rhythm::Periodic(period / speed.abs(), self.lever * turn * speed.signum())
             }
             (Ok((period, turn)), Rhythm::Periodic(time, advance)) => {
-                let (times, turns) = match whole(advance / period) {
+                let (times, turns) = match as_whole_number(advance / period) {
                     Some(turns) => (1.0, turns),
-                    None => match whole(period / advance) {
+                    None => match as_whole_number(period / advance) {
                         Some(times) => (times.abs(), times.signum()),
                         None => return Rhythm::None,
                     },
@@ -169,7 +169,7 @@ impl Stage {
 }
 
 /// A ratio that is a whole number of moderate size, other than zero.
-fn whole(ratio: f64) -> Option<f64> {
+fn as_whole_number(ratio: f64) -> Option<f64> {
     let nearest = ratio.round();
     let near = (ratio - nearest).abs() <= 1e-12 * nearest.abs();
     (near && nearest != 0.0 && nearest.abs() <= 64.0).then_some(nearest)

@@ -127,14 +127,14 @@ impl PanelPhase {
     pub(crate) fn lane<A: Arith>(&self, panel: &Panel, lanes: &Amplitudes, k: usize) -> [V; 2] {
         let [re, im, _] = lanes.get(k / WIDTH);
         let (re, im) = (V::splat(re.0[k % WIDTH]), V::splat(-im.0[k % WIDTH]));
-        let w = &panel.seen(k).weight;
+        let w = &panel.lane_functionals(k).weight;
         [w[0].fma::<A>(re, w[1] * im), w[2].fma::<A>(re, w[3] * im)]
     }
 
     /// Envelope of lane k from an instant on.
     #[inline(always)]
     pub(crate) fn lane_size(&self, panel: &Panel, lanes: &Amplitudes, k: usize) -> V {
-        panel.seen(k).size * V::splat(lanes.get(k / WIDTH)[2].0[k % WIDTH])
+        panel.lane_functionals(k).size * V::splat(lanes.get(k / WIDTH)[2].0[k % WIDTH])
     }
 
     /// What Hermite's cubic may miss over a length h from an instant (`None`:
@@ -236,7 +236,7 @@ impl PanelPhase {
         let mut resting = 0.0;
         for &k in &panel.resting {
             let (b, i) = (k / WIDTH, k % WIDTH);
-            let w = &panel.seen(k).weight;
+            let w = &panel.lane_functionals(k).weight;
             resting += w[0].0[0] * phase.re[b].0[i] - w[1].0[0] * phase.im[b].0[i];
         }
         let start = self.first_primitive::<A>(panel, phase.active, lanes);

@@ -1,13 +1,13 @@
 //! Looking back at the steps of a phase: what is bounded, and what happens in them.
 
-use super::climb::{Climb, Turns};
 use super::lanes_ahead::LanesAhead;
+use super::refine::{Climb, Turns};
 use super::walk::TrackWalk;
 use super::{Scene, Track};
 use crate::exact::hermite::{Loss, Point, enclose};
 use crate::exact::lanes::{Arith, Task, V};
 
-/// [`Track::look_back`], out of line.
+/// [`Track::process_noted_steps`], out of line.
 pub(crate) struct LookBack<'a> {
     pub(crate) track: &'a mut Track,
     pub(crate) scene: Scene<'a>,
@@ -18,28 +18,28 @@ impl Task for LookBack<'_> {
 
     #[inline(always)]
     fn run<A: Arith>(self) {
-        self.track.look_back::<A>(self.scene);
+        self.track.process_noted_steps::<A>(self.scene);
     }
 }
 
 impl Track {
     /// Takes the steps that were seen into the figures.
     #[inline(always)]
-    fn look_back<A: Arith>(&mut self, scene: Scene) {
+    fn process_noted_steps<A: Arith>(&mut self, scene: Scene) {
         for number in 0..self.steps.len() {
             let [a, b] = self.steps[number];
-            self.look_into::<A>(scene, &a, &b);
+            self.process_step::<A>(scene, &a, &b);
         }
         self.steps.clear();
     }
 
     /// Takes a step into the figures.
     #[inline(always)]
-    pub(super) fn look_into<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
+    pub(super) fn process_step<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
         if scene.followed(b.s - a.s) == scene.lanes() {
             self.span::<A>(scene, LanesAhead::Followed(a.fourth), a, b);
         } else if !self.settled::<A>(scene, a, b) {
-            A::apart(TrackWalk {
+            A::run_out_of_line(TrackWalk {
                 track: self,
                 scene,
                 ends: (a, b),
@@ -58,7 +58,7 @@ impl Track {
             .state
             .loss::<A>(scene.basis, scene.panel, lanes, b.s - a.s);
         let bounds = enclose::<A>(a, b, &loss);
-        self.nothing_within(&self.narrowed::<A>(bounds, a, b.s))
+        self.is_calm_within(&self.narrowed::<A>(bounds, a, b.s))
     }
 
     /// What Hermite's cubic may miss over a length h.
@@ -122,7 +122,7 @@ impl Track {
                 let margin = margin.0[k].max(noise.0[k]);
                 for (beyond, sign) in [(over.0[k], 1.0), (under.0[k], -1.0)] {
                     if beyond > margin {
-                        A::apart(Climb {
+                        A::run_out_of_line(Climb {
                             track: self,
                             scene,
                             ahead,
@@ -135,7 +135,7 @@ impl Track {
             }
         }
         if self.may_turn(&bounds) {
-            A::apart(Turns {
+            A::run_out_of_line(Turns {
                 track: self,
                 scene,
                 ahead,

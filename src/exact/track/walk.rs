@@ -147,6 +147,6 @@ impl Track {
                 point.slope = point.slope - slope;
             }
         }
-        self.nothing_within(&enclose::<A>(&a, &b, &loss))
+        self.is_calm_within(&enclose::<A>(&a, &b, &loss))
     }
 }

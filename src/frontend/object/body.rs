@@ -155,7 +155,7 @@ fn open(
         fault.hints.push(hint);
         return None;
     }
-    if written.lumping.is_asked() {
+    if written.lumping.is_requested() {
         let message = "`masses`: \"auto\" chooses the lumping too";
         let fault = fields.refuse("lumping", "contradiction", message);
         fault
@@ -206,7 +206,7 @@ fn elastic(
     check_elastic(fields, &written, inertia, stiffness)?;
     let split = written.split.clone().unwrap_or(default_split);
     let lumping = match continuum_lacks(&written, Some(&split)) {
-        None => written.lumping.asked(),
+        None => written.lumping.or_default(),
         Some(why) => written.lumping.without_continuum(fields, why)?,
     };
     if written.inertias.is_none() {

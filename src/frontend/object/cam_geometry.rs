@@ -171,7 +171,7 @@ fn knife_edge(mut slot: Slot<'_>) -> Option<Contact> {
     if slot.describing() {
         return slot.choice(&[("knife_edge", Contact::KnifeEdge)]);
     }
-    let text = slot.look(|slot| slot.text())?;
+    let text = slot.read_in_place(|slot| slot.text())?;
     if text == "knife_edge" {
         return Some(Contact::KnifeEdge);
     }

@@ -121,7 +121,7 @@ impl<'a> Context<'a> {
     }
 
     fn reference(&self, mut slot: Slot<'_>) -> Option<String> {
-        let output = slot.look(|slot| slot.text())?;
+        let output = slot.read_in_place(|slot| slot.text())?;
         if self.objects.contains_key(&output) {
             return Some(output);
         }

@@ -157,7 +157,7 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
         );
         let motion = motion.finish();
         let unit = written::unit(fields, own.displacement());
-        if written::forbid_beside(fields, &["expression"]) {
+        if written::require_expression(fields, &["expression"]) {
             return None;
         }
         let start = start(fields, own);

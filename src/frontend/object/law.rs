@@ -14,7 +14,8 @@ use std::sync::Arc;
 pub(crate) fn law(slot: Slot<'_>) -> Option<LawSpec> {
     slot.defined("law", |mut slot| {
         let names = LawName::ALL.map(|name| (name.name(), LawSpec::Named(name)));
-        let spec = slot.look(|slot| slot.object_or(composed, |slot| slot.choice(&names)))?;
+        let spec =
+            slot.read_in_place(|slot| slot.object_or(composed, |slot| slot.choice(&names)))?;
         match Law::of_stroke(&spec) {
             Ok(_) => Some(spec),
             Err(faults) => refuse(slot, faults),
@@ -26,7 +27,7 @@ pub(crate) fn law(slot: Slot<'_>) -> Option<LawSpec> {
 pub(crate) fn run_law(slot: Slot<'_>) -> Option<RunLawSpec> {
     slot.defined("run_law", |mut slot| {
         let names = RunLawName::ALL.map(|name| (name.name(), RunLawSpec::from(name)));
-        let spec = slot.look(|slot| slot.object_or(run_up, |slot| slot.choice(&names)))?;
+        let spec = slot.read_in_place(|slot| slot.object_or(run_up, |slot| slot.choice(&names)))?;
         match Law::of_run_up(&spec) {
             Ok(_) => Some(spec),
             Err(faults) => refuse(slot, faults),
@@ -167,7 +168,8 @@ fn polynomial(slot: Slot<'_>) -> Option<PolynomialSpec> {
 
 fn table(mut slot: Slot<'_>) -> Option<Vec<(f64, f64)>> {
     let least = *TABLE_POINTS.start();
-    let found = slot.look(|slot| points(slot, q::NUMBER.into(), q::NUMBER.into(), least))?;
+    let found =
+        slot.read_in_place(|slot| points(slot, q::NUMBER.into(), q::NUMBER.into(), least))?;
     if found.len() > *TABLE_POINTS.end() {
         let message = format!("a law takes at most {} points", TABLE_POINTS.end());
         slot.refuse("wrong-length", message);

@@ -73,19 +73,19 @@ pub(super) fn read_lumping(fields: &mut Fields<'_>) -> Option<Lumped> {
 
 impl Lumped {
     /// True when the scene asks for one.
-    pub(super) fn is_asked(self) -> bool {
+    pub(super) fn is_requested(self) -> bool {
         self.0.is_some()
     }
 
     /// The lumping of a continuum cut into cells.
-    pub(super) fn asked(self) -> Lumping {
+    pub(super) fn or_default(self) -> Lumping {
         self.0.unwrap_or_default()
     }
 
     /// The lumping where a list says what each mass or link is: there is no cell to
     /// balance. `None`: refused.
     pub(super) fn without_continuum(self, fields: &mut Fields<'_>, list: &str) -> Option<Lumping> {
-        if self.asked() == Lumping::Balanced {
+        if self.or_default() == Lumping::Balanced {
             let message = format!(
                 "`{list}` says of each mass or link what it is: there are no cells of a uniform \
                  object to balance"

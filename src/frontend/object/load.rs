@@ -154,7 +154,7 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
     let law = law.finish();
     let factor = written::unit(fields, force);
     let over = written::over(fields);
-    if written::forbid_beside(fields, &["expression"]) {
+    if written::require_expression(fields, &["expression"]) {
         return None;
     }
     match (law?, factor?, over?) {
@@ -174,7 +174,7 @@ pub(super) fn points(
     y: QuantityChoice,
     least: usize,
 ) -> Option<Vec<(f64, f64)>> {
-    let points = slot.look(|slot| {
+    let points = slot.read_in_place(|slot| {
         slot.list(least..=MOST_POINTS, |slot| {
             slot.pair(
                 |slot| slot.quantity(x, Bounds::ANY),

@@ -108,7 +108,7 @@ fn law(fields: &mut Fields<'_>, own: Measures) -> Option<LoadLawSpec> {
     let law = law.finish();
     let factor = written::unit(fields, own.force());
     let over = written::over(fields);
-    if written::forbid_beside(fields, &["expression"]) {
+    if written::require_expression(fields, &["expression"]) {
         return None;
     }
     match (law?, factor?, over?) {

@@ -49,7 +49,7 @@ pub(super) fn of_drive(slot: Slot<'_>, own: Measures) -> Option<CycleSpec> {
 }
 
 fn read(mut slot: Slot<'_>, axes: Axes, period_doc: &str) -> Option<CycleSpec> {
-    let spec = slot.look(|slot| {
+    let spec = slot.read_in_place(|slot| {
         slot.record(|fields| {
             let doc = "Stations of the plan, ascending. The last one may close the period.";
             let stations = fields.need("stations", doc, |slot| {

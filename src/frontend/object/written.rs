@@ -6,7 +6,7 @@ use crate::math::expression::{Expression, Mistake};
 
 /// Reads an expression whose kinks and jumps can be located.
 pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
-    let text = slot.look(|slot| slot.text())?;
+    let text = slot.read_in_place(|slot| slot.text())?;
     let read = Expression::over(&text, names);
     let sound = read.and_then(|expression| expression.switches().map(|()| expression));
     match sound {
@@ -20,7 +20,7 @@ pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression
 
 /// Reads a condition: an expression that compares, so that it is either true or false.
 pub(in crate::frontend) fn condition(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
-    let read = slot.look(|slot| expression(slot, names))?;
+    let read = slot.read_in_place(|slot| expression(slot, names))?;
     // What is no comparison changes without a jump, and says so where it has to decide.
     let deciding = Expression::over(&format!("({}) ? 1 : 0", read.text()), names);
     if deciding.is_ok_and(|deciding| deciding.switches().is_ok()) {
@@ -74,7 +74,7 @@ pub(super) fn with_over(
 }
 
 /// Notes that `unit` and `over` stand beside an expression only.
-pub(super) fn forbid_beside(fields: &mut Fields<'_>, expressions: &[&str]) -> bool {
+pub(super) fn require_expression(fields: &mut Fields<'_>, expressions: &[&str]) -> bool {
     if fields.describing() || expressions.iter().any(|name| fields.has(name)) {
         return false;
     }

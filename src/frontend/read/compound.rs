@@ -1,7 +1,7 @@
 //! Reading of values made of other values: objects, lists, alternatives.
 
 use super::fields::Fields;
-use super::slot::{Reading, Slot, join, kept, last_name};
+use super::slot::{Reading, Slot, join, last_name, store_into};
 use super::tree::{Node, Value};
 use serde_json::{Map, Value as Json, json};
 use std::collections::BTreeMap;
@@ -171,7 +171,10 @@ impl Slot<'_> {
         second: impl FnOnce(Slot<'_>) -> Option<B>,
     ) -> Option<(A, B)> {
         let (mut a, mut b) = (None, None);
-        self.two(&mut kept(&mut a, first), &mut kept(&mut b, second));
+        self.two(
+            &mut store_into(&mut a, first),
+            &mut store_into(&mut b, second),
+        );
         Some((a?, b?))
     }
 
@@ -249,7 +252,11 @@ impl Slot<'_> {
     ) -> Option<T> {
         let describing = self.describing();
         let (mut a, mut b) = (None, None);
-        self.either(is_first, &mut kept(&mut a, first), &mut kept(&mut b, other));
+        self.either(
+            is_first,
+            &mut store_into(&mut a, first),
+            &mut store_into(&mut b, other),
+        );
         a.or(b).filter(|_| !describing)
     }
 
@@ -270,7 +277,7 @@ impl Slot<'_> {
     pub fn defined<T>(self, name: &str, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
         let describing = self.describing();
         let mut value = None;
-        self.once(name, &mut kept(&mut value, read));
+        self.once(name, &mut store_into(&mut value, read));
         value.filter(|_| !describing)
     }
 

@@ -21,7 +21,7 @@ impl Fields<'_> {
         self.maybe("dimensions", doc, |slot| {
             slot.names(|name, mut slot| {
                 let place = slot.name_place();
-                let value = slot.look(dimension);
+                let value = slot.read_in_place(dimension);
                 entries.push(Entry {
                     name: name.to_owned(),
                     place,
@@ -133,7 +133,7 @@ fn dimension(mut slot: Slot<'_>) -> Option<ParsedNumber> {
 }
 
 /// `-name*factor` taken apart: sign, name, factor.
-fn take_apart(text: &str) -> Option<(&str, f64)> {
+fn split_signed_factor(text: &str) -> Option<(&str, f64)> {
     let text = text.trim();
     let (sign, rest) = match text.strip_prefix('-') {
         Some(rest) => (-1.0, rest.trim_start()),
@@ -160,7 +160,7 @@ impl Slot<'_> {
         if dimensions.entries.is_empty() || !named {
             return None;
         }
-        let Some((name, factor)) = take_apart(text) else {
+        let Some((name, factor)) = split_signed_factor(text) else {
             let message = format!("`{}` is no dimension", shorten(text));
             let hint = "write a name, -name, name/2 or name*0.4, or a number with a unit";
             self.refuse("unknown-dimension", message)
@@ -196,16 +196,16 @@ impl Slot<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::take_apart;
+    use super::split_signed_factor;
 
     #[test]
     fn references_have_a_sign_a_name_and_a_factor() {
-        assert_eq!(take_apart("rod"), Some(("rod", 1.0)));
-        assert_eq!(take_apart(" - rod "), Some(("rod", -1.0)));
-        assert_eq!(take_apart("rod/2"), Some(("rod", 0.5)));
-        assert_eq!(take_apart("-rod * 0.4"), Some(("rod", -0.4)));
+        assert_eq!(split_signed_factor("rod"), Some(("rod", 1.0)));
+        assert_eq!(split_signed_factor(" - rod "), Some(("rod", -1.0)));
+        assert_eq!(split_signed_factor("rod/2"), Some(("rod", 0.5)));
+        assert_eq!(split_signed_factor("-rod * 0.4"), Some(("rod", -0.4)));
         for wrong in ["rod crank", "rod/0", "rod*x", "rod + 1", "rod*1/2", ""] {
-            assert_eq!(take_apart(wrong), None, "{wrong}");
+            assert_eq!(split_signed_factor(wrong), None, "{wrong}");
         }
     }
 }

@@ -3,7 +3,7 @@
 mod closing;
 
 use super::own::OWN;
-use super::slot::{Reader, Reading, Slot, join, kept, push};
+use super::slot::{Reader, Reading, Slot, join, push, store_into};
 use super::suggest::quoted_list;
 use super::tree::{Member, Node, Value};
 use crate::frontend::diagnostics::{Diagnostic, Place, Severity};
@@ -112,7 +112,7 @@ impl<'a> Fields<'a> {
     ) -> Option<T> {
         let mut value = None;
         self.required.push(name);
-        let presence = self.property(name, doc, &mut kept(&mut value, read));
+        let presence = self.property(name, doc, &mut store_into(&mut value, read));
         match presence {
             Presence::Written => value,
             Presence::Absent => {
@@ -131,7 +131,7 @@ impl<'a> Fields<'a> {
         read: impl FnOnce(Slot<'_>) -> Option<T>,
     ) -> Option<Option<T>> {
         let mut value = None;
-        let presence = self.property(name, doc, &mut kept(&mut value, read));
+        let presence = self.property(name, doc, &mut store_into(&mut value, read));
         match presence {
             Presence::Absent => Some(None),
             Presence::Written => value.map(Some),
@@ -148,7 +148,7 @@ impl<'a> Fields<'a> {
         read: impl FnOnce(Slot<'_>) -> Option<T>,
     ) -> Option<T> {
         let mut value = None;
-        self.property_or(name, doc, default, &mut kept(&mut value, read));
+        self.property_or(name, doc, default, &mut store_into(&mut value, read));
         value.filter(|_| !self.describing())
     }
 
@@ -225,7 +225,7 @@ impl<'a> Fields<'a> {
     }
 
     /// Notes that one of these properties is missing.
-    pub(super) fn lack_one_of(&mut self, names: Vec<&'static str>, what: &'static str) {
+    pub(super) fn note_missing_one_of(&mut self, names: Vec<&'static str>, what: &'static str) {
         let alternatives = quoted_list(names.iter().copied(), "or");
         let hint = Some(format!("give {alternatives}"));
         self.missing.push(Missing { names, what, hint });

@@ -166,7 +166,7 @@ impl Slot<'_> {
             });
             return None;
         }
-        let text = self.look(|slot| slot.text())?;
+        let text = self.read_in_place(|slot| slot.text())?;
         let named = |c: char| c.is_alphabetic() || c == '%' || c == '°';
         let begins = text.starts_with(named) || text.starts_with("1/");
         let measure = parse(&format!("1 {text}")).ok().filter(|_| begins);

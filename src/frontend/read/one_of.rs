@@ -76,7 +76,7 @@ impl Group<'_, '_> {
         match self.found.as_slice() {
             [] if self.fields.describing() => false,
             [] => {
-                self.fields.lack_one_of(self.names, self.what);
+                self.fields.note_missing_one_of(self.names, self.what);
                 false
             }
             [_] => true,

@@ -94,7 +94,7 @@ impl Reader {
 pub(super) type Reading<'r> = &'r mut dyn FnMut(Slot<'_>);
 
 /// A [`Reading`] for one slot that leaves its value in `value`.
-pub(super) fn kept<T>(
+pub(super) fn store_into<T>(
     value: &mut Option<T>,
     read: impl FnOnce(Slot<'_>) -> Option<T>,
 ) -> impl FnMut(Slot<'_>) {
@@ -193,7 +193,7 @@ impl<'a> Slot<'a> {
     }
 
     /// Reads the value and keeps the slot, to note faults of the value as a whole.
-    pub fn look<T>(&mut self, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
+    pub fn read_in_place<T>(&mut self, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
         read(self.reborrow())
     }
 

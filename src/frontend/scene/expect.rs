@@ -337,7 +337,7 @@ fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> 
 
 /// The address of a figure, with what it measures.
 fn figure(mut slot: Slot<'_>, known: &ObjectTable) -> Option<About> {
-    let address = slot.look(|slot| slot.text())?;
+    let address = slot.read_in_place(|slot| slot.text())?;
     about(&mut slot, address, known)
 }
 

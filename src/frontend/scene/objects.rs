@@ -128,7 +128,7 @@ pub(super) fn read(
     for member in node.members() {
         known.note(&member.name, &member.value);
     }
-    let objects = slot.look(|slot| slot.map(|id, slot| object(slot, id, known)));
+    let objects = slot.read_in_place(|slot| slot.map(|id, slot| object(slot, id, known)));
     let sound = check_graph(&mut slot, node, known);
     objects.filter(|_| sound)
 }
@@ -322,7 +322,7 @@ fn describe(mut slot: Slot<'_>, known: &ObjectTable) {
     let registry = &known.registry;
     let mut by_kind = Vec::new();
     for kind in registry.kinds() {
-        slot.look(|slot| slot.defined(kind.name, |slot| describe_kind(slot, kind, known)));
+        slot.read_in_place(|slot| slot.defined(kind.name, |slot| describe_kind(slot, kind, known)));
         if let Some(schema) = slot.definition(kind.name) {
             allow_from(schema, kind);
         }

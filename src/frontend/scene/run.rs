@@ -122,7 +122,7 @@ fn one_condition(slot: Slot<'_>, name: &str, known: &ObjectTable) -> Option<Cond
     slot.record(|fields| {
         let doc = "Object, output or stop whose motion the condition is about: `rocker`, `press.ram`.";
         let object = fields.need("of", doc, |mut slot| {
-            let id = slot.look(|slot| slot.text())?;
+            let id = slot.read_in_place(|slot| slot.text())?;
             let ids = || known.objects.keys().chain(known.stops.keys()).map(String::as_str);
             if ids().any(|known| known == id) {
                 return Some(id);

@@ -76,7 +76,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<SteadySpec> {
 
 /// The id of one of the scene's objects.
 fn drive(mut slot: Slot<'_>, known: &ObjectTable) -> Option<String> {
-    let id = slot.look(|slot| slot.text())?;
+    let id = slot.read_in_place(|slot| slot.text())?;
     if known.objects.contains_key(&id) {
         return Some(id);
     }

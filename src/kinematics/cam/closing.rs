@@ -11,7 +11,7 @@
 //! above zero is the margin.
 
 use super::motion::intervals;
-use super::search::{At, even, refined};
+use super::search::{At, evenly_spaced, refined};
 use crate::math::optimise::golden;
 use crate::math::roots::root;
 use serde::Serialize;
@@ -81,7 +81,7 @@ impl<'a> Closing<'a> {
     pub fn new(pieces: &[[f64; 2]], demand: &'a dyn Fn(usize, f64) -> Demand) -> Self {
         let count = intervals(pieces.len());
         let sampled = |(index, &ends): (usize, &[f64; 2])| {
-            let places = even(ends, count);
+            let places = evenly_spaced(ends, count);
             places.map(|phi| (phi, demand(index, phi))).collect()
         };
         Self {
@@ -127,7 +127,7 @@ impl<'a> Closing<'a> {
     /// 1/ω* is the greatest over the turn of the positive roots of
     /// (f + preload + rate·x)·x² + b·x + a = 0; without damping
     /// ω*² = min (f + preload + rate·x)/(−a) over all φ with a < 0.
-    pub fn lets_go(&self, spring: ClosingSpring, sense: f64) -> LetsGo {
+    pub fn separation_speed(&self, spring: ClosingSpring, sense: f64) -> LetsGo {
         let rest = self.least(spring, 0.0);
         if rest.value < 0.0 {
             return LetsGo::AtRest(At {

@@ -135,10 +135,13 @@ fn arm_directions<N: Number>(psi: N, against: f64) -> (Vector<N>, Vector<N>) {
 /// A roller or edge with its centre's B, B′, B″, moving along `outward`.
 fn round<N: Number>(motion: [Vector<N>; 3], outward: Vector<N>, arm: f64) -> Touch<N> {
     let [centre, first, second] = motion;
-    let v = minus(first, turned(centre));
-    let w = minus(minus(second, times(turned(first), N::from(2.0))), centre);
+    let v = minus(first, rotated_quarter_turn(centre));
+    let w = minus(
+        minus(second, times(rotated_quarter_turn(first), N::from(2.0))),
+        centre,
+    );
     let rate = sqrt(dot(v, v));
-    let normal = times(turned(v), N::from(1.0) / rate);
+    let normal = times(rotated_quarter_turn(v), N::from(1.0) / rate);
     let across = dot(normal, outward);
     Touch {
         point: centre,
@@ -221,7 +224,7 @@ pub(crate) fn times<N: Number>(a: Vector<N>, factor: N) -> Vector<N> {
 }
 
 /// Turned by 90° counter-clockwise.
-pub(crate) fn turned<N: Number>(a: Vector<N>) -> Vector<N> {
+pub(crate) fn rotated_quarter_turn<N: Number>(a: Vector<N>) -> Vector<N> {
     [-a[1], a[0]]
 }
 

@@ -57,7 +57,7 @@ impl DiscCam {
         let pieces = self.motion().pieces().iter();
         let fewest: f64 = pieces.map(|piece| tracer.fewest(piece)).sum();
         if !(fewest <= MOST_POINTS as f64) {
-            return Err(tracer.too_many());
+            return Err(tracer.too_many_points());
         }
         let mut before: Option<&Piece> = None;
         for piece in self.motion().pieces() {
@@ -182,7 +182,7 @@ impl Tracer<'_> {
         let step = (8.0 * SHARE * self.tolerance / self.offset.abs()).sqrt();
         let count = (turn.abs() / step.min(MOST_TURN)).ceil().max(1.0);
         if count > MOST_POINTS as f64 {
-            return Err(self.too_many());
+            return Err(self.too_many_points());
         }
         for index in 1..count as usize {
             let normal = super::contact::rotated(left.normal, turn * index as f64 / count);
@@ -207,7 +207,7 @@ impl Tracer<'_> {
             return Ok(());
         }
         if self.points.len() >= MOST_POINTS {
-            return Err(self.too_many());
+            return Err(self.too_many_points());
         }
         self.angles.push(phi);
         self.points.push(point);
@@ -229,7 +229,7 @@ impl Tracer<'_> {
         }
     }
 
-    fn too_many(&self) -> Fault {
+    fn too_many_points(&self) -> Fault {
         let message = format!(
             "a chord tolerance of {} m takes more than {MOST_POINTS} points",
             shown(self.tolerance, 7)

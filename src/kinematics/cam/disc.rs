@@ -321,7 +321,7 @@ impl DiscCam {
         // The curvature of an offset curve grows without bound at a cusp, the
         // radius of a flat face's profile at nothing: look at what stays finite.
         let radius = |sign: f64| {
-            let [least, most] = self.bends();
+            let [least, most] = self.curvature_extremes();
             match (self.geometry.roller(), sign > 0.0) {
                 (Some(_), true) => (most.value > 0.0).then(|| At {
                     value: 1.0 / most.value + offset,
@@ -343,7 +343,7 @@ impl DiscCam {
 
     /// Least and greatest of the quantity that says how the reference curve
     /// bends: its curvature (roller), its radius of curvature (flat face).
-    pub(crate) fn bends(&self) -> [At; 2] {
+    pub(crate) fn curvature_extremes(&self) -> [At; 2] {
         extremes(&self.motion, &|piece, phi| self.touch(piece, phi).bend)
     }
 }

@@ -71,7 +71,7 @@ pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: &dyn Fn(usize, f64) -> f64
 pub(crate) fn greatest_over(pieces: &[[f64; 2]], f: &dyn Fn(usize, f64) -> f64) -> At {
     let samples: Vec<Vec<(f64, f64)>> = (pieces.iter().enumerate())
         .map(|(index, &ends)| {
-            let places = even(ends, intervals(pieces.len()));
+            let places = evenly_spaced(ends, intervals(pieces.len()));
             places.map(|phi| (phi, f(index, phi))).collect()
         })
         .collect();
@@ -79,7 +79,7 @@ pub(crate) fn greatest_over(pieces: &[[f64; 2]], f: &dyn Fn(usize, f64) -> f64) 
 }
 
 /// Equal steps between two ends, both of them exactly.
-pub(crate) fn even([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
+pub(crate) fn evenly_spaced([from, to]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
     (0..=count).map(move |step| match step == count {
         true => to,
         false => from + (to - from) * step as f64 / count as f64,

@@ -1,7 +1,7 @@
 //! Putting the linkage together at the start: the branch of every dyad, the
 //! first position of every larger group.
 
-use super::choice::{Wrong, asked_branch, mismatch, names, short, start_in_words};
+use super::choice::{Wrong, mismatch, names, requested_branch, short, start_in_words};
 use super::course::{Branch, Course, Table};
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
@@ -233,7 +233,7 @@ fn dyad_at_start(
             .map(|choice| mismatch(choice, state, plan.size))
             .collect()
     };
-    let asked = asked_branch(choices)?;
+    let asked = requested_branch(choices)?;
     if matches!(dyad.form, Form::Prp | Form::Rpp) {
         place(side);
         return match asked {
@@ -303,7 +303,7 @@ fn not_assemblable(
 ) -> Wrong {
     let around = around::<1>(dyad, state);
     let [one, other] = [0, 1].map(|k| dyad.arm(&around, k).length().value());
-    let apart = dyad.apart(&around).square().value().sqrt();
+    let apart = dyad.separation(&around).square().value().sqrt();
     let start = start_in_words(spec);
     if matches!(dyad.form, Form::Prp | Form::Rpp) {
         return (

@@ -4,7 +4,7 @@
 //! to describe well.
 
 use super::assemble::{Assembly, angles_of, at_start};
-use super::choice::{asked_branch, mismatch};
+use super::choice::{mismatch, requested_branch};
 use super::course::Branch;
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
@@ -33,7 +33,7 @@ pub(super) fn all(
         let choices: Vec<&AssemblySpec> = (solved.iter())
             .filter(|choice| step.bodies().iter().any(|body| body.has(choice.link)))
             .collect();
-        let Ok(asked) = asked_branch(&choices) else {
+        let Ok(asked) = requested_branch(&choices) else {
             return Vec::new();
         };
         let on = ways.iter().flat_map(|way| match step {

@@ -89,7 +89,7 @@ impl Change {
     }
 
     /// The same point interpolated through other directions; `None` where these are not known.
-    pub(super) fn again(
+    pub(super) fn in_directions(
         &self,
         mut directions: impl FnMut(f64, f64) -> Option<[f64; 4]>,
     ) -> Option<Self> {

@@ -10,7 +10,7 @@ use crate::units::shown;
 pub(super) type Wrong = (String, String);
 
 /// The branch that was asked for, if any.
-pub(super) fn asked_branch(choices: &[&AssemblySpec]) -> Result<Option<f64>, Wrong> {
+pub(super) fn requested_branch(choices: &[&AssemblySpec]) -> Result<Option<f64>, Wrong> {
     let mut asked = None;
     for choice in choices {
         let AssemblyChoice::Branch(sign) = choice.choice else {

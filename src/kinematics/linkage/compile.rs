@@ -70,7 +70,7 @@ pub(super) fn compile(
             .collect();
         links.sort_unstable();
         steps.extend(step);
-        listed.push(skeleton.told(Group {
+        listed.push(skeleton.without_hidden(Group {
             kind,
             links,
             pairs,

@@ -92,7 +92,7 @@ pub(super) fn decompose(bodies: usize, ties: &[Tie]) -> Decomposition {
     let mut held = handing.hand_out();
     let free = handing.free();
     if held.is_empty() && free.is_empty() {
-        held.extend(held_among_themselves(bodies, ties));
+        held.extend(overconstrained_part(bodies, ties));
     }
     if !held.is_empty() || !free.is_empty() {
         held.dedup();
@@ -102,7 +102,7 @@ pub(super) fn decompose(bodies: usize, ties: &[Tie]) -> Decomposition {
 }
 
 /// A part with more equations among its own bodies than hold them together.
-fn held_among_themselves(bodies: usize, ties: &[Tie]) -> Option<Held> {
+fn overconstrained_part(bodies: usize, ties: &[Tie]) -> Option<Held> {
     let inner = |tie: &Tie| match tie.placed {
         false => tie.clone(),
         true => Tie::new(&[], tie.equations),

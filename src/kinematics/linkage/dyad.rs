@@ -174,7 +174,7 @@ impl Dyad {
     ) -> ([Local<N>; 2], [Series<N>; 2], Vector<N>) {
         let arms = [0, 1].map(|k| self.arm(around, k));
         let lengths = [arms[0].length(), arms[1].length()];
-        (arms, lengths, self.apart(around))
+        (arms, lengths, self.separation(around))
     }
 
     /// From the outer to the inner element of a body.
@@ -191,7 +191,7 @@ impl Dyad {
 
     /// From the first outer element to the second.
     #[inline(always)]
-    pub(super) fn apart<const N: usize>(&self, around: &Around<N>) -> Vector<N> {
+    pub(super) fn separation<const N: usize>(&self, around: &Around<N>) -> Vector<N> {
         around.known[1].place(self.known[1].point) - around.known[0].place(self.known[0].point)
     }
 
@@ -201,13 +201,13 @@ impl Dyad {
         match self.form {
             Form::Rrp => {
                 let (along, _) = self.guided(around, 1);
-                let off = along.cross(self.apart(around)) + self.aside(around, 1);
+                let off = along.cross(self.separation(around)) + self.aside(around, 1);
                 off.value().abs() - self.arm(around, 0).length().value()
             }
             Form::Rpr => {
                 let guides = [0, 1].map(|k| self.inner[k].guide(relative));
                 let [one, other] = [0, 1].map(|k| self.arm(around, k).across(guides[k]));
-                (one - other).value().abs() - self.apart(around).square().value().sqrt()
+                (one - other).value().abs() - self.separation(around).square().value().sqrt()
             }
             _ => 0.0,
         }
@@ -235,7 +235,7 @@ impl Dyad {
         let arm = self.arm(around, 0);
         let length = arm.length();
         let (along, second) = self.guided(around, 1);
-        let off = along.cross(self.apart(around)) + self.aside(around, 1);
+        let off = along.cross(self.separation(around)) + self.aside(around, 1);
         let discriminant = (length - off) * (length + off);
         let ahead = circle_and_line(length - off, length + off, sign);
         let to_pin = along.turn(Vector::new(ahead, off));
@@ -254,7 +254,7 @@ impl Dyad {
         let relative = &around.relative;
         let guides = [0, 1].map(|k| self.inner[k].guide(relative));
         let off = self.arm(around, 0).across(guides[0]) - self.arm(around, 1).across(guides[1]);
-        let apart = self.apart(around);
+        let apart = self.separation(around);
         let square = apart.square();
         let seen = guide_between_pins(square, off, sign);
         let along = apart.turn(seen).times(square.reciprocal());

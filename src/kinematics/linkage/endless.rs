@@ -13,7 +13,7 @@ const CONSTANT: f64 = 1e-9;
 /// True where the margins of all groups stay as they are from end to end of the course: they are
 /// analytic in the input, so that they do so everywhere, and no dead position can come. All angles
 /// then go on evenly.
-pub(super) fn goes_on(plan: &Plan, course: &Course, state: &State) -> bool {
+pub(super) fn assembles_everywhere(plan: &Plan, course: &Course, state: &State) -> bool {
     let rows = course.table.inputs.len();
     let mut probe = state.clone();
     let mut places =

@@ -1,6 +1,7 @@
 //! Looking at one step of a walk: does anything happen on it?
 
 use super::change::Change;
+use super::continuation::{LEFT, StepVerdict, Walker};
 use super::course::hermite;
 use super::dyad::Margin;
 use super::plan::Step;
@@ -8,7 +9,6 @@ use super::rounding::directions;
 use super::solve::{Guess, Stuck};
 use super::state::Motion;
 use super::vector::nearest_turn;
-use super::walk::{LEFT, StepVerdict, Walker};
 use crate::math::roots::bisect;
 
 /// Most that a link may turn in a step (rad).

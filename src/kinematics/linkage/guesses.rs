@@ -1,7 +1,7 @@
 //! The first position of a larger group, from approximate positions of some of
 //! its links or from a number of trials.
 
-use super::choice::{Wrong, asked_branch, mismatch, names, short, start_in_words};
+use super::choice::{Wrong, mismatch, names, requested_branch, short, start_in_words};
 use super::dyad::Margin;
 use super::newton::{NewtonGroup, Tied};
 use super::plan::Plan;
@@ -33,13 +33,13 @@ pub(super) fn assemble(
     state: &mut State,
 ) -> Result<Margin, Wrong> {
     let names = names(spec, &group.bodies);
-    if asked_branch(choices)?.is_some() {
+    if requested_branch(choices)?.is_some() {
         return Err((
             format!("the group of {names} has no branches + and -"),
             "give the approximate angle of one or more of these links at the start".to_owned(),
         ));
     }
-    let (found, closest) = found(plan, group, choices, state);
+    let (found, closest) = find_assemblies(plan, group, choices, state);
     let start = start_in_words(spec);
     let chosen = choose(&names, choices, &found, closest * plan.size, &start)?;
     chosen.put(group, state);
@@ -48,7 +48,7 @@ pub(super) fn assemble(
 
 /// All assemblies of a group that the trials find, and their margins.
 pub(super) fn all(plan: &Plan, group: &NewtonGroup, state: &State) -> Vec<(State, Margin)> {
-    let (found, _) = found(plan, group, &[], &mut state.clone());
+    let (found, _) = find_assemblies(plan, group, &[], &mut state.clone());
     let put = |one: Assembly| {
         let mut state = state.clone();
         one.put(group, &mut state);
@@ -58,7 +58,7 @@ pub(super) fn all(plan: &Plan, group: &NewtonGroup, state: &State) -> Vec<(State
 }
 
 /// The assemblies that the trials find, and the least closing error that they left.
-fn found(
+fn find_assemblies(
     plan: &Plan,
     group: &NewtonGroup,
     choices: &[&AssemblySpec],

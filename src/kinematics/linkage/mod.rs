@@ -29,6 +29,7 @@ mod check;
 mod choice;
 pub(crate) mod closure;
 mod compile;
+mod continuation;
 pub(crate) mod couplings;
 mod course;
 mod decompose;
@@ -55,7 +56,6 @@ mod structure;
 #[cfg(test)]
 mod tests;
 pub(crate) mod vector;
-mod walk;
 mod welds;
 mod workspace;
 
@@ -69,6 +69,7 @@ pub use workspace::{Pose, Workspace};
 use crate::fault::Fault;
 use crate::math::order::Total;
 use assemble::Assembly;
+use continuation::{Walker, WayEnd};
 use course::Course;
 use plan::Plan;
 use range::Cause::DeadPosition;
@@ -78,7 +79,6 @@ use spec::LinkageSpec;
 use state::State;
 use std::f64::consts::TAU;
 use std::sync::Arc;
-use walk::{Walker, WayEnd};
 
 /// A planar linkage, ready to be solved. Cheap to clone, immutable.
 #[derive(Clone, Debug)]
@@ -111,8 +111,9 @@ impl Linkage {
     /// [`Self::new`], its dyads in closed form or by iteration.
     fn with(spec: LinkageSpec, closed_forms: bool) -> Result<Self, Vec<Fault>> {
         check::check(&spec)?;
-        Self::built(spec.clone(), closed_forms)
-            .or_else(|faults| redundant::found(&spec, closed_forms).unwrap_or(Err(faults)))
+        Self::built(spec.clone(), closed_forms).or_else(|faults| {
+            redundant::find_movable_linkage(&spec, closed_forms).unwrap_or(Err(faults))
+        })
     }
 
     /// Of a linkage whose numbers are right and whose redundant constraints are known.
@@ -126,7 +127,7 @@ impl Linkage {
 
     /// Of a linkage whose redundant constraints are known, in the assembly nearest to what is said
     /// approximately in which these hold.
-    fn built_as_it_moves(spec: &LinkageSpec, closed_forms: bool) -> Option<Self> {
+    fn assemble_redundant(spec: &LinkageSpec, closed_forms: bool) -> Option<Self> {
         let skeleton = Skeleton::of(spec);
         let (plan, groups) = compile::compile(&skeleton, closed_forms).ok()?;
         let solved = &skeleton.spec.assembly;
@@ -320,7 +321,7 @@ fn explore(
     if !spec.couplings.is_empty()
         && unexplored(down)
         && unexplored(up)
-        && endless::goes_on(plan, course, state)
+        && endless::assembles_everywhere(plan, course, state)
     {
         course.ends = [f64::NEG_INFINITY, f64::INFINITY];
         course.table.goes_on = true;

@@ -44,7 +44,7 @@ impl Driver {
 
     /// The frame of link j in the frame of link i.
     #[inline(always)]
-    pub(super) fn relative<const N: usize>(&self, input: f64) -> Frame<N> {
+    pub(super) fn relative_frame<const N: usize>(&self, input: f64) -> Frame<N> {
         match self.sliding {
             None => {
                 let direction = Vector::unit(input, 1.0);

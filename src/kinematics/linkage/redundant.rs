@@ -14,7 +14,7 @@ use super::elements::{elements, slides};
 use super::spec::{LinkageSpec, PairSpec, PointOf, Redundant, RedundantPart};
 use super::state::State;
 use crate::fault::Fault;
-pub(super) use search::found;
+pub(super) use search::find_movable_linkage;
 
 /// What a constraint may be missed by, in sizes of the linkage (angles in radians).
 const MISSED: f64 = 1e-9;

@@ -84,7 +84,7 @@ impl Rounding {
 /// The linkage with all points of its pairs moved.
 fn disturbed(linkage: &Linkage, seed: u64) -> Option<Linkage> {
     let core = &*linkage.core;
-    let spec = moved(&core.spec, core.plan.size, seed);
+    let spec = perturbed(&core.spec, core.plan.size, seed);
     let (plan, _) = compile(&Skeleton::of(&spec), true).ok()?;
     let alike = |(one, other): (&Step, &Step)| discriminant(one) == discriminant(other);
     if plan.steps.len() != core.plan.steps.len()
@@ -121,7 +121,7 @@ fn interpolated(
     index: usize,
 ) -> Option<Change> {
     let change = &course.branches[group].changes[index];
-    change.again(|input, sign| {
+    change.in_directions(|input, sign| {
         let (reduced, _) = course.reduce(input);
         directions(
             plan,
@@ -162,7 +162,7 @@ pub(super) fn directions(
 }
 
 /// The numbers of a linkage with every coordinate of a pair moved by up to [`MOVED`] roundings.
-pub(super) fn moved(spec: &LinkageSpec, size: f64, seed: u64) -> LinkageSpec {
+pub(super) fn perturbed(spec: &LinkageSpec, size: f64, seed: u64) -> LinkageSpec {
     let mut spec = spec.clone();
     let mut random = Random(seed);
     for pair in &mut spec.pairs {

@@ -54,17 +54,17 @@ impl Skeleton {
         let pair = redundant.pair;
         match redundant.part {
             RedundantPart::Whole => self.left_out.push(pair),
-            RedundantPart::Couple => self.turn_freely(pair),
+            RedundantPart::Couple => self.release_turning(pair),
             RedundantPart::Along(link) => {
                 if let Some([u, v]) = redundant.direction(linkage) {
-                    self.slide_freely(pair, link, v.atan2(u));
+                    self.release_sliding(pair, link, v.atan2(u));
                 }
             }
         }
     }
 
     /// Puts a hidden link between a pin and its link, free to slide along a direction of it.
-    fn slide_freely(&mut self, pair: usize, link: usize, direction: f64) {
+    fn release_sliding(&mut self, pair: usize, link: usize, direction: f64) {
         let hidden = self.hidden_link(link);
         let pin = &mut self.spec.pairs[pair];
         let own = match pin.on.link == Some(link) {
@@ -88,7 +88,7 @@ impl Skeleton {
     }
 
     /// Puts a hidden link between a block and its guide, on which the block turns.
-    fn turn_freely(&mut self, pair: usize) {
+    fn release_turning(&mut self, pair: usize) {
         let Some(link) = self.spec.pairs[pair]
             .link
             .link
@@ -121,7 +121,7 @@ impl Skeleton {
     }
 
     /// A group as it is told, without what is hidden.
-    pub(super) fn told(&self, mut group: Group) -> Group {
+    pub(super) fn without_hidden(&self, mut group: Group) -> Group {
         let [links, pairs] = self.own;
         let before = group.links.len();
         group.links.retain(|&link| link < links);

@@ -81,7 +81,7 @@ pub(super) fn solve<const N: usize>(
 #[inline]
 pub(super) fn drive<const N: usize>(plan: &Plan, state: &mut State, input: f64) {
     let driver = &plan.driver;
-    let relative = driver.relative::<N>(input);
+    let relative = driver.relative_frame::<N>(input);
     match (driver.on.link, driver.link.link) {
         (None, Some(driven)) => state.links[driven].set(&relative),
         (Some(driven), None) => state.links[driven].set(&inverse(&relative)),

@@ -136,7 +136,7 @@ pub(super) fn give_to_bases(spec: &mut LinkageSpec, attached: &[Attached]) {
         let [on, link] = [&mut pair.on, &mut pair.link].map(|end| {
             let angle = of(end.link).map_or(0.0, |one| one.angle);
             if let Some(one) = of(end.link) {
-                *end = one.given(end.at);
+                *end = one.on_base(end.at);
             }
             angle
         });
@@ -155,7 +155,7 @@ pub(super) fn give_to_bases(spec: &mut LinkageSpec, attached: &[Attached]) {
         match &mut choice.choice {
             AssemblyChoice::Branch(_) => {}
             AssemblyChoice::Angle(angle) => *angle -= one.angle,
-            AssemblyChoice::Near { point, .. } => *point = one.given(*point).at,
+            AssemblyChoice::Near { point, .. } => *point = one.on_base(*point).at,
         }
         choice.link = one.base.unwrap_or(choice.link);
         one.base.is_some()
@@ -164,7 +164,7 @@ pub(super) fn give_to_bases(spec: &mut LinkageSpec, attached: &[Attached]) {
 
 impl Attached {
     /// A point of it as a point of its base.
-    fn given(&self, at: [f64; 2]) -> PointOf {
+    fn on_base(&self, at: [f64; 2]) -> PointOf {
         let Self {
             base,
             angle,

@@ -107,7 +107,7 @@ impl Piece<'_> {
                 continue;
             }
             if to - from <= self.short {
-                if let Some(place) = self.climbed([from, to]) {
+                if let Some(place) = self.bracket_maximum([from, to]) {
                     return Some(place);
                 }
                 continue;
@@ -123,7 +123,7 @@ impl Piece<'_> {
 
     /// The place in a short stretch towards which it grows, if it does: half by half to where
     /// the sign changes, else to where it is greater.
-    fn climbed(&self, [mut from, mut to]: [f64; 2]) -> Option<f64> {
+    fn bracket_maximum(&self, [mut from, mut to]: [f64; 2]) -> Option<f64> {
         while to - from > self.narrow {
             let middle = 0.5 * (from + to);
             if middle <= from || middle >= to {

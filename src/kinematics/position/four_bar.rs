@@ -1,6 +1,6 @@
 //! Four-bar linkage: a crank drives a rocker through a coupler.
 
-use super::reach::{ForbiddenArcs, OutOfReach, half_width};
+use super::assembly_range::{ForbiddenArcs, OutOfReach, half_width};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::closure::TwoCircles;
 use crate::math::jet::Jet;

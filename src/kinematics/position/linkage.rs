@@ -1,6 +1,6 @@
 //! An output of a linkage as a position function of its input coordinate.
 
-use super::reach::OutOfReach;
+use super::assembly_range::OutOfReach;
 use crate::kinematics::linkage::{Cause, Linkage, Reach, Workspace};
 use crate::math::jet::Jet;
 use std::sync::{Arc, Mutex};

@@ -10,12 +10,12 @@
 //! linkages (`short_form`) and take their closure from there. `function`, `spec` and the
 //! functions themselves are imported by their own files, since this module knows linkages.
 
+mod assembly_range;
 pub(crate) mod cam;
 mod four_bar;
 mod function;
 mod interpolated;
 mod linkage;
-mod reach;
 mod short_form;
 pub(crate) mod sine;
 mod slider_crank;
@@ -26,13 +26,13 @@ pub(crate) mod table;
 mod tests;
 
 pub use crate::kinematics::motion::{Cycle, CycleSpec, LawName, LawSpec};
+pub use assembly_range::OutOfReach;
 pub use cam::Cam;
 pub use four_bar::FourBar;
 pub use function::PositionFunction;
 pub use interpolated::Interpolated;
 pub use linkage::LinkageOutput;
 pub(crate) use linkage::reach as linkage_reach;
-pub use reach::OutOfReach;
 pub use slider_crank::SliderCrank;
 pub use slotted_link::SlottedLink;
 pub use spec::{

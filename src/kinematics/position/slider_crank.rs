@@ -1,6 +1,6 @@
 //! Slider-crank: a crank drives a slide along a straight guide through a rod.
 
-use super::reach::{ForbiddenArcs, OutOfReach, half_width};
+use super::assembly_range::{ForbiddenArcs, OutOfReach, half_width};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::closure::circle_and_line;
 use crate::math::jet::Jet;

@@ -1,7 +1,7 @@
 //! Slotted link: crank, block and slotted link on fixed pivots, driven by the
 //! crank or by the block.
 
-use super::reach::{ForbiddenArcs, OutOfReach};
+use super::assembly_range::{ForbiddenArcs, OutOfReach};
 use super::spec::{SlottedDriver, SlottedLinkSpec, SlottedOutput};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::closure::{TwoCircles, guide_between_pins};

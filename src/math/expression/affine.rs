@@ -145,7 +145,7 @@ fn again(op: &Op, at: impl Fn(Register) -> Register, into: &mut Builder) -> Regi
         Op::Remainder { x, y, .. } => into.remainder(at(x), at(y)),
         Op::Abs { x, .. } => into.abs(at(x)),
         Op::Sign { x, .. } => into.sign(at(x)),
-        Op::Whole { x, to, .. } => into.whole(at(x), to),
+        Op::Whole { x, to, .. } => into.round_to_integer(at(x), to),
         Op::Min { a, b, .. } => into.min(at(a), at(b)),
         Op::Max { a, b, .. } => into.max(at(a), at(b)),
         Op::Less { a, b, or_equal, .. } => into.less(at(a), at(b), or_equal),

@@ -216,7 +216,7 @@ impl Builder {
         self.folded(Op::Sign { x, guard })
     }
 
-    pub(super) fn whole(&mut self, x: Register, to: Rounding) -> Register {
+    pub(super) fn round_to_integer(&mut self, x: Register, to: Rounding) -> Register {
         let guarded = match to {
             Rounding::Round => self.affine(x, 1.0, 0.5),
             _ => x,

@@ -95,7 +95,7 @@ impl Guard {
 
     /// The first place up to `end` at which the guard leaves its mode by more than
     /// `floor`; `fresh`: it may have entered it just now.
-    pub(crate) fn leaves(
+    pub(crate) fn first_crossing(
         &self,
         mode: i64,
         modes: &impl Fn(u16) -> i64,
@@ -283,7 +283,7 @@ mod tests {
         let program = expression.program();
         assert_eq!(program.guards.len(), 1, "{text}");
         let along = Along(|s| 3.0 * s * s, |s| 6.0 * s);
-        program.guards[0].leaves(mode, &|_| OPEN, &along, 1.0, (false, 0.0))
+        program.guards[0].first_crossing(mode, &|_| OPEN, &along, 1.0, (false, 0.0))
     }
 
     #[test]

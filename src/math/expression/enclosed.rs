@@ -51,7 +51,7 @@ impl<const N: usize> Enclosed<N> {
     }
 
     /// Coefficient `k` of the integral of x′·g, x this and g known below `k`.
-    fn moved(&self, g: &[Interval; N], k: usize) -> Interval {
+    fn integral_coefficient(&self, g: &[Interval; N], k: usize) -> Interval {
         let each = (1..=k).map(|i| self.0[i].scale(i as f64) * g[k - i]);
         sum(each).scale(1.0 / k as f64)
     }
@@ -60,7 +60,7 @@ impl<const N: usize> Enclosed<N> {
     fn integrated(self, value: Interval, slope: Self) -> Self {
         let mut all = [value; N];
         for k in 1..N {
-            all[k] = self.moved(&slope.0, k);
+            all[k] = self.integral_coefficient(&slope.0, k);
         }
         Self(all)
     }
@@ -69,7 +69,7 @@ impl<const N: usize> Enclosed<N> {
     fn circular(self, [f, g]: [Function; 2], [by_g, by_f]: [f64; 2]) -> [Self; 2] {
         let [mut one, mut other] = [f, g].map(|own| [self.0[0].of_function(own); N]);
         for k in 1..N {
-            let [a, b] = [&other, &one].map(|own| self.moved(own, k));
+            let [a, b] = [&other, &one].map(|own| self.integral_coefficient(own, k));
             (one[k], other[k]) = (a.scale(by_g), b.scale(by_f));
         }
         [Self(one), Self(other)]
@@ -78,7 +78,7 @@ impl<const N: usize> Enclosed<N> {
     fn exp(self) -> Self {
         let mut all = [self.0[0].of_function(Function::Exp); N];
         for k in 1..N {
-            all[k] = self.moved(&all, k);
+            all[k] = self.integral_coefficient(&all, k);
         }
         Self(all)
     }
@@ -88,7 +88,7 @@ impl<const N: usize> Enclosed<N> {
         let mut all = [self.0[0].of_function(Function::Tan); N];
         let mut slope = [self.0[0].slope(Function::Tan); N];
         for k in 1..N {
-            all[k] = self.moved(&slope, k);
+            all[k] = self.integral_coefficient(&slope, k);
             slope[k] = product(&all, &all, k);
         }
         Self(all)
@@ -101,8 +101,8 @@ impl<const N: usize> Enclosed<N> {
         let mut slope = [self.0[0].slope(Function::Tanh); N];
         let mut both = [all[0] * slope[0]; N];
         for k in 1..N {
-            all[k] = self.moved(&slope, k);
-            slope[k] = self.moved(&both, k).scale(-2.0);
+            all[k] = self.integral_coefficient(&slope, k);
+            slope[k] = self.integral_coefficient(&both, k).scale(-2.0);
             both[k] = product(&all, &slope, k);
         }
         Self(all)

@@ -132,7 +132,7 @@ impl OfOne {
         let (mut at, mut modes) = (from, located(program, from));
         found.modes[0].clone_from(&modes);
         while let Some((place, guard, target)) = next(program, &modes, at, to) {
-            let place = rhythm.map_or(place, |period| beside_the_end(place, period));
+            let place = rhythm.map_or(place, |period| snap_to_period(place, period));
             let value = |own: usize, modes: &[i64]| {
                 let x = Dual::new(place, 1.0);
                 let mode = |one: u16| modes[usize::from(one)];
@@ -192,7 +192,7 @@ impl OfOne {
 }
 
 /// A place that is the end of the period but for rounding is that end.
-fn beside_the_end(place: f64, period: f64) -> f64 {
+fn snap_to_period(place: f64, period: f64) -> f64 {
     match (place - period).abs() <= ONE_PLACE * period {
         true => period,
         false => place,
@@ -250,7 +250,8 @@ fn next(program: &Program, modes: &[i64], from: f64, to: f64) -> Option<(f64, us
                 continue;
             }
             let limit = first.map_or(1.0, |first| first.0);
-            let found = guard.leaves(modes[index], &mode, &axis, limit, (start == from, 0.0));
+            let found =
+                guard.first_crossing(modes[index], &mode, &axis, limit, (start == from, 0.0));
             if let Some(found) = found
                 && first.is_none_or(|first| found.s < first.0)
             {

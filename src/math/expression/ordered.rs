@@ -177,7 +177,7 @@ impl<const N: usize> Ordered<N> {
             }
             Op::Of(function, x) => self.of_function(index, function, x, k),
             Op::Remainder { x, y, .. } => {
-                let whole = self.whole(op, modes);
+                let whole = self.integer_part(op, modes);
                 at(x) - whole * at(y)
             }
             Op::Abs { x, .. } => {
@@ -213,7 +213,7 @@ impl<const N: usize> Ordered<N> {
     }
 
     /// The whole number of a remainder.
-    fn whole(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> f64 {
+    fn integer_part(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> f64 {
         let Op::Remainder { x, y, .. } = *op else {
             return 0.0;
         };

@@ -253,12 +253,12 @@ impl<'t> Reader<'t> {
             (&[x], None) if one => Some(match name {
                 "abs" => builder.abs(x),
                 "signum" | "sign" => builder.sign(x),
-                "floor" => builder.whole(x, Rounding::Floor),
-                "ceil" => builder.whole(x, Rounding::Ceil),
-                "round" => builder.whole(x, Rounding::Round),
-                "trunc" => builder.whole(x, Rounding::Trunc),
+                "floor" => builder.round_to_integer(x, Rounding::Floor),
+                "ceil" => builder.round_to_integer(x, Rounding::Ceil),
+                "round" => builder.round_to_integer(x, Rounding::Round),
+                "trunc" => builder.round_to_integer(x, Rounding::Trunc),
                 _ => {
-                    let whole = builder.whole(x, Rounding::Trunc);
+                    let whole = builder.round_to_integer(x, Rounding::Trunc);
                     builder.sub(x, whole)
                 }
             }),

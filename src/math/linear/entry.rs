@@ -22,7 +22,7 @@ pub(crate) trait Entry: Copy {
     fn greatest(self, size: Self) -> Self;
 
     /// True when its size is above `share` of a size, and a finite number.
-    fn stands_out(self, share: f64, size: Self) -> bool;
+    fn exceeds_share(self, share: f64, size: Self) -> bool;
 }
 
 impl Entry for f64 {
@@ -54,7 +54,7 @@ impl Entry for f64 {
     }
 
     #[inline(always)]
-    fn stands_out(self, share: f64, size: Self) -> bool {
+    fn exceeds_share(self, share: f64, size: Self) -> bool {
         let own = self.abs();
         own > share * size && own.is_finite()
     }
@@ -126,7 +126,7 @@ impl<const L: usize> Entry for Lanes<L> {
     }
 
     #[inline(always)]
-    fn stands_out(self, share: f64, size: Self) -> bool {
-        (0..L).all(|l| (self.re[l].abs() + self.im[l].abs()).stands_out(share, size.re[l]))
+    fn exceeds_share(self, share: f64, size: Self) -> bool {
+        (0..L).all(|l| (self.re[l].abs() + self.im[l].abs()).exceeds_share(share, size.re[l]))
     }
 }

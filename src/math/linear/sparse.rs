@@ -111,7 +111,7 @@ impl<E: Entry> SparseLu<E> {
                 *value = self.row[column];
             }
             let pivot = self.row[position];
-            if !pivot.stands_out(SMALLEST_PIVOT, largest) {
+            if !pivot.exceeds_share(SMALLEST_PIVOT, largest) {
                 return false;
             }
             self.values[self.diagonal[position]] = pivot.reciprocal();

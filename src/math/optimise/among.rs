@@ -4,7 +4,7 @@
 //! through three tells one: a look or two are left of the six or seven that climbing along
 //! parabolas takes.
 
-use super::parabola::{Sight, bracket, climb, highest};
+use super::parabola::{Sight, bracket, highest, refine_maximum};
 
 /// Looks at places that the polynomial tells; what is not found then is not smooth.
 const BOLD: usize = 3;
@@ -93,7 +93,7 @@ impl Course {
 
 /// Climbs to the top beside the highest of seven points of a function, which is number
 /// `top`; `near`: about where.
-pub(crate) fn climb_among(
+pub(crate) fn refine_maximum_among(
     points: &[Sight; 7],
     top: usize,
     near: f64,
@@ -111,7 +111,7 @@ pub(crate) fn climb_among(
         if (new.1 - told).abs() <= TOLD * (points[top].1 - new.1) {
             return points[top];
         }
-        return climb(three, look);
+        return refine_maximum(three, look);
     }
     for _ in 0..BOLD {
         let Some((place, hoped)) = course.top(&three, near) else {
@@ -126,13 +126,13 @@ pub(crate) fn climb_among(
         course.add(new);
         near = place;
     }
-    climb(three, look)
+    refine_maximum(three, look)
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::vertex;
-    use super::{Course, climb_among};
+    use super::{Course, refine_maximum_among};
 
     const PLACES: [f64; 7] = [0.0, 0.05, 0.23, 0.5, 0.77, 0.95, 1.0];
 
@@ -159,7 +159,7 @@ mod tests {
         let first = top.clamp(1, 5) - 1;
         let near = vertex(&[points[first], points[first + 1], points[first + 2]]);
         let near = near.expect("a parabola with a top").0;
-        let found = climb_among(&points, top, near, &mut |x| {
+        let found = refine_maximum_among(&points, top, near, &mut |x| {
             looks += 1;
             f(x)
         });

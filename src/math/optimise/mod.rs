@@ -2,7 +2,7 @@
 //! parabolas for what is smooth, and the search over the pieces of a function. The least
 //! value of f is the greatest of −f.
 //!
-//! Golden section tolerates kinks; Brent's method is quick without them; `climb_among` is
+//! Golden section tolerates kinks; Brent's method is quick without them; `refine_maximum_among` is
 //! quicker if seven values are known.
 
 mod among;
@@ -10,7 +10,7 @@ mod brent;
 mod parabola;
 mod pieces;
 
-pub(crate) use among::climb_among;
+pub(crate) use among::refine_maximum_among;
 pub(crate) use brent::brent;
 pub(crate) use parabola::vertex;
 pub(crate) use pieces::greatest;

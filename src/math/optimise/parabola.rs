@@ -23,7 +23,7 @@ pub(crate) fn vertex(points: &[Sight; 3]) -> Option<Sight> {
 
 /// Climbs to the top between three points: parabolas through the best three
 /// points, and a look into the wider side where they do not lead on.
-pub(crate) fn climb(mut three: [Sight; 3], look: &mut impl FnMut(f64) -> f64) -> Sight {
+pub(crate) fn refine_maximum(mut three: [Sight; 3], look: &mut impl FnMut(f64) -> f64) -> Sight {
     let (from, to) = (three[0].0, three[2].0);
     for _ in 0..MOST_LOOKS {
         let [(a, _), (b, fb), (c, _)] = three;
@@ -69,7 +69,7 @@ pub(super) fn bracket(three: [Sight; 3], new: Sight) -> [Sight; 3] {
 
 #[cfg(test)]
 mod tests {
-    use super::{climb, vertex};
+    use super::{refine_maximum, vertex};
 
     #[test]
     fn a_parabola_is_known_by_three_of_its_points() {
@@ -85,7 +85,7 @@ mod tests {
     fn the_way_to_the_top_is_short() {
         let mut looks = 0;
         let f = |x: f64| (1.3 * (x - 0.4)).cos();
-        let top = climb([0.0, 0.5, 1.0].map(|x| (x, f(x))), &mut |x| {
+        let top = refine_maximum([0.0, 0.5, 1.0].map(|x| (x, f(x))), &mut |x| {
             looks += 1;
             f(x)
         });

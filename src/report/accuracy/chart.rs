@@ -1,6 +1,6 @@
 //! Errors of the models that were tried.
 
-use super::asked_rule;
+use super::requested_error_line;
 use crate::frontend::scene::in_words;
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
@@ -45,7 +45,7 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
             ..Axis::new("distance from the limit", "")
         },
         series,
-        rules: asked_rule(certificate),
+        rules: requested_error_line(certificate),
         ..Plot::default()
     };
     Section::default().charts(Layout::Wide(420.0), "", vec![plot])

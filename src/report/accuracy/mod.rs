@@ -48,7 +48,7 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
 
 /// The line of the least error that is asked for of a figure, as a share of its limit; none
 /// where no share is.
-pub(in crate::report) fn asked_rule(certificate: &Certificate) -> Vec<Rule> {
+pub(in crate::report) fn requested_error_line(certificate: &Certificate) -> Vec<Rule> {
     let allowed = certificate.accuracy.values().filter_map(|figure| {
         let share = figure.asked / figure.limit?.abs();
         (share.is_finite() && share > 0.0).then_some(share)

@@ -75,7 +75,7 @@ pub(super) fn charts(
                 let piece = &cam.motion().pieces()[piece];
                 (
                     phi.to_degrees(),
-                    force.beside(phi, piece.from, piece.to)[index],
+                    force.at_within_piece(phi, piece.from, piece.to)[index],
                 )
             };
             places.iter().map(at).collect()
@@ -85,7 +85,7 @@ pub(super) fn charts(
         if cam.geometry().material.is_some() {
             let at = |&(piece, phi): &(usize, f64)| {
                 let piece = &cam.motion().pieces()[piece];
-                let pressure = force.pressure_beside(phi, piece.from, piece.to);
+                let pressure = force.pressure_within_piece(phi, piece.from, piece.to);
                 (phi.to_degrees(), pressure.unwrap_or(f64::NAN))
             };
             let curve = plain(places.iter().map(at).collect());

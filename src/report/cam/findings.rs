@@ -196,7 +196,7 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
     if let Some(force) = report.force {
         let at = |phi: f64| {
             let (piece, phi) = cam.motion().locate(phi);
-            force.beside(phi, piece.from, piece.to)
+            force.at_within_piece(phi, piece.from, piece.to)
         };
         columns.push(("contact force", "N", column(&|phi| at(phi)[1])));
         columns.push(("torque of the cam", "N m", column(&|phi| at(phi)[2])));

@@ -55,7 +55,7 @@ pub(in crate::report) fn drawing(
     let _ = writeln!(
         out,
         "<g data-link=\"0\" transform=\"{}\">{}\n{}</g></g>",
-        turned(mover.axis, mover.cam * phi),
+        rotation_attribute(mover.axis, mover.cam * phi),
         about(mover.axis),
         body(cam, curves, view)
     );
@@ -102,14 +102,14 @@ fn about(place: [f64; 2]) -> String {
 }
 
 /// A turn about a pixel, by degrees clockwise.
-fn turned(place: [f64; 2], degrees: f64) -> String {
+fn rotation_attribute(place: [f64; 2], degrees: f64) -> String {
     let [x, y] = place.map(short);
     format!("translate({x} {y}) rotate({})", short(degrees))
 }
 
 fn follower_transform(mover: &Mover, lift: f64) -> String {
     let [x, y] = [0, 1].map(|axis| mover.about[axis] + mover.shift[axis] * lift);
-    turned([x, y], mover.turn * lift)
+    rotation_attribute([x, y], mover.turn * lift)
 }
 
 /// How the player moves cam and follower: the cam by the coordinate `cam_angle`

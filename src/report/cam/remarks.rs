@@ -41,7 +41,7 @@ pub(super) fn remarks(found: &CamFigures) -> Vec<(bool, String)> {
             );
             list.push((true, text));
         }
-        if force.elastic_contact() == Judgement::NotInWorkingOrder {
+        if force.contact_verdict() == Judgement::NotInWorkingOrder {
             let text = "the elastic follower lifts off at this speed";
             list.push((true, text.to_owned()));
         }

@@ -27,7 +27,7 @@ pub fn cycle_rows(cam: &DiscCam, unit: &str, force: Option<&CamForce<'_>>, count
         let piece = &cam.motion().pieces()[piece];
         let state = cam.at(piece, phi);
         let profile = cam.curve_point(piece, phi, flank);
-        let forces = force.map(|force| force.beside(phi, piece.from, piece.to));
+        let forces = force.map(|force| force.at_within_piece(phi, piece.from, piece.to));
         let cells = [
             phi,
             state.lift,

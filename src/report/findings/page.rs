@@ -27,11 +27,11 @@ impl Findings<'_> {
             body.push_str(&scene(text));
         }
         body.push_str("</main>\n");
-        body.push_str(&self.foot());
+        body.push_str(&self.footer());
         shell(&self.title, &body, &plots.json())
     }
 
-    fn foot(&self) -> String {
+    fn footer(&self) -> String {
         let source = &self.source;
         let mut rows = Vec::new();
         let mut add = |name: &str, text: &str| rows.push((name.to_owned(), escape(text)));

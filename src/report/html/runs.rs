@@ -173,7 +173,7 @@ impl ObjectCharts {
     pub(in crate::report) fn of(runs: &[RunSeries<'_>], id: &str, kind: &str) -> Option<Self> {
         let mut silent = Vec::new();
         let mut charts = Vec::new();
-        for (quantity, name) in shown(id, runs) {
+        for (quantity, name) in plotted_quantities(id, runs) {
             let own = columns(runs, id, quantity);
             if own.is_empty() {
                 continue;
@@ -272,7 +272,7 @@ pub fn section(plots: &mut Plots, runs: &[RunSeries<'_>], id: &str, kind: &str) 
 
 /// The quantities of an object with their names on the plots: the six of every object,
 /// then its contact pressure and those of masses and links that any run has recorded.
-fn shown(id: &str, runs: &[RunSeries<'_>]) -> Vec<(Quantity, String)> {
+fn plotted_quantities(id: &str, runs: &[RunSeries<'_>]) -> Vec<(Quantity, String)> {
     let plain = order(runs.len()).into_iter();
     let mut all: Vec<(Quantity, String)> = plain
         .map(|(quantity, name)| (quantity, name.to_owned()))

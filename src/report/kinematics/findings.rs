@@ -1,6 +1,6 @@
 //! What the kinematics of a linkage comes to.
 
-use super::{drawing, input, input_said, place, plots, several};
+use super::{drawing, input, input_sentence, multi_input, place, plots};
 use crate::dynamics::model::Coordinate;
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
@@ -21,9 +21,9 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
     let [from, to] = ends.map(|end| end.map_or("–".to_owned(), |&at| place(found, at)));
     let mut sections = vec![
         Section::default().drawing(move |_| drawing(found).section("mechanism")),
-        several::machine(found),
+        multi_input::machine(found),
         structure(found),
-        several::singular(found),
+        multi_input::singular(found),
         Section::new("Strokes").table(strokes(found)),
         transmission(found),
     ];
@@ -56,7 +56,7 @@ fn answer(found: &Kinematics) -> Verdict {
             .angle_or(stop.at, found.axis.unit, 6)
             .words(".");
         let text = Sentence::from("Input ")
-            .sentence(input_said(found, stop.input))
+            .sentence(input_sentence(found, stop.input))
             .words(format!(": {}", stop.cause));
         return Verdict::judged(found.judgement(), headline, text);
     }
@@ -86,7 +86,7 @@ fn structure<'a>(found: &Kinematics) -> Section<'a> {
             let turning = found.input == Coordinate::Turning;
             format!("Input: {}.", linkage.range().describe(structure, turning))
         }
-        AnyLinkage::Several(linkage) => several::inputs(found, linkage),
+        AnyLinkage::Several(linkage) => multi_input::inputs(found, linkage),
     };
     Section::new("Structure")
         .words(structure.explanation.clone())
@@ -205,7 +205,7 @@ fn extremes(found: &Kinematics) -> Table {
                 cell(extremes.greatest),
                 doubt.into(),
             ],
-            minor: !told(column.quantity),
+            minor: !is_in_terminal(column.quantity),
         }
     };
     Table {
@@ -215,7 +215,7 @@ fn extremes(found: &Kinematics) -> Table {
 }
 
 /// Transfer functions of points and components are too much for the terminal.
-fn told(quantity: Quantity) -> bool {
+fn is_in_terminal(quantity: Quantity) -> bool {
     use Quantity as Q;
     matches!(
         quantity,

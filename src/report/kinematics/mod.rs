@@ -4,8 +4,8 @@ mod document;
 mod drawing;
 mod endless;
 mod findings;
+mod multi_input;
 mod plots;
-mod several;
 
 pub use document::document;
 pub use drawing::{drawing, picture};
@@ -22,7 +22,7 @@ fn place(found: &Kinematics, at: f64) -> String {
 }
 
 /// An input coordinate in a sentence.
-fn input_said(found: &Kinematics, at: f64) -> Sentence {
+fn input_sentence(found: &Kinematics, at: f64) -> Sentence {
     Sentence::default().angle_or(at, unit_of(found.input), 6)
 }
 

@@ -113,7 +113,7 @@ fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity)
     let endless = Endless::of(found, own);
     if !endless.ends.is_empty() {
         for chart in &mut charts {
-            leave_room(chart, found, &endless);
+            frame_unbounded(chart, found, &endless);
         }
     }
     charts
@@ -121,7 +121,7 @@ fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity)
 
 /// Frames a chart of what grows without bound by what is farther from there, and marks the
 /// places.
-fn leave_room(chart: &mut Plot, found: &Kinematics, endless: &Endless) {
+fn frame_unbounded(chart: &mut Plot, found: &Kinematics, endless: &Endless) {
     let places = &found.axis.values;
     let shown = chart.series.iter().flat_map(|series| {
         let points = series.points.iter().zip(places);

@@ -1,7 +1,7 @@
 //! The cycle of a cam as findings and rows.
 
 use super::curve::{Curve, DIAGRAM_POINTS, rows};
-use super::{shocks, shocks_said};
+use super::{shock_verdict, shocks};
 use crate::kinematics::motion::law::Peak;
 use crate::kinematics::position::Position;
 use crate::math::jet::Jet;
@@ -22,7 +22,7 @@ pub fn cycle_findings<'a>(
     [unit, driver]: [&str; 2],
     source: Source<'a>,
 ) -> Findings<'a> {
-    let (sort, said) = shocks_said(&found.jumps);
+    let (sort, said) = shock_verdict(&found.jumps);
     let greatest = significant(found.acceleration.value, 6);
     let headline = format!("Greatest U″ = {greatest} {unit}/{driver}².");
     let peak = |name: &str, peak: Peak, unit: String| {

@@ -167,7 +167,7 @@ pub fn law_findings(row: &LawRow, law: &Law) -> Findings<'static> {
     if !joints.is_empty() {
         figures.push(Figure::new("joints", format!("τ = {}", joints.join(", "))));
     }
-    let (sort, said) = shocks_said(&found.jumps);
+    let (sort, said) = shock_verdict(&found.jumps);
     let headline = format!(
         "Greatest acceleration C_a = {}, greatest speed C_v = {}.",
         significant(found.acceleration.value, 6),
@@ -210,7 +210,7 @@ fn shocks(jumps: &[Jump], [symbol, unit]: [&str; 2]) -> Item<'static> {
 }
 
 /// What is to be said of a law's shocks: nothing good or bad but that there are none.
-fn shocks_said(jumps: &[Jump]) -> (Sort, &'static str) {
+fn shock_verdict(jumps: &[Jump]) -> (Sort, &'static str) {
     match jumps.iter().map(|jump| jump.order).min() {
         Some(1) => (
             Sort::Mechanism,

@@ -1,7 +1,7 @@
 //! Cams of the machine with their followers, to scale.
 
 use super::Machine;
-use super::way::{ObjectPath, Picture};
+use super::object_path::{ObjectPath, Picture};
 use crate::dynamics::model::ObjectPart;
 use crate::kinematics::cam::{DiscCam, Guide};
 use crate::report::cam::{Follower, bodies, drawing, drawn, view};

@@ -1,6 +1,6 @@
 //! Linkages of the machine: to scale, over their input coordinate.
 
-use super::way::{ObjectPath, Picture};
+use super::object_path::{ObjectPath, Picture};
 use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::kinematics::linkage::{Linkage, Pose};
@@ -28,7 +28,11 @@ pub(super) fn picture(
 }
 
 /// The picture of an object that is a linkage of several inputs, over the rows of the record.
-pub(super) fn several(model: &Model, part: &ObjectPart, record: &Record) -> Option<Picture> {
+pub(super) fn multi_input_picture(
+    model: &Model,
+    part: &ObjectPart,
+    record: &Record,
+) -> Option<Picture> {
     let own = |body: &&MultiLinkageBody| model.objects[body.object].id == part.id;
     let body = model.multi_linkages.iter().find(own)?;
     let linkage = &body.linkage;

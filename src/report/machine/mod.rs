@@ -6,8 +6,8 @@
 mod cams;
 mod linkages;
 mod magnify;
+mod object_path;
 mod station;
-mod way;
 
 use super::cam;
 use super::html::player::{Coordinates, Player};

@@ -1,7 +1,7 @@
 //! One object of the machine: its picture, its moving parts, its readings.
 
 use super::Machine;
-use super::way::{ObjectPath, Picture};
+use super::object_path::{ObjectPath, Picture};
 use super::{cams, linkages};
 use crate::dynamics::model::{Coordinate, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
@@ -60,7 +60,7 @@ impl Station {
             drawn.iter().position(|one| one.id == *id)
         });
         let geometry = linkages::picture(machine.model, part, &own, column)
-            .or_else(|| linkages::several(machine.model, part, record))
+            .or_else(|| linkages::multi_input_picture(machine.model, part, record))
             .or_else(|| cams::picture(machine, part, &own, [driver?, column], elastic));
         let law = || linkages::law(machine.model, part, &way(drawn[driver?])?, driver?);
         let diagram = || match part.coordinate {
@@ -155,7 +155,7 @@ impl ObjectPath {
 
 /// The displacements that an object's bodies show: on its law and magnified for an
 /// elastic one.
-pub(super) fn shown(elastic: bool) -> &'static [PartDisplacement] {
+pub(super) fn displacements(elastic: bool) -> &'static [PartDisplacement] {
     match elastic {
         true => &[PartDisplacement::Law, PartDisplacement::Magnified],
         false => &[PartDisplacement::True],
@@ -193,7 +193,7 @@ fn turning(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
         out.drawn.push_str(&arc(way, centre));
     }
     out.drawn.push_str(&support(centre));
-    for (number, &shown) in shown(elastic).iter().enumerate() {
+    for (number, &shown) in displacements(elastic).iter().enumerate() {
         let (sin, cos) = (way.start + offset).sin_cos();
         out.drawn
             .push_str(&part(number, shown, [centre[0], centre[1], cos, sin]));
@@ -279,7 +279,7 @@ fn sliding(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
         drawn: guide([middle, y]),
         ..Picture::default()
     };
-    for (number, &shown) in shown(elastic).iter().enumerate() {
+    for (number, &shown) in displacements(elastic).iter().enumerate() {
         let place = [at[0] + scale * way.start, y, 1.0, 0.0];
         out.drawn.push_str(&part(number, shown, place));
         let [w, h] = BLOCK;

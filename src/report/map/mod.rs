@@ -2,12 +2,12 @@
 
 mod document;
 mod findings;
-mod looks;
 mod meanings;
 mod panel;
 pub mod picture;
 mod pointing;
 mod rows;
+mod style;
 mod values;
 
 pub use document::document;

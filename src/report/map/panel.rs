@@ -1,6 +1,6 @@
 //! A panel of a map: its plot of cells or of a curve.
 
-use super::looks::{ground, hatching, plain};
+use super::style::{ground, hatching, plain};
 use super::values::Values;
 use crate::math::contour::contours;
 use crate::report::plot::palette::SHADES;
@@ -108,10 +108,10 @@ impl Panel<'_> {
                 let field = |column: usize, row: usize| {
                     let value = self.cell(column, row)?.value?;
                     let own = !self.values.log || (value < 0.0) == below;
-                    own.then(|| self.values.shown(value))
+                    own.then(|| self.values.scaled(value))
                 };
                 if self.values.log || !below {
-                    lines.extend(contours(columns, rows, self.values.shown(level), &field));
+                    lines.extend(contours(columns, rows, self.values.scaled(level), &field));
                 }
             }
             all.push(Contour {

@@ -1,8 +1,8 @@
 //! A map as a picture: heat maps with contour lines over two parameters, curves over one,
 //! verdicts marked in both; and its parts for a page.
 
-use super::looks::{hatching, plain};
 use super::panel::{Panel, undetermined};
+use super::style::{hatching, plain};
 use super::values::Values;
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;
@@ -64,7 +64,7 @@ pub(super) fn panels(study: &Study<'_>, result: &MapResult) -> Vec<Plot> {
 
 /// The bar of colours and the legend of a page's panels.
 pub(super) fn key(study: &Study<'_>, result: &MapResult) -> String {
-    let (body, height) = foot(study, result, [LEFT, 0.0, KEY]);
+    let (body, height) = colour_bar_and_legend(study, result, [LEFT, 0.0, KEY]);
     let [w, h] = [KEY, height].map(coordinate);
     format!(
         "<div class=\"chart map\"><svg class=\"dam-plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
@@ -75,7 +75,11 @@ pub(super) fn key(study: &Study<'_>, result: &MapResult) -> String {
 
 /// The bar of colours, where there are any, and the legend, from a left and an upper edge on to
 /// a width: how high they are.
-fn foot(study: &Study<'_>, result: &MapResult, [left, top, width]: [f64; 3]) -> (String, f64) {
+fn colour_bar_and_legend(
+    study: &Study<'_>,
+    result: &MapResult,
+    [left, top, width]: [f64; 3],
+) -> (String, f64) {
     let (mut body, mut below) = (String::new(), top);
     if study.y.is_some() {
         let values = Values::of(study, result);
@@ -168,10 +172,10 @@ impl Sheet {
                 plot_height,
             ]);
             let number = plots.add(&plot, &frame, "map");
-            let head = head_of(title, index, panels.panels.len(), &frame);
+            let head = panel_heading(title, index, panels.panels.len(), &frame);
             body.push_str(&plot.panel(&frame, &head, number));
         }
-        let (below, height) = foot(study, result, [16.0, body_foot, width]);
+        let (below, height) = colour_bar_and_legend(study, result, [16.0, body_foot, width]);
         body.push_str(&below);
         Self {
             size: [width, height],
@@ -210,7 +214,7 @@ fn title(settings: &[String]) -> Vec<String> {
 }
 
 /// The settings of a panel above its frame.
-fn head_of(
+fn panel_heading(
     title: &[String],
     index: usize,
     count: usize,
@@ -251,7 +255,7 @@ fn bar_of_colours(values: &Values, [left, top, width, height]: [f64; 4]) -> Stri
     out.push_str("</g>\n");
     let levels = values.levels((width / 80.0) as usize).into_iter();
     let levels = levels.map(|(value, label)| (left + values.share(value) * width, label));
-    for (place, label) in apart(levels) {
+    for (place, label) in without_overlaps(levels) {
         let x = coordinate(place);
         let _ = writeln!(
             out,
@@ -273,7 +277,7 @@ fn bar_of_colours(values: &Values, [left, top, width, height]: [f64; 4]) -> Stri
 
 /// The labels, from the left, that do not lie upon another: levels of a scale by powers may
 /// be close together.
-fn apart(labels: impl Iterator<Item = (f64, String)>) -> Vec<(f64, String)> {
+fn without_overlaps(labels: impl Iterator<Item = (f64, String)>) -> Vec<(f64, String)> {
     let mut free = f64::NEG_INFINITY;
     let mut kept = Vec::new();
     for (place, label) in labels {
@@ -356,7 +360,7 @@ mod tests {
     fn labels_of_the_bar_do_not_lie_upon_each_other() {
         let labels = [(0.0, "50 mrad"), (42.0, "100 mrad"), (70.0, "200 mrad")];
         let labels = labels.map(|(place, label)| (place, label.to_owned()));
-        let kept = apart(labels.into_iter());
+        let kept = without_overlaps(labels.into_iter());
         let kept: Vec<&str> = kept.iter().map(|(_, label)| &**label).collect();
         assert_eq!(kept, ["50 mrad", "200 mrad"]);
     }

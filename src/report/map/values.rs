@@ -50,7 +50,7 @@ impl Values {
         let range = if log {
             [smallest, largest]
         } else {
-            apart(low, high)
+            nonempty_range(low, high)
         };
         Self {
             figure: study.figure.clone(),
@@ -62,7 +62,7 @@ impl Values {
     }
 
     /// The value as it is interpolated and coloured.
-    pub(super) fn shown(&self, value: f64) -> f64 {
+    pub(super) fn scaled(&self, value: f64) -> f64 {
         if self.log {
             value.abs().max(self.range[0]).log10()
         } else {
@@ -72,8 +72,8 @@ impl Values {
 
     /// Place of a value within the range, 0 … 1.
     pub(super) fn share(&self, value: f64) -> f64 {
-        let [low, high] = self.range.map(|value| self.shown(value));
-        ((self.shown(value) - low) / (high - low)).clamp(0.0, 1.0)
+        let [low, high] = self.range.map(|value| self.scaled(value));
+        ((self.scaled(value) - low) / (high - low)).clamp(0.0, 1.0)
     }
 
     /// Shade of a value.
@@ -152,7 +152,7 @@ fn middle(mut sizes: Vec<f64>) -> f64 {
 }
 
 /// A range that is never empty.
-fn apart(low: f64, high: f64) -> [f64; 2] {
+fn nonempty_range(low: f64, high: f64) -> [f64; 2] {
     let size = low.abs().max(high.abs());
     if high - low > 1e-9 * size {
         [low, high]

@@ -19,7 +19,7 @@ pub(super) fn named_pins<'a>(
         let names = names(drawing.spec, index);
         let room = names.map(|names| NAME[0] + LETTER * names.chars().count() as f64);
         room.into_iter().flat_map(move |room| {
-            let end = shown_end(pair);
+            let end = drawn_end(pair);
             let frames = drawing.frames.iter();
             frames.map(move |frame| (place(frame, end), room))
         })
@@ -27,7 +27,7 @@ pub(super) fn named_pins<'a>(
 }
 
 /// The end of a pair that its pin is drawn at.
-pub(super) fn shown_end(pair: &PairSpec) -> &PointOf {
+pub(super) fn drawn_end(pair: &PairSpec) -> &PointOf {
     match pair.link.link {
         Some(_) => &pair.link,
         None => &pair.on,

@@ -1,7 +1,7 @@
 //! The parts of the picture: ground, guides, links, pins, labels.
 
 use super::guides::{block_height, on_axis, place, rails, stem, travel, yoke};
-use super::names::{NAME, names, shown_end};
+use super::names::{NAME, drawn_end, names};
 use super::shape::{self, Block};
 use super::view::View;
 use super::{Drawing, Placement, wheels};
@@ -190,7 +190,7 @@ fn pins(drawing: &Drawing<'_>, view: &View, frame: Option<&Vec<Placement>>) -> S
         let Some(names) = names(drawing.spec, index) else {
             continue;
         };
-        let end = shown_end(pair);
+        let end = drawn_end(pair);
         let at = frame.map_or(end.at, |frame| place(frame, end));
         let [x, y] = view.pixel(at);
         let on = end.link.map_or(String::from("-1"), |link| link.to_string());

@@ -29,7 +29,7 @@ pub(in crate::report) fn sketches(model: &Model, at: &BTreeMap<String, Vec<f64>>
             let mut inputs = linkage.inputs().iter();
             inputs.any(|input| input.coordinate == InputCoordinate::Pair(pair))
         };
-        let courses = courses::of_several(linkage, at);
+        let courses = courses::multi_input_courses(linkage, at);
         let mut told = sketch(&part.id, spec, linkage.structure(), &moves, courses);
         let floating = linkage.inputs().iter();
         let floating = floating.filter_map(|input| input.coordinate.floating_link());
@@ -57,7 +57,7 @@ fn sketch(
             .collect::<Vec<_>>(),
         "floating": [],
         "ground": points(&spec.ground),
-        "pairs": pairs.map(|(k, pair)| joined(pair, driven(k))).collect::<Vec<_>>(),
+        "pairs": pairs.map(|(k, pair)| pair_json(pair, driven(k))).collect::<Vec<_>>(),
         "courses": courses,
     })
 }
@@ -67,7 +67,7 @@ fn points(points: &[NamedPoint]) -> Value {
     points.iter().map(point).collect()
 }
 
-fn joined(pair: &PairSpec, driven: bool) -> Value {
+fn pair_json(pair: &PairSpec, driven: bool) -> Value {
     let end = |end: &PointOf| json!({ "link": end.link, "at": end.at });
     let direction = match pair.kind {
         PairKind::Revolute { .. } => None,

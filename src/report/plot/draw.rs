@@ -217,7 +217,7 @@ fn path(series: &Series, frame: &Frame) -> String {
     let points = &series.points;
     let beside = |index: usize| {
         let mark = series.marks.get(index);
-        mark.is_some_and(|mark| mark.shape.is_beside())
+        mark.is_some_and(|mark| mark.shape.is_off_curve())
             || (frame.lane && is_beyond(frame.y.share(points[index].1)))
     };
     let (mut out, mut pen_down, mut start) = (String::new(), false, 0);
@@ -227,7 +227,7 @@ fn path(series: &Series, frame: &Frame) -> String {
         while end + 1 < points.len() && column(end + 1) == column(start) {
             end += 1;
         }
-        for index in kept(points, start, end) {
+        for index in thinned_indices(points, start, end) {
             let (x, y) = (frame.x(points[index].0), frame.y(points[index].1));
             if !(x.is_finite() && y.is_finite()) || beside(index) {
                 pen_down = false;
@@ -248,7 +248,7 @@ fn path(series: &Series, frame: &Frame) -> String {
 
 /// First, least, greatest and last of a stretch, in order, without repetition;
 /// all of it where something is not finite.
-fn kept(points: &[(f64, f64)], start: usize, end: usize) -> Vec<usize> {
+fn thinned_indices(points: &[(f64, f64)], start: usize, end: usize) -> Vec<usize> {
     let stretch = start..=end;
     if end - start < 4 || points[stretch.clone()].iter().any(|p| !p.1.is_finite()) {
         return stretch.collect();

@@ -96,7 +96,7 @@ impl Field {
     }
 
     /// The kinds that occur.
-    pub(super) fn entries(&self) -> Vec<Entry> {
+    pub(super) fn legend_entries(&self) -> Vec<Entry> {
         if !self.named {
             return Vec::new();
         }

@@ -278,7 +278,7 @@ impl Plot {
             add(swatch.to_owned(), label, None);
         }
         if let Some(field) = &self.field {
-            list.extend(field.entries());
+            list.extend(field.legend_entries());
         }
         list
     }

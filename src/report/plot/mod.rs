@@ -183,7 +183,7 @@ pub enum Shape {
 
 impl Shape {
     /// True of marks that a curve passes by.
-    fn is_beside(self) -> bool {
+    fn is_off_curve(self) -> bool {
         matches!(self, Self::Cross | Self::Ring)
     }
 }

@@ -169,7 +169,7 @@ impl Plots {
             // 0: not marked; 1: on the curve; 2: beside it.
             let place = |mark: &super::Mark| match mark.shape {
                 Shape::None => 0,
-                shape => 1 + u8::from(shape.is_beside()),
+                shape => 1 + u8::from(shape.is_off_curve()),
             };
             value["marks"] = json!(series.marks.iter().map(place).collect::<Vec<_>>());
             let notes: Vec<&str> = series.marks.iter().map(|mark| mark.note.as_str()).collect();

@@ -1,7 +1,7 @@
 //! Error against cost over models.
 
 use crate::frontend::scene::in_words;
-use crate::report::accuracy::{LEAST, asked_rule};
+use crate::report::accuracy::{LEAST, requested_error_line};
 use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
 use crate::studies::order::FigureAccuracy;
@@ -46,7 +46,7 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
             ..Axis::new("error of the figure", "")
         },
         series,
-        rules: asked_rule(&reduction.certificate),
+        rules: requested_error_line(&reduction.certificate),
         ..Plot::default()
     })
 }

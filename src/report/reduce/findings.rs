@@ -69,7 +69,7 @@ fn steps(reduction: &Reduction) -> Table {
             says.into(),
         ]
     };
-    let steps = reduction.removed().chain(reduction.kept());
+    let steps = reduction.removed().chain(reduction.refused_steps());
     Table::new(["object", "made simpler", "verdict", "~because it"]).rows(steps.map(row))
 }
 

@@ -54,7 +54,7 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         sections.push(Section::default().drawing(moving));
     }
     sections.extend(objects(figures, samples));
-    let left_out = left_out(report.record, drawn.left_out);
+    let left_out = omission_notes(report.record, drawn.left_out);
     sections.push(Section::default().legend(left_out.join(" ")));
     if let Some(certificate) = report.certificate {
         sections.extend(accuracy::sections(certificate));
@@ -87,7 +87,7 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
 }
 
 /// What the charts of a page leave out, in sentences.
-fn left_out(record: &Record, columns: usize) -> Vec<String> {
+fn omission_notes(record: &Record, columns: usize) -> Vec<String> {
     let mut notes = Vec::new();
     let every = record.closeups.every;
     if every > 1 {

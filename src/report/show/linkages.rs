@@ -29,7 +29,10 @@ pub(super) fn linkages(model: &Model) -> String {
             out.push_str(&format!("  outputs {}\n", outputs.join(", ")));
         }
         if body.friction.is_some() {
-            out.push_str(&format!("  joint friction {}\n", rubbing(linkage.spec())));
+            out.push_str(&format!(
+                "  joint friction {}\n",
+                friction_description(linkage.spec())
+            ));
         }
     }
     out
@@ -65,7 +68,7 @@ pub(super) fn multi_linkages(model: &Model) -> String {
             out.push_str(&format!("  outputs {}\n", outputs.join(", ")));
         }
         if body.friction.is_some() {
-            let pairs = rubbing(&linkage.spec().linkage);
+            let pairs = friction_description(&linkage.spec().linkage);
             out.push_str(&format!("  joint friction {pairs}\n"));
         }
     }
@@ -93,7 +96,7 @@ pub fn moved_by<'m>(
 }
 
 /// The pairs with friction, each with its numbers.
-fn rubbing(linkage: &LinkageSpec) -> String {
+fn friction_description(linkage: &LinkageSpec) -> String {
     let millimetres = |length: f64| significant(1e3 * length, 4);
     let pairs = linkage.pairs.iter().filter(|pair| pair.friction > 0.0);
     let of = |pair: &PairSpec| {

@@ -70,7 +70,7 @@ const SEARCHED: f64 = 1e-3;
 impl ForceFigures {
     /// The verdict on the contact, which is closed where everything is rigid: elastic objects
     /// are judged by the search for the speed at which theirs opens.
-    pub fn elastic_contact(&self) -> Judgement {
+    pub fn contact_verdict(&self) -> Judgement {
         let speed = self.speed.abs();
         match (&self.rigid, self.elastic) {
             (None, _) => Judgement::InWorkingOrder,
@@ -202,18 +202,18 @@ impl<'m> CamForce<'m> {
     }
 
     /// [`Self::pressure`] for any φ between the ends of a piece of the law, as
-    /// [`Self::beside`].
-    pub fn pressure_beside(&self, phi: f64, from: f64, to: f64) -> Option<f64> {
-        self.pressure(self.piece_beside(phi, from, to), phi)
+    /// [`Self::at_within_piece`].
+    pub fn pressure_within_piece(&self, phi: f64, from: f64, to: f64) -> Option<f64> {
+        self.pressure(self.piece_within(phi, from, to), phi)
     }
 
     /// [`Self::at`] for any φ between `from` and `to`, the ends of a piece of the
     /// law; at its beginning what holds after it, else what holds before a break.
-    pub fn beside(&self, phi: f64, from: f64, to: f64) -> [f64; 3] {
-        self.at(self.piece_beside(phi, from, to), phi)
+    pub fn at_within_piece(&self, phi: f64, from: f64, to: f64) -> [f64; 3] {
+        self.at(self.piece_within(phi, from, to), phi)
     }
 
-    fn piece_beside(&self, phi: f64, from: f64, to: f64) -> usize {
+    fn piece_within(&self, phi: f64, from: f64, to: f64) -> usize {
         let inside = match phi <= from {
             true => from + 1e-9 * (to - from),
             false => phi - 1e-9 * (phi - from),
@@ -270,7 +270,7 @@ impl<'m> CamForce<'m> {
             pressure: self.greatest_pressure(),
             torque,
             return_torque,
-            lets_go: forced.then(|| closing.lets_go(spring, speed.signum())),
+            lets_go: forced.then(|| closing.separation_speed(spring, speed.signum())),
             closing: forced.then(|| answer(&closing, spring, (speed, self.unit), reserve)),
             elastic: None,
             rigid: self.rigid.clone(),

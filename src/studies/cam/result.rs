@@ -123,7 +123,7 @@ impl CamFigures {
     /// The verdict on a cam whose shape is sound: its contact decides.
     pub fn contact(&self) -> Judgement {
         let force = self.force.as_ref();
-        force.map_or(Judgement::NotJudged, ForceFigures::elastic_contact)
+        force.map_or(Judgement::NotJudged, ForceFigures::contact_verdict)
     }
 
     /// The label of the forces, where objects of the scene are elastic.
@@ -170,8 +170,8 @@ pub fn figures(
         base_radius: geometry.base_radius,
         prime_radius: geometry.prime_radius(),
         start: cam.start(),
-        speed: both(cam, |jet| jet.first),
-        acceleration: both(cam, |jet| jet.second),
+        speed: greatest_and_least(cam, |jet| jet.first),
+        acceleration: greatest_and_least(cam, |jet| jet.second),
         pressure: cam.pressure_angles(),
         limits: question.pressure,
         excess: cam.pressure_excess(question.pressure),
@@ -199,7 +199,7 @@ impl From<[Option<At>; 2]> for Radii {
 }
 
 /// Greatest and least of a derivative of the motion.
-fn both(cam: &DiscCam, f: impl Fn(crate::math::jet::Jet) -> f64) -> [At; 2] {
+fn greatest_and_least(cam: &DiscCam, f: impl Fn(crate::math::jet::Jet) -> f64) -> [At; 2] {
     let motion = cam.motion();
     let one = |sign: f64| {
         let found = greatest(motion, &|piece, phi| sign * f(motion.jet(piece, phi)));

@@ -11,7 +11,10 @@ use crate::exact::event_loop::{Motion, Schedule};
 /// What is looked at in a tree: rigid objects that its masses carry, sums of modes, and
 /// elastic objects with inertia at their driven end, for the force there; what presses on a
 /// cam, for the pressure.
-pub(super) fn carried(route: Schedule<'_>, window: Option<[f64; 2]>) -> Vec<(usize, usize, Tally)> {
+pub(super) fn sampled_in_tree(
+    route: Schedule<'_>,
+    window: Option<[f64; 2]>,
+) -> Vec<(usize, usize, Tally)> {
     let Schedule { system, parts, .. } = route;
     let objects = 0..system.model().objects.len();
     let own = |object: usize| {

@@ -66,7 +66,7 @@ impl<'a> CoSimulation<'a> {
 
 impl Sink for CoSimulation<'_> {
     fn start(&mut self, _time: f64, y: &[f64], modes: &Modes) {
-        self.joint.start_beside(y, modes);
+        self.joint.start_integrated(y, modes);
         self.walk.begin(&mut self.joint);
         self.modes = self.walk.modes().clone();
     }
@@ -80,14 +80,15 @@ impl Sink for CoSimulation<'_> {
             coordinates: &self.rest.coordinates,
         };
         self.walk
-            .go_to(step.end_time(), Some(&given), &mut self.joint);
+            .advance_to(step.end_time(), Some(&given), &mut self.joint);
         let reached = (self.walk.time() - step.start) / step.length;
         let reached = Step {
             end: reached.min(step.end),
             ..*step
         };
         self.joint.step(&reached, modes);
-        self.y.copy_from_slice(self.walk.stand(Some(&given)).0);
+        self.y
+            .copy_from_slice(self.walk.current_state(Some(&given)).0);
         self.modes.0.copy_from_slice(&self.walk.modes().0);
         self.joint.passes(self.walk.time(), self.walk.switches());
     }
@@ -96,7 +97,7 @@ impl Sink for CoSimulation<'_> {
         if self.walk.has_stopped() {
             return;
         }
-        self.joint.switch_beside(event);
+        self.joint.switch_integrated(event);
         let changes = event.before.0.iter().zip(&event.after.0);
         let n = self.y.len() / 2;
         let own = event.y.len() / 2;

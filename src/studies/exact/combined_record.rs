@@ -8,7 +8,7 @@
 //! on ([`super::coupled`]), and rigid objects that a mass of a tree carries
 //! ([`super::carried`]).
 
-use super::carried::{CarriedObserver, carried};
+use super::carried::{CarriedObserver, sampled_in_tree};
 use super::remainder::Remainder;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Dynamics, Modes, Sink, SwitchEvent};
@@ -45,7 +45,7 @@ pub(super) struct CombinedRecord<'a> {
     /// By tree, then by object of the tree.
     trees: Vec<Vec<Tally>>,
     pub(super) beside: Option<Remainder<'a>>,
-    /// What is looked at in trees, with the tree: see [`carried`].
+    /// What is looked at in trees, with the tree: see [`sampled_in_tree`].
     carried: Vec<(usize, usize, Tally)>,
     /// Length of a stretch (s).
     length: f64,
@@ -81,7 +81,7 @@ impl<'a> CombinedRecord<'a> {
             log: Log::new(system, settings.clone()),
             trees: trees.iter().map(|part| tallies(&part.objects)).collect(),
             carried: match rest {
-                Some(_) => carried(route, settings.window),
+                Some(_) => sampled_in_tree(route, settings.window),
                 None => Vec::new(),
             },
             beside: rest.map(|rest| Remainder::new(route, &settings, rest)),
@@ -109,14 +109,14 @@ impl<'a> CombinedRecord<'a> {
     }
 
     /// A switch in what is integrated.
-    pub(super) fn switch_beside(&mut self, event: &SwitchEvent<'_>) {
+    pub(super) fn switch_integrated(&mut self, event: &SwitchEvent<'_>) {
         if let Some(beside) = &mut self.beside {
             beside.switch_integrated(event);
         }
     }
 
     /// The start of what is integrated.
-    pub(super) fn start_beside(&mut self, y: &[f64], modes: &Modes) {
+    pub(super) fn start_integrated(&mut self, y: &[f64], modes: &Modes) {
         if let Some(beside) = &mut self.beside {
             beside.start_integrated(y, modes);
         }
@@ -131,7 +131,7 @@ impl<'a> CombinedRecord<'a> {
 
     /// Forces and rigid objects over a stretch, part by part of the grid; as far as the walk
     /// goes on.
-    fn look(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
+    fn record_forces(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
         let Some(beside) = &mut self.beside else {
             return;
         };
@@ -153,9 +153,9 @@ impl<'a> CombinedRecord<'a> {
             };
             let part = [from, to];
             if !at_rest {
-                self.look_at_forces(motion, part, modes);
+                self.sample_forces(motion, part, modes);
             }
-            if !self.look_at_carried(motion, part, modes) {
+            if !self.record_carried(motion, part, modes) {
                 return;
             }
             from = to;
@@ -163,7 +163,7 @@ impl<'a> CombinedRecord<'a> {
     }
 
     /// Forces in a stretch, halved where they are not followed over it.
-    fn look_at_forces(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
+    fn sample_forces(&mut self, motion: &mut Motion<'_, '_>, span: [f64; 2], modes: &Modes) {
         let mut parts = vec![(span, 0)];
         while let Some(([from, to], halvings)) = parts.pop() {
             let Some(beside) = &mut self.beside else {
@@ -178,30 +178,30 @@ impl<'a> CombinedRecord<'a> {
                 parts.extend([[middle, to], [from, middle]].map(|part| (part, halvings + 1)));
                 continue;
             }
-            self.climb(motion, modes);
+            self.refine_force_extrema(motion, modes);
         }
     }
 
     /// Climbs to the greatest forces in the stretch taken up last.
-    fn climb(&mut self, motion: &mut Motion<'_, '_>, modes: &Modes) {
+    fn refine_force_extrema(&mut self, motion: &mut Motion<'_, '_>, modes: &Modes) {
         let Some(beside) = &mut self.beside else {
             return;
         };
         for own in &mut beside.coupled {
             self.found.clear();
-            own.climb(motion.branches, &mut beside.forces, |time| {
+            own.refine_force_extrema(motion.branches, &mut beside.forces, |time| {
                 self.found.push(time);
             });
             for &time in &self.found {
                 motion.state(time, &mut self.y);
                 let states = self.log.observe(time, &self.y, modes);
-                own.tally.see_forces(time, &states[own.object]);
+                own.tally.include_forces(time, &states[own.object]);
             }
         }
     }
 
     /// False where the walk ended meanwhile.
-    fn look_at_carried(
+    fn record_carried(
         &mut self,
         motion: &mut Motion<'_, '_>,
         span: [f64; 2],
@@ -258,7 +258,7 @@ impl<'a> CombinedRecord<'a> {
         let mut failure = None;
         if let Some(mut beside) = self.beside.take() {
             if !beside.integrated {
-                beside.take_to(time);
+                beside.advance_figures(time);
             }
             let gathered = beside.figured.finish();
             audit = gathered.audit;
@@ -292,7 +292,7 @@ impl<'a> CombinedRecord<'a> {
         }
         let last = self.log.observe(time, y, modes);
         for (tally, state) in tallies.iter_mut().zip(last) {
-            tally.stand(state);
+            tally.set_last(state);
         }
         let mut recorded = self.log.finish(time, &tallies, Vec::new(), audit);
         recorded.failure = failure.or(recorded.failure);
@@ -306,15 +306,15 @@ impl Listener for CombinedRecord<'_> {
         let states = self.log.start(0.0, y, modes);
         for (own, part) in self.trees.iter_mut().zip(&self.route.parts.trees) {
             for (tally, &object) in own.iter_mut().zip(&part.objects) {
-                tally.see_motion(0.0, &states[object]);
+                tally.include_motion(0.0, &states[object]);
             }
         }
         for (_, object, tally) in &mut self.carried {
-            tally.see(0.0, &states[*object]);
+            tally.include_state(0.0, &states[*object]);
         }
         if let Some(beside) = &mut self.beside {
             for own in &mut beside.coupled {
-                own.tally.see(0.0, &states[own.object]);
+                own.tally.include_state(0.0, &states[own.object]);
             }
             if !beside.integrated {
                 let period = self.route.parts.period(self.route.system);
@@ -323,7 +323,7 @@ impl Listener for CombinedRecord<'_> {
         }
     }
 
-    fn again(&mut self, number: usize) {
+    fn reset_tree(&mut self, number: usize) {
         let (system, window) = (self.route.system, self.settings.window);
         let objects = &self.route.parts.trees[number].objects;
         for (tally, &object) in self.trees[number].iter_mut().zip(objects) {
@@ -343,7 +343,7 @@ impl Listener for CombinedRecord<'_> {
             modes,
             course: Course::Known(&mut |time, y| motion.state(time, y)),
         });
-        self.look(motion, span, modes);
+        self.record_forces(motion, span, modes);
         let trees = self.trees.iter().flatten();
         let carried = self.carried.iter().map(|carried| &carried.2);
         let coupled = self.beside.iter().flat_map(|beside| &beside.coupled);

@@ -77,7 +77,7 @@ impl Loss {
     /// (|λ| + r)⁴·|G|, and that is 8 times the sum of either fourth power. A lane that
     /// cannot be followed is off by no more than its values and slopes at the ends.
     fn add(&mut self, lever: &Smooth, ahead: &Ahead, share: f64) {
-        let (most, slow) = (lever.most(), lever.rate4() * share.powi(4));
+        let (most, slow) = (lever.magnitude_bound(), lever.rate4() * share.powi(4));
         if most > 0.0 {
             self.middle += 8.0 * most * (ahead.middle + slow / 144.0 * ahead.most);
             self.flat += most * ahead.flat * (1.0 + slow.sqrt().sqrt() / 8.0);
@@ -105,7 +105,7 @@ impl TreeBase {
 
     /// Bounds of |G| of every tree in the stretch taken up last.
     pub(super) fn slopes(&self) -> impl Iterator<Item = f64> + '_ {
-        self.levers.iter().map(Smooth::most)
+        self.levers.iter().map(Smooth::magnitude_bound)
     }
 
     /// Sets the bounds of |G| of every tree in a turn.
@@ -178,7 +178,7 @@ impl TreeBase {
 
     /// Instants at which it meets what it has not met before, in a stretch whose nodes
     /// were taken up.
-    pub(super) fn climb(
+    pub(super) fn refine_force_extrema(
         &self,
         branches: &mut [Branch<'_>],
         forces: &mut Forces,
@@ -203,9 +203,9 @@ impl TreeBase {
         let levers = self.levers.iter().zip(ahead);
         let coupled = levers.filter(|(_, force)| force.most > 0.0);
         let coupled: f64 = coupled
-            .map(|(lever, force)| lever.most() * force.most)
+            .map(|(lever, force)| lever.magnitude_bound() * force.most)
             .sum();
-        self.own.most() + coupled
+        self.own.magnitude_bound() + coupled
     }
 
     /// Where sign·(A + ΣG·F) is greatest, if that is above a level by more than a margin.
@@ -260,7 +260,7 @@ impl TreeBase {
         let [mut value, mut slope] = self.own.at(share);
         slope /= length;
         for (tree, (lever, branch)) in self.levers.iter().zip(branches).enumerate() {
-            if lever.most() == 0.0 {
+            if lever.magnitude_bound() == 0.0 {
                 continue;
             }
             let [g, rate] = lever.at(share);
@@ -295,8 +295,8 @@ impl TreeBase {
         }
         let mut own = Loss::own(&self.own, share);
         for (lever, branch) in self.levers.iter().zip(branches) {
-            if lever.most() > 0.0 {
-                let ahead = forces.ahead_in(branch, [piece.a.s, piece.b.s]);
+            if lever.magnitude_bound() > 0.0 {
+                let ahead = forces.force_bounds(branch, [piece.a.s, piece.b.s]);
                 own.add(lever, &ahead, share);
             }
         }

@@ -32,7 +32,7 @@ struct InstantForces {
 
 impl InstantForces {
     /// Goes to an instant; what is known of another one is forgotten.
-    fn go_to(&mut self, time: f64) {
+    fn set_time(&mut self, time: f64) {
         if self.time != time {
             self.time = time;
             self.forces.fill((NONE, End::default()));
@@ -63,7 +63,7 @@ impl Forces {
             self.ends.swap(0, 1);
         }
         for (end, time) in self.ends.iter_mut().zip(span) {
-            end.go_to(time);
+            end.set_time(time);
         }
         for (ahead, branch) in self.ahead.iter_mut().zip(branches) {
             *ahead = branch.force_ahead(span);
@@ -94,7 +94,7 @@ impl Forces {
     }
 
     /// Bounds of the force of a tree over a part of the stretch.
-    pub(super) fn ahead_in(&mut self, branch: &Branch<'_>, part: [f64; 2]) -> Ahead {
+    pub(super) fn force_bounds(&mut self, branch: &Branch<'_>, part: [f64; 2]) -> Ahead {
         #[cfg(test)]
         {
             self.evaluations[1] += 1;

@@ -47,8 +47,8 @@ impl Listener for Counted<'_, '_> {
         self.joint.start(y, modes);
     }
 
-    fn again(&mut self, number: usize) {
-        self.joint.again(number);
+    fn reset_tree(&mut self, number: usize) {
+        self.joint.reset_tree(number);
     }
 
     fn phase(&mut self, number: usize, branch: &mut Branch<'_>) {
@@ -82,7 +82,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     let parts = whole(&system).unwrap();
     assert_eq!(parts.trees.len(), TREES);
     let initial = system.initial_place().unwrap();
-    let rest = Rest::beside(&system, &parts).unwrap();
+    let rest = Rest::outside_trees(&system, &parts).unwrap();
     let trees = trees(&parts, &initial);
     let way = Schedule {
         system: &system,
@@ -111,7 +111,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
         checked: false,
     };
     let clock = Clock::new(&limits);
-    let goes_on = || clock.goes_on();
+    let goes_on = || clock.is_running();
     let asked = |number: usize| request(&parts.trees[number], &limits, duration, None);
     let mut nobody: [&mut dyn Sink; 0] = [];
     let sink = &mut Tee(&mut nobody);
@@ -124,14 +124,14 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
     };
     let mut walk = EventLoop::new(way, &asked, &clock, &goes_on).unwrap();
     walk.begin(&mut counted);
-    walk.go_to(duration, None, &mut counted);
+    walk.advance_to(duration, None, &mut counted);
     let Counted {
         stretches,
         greatest,
         ..
     } = counted;
     let evaluations = joint.beside.as_ref().unwrap().forces.evaluations;
-    let (y, modes) = walk.stand(None);
+    let (y, modes) = walk.current_state(None);
     let (y, modes) = (y.to_vec(), modes.clone());
     let recorded = joint.finish(walk.time(), (&y, &modes), walk.branches());
     let found = recorded.figures[0].peak_reaction;

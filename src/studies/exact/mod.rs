@@ -42,7 +42,7 @@ pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
 pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fault>> {
     let parts = Parts::with_laws(system, laws);
     if parts.is_whole() {
-        return match parts.are_apart(system) {
+        return match parts.are_independent(system) {
             true => Ok(parts),
             false => Err(vec![fault(
                 "drives",
@@ -155,7 +155,7 @@ pub(super) fn follow(
     sink: &mut dyn Sink,
 ) -> MotionFindings {
     let rest = match wanted {
-        None => Rest::beside(system, parts),
+        None => Rest::outside_trees(system, parts),
         Some(_) => None,
     };
     let trees = trees(parts, initial);
@@ -169,7 +169,7 @@ pub(super) fn follow(
         whole: wanted.is_none() || settings.samples > 0,
     };
     let clock = Clock::new(limits);
-    let goes_on = || clock.goes_on();
+    let goes_on = || clock.is_running();
     let request = |number: usize| request(&parts.trees[number], limits, end, wanted);
     let mut joint = CombinedRecord::new(
         (way, &goes_on),
@@ -182,8 +182,8 @@ pub(super) fn follow(
         Err(stop) => return never_begun(joint, initial, stop),
     };
     walk.begin(&mut joint);
-    while walk.goes_on(end) {
-        walk.go_on_to(end, None, &mut joint);
+    while walk.is_running(end) {
+        walk.advance_to_next_event(end, None, &mut joint);
         joint.passes(walk.time(), walk.switches());
     }
     finish(walk, joint)
@@ -192,7 +192,7 @@ pub(super) fn follow(
 fn finish(mut walk: EventLoop<'_>, mut joint: CombinedRecord<'_>) -> MotionFindings {
     let outcome = walk.outcome();
     walk.cut(&mut joint);
-    let (y, modes) = walk.stand(None);
+    let (y, modes) = walk.current_state(None);
     let (y, modes) = (y.to_vec(), modes.clone());
     let grazing = walk.grazing();
     let recorded = joint.finish(walk.time(), (&y, &modes), walk.branches());
@@ -234,11 +234,11 @@ pub(super) fn deviations(
         whole: false,
     };
     let clock = Clock::new(limits);
-    let goes_on = || clock.goes_on();
+    let goes_on = || clock.is_running();
     let request = |number: usize| Request {
         switches: limits.switches,
         all_steps: limits.steps,
-        all_masses: !last_alone(&parts.trees[number]),
+        all_masses: !samples_last_mass_only(&parts.trees[number]),
         ..Request::new(end, count)
     };
     let mut heard = EventTimes(Vec::new());
@@ -248,12 +248,12 @@ pub(super) fn deviations(
             return Deviations {
                 samples: Vec::new(),
                 switches: Vec::new(),
-                outcome: at_once(stop),
+                outcome: ended_at_start(stop),
             };
         }
     };
     walk.begin(&mut heard);
-    walk.go_to(end, None, &mut heard);
+    walk.advance_to(end, None, &mut heard);
     let outcome = walk.outcome();
     walk.cut(&mut heard);
     let branches = walk.branches().iter();
@@ -265,7 +265,7 @@ pub(super) fn deviations(
 }
 
 /// True when the tree's last mass is all that is sampled.
-fn last_alone(part: &Part) -> bool {
+fn samples_last_mass_only(part: &Part) -> bool {
     let objects = &part.problem().objects;
     let last = part.problem().masses.len() - 1;
     matches!(&objects[..], [only] if only.output == [(last, 1.0)] && only.driver.is_none())
@@ -278,7 +278,7 @@ fn sampled<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)
     let columns = 2 * part.problem().masses.len();
     let objects = part.objects.iter().zip(&part.problem().objects);
     objects.map(move |(&object, place)| {
-        if last_alone(part) {
+        if samples_last_mass_only(part) {
             return (object, samples.to_vec());
         }
         let delta = |row: &[f64]| {
@@ -296,7 +296,7 @@ struct EventTimes(Vec<f64>);
 impl Listener for EventTimes {
     fn start(&mut self, _y: &[f64], _modes: &Modes) {}
 
-    fn again(&mut self, _number: usize) {}
+    fn reset_tree(&mut self, _number: usize) {}
 
     fn phase(&mut self, _number: usize, _branch: &mut Branch<'_>) {}
 
@@ -307,7 +307,7 @@ impl Listener for EventTimes {
     }
 }
 
-fn at_once(stop: Stop) -> Outcome {
+fn ended_at_start(stop: Stop) -> Outcome {
     Outcome {
         time: 0.0,
         stop,
@@ -324,7 +324,7 @@ fn never_begun(
     joint.start(&initial.y, &initial.modes);
     MotionFindings {
         recorded: joint.finish(0.0, (&initial.y, &initial.modes), &mut []),
-        outcome: at_once(stop),
+        outcome: ended_at_start(stop),
         grazing: 0,
     }
 }
@@ -334,7 +334,7 @@ fn never_begun(
 ///
 /// Ends where either does. Trees that give up are not waited for: their reason is that
 /// of the whole.
-pub(super) fn follow_beside(
+pub(super) fn propagate_with_remainder(
     system: &System,
     (parts, rest): (&Parts, &Rest),
     initial: &InitialState,
@@ -354,7 +354,7 @@ pub(super) fn follow_beside(
         whole: true,
     };
     let clock = Clock::new(limits);
-    let goes_on = || clock.goes_on();
+    let goes_on = || clock.is_running();
     let request = |number: usize| request(&parts.trees[number], limits, end, None);
     let joint = CombinedRecord::new((way, &goes_on), settings, Some((rest, true)), sink);
     let walk = match EventLoop::new(way, &request, &clock, &goes_on) {

@@ -123,7 +123,7 @@ impl<'a> Remainder<'a> {
         if self.rest.has_modes(event.after, &self.modes) {
             return;
         }
-        self.take_to(event.time);
+        self.advance_figures(event.time);
         let modes = self.rest.modes(event.after);
         let before = std::mem::replace(&mut self.modes, modes);
         self.figured.switch(&SwitchEvent {
@@ -139,7 +139,7 @@ impl<'a> Remainder<'a> {
     /// Takes up a stretch; false where no force can meet in it what it has not met before.
     pub(super) fn take_stretch(&mut self, motion: &Motion<'_, '_>, span: [f64; 2]) -> bool {
         if self.steady.is_none() && !self.integrated {
-            self.take_to(span[1]);
+            self.advance_figures(span[1]);
         }
         if !self.may_rise(motion, span) {
             return false;
@@ -168,7 +168,7 @@ impl<'a> Remainder<'a> {
     }
 
     /// Takes figures and works of prescribed motions up to an instant.
-    pub(super) fn take_to(&mut self, time: f64) {
+    pub(super) fn advance_figures(&mut self, time: f64) {
         if time > self.taken {
             let step = still([self.taken, time]);
             self.figured.step(&step, &self.modes);
@@ -184,7 +184,7 @@ impl<'a> Remainder<'a> {
         let origin = self.origin(given);
         // What is given in steps is that of another step at their joint.
         let first = match given.is_none() && self.noted[1] == span[0] {
-            true => self.go_on(),
+            true => self.start_next_stretch(),
             false => 0,
         };
         for k in first..NODES {
@@ -232,7 +232,7 @@ impl<'a> Remainder<'a> {
 
     /// Makes the last node of the stretch taken up last the first of the next, and gives the
     /// node to go on with.
-    fn go_on(&mut self) -> usize {
+    fn start_next_stretch(&mut self) -> usize {
         self.states.swap(0, NODES - 1);
         for slopes in &mut self.slopes {
             slopes.swap(0, NODES - 1);

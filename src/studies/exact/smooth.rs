@@ -10,7 +10,7 @@ pub(super) struct Smooth {
     differences: [f64; NODES],
     least: f64,
     most: f64,
-    /// Fourth power of a rate r, by the stretch, with |f⁽ᵏ⁾| ≤ rᵏ·[`Self::most`] for all k.
+    /// Fourth power of a rate r, by the stretch, with |f⁽ᵏ⁾| ≤ rᵏ·[`Self::magnitude_bound`] for all k.
     rate4: f64,
 }
 
@@ -65,13 +65,13 @@ impl Smooth {
         24.0 * self.differences[NODES - 1].abs()
     }
 
-    /// Fourth power of a rate r, by the stretch, with |f⁽ᵏ⁾| ≤ rᵏ·[`Self::most`] for all k.
+    /// Fourth power of a rate r, by the stretch, with |f⁽ᵏ⁾| ≤ rᵏ·[`Self::magnitude_bound`] for all k.
     pub(super) fn rate4(&self) -> f64 {
         self.rate4
     }
 
     fn find_rate4(&self) -> f64 {
-        let most = self.most();
+        let most = self.magnitude_bound();
         if most == 0.0 {
             return 0.0;
         }
@@ -85,7 +85,7 @@ impl Smooth {
 
     /// A bound on its magnitude: between five nodes it rises by no more than its range
     /// there (a parabola by an eighth of it).
-    pub(super) fn most(&self) -> f64 {
+    pub(super) fn magnitude_bound(&self) -> f64 {
         self.most.max(-self.least) + (self.most - self.least)
     }
 }
@@ -104,15 +104,15 @@ mod tests {
             approx::assert_abs_diff_eq!(value, f(s), epsilon = 1e-14);
             let expected = -1.0 + 6.0 * s - 4.0 * s.powi(3);
             approx::assert_abs_diff_eq!(slope, expected, epsilon = 1e-13);
-            assert!(value.abs() <= smooth.most());
+            assert!(value.abs() <= smooth.magnitude_bound());
             let rate = smooth.rate4().powf(0.25);
             let higher = [slope, -12.0 * s * s, -24.0 * s, -24.0];
             for (k, derivative) in (1..).zip(higher) {
-                let bound = rate.powi(k) * smooth.most();
+                let bound = rate.powi(k) * smooth.magnitude_bound();
                 assert!(f64::abs(derivative) <= bound * (1.0 + 1e-12));
             }
         }
         approx::assert_abs_diff_eq!(smooth.fourth(), 24.0, epsilon = 1e-11);
-        assert_eq!(Smooth::new([0.0; NODES]).most(), 0.0);
+        assert_eq!(Smooth::new([0.0; NODES]).magnitude_bound(), 0.0);
     }
 }

@@ -6,7 +6,7 @@ use crate::studies::endless::{DeadEnd, approach, unbounded};
 
 /// Takes the forces off the positions of a course at a dead position that ends the reach,
 /// towards which they grow without bound: how great they are there tells how near it is.
-pub(super) fn leave_out<S: PositionSource>(
+pub(super) fn remove_unbounded_forces<S: PositionSource>(
     solver: &mut Solver<'_, S>,
     course: &Course,
     rows: &mut [Row],
@@ -25,7 +25,7 @@ pub(super) fn leave_out<S: PositionSource>(
 
 /// Stays of a course at a dead position that ends the reach: the parameters of the first and the
 /// last of positions that follow one another.
-pub(super) fn stays(course: &Course, end: &DeadEnd) -> Vec<[f64; 2]> {
+pub(super) fn dwells_at_end(course: &Course, end: &DeadEnd) -> Vec<[f64; 2]> {
     let there: Vec<usize> = (0..course.rows())
         .filter(|&index| end.is_at(course.instant(index).motion.coordinate))
         .collect();

@@ -1,7 +1,6 @@
 //! Kinetostatics over a course of the input: reactions, driving force,
 //! transmission ratios, efficiency, self-locking, balance of the frame.
 
-mod asked;
 mod closing;
 mod columns;
 mod counterweight;
@@ -12,14 +11,14 @@ mod extremes;
 mod figures;
 mod loads;
 mod massless;
+mod multi_input;
 mod open;
+mod request;
 mod row;
 mod scan;
-mod several;
 mod zones;
 
 pub use crate::studies::endless::DeadEnd;
-pub use asked::{LinkagePositions, course_of, course_of_record, only_loaded_output};
 pub use columns::{Column, columns, columns_of_inputs};
 pub use counterweight::Counterweight;
 pub use course::{Course, Instant, PositionSource};
@@ -27,9 +26,10 @@ pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
 pub use figures::{figures, figures_of_inputs};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
+pub use multi_input::{SeveralDrives, multi_input_forces};
 pub use open::Rests;
+pub use request::{LinkagePositions, course_of, course_of_record, only_loaded_output};
 pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
-pub use several::{SeveralDrives, several_forces};
 pub use zones::{Zone, ZoneKind};
 
 use crate::fault::Fault;
@@ -137,7 +137,7 @@ fn solved<S: PositionSource>(
         })
         .collect();
     let zones = zones::find(&mut solver, &course);
-    ends::leave_out(&mut solver, &course, &mut rows);
+    ends::remove_unbounded_forces(&mut solver, &course, &mut rows);
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
     let indeterminate = open::joined(&rows);

@@ -212,7 +212,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     /// no zone yet. How far the zones are looked at.
     fn limits(&self, zones: &mut Vec<Zone>, [first, last]: [f64; 2]) -> [f64; 2] {
         for end in self.solver.limits() {
-            for [from, to] in ends::stays(self.course, &end) {
+            for [from, to] in ends::dwells_at_end(self.course, &end) {
                 // (The dead position may lie just beyond the course.)
                 let [low, high] = [from, to].map(|place| place.clamp(first, last));
                 if zones.iter().all(|zone| zone.to < low || high < zone.from) {

@@ -1,7 +1,7 @@
 //! The quantities of a linkage: their names, units and columns. Their values are in
 //! [`super::values`], in the same order.
 
-use super::ask::KinematicsRequest;
+use super::request::KinematicsRequest;
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::spec::PairKind;
 use crate::math::jet::Jet;

@@ -4,7 +4,7 @@
 //! weights, springs and forces. It rests where W = 0; about there x = q − q₀ obeys
 //! J·ẍ + D·ẋ + k·x = 0 with the stiffness k = V″ − Q′.
 
-use super::ask::{KinematicsRequest, Over, whole_travel};
+use super::request::{KinematicsRequest, Over, whole_travel};
 use crate::kinematics::linkage::{Linkage, Reduced, Workspace};
 use crate::math::roots::{BISECTIONS, bisect, middle};
 

@@ -2,29 +2,29 @@
 //! accelerations of every link, point and sliding pair, over a turn, a range of
 //! the input coordinate or time.
 //!
-//! One loop makes the rows (`rows`) over a `Course`, of one input or of several (`several`),
+//! One loop makes the rows (`rows`) over a `Course`, of one input or of several (`multi_input`),
 //! and finds extremes, errors and warnings.
 
-mod ask;
 mod columns;
 mod equilibria;
 mod extremes;
 mod figures;
+mod multi_input;
+mod request;
 mod rows;
-mod several;
 mod study;
 mod subject;
 mod summary;
 mod values;
 
-pub use ask::{
-    InputCourse, InputOver, KinematicsRequest, MOST_POSITIONS, Over, POSITIONS, Question,
-    whole_travel,
-};
 pub use columns::Quantity;
 pub use equilibria::Equilibrium;
 pub use figures::NamedFigure;
-pub use several::{AskedSeveral, several_kinematics};
+pub use multi_input::{AskedSeveral, multi_input_kinematics};
+pub use request::{
+    InputCourse, InputOver, KinematicsRequest, MOST_POSITIONS, Over, POSITIONS, Question,
+    whole_travel,
+};
 pub use study::{even_motion, kinematics};
 pub use subject::{Subject, linkage_of, reaches, several_of};
 
@@ -42,7 +42,7 @@ use crate::studies::judgement::{Ending, Judgement};
 /// What cannot be answered, in words.
 pub fn kinematics_of(model: &Model, question: &Question) -> Result<Kinematics, String> {
     Ok(match several_of(model, question.object.as_deref()) {
-        Some(body) => several_kinematics(&AskedSeveral::new(model, body, question)?),
+        Some(body) => multi_input_kinematics(&AskedSeveral::new(model, body, question)?),
         None => kinematics(&KinematicsRequest::new(model, question)?),
     })
 }

@@ -1,9 +1,9 @@
 //! The study of a linkage of one input.
 
-use super::ask::span;
-use super::ask::{KinematicsRequest, Over};
 use super::columns::{self, Heading, unit_of};
 use super::equilibria::equilibria;
+use super::request::span;
+use super::request::{KinematicsRequest, Over};
 use super::rows::{Course, Rows, evenly, warnings};
 use super::summary;
 use super::values;

@@ -1,8 +1,8 @@
 //! Strokes and transmission angles.
 
-use super::ask::KinematicsRequest;
 use super::columns::unit_of;
 use super::extremes::{greatest_row, located};
+use super::request::KinematicsRequest;
 use super::{Stroke, Transmission};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec, PointOf};

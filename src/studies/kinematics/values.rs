@@ -1,6 +1,6 @@
 //! The values of all columns at a position, in the order of [`super::columns::headings`].
 
-use super::ask::KinematicsRequest;
+use super::request::KinematicsRequest;
 use crate::kinematics::linkage::Workspace;
 use crate::kinematics::linkage::spec::{PairKind, PairSpec, PointOf};
 use crate::math::jet::Jet;
@@ -10,7 +10,7 @@ use crate::math::jet::Jet;
 const AT_REST: f64 = 1e-12;
 
 /// Derivatives over time of something with these transfer functions.
-pub(super) fn moved(along: Jet, q: Jet) -> [f64; 2] {
+pub(super) fn time_derivatives(along: Jet, q: Jet) -> [f64; 2] {
     [
         along.first * q.first,
         along.second * q.first * q.first + along.first * q.second,
@@ -30,7 +30,7 @@ pub(super) fn values(asked: &KinematicsRequest<'_>, work: &Workspace, q: Jet, ou
             second,
             third,
         };
-        let [speed, acceleration] = moved(angle, q);
+        let [speed, acceleration] = time_derivatives(angle, q);
         out.extend([angle.value, speed, acceleration, first, second, third]);
         let pose = work.pose(index);
         out.extend(instant_centre([pose.x, pose.y], work.transfer(index, 1)));
@@ -49,14 +49,14 @@ pub(super) fn values(asked: &KinematicsRequest<'_>, work: &Workspace, q: Jet, ou
     }
     for index in 0..spec.outputs.len() {
         let along = asked.linkage.output(index, work);
-        let [speed, acceleration] = moved(along, q);
+        let [speed, acceleration] = time_derivatives(along, q);
         out.extend([along.value, speed, acceleration]);
         out.extend([along.first, along.second, along.third]);
     }
 }
 
 fn point_values([x, y]: [Jet; 2], q: Jet, out: &mut Vec<f64>) {
-    let ([vx, ax], [vy, ay]) = (moved(x, q), moved(y, q));
+    let ([vx, ax], [vy, ay]) = (time_derivatives(x, q), time_derivatives(y, q));
     out.extend([x.value, y.value, vx, vy, vx.hypot(vy), ax, ay, ax.hypot(ay)]);
     out.extend([x.first, y.first, x.second, y.second, x.third, y.third]);
     along_path([x, y], q, out);
@@ -80,7 +80,7 @@ pub(super) fn instant_centre(origin: [f64; 2], [x, y, turning]: [f64; 3]) -> [f6
 /// Acceleration of a point along and across its path, which at a reversal is taken as
 /// just after it.
 fn path_acceleration([x, y]: [Jet; 2], q: Jet) -> [f64; 2] {
-    let ([vx, ax], [vy, ay]) = (moved(x, q), moved(y, q));
+    let ([vx, ax], [vy, ay]) = (time_derivatives(x, q), time_derivatives(y, q));
     let sense = if q.first < 0.0 { -1.0 } else { 1.0 };
     let (tangent, bend) = ([x.first, y.first], [x.second, y.second]);
     let rest = AT_REST * bend[0].hypot(bend[1]);
@@ -122,13 +122,17 @@ fn slide_values(
         return;
     };
     let along = work.pair(index);
-    let [relative_speed, relative_acceleration] = moved(along, q);
+    let [relative_speed, relative_acceleration] = time_derivatives(along, q);
     out.extend([along.value, relative_speed, relative_acceleration]);
     out.extend([along.first, along.second, along.third]);
     let guide = pair.on.link.map(|link| {
         let under = work.point(under_block(pair, direction, along.value));
         let turning = work.transfer(link, 1)[2] * q.first;
-        (work.angle(link), turning, under.map(|x| moved(x, q)))
+        (
+            work.angle(link),
+            turning,
+            under.map(|x| time_derivatives(x, q)),
+        )
     });
     transport(direction, relative_speed, guide, out);
 }

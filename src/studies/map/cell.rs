@@ -1,7 +1,7 @@
 //! One point of a map.
 
-use super::ends::failed;
-use super::figure::{read, scale, wanted};
+use super::ends::failure_verdict;
+use super::figure::{figure_of_object, read, scale};
 use super::judge::{self, Begun, Evidence, judge};
 use super::rigid::RigidMotion;
 use super::scenes::{MotionCache, Scenes};
@@ -221,7 +221,7 @@ impl Task<'_> {
 
     /// Runs a system for the figure of the map and what a mechanism is judged by.
     fn motion(&self, system: &System, settings: &RunSettings) -> Result<Motion, Vec<Fault>> {
-        let asked = wanted(&self.study.figure, system.model());
+        let asked = figure_of_object(&self.study.figure, system.model());
         let all = |object: usize| match asked {
             Some((own, asked)) if own == object => asked,
             _ => RequestedFigures::DEVIATION,
@@ -252,7 +252,7 @@ impl Task<'_> {
 
     /// The cell of a run that did not come to its end or is not to be trusted.
     fn failed(&self, found: &Motion) -> Option<Cell> {
-        let (verdict, cause) = failed(self.system.model(), self.settings, found)?;
+        let (verdict, cause) = failure_verdict(self.system.model(), self.settings, found)?;
         Some(Cell::without_value(verdict, cause))
     }
 

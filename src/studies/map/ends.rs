@@ -14,7 +14,7 @@ use crate::units::shown;
 
 /// The verdict on a run that did not come to its end or is not to be trusted, with its cause.
 /// `None`: the run is complete, and what it says of the mechanism holds.
-pub(super) fn failed(
+pub(super) fn failure_verdict(
     model: &Model,
     settings: &RunSettings,
     found: &Motion,
@@ -69,7 +69,7 @@ fn doubt(settings: &RunSettings, found: &Motion) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{failed, judgement};
+    use super::{failure_verdict, judgement};
     use crate::ask::Scene;
     use crate::dynamics::integrate::{Method, Stop};
     use crate::studies::demand::Demand;
@@ -107,7 +107,7 @@ mod tests {
                 let model = mechanism.model();
                 let judged = judgement(model, &settings, &found);
                 assert_eq!(judged, by_itself.judgement(), "{:?}", found.outcome.stop);
-                let ended = failed(model, &settings, &found);
+                let ended = failure_verdict(model, &settings, &found);
                 if found.outcome.stop == Stop::Complete {
                     assert_eq!(ended, None);
                     continue;

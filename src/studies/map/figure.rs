@@ -21,7 +21,7 @@ pub(super) fn default_figure(model: &Model, order: &[String]) -> Option<String> 
 
 /// Why there is no figure to begin with, and which there are in every cell: those
 /// of an object's whole motion, which rigid objects and drives have as well.
-pub(super) fn nothing_elastic(model: &Model) -> String {
+pub(super) fn no_elastic_object_message(model: &Model) -> String {
     let driven = model.objects.iter().rev().find(|part| !part.is_drive());
     let id = driven.or(model.objects.last());
     let id = id.map_or("object", |part| part.id.as_str());
@@ -97,7 +97,7 @@ fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
 /// find for the figure and its scale (extremes of δ in any case); `None` where a run has
 /// to find everything: for other figures, or with rigid pairs, whose margins a mechanism
 /// is judged by.
-pub(super) fn wanted(figure: &str, model: &Model) -> Option<(usize, RequestedFigures)> {
+pub(super) fn figure_of_object(figure: &str, model: &Model) -> Option<(usize, RequestedFigures)> {
     let (object, name) = parts(figure, model)?;
     let margins = |part: &ObjectPart| {
         let pair = part.rigid_pair;
@@ -139,7 +139,7 @@ pub(super) fn scale(figure: &str, model: &Model, settings: &RunSettings, found: 
     let own = own.and_then(|(object, name)| {
         scale_of_object(&found.recorded.figures[object], name, found.outcome.time)
     });
-    own.unwrap_or_else(|| whole(model, settings, found).scale(figure))
+    own.unwrap_or_else(|| run_figures(model, settings, found).scale(figure))
 }
 
 /// The same of a figure that [`of_object`] knows; `time` is that of the run (s).
@@ -166,11 +166,11 @@ pub(super) fn read(
     let own = parts(figure, model);
     let own = own.and_then(|(object, name)| of_object(&found.recorded.figures[object], name));
     // (Most figures need no document to be read.)
-    own.or_else(|| whole(model, settings, found).value(figure).ok())
+    own.or_else(|| run_figures(model, settings, found).value(figure).ok())
 }
 
 /// The document of a run.
-fn whole(model: &Model, settings: &RunSettings, found: &Motion) -> Figures {
+fn run_figures(model: &Model, settings: &RunSettings, found: &Motion) -> Figures {
     let (outcome, recorded) = (&found.outcome, &found.recorded);
     let window = found.window.clone();
     let run = summary(settings, outcome, &found.choice, recorded, window);

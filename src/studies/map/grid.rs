@@ -55,7 +55,7 @@ pub fn map(
 ) -> Result<MapResult, String> {
     let work = Work::new(study, known, 0..study.cells(), control, listener);
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    work.go_with(threads.unwrap_or_else(cores))
+    work.run_threads(threads.unwrap_or_else(cores))
         .map_err(|error| format!("cannot start the threads of the map: {error}"))?;
     match work.trouble.into_inner() {
         Ok(Some(message)) => Err(message),
@@ -83,7 +83,7 @@ pub fn map_cells(
     let count = cells.len();
     let work = Work::new(study, BTreeMap::new(), cells, control, listener);
     let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    work.go_with(threads.unwrap_or_else(cores))
+    work.run_threads(threads.unwrap_or_else(cores))
         .map_err(|error| format!("cannot start the threads of the map: {error}"))?;
     if let Ok(Some(message)) = work.trouble.into_inner() {
         return Err(message);
@@ -163,22 +163,22 @@ impl<'w> Work<'w> {
     }
 
     /// All threads take cells; the calling one is the first of them.
-    fn go_with(&self, threads: usize) -> std::io::Result<()> {
+    fn run_threads(&self, threads: usize) -> std::io::Result<()> {
         std::thread::scope(|scope| {
             for _ in 1..threads {
-                let started = std::thread::Builder::new().spawn_scoped(scope, || self.go());
+                let started = std::thread::Builder::new().spawn_scoped(scope, || self.take_cells());
                 if let Err(error) = started {
                     self.stop.store(true, Relaxed);
                     return Err(error);
                 }
             }
-            self.go();
+            self.take_cells();
             Ok(())
         })
     }
 
     /// Takes cells until there are none, or the map is stopped.
-    fn go(&self) {
+    fn take_cells(&self) {
         let mut scenes = Scenes::new(self.study);
         loop {
             if self.control.is_spent() || self.stop.load(Relaxed) {

@@ -42,7 +42,7 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
     let objects = evidence.system.model().objects.len();
     // The worst of the objects speaks for the mechanism.
     let opened = (0..objects)
-        .filter_map(|object| opens(evidence, object))
+        .filter_map(|object| separation_verdict(evidence, object))
         .max_by_key(|(verdict, _)| severity(*verdict));
     let whole = Judgement::of_objects(reported(evidence.system.model(), &evidence.figures));
     if let Some(found) = opened.filter(|(verdict, _)| verdict.judgement() == Some(whole)) {
@@ -113,7 +113,7 @@ fn severity(verdict: Verdict) -> u8 {
 }
 
 /// The verdict on an object whose pair opens at some time.
-fn opens(evidence: &Evidence<'_>, object: usize) -> Option<(Verdict, String)> {
+fn separation_verdict(evidence: &Evidence<'_>, object: usize) -> Option<(Verdict, String)> {
     let figures = evidence.figures[object];
     let pair = figures.pair.as_ref()?;
     let id = &evidence.system.model().objects[object].id;

@@ -1,6 +1,6 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
-use super::figure::{check_figure, default_figure, nothing_elastic, unit};
+use super::figure::{check_figure, default_figure, no_elastic_object_message, unit};
 use super::levels::{levels, shortfall};
 use super::panels::Panels;
 use crate::dynamics::system::System;
@@ -224,7 +224,7 @@ impl<'a> Study<'a> {
         let mut others = others.filter_map(|cell| self.try_cell(panel, cell).ok());
         others
             .find_map(|(reading, system)| of(&reading, &system))
-            .ok_or_else(|| StudyFault::Question(nothing_elastic(system.model())))
+            .ok_or_else(|| StudyFault::Question(no_elastic_object_message(system.model())))
     }
 
     fn try_cell(&self, panel: usize, cell: usize) -> Result<(Reading, System), Diagnostics> {
@@ -248,7 +248,7 @@ impl<'a> Study<'a> {
             StudyFault::Question(format!("{}; {hint}", fault.message))
         })?;
         self.unit = unit(&self.figure, model);
-        let written = |axis: &Axis| axis.shown_unit(model);
+        let written = |axis: &Axis| axis.display_unit(model);
         self.parameter_units = [
             written(&self.x),
             self.y.as_ref().map(written).unwrap_or_default(),

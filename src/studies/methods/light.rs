@@ -94,7 +94,7 @@ impl<'r> Listener<'r> {
         self.duration * (self.next as f64 / self.intervals as f64)
     }
 
-    fn look(&mut self, step: &Step<'_>, s: f64, keep: bool) {
+    fn sample_tracks(&mut self, step: &Step<'_>, s: f64, keep: bool) {
         for (index, track) in self.tracks.iter().enumerate() {
             let value = step.value(track.coordinate, s).0;
             let greatest = &mut self.trace.greatest[index];
@@ -123,10 +123,10 @@ impl Sink for Listener<'_> {
         self.trace.longest_step = self.trace.longest_step.max(step.length);
         while self.looks_within(step.end_time()) {
             let s = (self.due() - step.start) / step.length;
-            self.look(step, s.clamp(0.0, step.end), true);
+            self.sample_tracks(step, s.clamp(0.0, step.end), true);
             self.next += 1;
         }
-        self.look(step, step.end, false);
+        self.sample_tracks(step, step.end, false);
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {

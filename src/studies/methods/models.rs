@@ -7,11 +7,11 @@
 use crate::fault::Fault;
 use crate::frontend::scene::{Accuracy, AccuracySpec, Levels, TypedScene, in_words};
 use crate::math::order::Total;
-use crate::studies::order::asked::RequestedFigure;
 use crate::studies::order::choose::families;
+use crate::studies::order::figure_limits::{FigureLimits, first_accurate_trial};
 use crate::studies::order::judge::Judge;
-use crate::studies::order::known::{FigureLimits, first_enough};
 use crate::studies::order::lessen::lessened;
+use crate::studies::order::requested_figures::RequestedFigure;
 use crate::studies::order::row::Course;
 use crate::studies::order::trial::{Trial, Trials, coordinates};
 use crate::studies::{Control, RunSettings};
@@ -81,7 +81,7 @@ pub fn models(
     let mut families = families(&trials);
     let known = FigureLimits::of(&mut trials, &mut families)?;
     let judge = known.judge();
-    let first = first_enough(&mut trials, &families, &known.row, &judge)?;
+    let first = first_accurate_trial(&mut trials, &families, &known.row, &judge)?;
     let mut found = first;
     if judge.accepts(&trials, first) {
         found = lessened(&mut trials, &families, &judge, first, |_, _| {

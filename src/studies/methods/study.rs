@@ -152,7 +152,7 @@ pub fn study(
     };
     let coordinates = crate::dynamics::integrate::Dynamics::coordinates(system);
     let spectrum = Spectrum::of(system, coordinates);
-    let beside = beside(&problem, plan, &effort);
+    let beside = exact_attempt(&problem, plan, &effort);
     let (own, complete) = attempts(&problem, plan, &spectrum, &effort, progress);
     let attempts: Vec<Attempt> = beside.into_iter().chain(own).collect();
     // What was done before an interrupt is still judged; no limits are measured.
@@ -202,7 +202,7 @@ pub(super) fn working(complete: bool, doubted: bool) -> Working {
 
 /// What is known of methods beforehand: what a short run need not show.
 fn cautions(system: &System) -> Vec<String> {
-    let friction = system.has_friction_of_several();
+    let friction = system.has_multi_input_friction();
     let caution = "With joint friction of a linkage of several inputs radau is slow near singular \
                    positions, and rodas5p may not finish. There dop853 is faster.";
     friction.then(|| caution.to_owned()).into_iter().collect()
@@ -238,7 +238,7 @@ fn nothing_to_choose() -> Fault {
 }
 
 /// The exact motion beside the methods of a plan that does not name it.
-fn beside(problem: &Problem<'_>, plan: &Plan, effort: &Effort<'_>) -> Option<Attempt> {
+fn exact_attempt(problem: &Problem<'_>, plan: &Plan, effort: &Effort<'_>) -> Option<Attempt> {
     let wanted = plan.exact_beside && !plan.methods.contains(&Method::Exact);
     wanted.then(|| Attempt::untimed(problem, Method::Exact, Setting::Exact, effort))
 }

@@ -27,7 +27,7 @@ pub struct Sweep {
     /// Version of the document: 1.
     pub dam: u32,
     /// The parameter and its values, with the unit that they are shown in
-    /// ([`Axis::shown_unit`]).
+    /// ([`Axis::display_unit`]).
     pub axis: Axis,
     /// False when interrupted.
     pub complete: bool,
@@ -128,7 +128,7 @@ pub fn sweep<E>(
     };
     for x in axis.values() {
         let (system, _) = prepare(x)?;
-        found.axis.unit = axis.shown_unit(system.model());
+        found.axis.unit = axis.display_unit(system.model());
         start(&system).map_err(|faults| fail(x, faults))?;
     }
     for (index, x) in axis.values().into_iter().enumerate() {

@@ -182,7 +182,7 @@ fn stopped(
         ),
         Stop::TooManySwitches { bound: most } => {
             let cause = format!("more than {most} switches {at}");
-            match known || at_once(&timed.trace) {
+            match known || has_accumulated_events(&timed.trace) {
                 true => (Verdict::Chatter, with_limit(cause, timed, bound)),
                 false => (Verdict::GaveUp, cause),
             }
@@ -204,7 +204,7 @@ fn stopped(
                 ),
             }
         }
-        Stop::Method { reason, .. } => match at_once(&timed.trace) {
+        Stop::Method { reason, .. } => match has_accumulated_events(&timed.trace) {
             true => (Verdict::Chatter, with_limit(reason.clone(), timed, bound)),
             false => (Verdict::GaveUp, format!("{reason} ({at})")),
         },
@@ -213,7 +213,7 @@ fn stopped(
 }
 
 /// True when the run ended in switches at one and the same instant.
-fn at_once(trace: &Trace) -> bool {
+fn has_accumulated_events(trace: &Trace) -> bool {
     let switches = &trace.switches;
     let count = switches.len();
     count >= AT_ONCE && switches[count - AT_ONCE] == switches[count - 1]

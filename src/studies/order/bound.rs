@@ -138,7 +138,7 @@ fn constant_loads(chain: &ChainSpec) -> Option<[f64; 2]> {
 /// How far the displacement of an object may be off by what its level leaves out, at any
 /// time of a run and at its end; `None`: this is not known beforehand. `end`: of the run (s); `motion`: that of its driven end, once
 /// sampled.
-pub(super) fn left_out(
+pub(super) fn truncation_bound(
     (scene, model): (&TypedScene, &Model),
     (id, level): (&str, Level),
     end: f64,

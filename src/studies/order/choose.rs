@@ -1,10 +1,10 @@
 //! The least model that gives the figures asked for within their accuracy.
 
-use super::asked::no_limit;
 use super::certificate::{Certainty, Certificate};
+use super::figure_limits::{FigureLimits, first_accurate_trial};
 use super::integration::coarsest;
-use super::known::{FigureLimits, first_enough};
 use super::lessen::lessened;
+use super::requested_figures::no_limit;
 use super::row::{Families, Family};
 use super::trial::Trials;
 use crate::dynamics::builder::spec::Level;
@@ -46,7 +46,7 @@ fn chosen(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
     let mut families = families(trials);
     let known = FigureLimits::of(trials, &mut families)?;
     let judge = known.judge();
-    let mut found = first_enough(trials, &families, &known.row, &judge)?;
+    let mut found = first_accurate_trial(trials, &families, &known.row, &judge)?;
     if judge.accepts(trials, found) {
         found = lessened(trials, &families, &judge, found, |trials, _| !spent(trials));
     }
@@ -55,7 +55,7 @@ fn chosen(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
     let mut certificate = judge.certificate(trials, &families, found);
     let open: Vec<String> = trials.elastic.open().cloned().collect();
     trials.elastic.clone().set(trials.scene, &levels);
-    tell_no_limit(trials, found, &mut certificate)?;
+    note_divergence(trials, found, &mut certificate)?;
     let levels = levels.into_iter().filter(|(id, _)| open.contains(id));
     Ok(LevelChoice {
         levels: levels.collect(),
@@ -65,7 +65,7 @@ fn chosen(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
 }
 
 /// Says of the model that was chosen why figures have no limit.
-fn tell_no_limit(
+fn note_divergence(
     trials: &Trials<'_>,
     chosen: usize,
     certificate: &mut Certificate,

@@ -10,8 +10,8 @@
 //! the settings (`RunSettings::of_accuracy`) and holds for `studies::run` alone; other studies
 //! have their own.
 
-use super::asked::{RequestedFigure, is_count};
 use super::judge::{Judge, value};
+use super::requested_figures::{RequestedFigure, is_count};
 use super::row::Course;
 use super::trial::{Trial, Trials};
 use crate::dynamics::record::Figures;
@@ -102,7 +102,8 @@ fn measured(
     fine: &Trial,
 ) -> Option<String> {
     let ended = |trial: &Trial| (trial.doubt.is_some(), trial.figures.run.stopped.clone());
-    if ended(coarse) != ended(fine) || !expected_is_kept(&trials.scene.expect, coarse, fine) {
+    if ended(coarse) != ended(fine) || !expectations_are_decided(&trials.scene.expect, coarse, fine)
+    {
         return None;
     }
     let mut measured = BTreeMap::new();
@@ -158,7 +159,7 @@ fn keeps(
 }
 
 /// True when what a scene expects of its run is met or not whatever the integration.
-fn expected_is_kept(all: &[Expectation], coarse: &Trial, fine: &Trial) -> bool {
+fn expectations_are_decided(all: &[Expectation], coarse: &Trial, fine: &Trial) -> bool {
     let mut expected = all.iter().filter(|one| of_run(one));
     expected.all(|one| {
         let (figure, within) = match &one.what {

@@ -1,9 +1,9 @@
 //! How accurate the figures of a trial are, and what that says of its levels.
 
-use super::asked::RequestedFigure;
 use super::certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };
+use super::requested_figures::RequestedFigure;
 use super::row::{Course, Families, Family};
 use super::trial::{Trial, Trials, coordinates};
 use crate::dynamics::builder::spec::Level;

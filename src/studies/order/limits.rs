@@ -1,7 +1,7 @@
 //! Where all figures of a scene lead as its elastic objects are refined.
 
-use super::asked::RequestedFigure;
 use super::choose::families;
+use super::requested_figures::RequestedFigure;
 use super::row::{Course, Row};
 use super::trial::Trials;
 use crate::fault::Fault;

@@ -21,24 +21,24 @@
 //! (`BodySpec::Open`), a map once for all its points (`map::levels`). `dam compare` needs the
 //! limits alone (`limits`). `report::accuracy` shows the result.
 
-pub(super) mod asked;
 mod bound;
 mod certificate;
 pub(super) mod choose;
+pub(super) mod figure_limits;
 mod integration;
 pub(super) mod judge;
-pub(super) mod known;
 pub(super) mod lessen;
 mod limits;
+pub(super) mod requested_figures;
 pub(super) mod row;
 pub mod settling;
 pub(super) mod trial;
 
-pub use asked::RequestedFigure;
-pub(in crate::studies) use asked::USUAL;
-pub use asked::USUAL_SHARE;
 pub use certificate::{
     Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
 };
 pub use choose::{LevelChoice, choose, finer};
 pub use limits::{Limits, limits};
+pub use requested_figures::RequestedFigure;
+pub(in crate::studies) use requested_figures::USUAL;
+pub use requested_figures::USUAL_SHARE;

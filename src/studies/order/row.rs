@@ -1,8 +1,8 @@
 //! The row of runs from which the limit of the model is told: the coordinates of all elastic
 //! objects doubled from run to run.
 
-use super::asked::{RequestedFigure, is_count, no_limit};
 use super::bound::of_figure;
+use super::requested_figures::{RequestedFigure, is_count, no_limit};
 use super::settling::{Settled, scatter, settled};
 use super::trial::{Trials, coordinates};
 use crate::dynamics::builder::spec::{Level, Lumping};
@@ -154,7 +154,10 @@ impl Row {
             return Course::Bounded(found);
         }
         let noise = 2.0 * last.integration * last.scale(figure);
-        match self.same_story(trials).then(|| settled(&values, noise)) {
+        match self
+            .has_same_separations(trials)
+            .then(|| settled(&values, noise))
+        {
             Some(Some(settled)) => Course::Limit(settled),
             _ => bounded.map_or(open, Course::Bounded),
         }
@@ -178,7 +181,7 @@ impl Row {
     }
 
     /// True when the pairs opened as often in the last run as in the one before.
-    fn same_story(&self, trials: &Trials<'_>) -> bool {
+    fn has_same_separations(&self, trials: &Trials<'_>) -> bool {
         let story = |run: &usize| -> Vec<Option<u64>> {
             let objects = trials.made[*run].figures.objects.values();
             objects

@@ -1,7 +1,7 @@
 //! A scene run at other levels of its elastic objects.
 
-use super::asked::is_count;
-use super::bound::{BaseMotion, LeftOutOf, left_out};
+use super::bound::{BaseMotion, LeftOutOf, truncation_bound};
+use super::requested_figures::is_count;
 use crate::dynamics::builder::spec::{ChainSpec, Level, Lumping};
 use crate::dynamics::model::{Closure, ContactLaw, Model};
 use crate::dynamics::record::Figures;
@@ -172,7 +172,7 @@ impl<'s> Trials<'s> {
             }
         };
         let left_out = match exact && doubt.is_none() {
-            true => self.left_out(system.model(), levels),
+            true => self.truncation_bounds(system.model(), levels),
             false => BTreeMap::new(),
         };
         self.model = Some(system.model().clone());
@@ -206,13 +206,13 @@ impl<'s> Trials<'s> {
 
     /// What the levels of objects leave out, where there is a bound. A motion that is
     /// prescribed at some levels is the same at all at which it is.
-    fn left_out(&mut self, model: &Model, levels: &Levels) -> BTreeMap<String, LeftOutOf> {
+    fn truncation_bounds(&mut self, model: &Model, levels: &Levels) -> BTreeMap<String, LeftOutOf> {
         let end = self.settings.duration;
         let scene = &*self.scene;
         let motions = &mut self.motions;
         let bound = |(id, level): (&String, &Level)| {
             let motion = motions.entry(id.clone()).or_default();
-            let bound = left_out((scene, model), (id, *level), end, motion)?;
+            let bound = truncation_bound((scene, model), (id, *level), end, motion)?;
             Some((id.clone(), bound))
         };
         levels.iter().filter_map(bound).collect()

@@ -22,13 +22,13 @@ pub(super) fn without_effect(model: &Model, travel: &Travel<'_>, duration: f64) 
     let zero = loads.filter(|load| is_zero(&load.law));
     let zero = zero.map(|load| format!("`{}` never acts: its force is zero throughout", load.name));
     let mut found = zero.collect();
-    found_once(&mut found);
+    remove_repeats(&mut found);
     found.extend(never_entered(model, travel, Some(duration)));
     found
 }
 
 /// Loads over the way of a node whose window or table it never comes to.
-pub(super) fn never_entered_on_the_way(model: &Model, travel: &Travel<'_>) -> Vec<String> {
+pub(super) fn never_entered_over_travel(model: &Model, travel: &Travel<'_>) -> Vec<String> {
     never_entered(model, travel, None)
 }
 
@@ -46,15 +46,15 @@ fn never_entered(model: &Model, travel: &Travel<'_>, duration: Option<f64>) -> V
             TrackSource::Time => ([0.0, duration?], Axis::Time),
             TrackSource::Node(node) => (widened(travel(node)?), Axis::of(model, node)?),
         };
-        told_of(&load.name, &track.breaks, pieces, range, &axis)
+        inactive_load_warning(&load.name, &track.breaks, pieces, range, &axis)
     };
     let mut found = model.loads.iter().filter_map(told).collect();
-    found_once(&mut found);
+    remove_repeats(&mut found);
     found
 }
 
 /// A load on several masses is said once.
-fn found_once(found: &mut Vec<String>) {
+fn remove_repeats(found: &mut Vec<String>) {
     found.dedup();
 }
 
@@ -113,7 +113,7 @@ impl<'a> Axis<'a> {
     }
 }
 
-fn told_of(
+fn inactive_load_warning(
     name: &str,
     breaks: &Breaks,
     pieces: &[LinearPiece],

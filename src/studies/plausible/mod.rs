@@ -3,26 +3,26 @@
 
 mod creep;
 mod loads;
+mod node_path;
 mod sizes;
-mod way;
 
 use crate::dynamics::model::{Coordinate, Model, NodeMotion, ObjectPart};
 use crate::dynamics::record::{Quantity, Record};
 use crate::units::shown;
 pub(super) use creep::{creep, may_creep};
-use way::{Rotors, Stretch, ways};
+use node_path::{Rotors, Stretch, node_paths};
 
 /// What is likely not meant in a model that is to run for `duration` seconds, as
 /// far as it can be told beforehand: loads without effect, windows and tables that
 /// are never entered, stiffnesses and masses out of proportion, speeds beyond
 /// sense. Every object is taken to follow its law.
 pub fn warnings(model: &Model, duration: f64) -> Vec<String> {
-    let known = ways(model, duration, Stretch::Run, Rotors::Unknown);
+    let known = node_paths(model, duration, Stretch::Run, Rotors::Unknown);
     let travel = |node: usize| known[node].as_ref().map(|way| way.displacement);
     let mut found = loads::without_effect(model, &travel, duration);
     let motors = behind_motors(model).contains(&true);
-    let whole = ways(model, duration, Stretch::Whole, Rotors::Unknown);
-    let even = motors.then(|| ways(model, duration, Stretch::Whole, Rotors::Even));
+    let whole = node_paths(model, duration, Stretch::Whole, Rotors::Unknown);
+    let even = motors.then(|| node_paths(model, duration, Stretch::Whole, Rotors::Even));
     found.extend(sizes::out_of_proportion(
         model,
         even.as_deref().unwrap_or(&whole),
@@ -44,11 +44,11 @@ pub fn warnings_after(model: &Model, record: &Record) -> Vec<String> {
         // It has been told of before the run.
         false => None,
     };
-    loads::never_entered_on_the_way(model, &travel)
+    loads::never_entered_over_travel(model, &travel)
 }
 
 /// True when [`warnings_after`] or the search for creep looks at the samples of a run.
-pub fn looks_at_samples(model: &Model) -> bool {
+pub fn needs_samples(model: &Model) -> bool {
     let mut objects = 0..model.objects.len();
     behind_motors(model).contains(&true) || objects.any(|object| may_creep(model, object))
 }
@@ -72,9 +72,9 @@ fn travelled(model: &Model, record: &Record, node: usize) -> Option<[f64; 2]> {
     let own = |part: &&ObjectPart| part.nodes.last() == Some(&node);
     let id = &model.objects.iter().find(own)?.id;
     let column = record.column(id, Quantity::Displacement)?;
-    let mut extremes = way::NOWHERE;
+    let mut extremes = node_path::NOWHERE;
     for &value in &column.values {
-        way::take(&mut extremes, value);
+        node_path::take(&mut extremes, value);
     }
     (extremes[0] <= extremes[1]).then_some(extremes)
 }

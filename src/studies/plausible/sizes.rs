@@ -1,7 +1,7 @@
 //! Stiffnesses and masses out of proportion to what is beside them, speeds beyond sense.
 
+use super::node_path::NodePath;
 use super::short;
-use super::way::NodePath;
 use crate::dynamics::model::{Coordinate, Link, Model, NodeMotion, ObjectPart};
 
 /// From which factor on a stiffness, reduced to the motion of its neighbours, is
@@ -27,12 +27,12 @@ const FASTEST_SLIDING: f64 = 340.0;
 pub(super) fn out_of_proportion(model: &Model, ways: &[Option<NodePath>]) -> Vec<String> {
     let beside = neighbours(model);
     let sizes = [Size::Stiffness, Size::Inertia];
-    let odd = sizes.map(|size| odd_objects(model, ways, &beside, size));
+    let odd = sizes.map(|size| outliers(model, ways, &beside, size));
     let mut found = Vec::new();
     for (index, part) in model.objects.iter().enumerate() {
         found.extend(within(model, part));
         for (size, odd) in sizes.into_iter().zip(&odd) {
-            found.extend(odd[index].map(|odd| odd_words(model, index, odd, size)));
+            found.extend(odd[index].map(|odd| outlier_warning(model, index, odd, size)));
         }
     }
     found
@@ -124,7 +124,7 @@ struct Odd {
 
 /// The objects that are out of proportion to all their neighbours, and to one side; of
 /// two such neighbours the one that differs from more of its own, or the driven one.
-fn odd_objects(
+fn outliers(
     model: &Model,
     ways: &[Option<NodePath>],
     beside: &[Vec<usize>],
@@ -141,7 +141,10 @@ fn odd_objects(
         others.filter_map(ratio).collect()
     };
     let all: Vec<Vec<Odd>> = (0..beside.len()).map(ratios).collect();
-    let odd: Vec<Option<Odd>> = all.iter().map(|ratios| odd_beside(ratios, size)).collect();
+    let odd: Vec<Option<Odd>> = all
+        .iter()
+        .map(|ratios| nearest_outlier(ratios, size))
+        .collect();
     let named = |index: usize| {
         let is_other = |other: &Odd| {
             let driven = model.objects[other.neighbour].is_driven_by(index);
@@ -154,7 +157,7 @@ fn odd_objects(
 }
 
 /// The neighbour that an object is nearest to, where it is far from all, to one side.
-fn odd_beside(ratios: &[Odd], size: Size) -> Option<Odd> {
+fn nearest_outlier(ratios: &[Odd], size: Size) -> Option<Odd> {
     let distance = |odd: &&Odd| odd.ratio.ln().abs();
     let nearest = (ratios.iter()).min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
     let one_side = (ratios.iter()).all(|other| (other.ratio > 1.0) == (nearest.ratio > 1.0));
@@ -162,7 +165,12 @@ fn odd_beside(ratios: &[Odd], size: Size) -> Option<Odd> {
     (one_side && far).then_some(*nearest)
 }
 
-fn odd_words(model: &Model, index: usize, Odd { neighbour, ratio }: Odd, size: Size) -> String {
+fn outlier_warning(
+    model: &Model,
+    index: usize,
+    Odd { neighbour, ratio }: Odd,
+    size: Size,
+) -> String {
     let (part, neighbour) = (&model.objects[index], &model.objects[neighbour]);
     let (times, than) = match ratio > 1.0 {
         true => (ratio, "times"),
@@ -201,7 +209,9 @@ fn within(model: &Model, part: &ObjectPart) -> Vec<String> {
         ("link", stiffnesses, Size::Stiffness.unit(part.coordinate)),
         ("mass", inertias, Size::Inertia.unit(part.coordinate)),
     ] {
-        let Some(at) = odd_one(&sizes) else { continue };
+        let Some(at) = first_outlier(&sizes) else {
+            continue;
+        };
         let beside = if at > 0 { at - 1 } else { at + 1 };
         found.push(format!(
             "{what} {} of `{}` has {} {unit} and {what} {} beside it {} {unit}: is one of them in \
@@ -217,7 +227,7 @@ fn within(model: &Model, part: &ObjectPart) -> Vec<String> {
 }
 
 /// The first of a row that differs from both beside it.
-fn odd_one(sizes: &[f64]) -> Option<usize> {
+fn first_outlier(sizes: &[f64]) -> Option<usize> {
     let far = |a: f64, b: f64| (a / b).max(b / a) >= OUT_OF_PROPORTION_WITHIN;
     (0..sizes.len()).find(|&at| {
         let before = at.checked_sub(1).map(|before| sizes[before]);

@@ -104,7 +104,7 @@ impl Reduction {
     }
 
     /// What stays in it.
-    pub fn kept(&self) -> impl Iterator<Item = &Step> {
+    pub fn refused_steps(&self) -> impl Iterator<Item = &Step> {
         self.steps.iter().filter(|step| step.refused.is_some())
     }
 

@@ -11,8 +11,8 @@ use crate::frontend::scene::{Document, Levels, Reading};
 use crate::math::order::Total;
 use crate::studies::order::Certificate;
 use crate::studies::order::choose::families;
+use crate::studies::order::figure_limits::{FigureLimits, first_accurate_trial};
 use crate::studies::order::judge::{Judge, Objection};
-use crate::studies::order::known::{FigureLimits, first_enough};
 use crate::studies::order::lessen::{Lessening, lessened};
 use crate::studies::order::trial::{Trial, Trials, coordinates};
 use crate::studies::{Control, RunSettings};
@@ -38,7 +38,8 @@ pub fn reduce(
     let mut families = families(&trials);
     let known = FigureLimits::of(&mut trials, &mut families).map_err(diagnose)?;
     let judge = known.judge();
-    let first = first_enough(&mut trials, &families, &known.row, &judge).map_err(diagnose)?;
+    let first =
+        first_accurate_trial(&mut trials, &families, &known.row, &judge).map_err(diagnose)?;
     keep();
     let mut search = Search {
         whole: &whole,
@@ -74,7 +75,7 @@ pub fn reduce(
     };
     let interrupted = trials.interrupted;
     if enough {
-        end = search.leave_out(end);
+        end = search.remove_all(end);
     }
     Ok(search.finish(&reading.scene.name, end, (&given, as_given), interrupted))
 }
@@ -114,7 +115,7 @@ impl Search<'_> {
     }
 
     /// Leaves out everything that can be left out.
-    fn leave_out(&mut self, mut end: End) -> End {
+    fn remove_all(&mut self, mut end: End) -> End {
         let base = end.trial.clone();
         let mut alone = Vec::new();
         for removal in self.candidates(&base) {
@@ -149,7 +150,7 @@ impl Search<'_> {
                 tried => self.refuse(removal, &base, tried),
             }
         }
-        self.lessen_again(end)
+        self.lower_levels_again(end)
     }
 
     /// What may be left out, judged by the run of the whole.
@@ -195,7 +196,7 @@ impl Search<'_> {
     }
 
     /// Lowers levels once more: pairs that are bilateral now allow lower ones.
-    fn lessen_again(&mut self, mut end: End) -> End {
+    fn lower_levels_again(&mut self, mut end: End) -> End {
         let Ok(mut scene) = without(self.whole, &end.removals) else {
             return end;
         };

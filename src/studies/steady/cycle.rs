@@ -97,15 +97,15 @@ fn rhythmic(rhythm: Rhythm) -> PrescribedMotion {
 fn combined(drivers: &[&PrescribedMotion], constraint: &Constraint) -> PrescribedMotion {
     let rhythms = drivers.iter().map(|driver| driver.rhythm());
     let rhythm = match constraint {
-        Constraint::Linear { ratios, .. } => together(rhythms.zip(ratios.iter().copied())),
+        Constraint::Linear { ratios, .. } => common_rhythm(rhythms.zip(ratios.iter().copied())),
         Constraint::Custom(_) if rhythms.clone().any(grows) => None,
-        Constraint::Custom(_) => together(rhythms.map(|rhythm| (rhythm, 0.0))),
+        Constraint::Custom(_) => common_rhythm(rhythms.map(|rhythm| (rhythm, 0.0))),
     };
     rhythmic(rhythm.unwrap_or(Rhythm::None))
 }
 
 /// The rhythm of Σ ratio·φ; `None`: the terms have no period in common.
-fn together(terms: impl Iterator<Item = (Rhythm, f64)>) -> Option<Rhythm> {
+fn common_rhythm(terms: impl Iterator<Item = (Rhythm, f64)>) -> Option<Rhythm> {
     let (mut speed, mut cycle, mut periods) = (0.0, None, Vec::new());
     for (rhythm, ratio) in terms {
         match rhythm {
@@ -157,7 +157,7 @@ fn share(place: usize, root: f64) -> f64 {
 
 /// Least number of turns after which a force repeats, tried at [`PLACES`] with and without a
 /// shift; `None`: none up to [`MOST_REPEATED`].
-fn least_turns(size: f64, at: impl Fn(usize, f64) -> f64) -> Option<f64> {
+fn turns_to_repeat(size: f64, at: impl Fn(usize, f64) -> f64) -> Option<f64> {
     let repeats = |turns: &f64| {
         (0..PLACES).all(|place| {
             let (one, other) = (at(place, 0.0), at(place, TAU * turns));
@@ -169,7 +169,7 @@ fn least_turns(size: f64, at: impl Fn(usize, f64) -> f64) -> Option<f64> {
 
 /// Least number of turns of a node after which an expression repeats.
 fn turns_of(written: &WrittenLoad, node: NodeIndex) -> Option<f64> {
-    least_turns(written.factor.abs(), |place, shift| {
+    turns_to_repeat(written.factor.abs(), |place, shift| {
         written.force(10.0 * share(place, 2.0), |other| {
             let own = if other == node { shift } else { 0.0 };
             let root = 3.0 + other as f64;
@@ -183,7 +183,7 @@ fn turns_of(written: &WrittenLoad, node: NodeIndex) -> Option<f64> {
 
 /// The same of any other function.
 fn turns_of_function(function: &dyn LoadFunction) -> Option<f64> {
-    least_turns(function.magnitude(), |place, shift| {
+    turns_to_repeat(function.magnitude(), |place, shift| {
         let displacement = TAU * (6.0 * share(place, 3.0) - 3.0) + shift;
         let speed = 4.0 * share(place, 3.5) - 2.0;
         function.force(displacement, speed).value
@@ -227,12 +227,12 @@ fn no_cycle((name, period): &(String, f64)) -> Fault {
     let message = format!(
         "it repeats after {} turns of the drive: {}",
         shown(period / TAU, 9),
-        nothing_together()
+        no_common_period()
     );
     Fault::new(name, message, TOGETHER)
 }
 
-fn nothing_together() -> String {
+fn no_common_period() -> String {
     format!(
         "the ratios and loads of the scene do not repeat together after any angle of the drive \
          up to {MOST_TURNS} turns, there is no periodic motion"
@@ -480,7 +480,7 @@ impl Rhythms {
         }
         let mut faults = self.growing;
         if Fraction::of(least / TAU).is_none() {
-            let fault = Fault::new("steady.cycle", nothing_together(), TOGETHER);
+            let fault = Fault::new("steady.cycle", no_common_period(), TOGETHER);
             return Err(faults.into_iter().chain([fault]).collect());
         }
         let alone = |period: &(String, f64)| common_cycle(least, [period]).is_none();
@@ -522,7 +522,7 @@ fn common_cycle<'p>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Rhythm, rhythmic, together};
+    use super::{Rhythm, common_rhythm, rhythmic};
     use std::f64::consts::TAU;
 
     fn near(found: Option<Rhythm>, turns: f64, advance: f64) {
@@ -536,7 +536,7 @@ mod tests {
     #[test]
     fn sums_repeat_when_all_terms_do_together() {
         let periodic = |turns: f64, advance: f64| Rhythm::Periodic(turns * TAU, advance);
-        let sum = |terms: &[(Rhythm, f64)]| together(terms.iter().copied());
+        let sum = |terms: &[(Rhythm, f64)]| common_rhythm(terms.iter().copied());
         let line = Rhythm::Uniform(0.5);
         assert_eq!(
             sum(&[(line, 3.0), (line, -1.0)]),

@@ -2,7 +2,7 @@
 
 mod drive;
 
-pub(super) use drive::behind;
+pub(super) use drive::nodes_moved_by;
 pub use drive::{constant_speed, drive_of, is_elastic};
 
 use super::cycle::AFTER_A_CYCLE;
@@ -43,7 +43,7 @@ const ROUNDING: f64 = 1e-13;
 const NONE: f64 = 1e-290;
 
 /// Objects with several inputs that move with a drive.
-pub(super) fn several_inputs(model: &Model, moved: &[bool]) -> Vec<Fault> {
+pub(super) fn multi_input_objects(model: &Model, moved: &[bool]) -> Vec<Fault> {
     let parts = model.objects.iter();
     let combined = parts.filter(|part| part.combination.is_some_and(|node| moved[node]));
     combined
@@ -76,7 +76,7 @@ pub(super) fn over_time(model: &Model, moved: &[bool]) -> Vec<Fault> {
 
 /// Faults of objects and loads that have no place in the method.
 fn obstacles(model: &Model, moved: &[bool]) -> Vec<Fault> {
-    let mut faults = several_inputs(model, moved);
+    let mut faults = multi_input_objects(model, moved);
     for part in &model.objects {
         let node = part.nodes[0];
         let combined = part.combination.is_some_and(|node| moved[node]);
@@ -116,7 +116,7 @@ impl Machine {
     /// positions out of reach, a J that the cycle does not bring back.
     pub fn new(model: &Model, drive: usize, cycle: f64) -> Result<Self, Vec<Fault>> {
         let node = model.objects[drive].nodes[0];
-        let moved = behind(model, node);
+        let moved = nodes_moved_by(model, node);
         let mut faults = obstacles(model, &moved);
         faults.extend(backwards(model, drive));
         if !faults.is_empty() {

@@ -2,7 +2,7 @@
 //!
 //! It is taken over time behind prescribed drives, and over the angle of a drive on its motor
 //! (`phase`). After which angle a machine repeats follows from its ratios (`cycle`). A moment
-//! that holds a mean speed is one more entry of the state (`held`).
+//! that holds a mean speed is one more entry of the state (`mean_speed`).
 
 mod tree;
 
@@ -29,7 +29,7 @@ pub(super) struct Orbit {
 
 impl Orbit {
     /// An orbit in equal steps of time.
-    fn even(time: f64, count: usize, columns: Vec<Vec<f64>>) -> Self {
+    fn with_equal_steps(time: f64, count: usize, columns: Vec<Vec<f64>>) -> Self {
         let step = |i: usize| time * i as f64 / count as f64;
         Self {
             times: (1..=count).map(step).collect(),
@@ -245,7 +245,7 @@ impl Map for SystemMap<'_> {
     fn orbit(&self, state: &[f64], time: f64, count: usize) -> Result<Orbit, String> {
         let mut grid = Grid::new(time / count as f64, state.len() / 2);
         self.follow(state, time, &mut grid)?;
-        Ok(Orbit::even(time, count, grid.columns))
+        Ok(Orbit::with_equal_steps(time, count, grid.columns))
     }
 
     fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {

@@ -9,9 +9,10 @@ mod answer;
 pub mod csv;
 mod cycle;
 mod expectations;
-mod held;
+mod flywheel;
 mod machine;
 mod map;
+mod mean_speed;
 mod motor;
 mod multipliers;
 mod over_period;
@@ -22,7 +23,6 @@ mod rigid;
 mod shooting;
 mod simulate;
 mod sink;
-mod wheel;
 
 pub use answer::DriveFigures;
 pub use answer::DriveRow;
@@ -114,7 +114,7 @@ pub fn steady_motion_within(
     spec: &SteadySpec,
     control: &Control<'_>,
 ) -> Result<Answer, Vec<Fault>> {
-    found(system, settings, spec, control).map_err(|faults| match control.spent() {
+    solve(system, settings, spec, control).map_err(|faults| match control.spent() {
         // What it came to by then is no word on the machine.
         Some(spent) => {
             let message = format!("ended before a steady motion was found: {spent}");
@@ -130,7 +130,7 @@ pub fn steady_motion_within(
 /// # Errors
 /// Why it is not.
 pub fn suits(model: &Model, spec: &SteadySpec) -> Result<(), Vec<Fault>> {
-    let rubs = rubbing(model);
+    let rubs = friction_faults(model);
     if !rubs.is_empty() {
         return Err(rubs);
     }
@@ -156,7 +156,7 @@ fn moves_with_drives(model: &Model, spec: &SteadySpec) -> bool {
     spec.drive.is_none() && elastic
 }
 
-fn found(
+fn solve(
     system: &System,
     settings: &RunSettings,
     spec: &SteadySpec,
@@ -183,7 +183,7 @@ fn found(
 }
 
 /// The linkages whose friction would act on the motion.
-fn rubbing(model: &Model) -> Vec<Fault> {
+fn friction_faults(model: &Model) -> Vec<Fault> {
     let bodies = model.linkages.iter();
     let rubs = bodies.filter(|body| body.friction.as_ref().is_some_and(|k| k.has_friction()));
     rubs.map(|body| {

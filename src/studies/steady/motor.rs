@@ -8,13 +8,13 @@ use super::answer::DriveFigures;
 use super::answer::DriveRow;
 use super::answer::StartOf;
 use super::cycle::{AFTER_A_CYCLE, Rhythms};
-use super::held::{Added, with_added};
-use super::machine::{behind, over_time, several_inputs};
+use super::flywheel::{WheelRequest, WheelResult};
+use super::machine::{multi_input_objects, nodes_moved_by, over_time};
 use super::map::Map;
+use super::mean_speed::{Added, with_added};
 use super::periodic::{About, ORBIT, PeriodicAnswer, none, part_near, state_names};
 use super::phase::PhaseMap;
 use super::portrait::{Portrait, Row};
-use super::wheel::{WheelRequest, WheelResult};
 use crate::dynamics::integrate::Dynamics;
 use crate::dynamics::model::Model;
 use crate::dynamics::steady::Means;
@@ -76,7 +76,7 @@ fn obstacles(model: &Model, drive: usize, moved: &[bool]) -> Vec<Fault> {
             Fault::new(&other.id, message, hint)
         })
         .collect();
-    faults.extend(several_inputs(model, moved));
+    faults.extend(multi_input_objects(model, moved));
     faults.extend(over_time(model, moved));
     faults
 }
@@ -106,7 +106,7 @@ fn check_cycle(
     let count = system.coordinates();
     let mut scratch = system.scratch();
     let mut at = |angle: f64| {
-        let y = map.whole(state, angle);
+        let y = map.full_state(state, angle);
         let modes = system.modes_at_start(&y);
         let mut dy = vec![0.0; y.len()];
         system.derivatives(0.0, &y, &modes, &mut scratch, &mut dy);
@@ -224,7 +224,7 @@ pub(super) fn answer(
     control: &Control<'_>,
 ) -> Result<PeriodicAnswer, Vec<Fault>> {
     let model = system.model();
-    let moved = behind(model, model.objects[drive].nodes[0]);
+    let moved = nodes_moved_by(model, model.objects[drive].nodes[0]);
     let mut faults = contradictions(model, drive, spec);
     faults.extend(obstacles(model, drive, &moved));
     if !faults.is_empty() {
@@ -253,7 +253,7 @@ pub(super) fn answer(
     };
     let found = match (spec.balance, spec.fluctuation) {
         (false, None) => WheelResult::default(),
-        _ => machine.found()?,
+        _ => machine.solve()?,
     };
     let own;
     let system = match found.added == Added::default() {
@@ -270,7 +270,7 @@ pub(super) fn answer(
         part_near(&map, &start, known, cycle, spec.periods, &about).map_err(none)?;
     let angle = cycle * motion.periods as f64;
     let portrait = map.portrait(&state, angle, ORBIT).map_err(none)?;
-    let y = map.whole(&state, 0.0);
+    let y = map.full_state(&state, 0.0);
     let turn = map.duration(&state, cycle).map_err(none)?;
     let period = motion.period;
     let answer = PeriodicAnswer {

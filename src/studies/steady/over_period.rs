@@ -138,7 +138,11 @@ impl OverPeriod {
                 failure.what, failure.time
             ));
         }
-        let away = distance(&moved(system, &last.y, state), state, system.scales());
+        let away = distance(
+            &without_drive_turns(system, &last.y, state),
+            state,
+            system.scales(),
+        );
         let works = works.finish(period);
         Ok(Self {
             period,
@@ -173,7 +177,7 @@ fn reported<'r>(
 }
 
 /// A state whose drives have turned on by a period, with them back where they were.
-fn moved(system: &System, end: &[f64], start: &[f64]) -> Vec<f64> {
+fn without_drive_turns(system: &System, end: &[f64], start: &[f64]) -> Vec<f64> {
     let model = system.model();
     let mut moved = end.to_vec();
     let drives = model.objects.iter().enumerate();

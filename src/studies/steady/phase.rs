@@ -77,7 +77,7 @@ impl<'a> PhaseMap<'a> {
     }
 
     /// The system's state with the drive at an angle.
-    pub(super) fn whole(&self, state: &[f64], angle: f64) -> Vec<f64> {
+    pub(super) fn full_state(&self, state: &[f64], angle: f64) -> Vec<f64> {
         let mut y = state.to_vec();
         y.insert(self.rotor, angle);
         y
@@ -202,7 +202,7 @@ impl<'a> PhaseMap<'a> {
         angle: f64,
         mean: Mean,
     ) -> Result<(Vec<f64>, f64), String> {
-        let arrival = self.arrive(&self.whole(state, 0.0), angle)?;
+        let arrival = self.arrive(&self.full_state(state, 0.0), angle)?;
         let speed = match mean {
             Mean::Time => angle / arrival.time,
             Mean::Angle | Mean::Midrange => {
@@ -223,7 +223,7 @@ impl<'a> PhaseMap<'a> {
         angle: f64,
         count: usize,
     ) -> Result<Portrait<'a>, String> {
-        let y = self.whole(state, 0.0);
+        let y = self.full_state(state, 0.0);
         let Arrival { time, y: end } = self.arrive(&y, angle)?;
         let modes = self.system.modes_at_start(&y);
         let mut portrait = Portrait::new(self.system, self.rotor, angle, count);
@@ -235,7 +235,7 @@ impl<'a> PhaseMap<'a> {
 
 impl Map for PhaseMap<'_> {
     fn apply(&self, state: &[f64], angle: f64) -> Result<Vec<f64>, String> {
-        let arrival = self.arrive(&self.whole(state, 0.0), angle)?;
+        let arrival = self.arrive(&self.full_state(state, 0.0), angle)?;
         Ok(self.without_angle(arrival.y))
     }
 
@@ -259,7 +259,7 @@ impl Map for PhaseMap<'_> {
     }
 
     fn duration(&self, state: &[f64], angle: f64) -> Result<f64, String> {
-        Ok(self.arrive(&self.whole(state, 0.0), angle)?.time)
+        Ok(self.arrive(&self.full_state(state, 0.0), angle)?.time)
     }
 
     fn scales(&self) -> &[f64] {

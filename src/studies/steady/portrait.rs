@@ -95,7 +95,7 @@ impl<'a> Portrait<'a> {
         self.row(time, y, &modes);
     }
 
-    fn look(&mut self, step: &Step<'_>) {
+    fn sample_step(&mut self, step: &Step<'_>) {
         // What a switch next to the end leaves over holds rounding in place of speeds.
         if step.end * step.length < LEFT_OVER * step.end_time() {
             return;
@@ -149,7 +149,7 @@ impl Sink for Portrait<'_> {
     }
 
     fn step(&mut self, step: &Step<'_>, modes: &Modes) {
-        self.look(step);
+        self.sample_step(step);
         let mut y = self.last.0.clone();
         while self.rows.len() < self.count {
             let target = self.spacing * self.rows.len() as f64;

@@ -5,7 +5,7 @@ use super::answer::Forces;
 use super::answer::RigidAnswer;
 use super::cycle::Rhythms;
 use super::machine::Machine;
-use super::machine::behind;
+use super::machine::nodes_moved_by;
 use super::simulate::simulate;
 use crate::dynamics::model::Model;
 use crate::dynamics::steady::cycle_map::{self, Load, Regime};
@@ -40,7 +40,7 @@ pub(super) fn answer(
     control: &Control<'_>,
 ) -> Result<RigidAnswer, Vec<Fault>> {
     let node = model.objects[drive].nodes[0];
-    let rhythms = Rhythms::behind(model, node, &behind(model, node));
+    let rhythms = Rhythms::behind(model, node, &nodes_moved_by(model, node));
     let cycle = rhythms.whole_cycle(spec.cycle)?;
     let machine = Machine::new(model, drive, cycle)?;
     let refuse = |refusal: Refusal| refusal.faults("steady");

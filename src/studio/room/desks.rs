@@ -34,18 +34,18 @@ pub(super) struct AnswerCache {
 }
 
 impl Room {
-    pub(super) fn ask(&self, state: &State) {
-        self.ask_run(state, false);
+    pub(super) fn request_run(&self, state: &State) {
+        self.submit_run(state, false);
     }
 
     /// Somebody wants to see more of the run.
-    pub(super) fn ask_again(&self, state: &State) {
-        self.ask_run(state, true);
+    pub(super) fn request_more_of_run(&self, state: &State) {
+        self.submit_run(state, true);
     }
 
-    pub(super) fn ask_run(&self, state: &State, again: bool) {
+    pub(super) fn submit_run(&self, state: &State, again: bool) {
         if let Some(runs) = self.runs.get() {
-            runs.ask(RunQuestion {
+            runs.submit(RunQuestion {
                 version: state.text.version(),
                 text: state.text.text().to_owned(),
                 again,
@@ -53,12 +53,12 @@ impl Room {
         }
     }
 
-    pub(super) fn ask_map(&self, state: &State) {
+    pub(super) fn submit_map(&self, state: &State) {
         let windows = state.asked.iter();
         let asked =
             windows.filter_map(|(id, asked)| Some((state.windows.get(id)?.clone(), asked.clone())));
         if let Some(maps) = self.maps.get() {
-            maps.ask(MapQuestion {
+            maps.submit(MapQuestion {
                 version: state.text.version(),
                 text: state.text.text().to_owned(),
                 asked: asked.collect(),
@@ -66,12 +66,12 @@ impl Room {
         }
     }
 
-    pub(super) fn ask_questions(&self, state: &State) {
+    pub(super) fn submit_questions(&self, state: &State) {
         let asked = state.questions.iter();
         let asked =
             asked.filter_map(|(id, asked)| Some((state.windows.get(id)?.clone(), asked.clone())));
         if let Some(questions) = self.questions.get() {
-            questions.ask(Inquiry {
+            questions.submit(Inquiry {
                 version: state.text.version(),
                 text: state.text.text().to_owned(),
                 asked: asked.collect(),
@@ -88,7 +88,7 @@ impl Room {
             catalogue: &self.shelf,
         };
         if question.again {
-            self.tell_views(kept);
+            self.send_views(kept);
         }
         if !question.again || kept.done != Some(question.version) {
             self.work_on(&asked, stop, kept);
@@ -103,27 +103,27 @@ impl Room {
         let begun = Instant::now();
         let mut checked = asked.check();
         let Some(reading) = checked.reading.take() else {
-            self.tell_checked(asked.told(&checked));
+            self.broadcast_checked(asked.checked_message(&checked));
             return;
         };
         let judged = answer::is_judged(&reading.scene);
         let first = kept.quick && !judged;
         if !first {
-            self.tell_checked(asked.told(&checked));
+            self.broadcast_checked(asked.checked_message(&checked));
         }
         {
             let state = self.lock();
             if !state.asked.is_empty() {
-                self.ask_map(&state);
+                self.submit_map(&state);
             }
             if !state.questions.is_empty() {
-                self.ask_questions(&state);
+                self.submit_questions(&state);
             }
         }
         let right = self.run(asked, reading, judged, stop, kept);
         kept.quick = begun.elapsed() < QUICK;
         if first && right {
-            self.tell_checked(asked.told(&checked));
+            self.broadcast_checked(asked.checked_message(&checked));
         }
     }
 
@@ -140,16 +140,19 @@ impl Room {
             let last = !judged || matches!(judging, Judging::Asked);
             match asked.run(reading, judging, stop) {
                 Err(faults) => {
-                    self.told_faults(asked, &faults);
+                    self.faults_message(asked, &faults);
                     return false;
                 }
                 Ok(_) if self.exhausted.swap(false, Ordering::Relaxed) => {
-                    self.tell_failure(asked.version, "the run took too much memory and was ended");
+                    self.broadcast_failure(
+                        asked.version,
+                        "the run took too much memory and was ended",
+                    );
                     return true;
                 }
                 // Something newer has come.
                 Ok(None) => return true,
-                Ok(Some(ran)) => self.tell_run(ran, kept),
+                Ok(Some(ran)) => self.broadcast_run(ran, kept),
             }
             if last {
                 return true;
@@ -162,19 +165,19 @@ impl Room {
         true
     }
 
-    fn told_faults(&self, asked: &TextRequest<'_, Shelf>, faults: &Diagnostics) {
+    fn faults_message(&self, asked: &TextRequest<'_, Shelf>, faults: &Diagnostics) {
         let document = Document::parse(asked.name, asked.text.as_bytes()).ok();
-        self.tell_checked(asked.message(document.as_ref(), faults));
+        self.broadcast_checked(asked.message(document.as_ref(), faults));
     }
 
-    fn tell_checked(&self, message: String) {
+    fn broadcast_checked(&self, message: String) {
         let message: Arc<str> = message.into();
         let mut state = self.lock();
-        state.tell(&message);
+        state.broadcast(&message);
         state.checked = Some(message);
     }
 
-    fn tell_run(&self, ran: Ran, kept: &mut AnswerCache) {
+    fn broadcast_run(&self, ran: Ran, kept: &mut AnswerCache) {
         let (answer, charts) = ran.answer(&View::default(), &kept.charts);
         let answer = Arc::new(answer);
         kept.charts = charts;
@@ -188,11 +191,11 @@ impl Room {
             state.run = Some(ran.run.clone());
         }
         kept.ran = Some(ran);
-        self.tell_views(kept);
+        self.send_views(kept);
     }
 
     /// Tells the windows that see more than the run.
-    pub(super) fn tell_views(&self, kept: &mut AnswerCache) {
+    pub(super) fn send_views(&self, kept: &mut AnswerCache) {
         let views = self.lock().views.clone();
         kept.own.retain(|window, _| views.contains_key(window));
         let Some(ran) = &kept.ran else {
@@ -214,9 +217,9 @@ impl Room {
         }
     }
 
-    fn tell_failure(&self, version: u64, words: &str) {
+    fn broadcast_failure(&self, version: u64, words: &str) {
         let message = json!({ "type": "failed", "version": version, "message": words });
-        self.lock().tell(&message.to_string().into());
+        self.lock().broadcast(&message.to_string().into());
     }
 
     /// Makes the maps of a version, on a thread of its own; those that are the same are left.
@@ -275,7 +278,7 @@ pub(super) fn failed_question(room: &Weak<Room>) {
 pub(super) fn failed(room: &Weak<Room>) {
     if let Some(room) = room.upgrade() {
         let version = room.lock().text.version();
-        room.tell_failure(version, FAILED);
+        room.broadcast_failure(version, FAILED);
     }
 }
 

@@ -28,7 +28,7 @@ impl Room {
         let mut state = self.lock();
         let run = state.run.clone().ok_or("there is no run to be pinned")?;
         state.change_view(window, |view| view.pin(name, &run))?;
-        self.ask_again(&state);
+        self.request_more_of_run(&state);
         Ok(())
     }
 
@@ -41,7 +41,7 @@ impl Room {
     }
 
     /// A window wants to see something else.
-    pub(in crate::studio) fn look_at(&self, window: u64, change: impl FnOnce(&mut View)) {
+    pub(in crate::studio) fn change_view(&self, window: u64, change: impl FnOnce(&mut View)) {
         let mut state = self.lock();
         let plain = state.change_view(window, |view| {
             change(view);
@@ -55,7 +55,7 @@ impl Room {
             }
             return;
         }
-        self.ask_again(&state);
+        self.request_more_of_run(&state);
     }
 
     /// Works out all that windows wait for, as long as nothing newer comes.
@@ -73,7 +73,7 @@ impl Room {
             any = true;
         }
         if any {
-            self.tell_views(kept);
+            self.send_views(kept);
         }
     }
 

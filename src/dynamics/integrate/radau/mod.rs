@@ -37,11 +37,11 @@ const UNRESOLVED: f64 = -1.0 / 3.0;
 
 /// The estimated error allowed.
 fn allowed(tolerance: f64) -> f64 {
-    SAFETY * kept(tolerance)
+    SAFETY * effective_tolerance(tolerance)
 }
 
 /// The tolerance as fine as it is kept.
-pub(super) fn kept(tolerance: f64) -> f64 {
+pub(super) fn effective_tolerance(tolerance: f64) -> f64 {
     tolerance * (tolerance / RESOLVED).max(1.0).powf(UNRESOLVED)
 }
 /// Tolerances below which five and seven stages have less work.

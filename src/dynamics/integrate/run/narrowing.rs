@@ -51,7 +51,7 @@ impl<D: Dynamics> Run<'_, D> {
     /// The length (s) of a shorter step, where this one passes over a brief change of a law that
     /// the motion meets.
     pub(super) fn passes_over(&self) -> Option<f64> {
-        if !self.takes_again() {
+        if !self.can_repeat_step() {
             return None;
         }
         let step = self.output.step(1.0);

@@ -7,7 +7,7 @@ use crate::dynamics::system::MassState;
 use crate::math::polynomial::Step;
 
 /// What the observer has just seen, with the masses if they are recorded.
-pub(super) fn seen<'o>(
+pub(super) fn current_view<'o>(
     observer: &'o Observer<'_>,
     modes: &Modes,
     masses: &'o mut [MassState],
@@ -39,7 +39,7 @@ pub(crate) enum Course<'a> {
 
 impl Stretch<'_> {
     /// Looks at an instant.
-    pub(in crate::dynamics::record) fn look<'o>(
+    pub(in crate::dynamics::record) fn view_at<'o>(
         &mut self,
         time: f64,
         observer: &'o mut Observer<'_>,
@@ -51,6 +51,6 @@ impl Stretch<'_> {
                 observer.state_of(time, self.modes, |y| state(time, y));
             }
         }
-        seen(observer, self.modes, masses)
+        current_view(observer, self.modes, masses)
     }
 }

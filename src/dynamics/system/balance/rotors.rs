@@ -12,7 +12,7 @@ impl Frozen {
     /// without anything that speeds make; else with the inertia forces of their accelerations.
     pub(super) fn balance_multi<N: Quantity>(&self, kind: Balance, work: &mut Work<N>) {
         if kind == Balance::Static {
-            self.stand_still(work);
+            self.solve_at_rest(work);
         }
         self.apply_multi(false, work);
         if kind == Balance::Kinetostatic {

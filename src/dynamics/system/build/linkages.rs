@@ -58,7 +58,7 @@ impl Builder<'_> {
             self.frozen.place_friction(linkage, body);
         }
         for (linkage, body) in self.model.multi_linkages.iter().enumerate() {
-            if !self.frozen.place_several_friction(linkage, body) {
+            if !self.frozen.add_multi_input_friction(linkage, body) {
                 self.refuse_second_friction(body.object);
             }
         }

@@ -20,14 +20,20 @@ impl Frozen {
         let link = self.link_force(group, state, work);
         if extent == Extent::Full {
             let missing = work.force[group.root] + link;
-            self.share_hold(group, -missing.value(), modes, work);
+            self.distribute_holding_force(group, -missing.value(), modes, work);
         }
         work.force[group.root] = -link;
     }
 
     /// Parts of the force that holds a group, handed out to its linkages in the
     /// proportion of what they can hold at most: they are not determined.
-    fn share_hold<N: Quantity>(&self, group: &Group, hold: f64, modes: &[i64], work: &mut Work<N>) {
+    fn distribute_holding_force<N: Quantity>(
+        &self,
+        group: &Group,
+        hold: f64,
+        modes: &[i64],
+        work: &mut Work<N>,
+    ) {
         if hold == 0.0 {
             return;
         }

@@ -30,15 +30,15 @@
 
 mod force;
 mod hold;
+mod multi_input;
 mod passes;
-mod several;
 mod sides;
 mod standstill;
 mod stick_slip;
 mod stops;
 mod unsolved;
 
-pub(super) use several::{Several, SeveralWork};
+pub(super) use multi_input::{Several, SeveralWork};
 pub(crate) use stick_slip::StickSlip;
 
 use super::frozen::{Frozen, FrozenTrack};
@@ -135,7 +135,7 @@ pub(super) struct Rubbing<N> {
 
 impl Frozen {
     /// Memory for the friction of all linkages.
-    pub(super) fn rubbing_memory<N: Quantity>(&self) -> Vec<Rubbing<N>> {
+    pub(super) fn friction_memory<N: Quantity>(&self) -> Vec<Rubbing<N>> {
         let empty = |_| Rubbing {
             forces: None,
             beside: None,

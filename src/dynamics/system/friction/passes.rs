@@ -14,7 +14,7 @@ const SETTLED: f64 = 1e-14;
 impl Frozen {
     /// Adds the friction of all joints to the forces, along with what it hands on
     /// to the drivers.
-    pub(in crate::dynamics::system) fn rub<N: Quantity>(
+    pub(in crate::dynamics::system) fn add_friction<N: Quantity>(
         &self,
         state: &[N],
         modes: &[i64],
@@ -29,10 +29,10 @@ impl Frozen {
             let direction = group.component.map(|c| StickSlip::of(modes[c]));
             match direction {
                 // A given motion is not changed; what drives it is.
-                None if extent == Extent::Full => self.rub_driven(group, modes, work),
+                None if extent == Extent::Full => self.add_driven_friction(group, modes, work),
                 None | Some(StickSlip::Unset) => {}
                 Some(StickSlip::Stuck) => self.hold(group, state, modes, extent, work),
-                Some(_) => self.rub_moving(group, state, modes, work),
+                Some(_) => self.add_sliding_friction(group, state, modes, work),
             }
         }
     }
@@ -53,7 +53,7 @@ impl Frozen {
                 (member.object, if held { 0.0 } else { loss })
             })
         });
-        groups.chain(self.loss_of_several(work))
+        groups.chain(self.multi_input_friction_loss(work))
     }
 
     /// Corners of blocks that press, as found last, of linkages whose motion is given;
@@ -171,7 +171,7 @@ impl Frozen {
 
     /// Friction of a group that moves: T of every linkage with the acceleration
     /// that they leave together.
-    fn rub_moving<N: Quantity>(
+    fn add_sliding_friction<N: Quantity>(
         &self,
         group: &Group,
         state: &[N],
@@ -219,7 +219,7 @@ impl Frozen {
     }
 
     /// Friction of linkages whose motion is given: it only loads the drive.
-    fn rub_driven<N: Quantity>(&self, group: &Group, modes: &[i64], work: &mut Work<N>) {
+    fn add_driven_friction<N: Quantity>(&self, group: &Group, modes: &[i64], work: &mut Work<N>) {
         let root = work.acceleration[group.root];
         for member in group.members.iter().rev() {
             let moving = self.moving(group, member, root, modes, work);

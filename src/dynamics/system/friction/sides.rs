@@ -85,7 +85,7 @@ impl Frozen {
             return 1.0;
         }
         self.forces(time, state, modes, work);
-        self.rub(state, modes, Extent::Full, work);
+        self.add_friction(state, modes, Extent::Full, work);
         let members = group.members.iter();
         let margins = members.filter_map(|member| {
             let forces = work.rubbing[member.linkage].forces.as_ref()?;
@@ -116,7 +116,7 @@ impl Frozen {
         self.open_sides(modes);
         let mut work = Work::new(self);
         self.forces(time, y, modes, &mut work);
-        self.rub(y, modes, Extent::Full, &mut work);
+        self.add_friction(y, modes, Extent::Full, &mut work);
         for group in &self.groups {
             let failed = |member: &Member| work.rubbing[member.linkage].failure.is_some();
             if group.moves(modes) && !group.members.iter().any(failed) {

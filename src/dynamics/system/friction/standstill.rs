@@ -59,7 +59,7 @@ impl Frozen {
                 probe(component, ProbeAction::FlipSide, SIDES);
             }
         }
-        self.probes_of_several(modes, out);
+        self.multi_input_probes(modes, out);
     }
 
     /// A probe at a state: positive where it fires.
@@ -72,7 +72,7 @@ impl Frozen {
         work: &mut Work<f64>,
     ) -> f64 {
         let Some(group) = self.groups.get(probe.index) else {
-            return self.probe_several(probe, (time, state, modes), work);
+            return self.evaluate_multi_input_probe(probe, (time, state, modes), work);
         };
         match ProbeAction::of(probe.target) {
             ProbeAction::Stop => match self.unsolved(group, time, state, modes, work) {
@@ -187,7 +187,7 @@ impl System {
             (true, false) => StickSlip::Forward,
             (false, true) => StickSlip::Backward,
             (false, false) => StickSlip::Stuck,
-            (true, true) => return Err(self.either_way(index, time)),
+            (true, true) => return Err(self.ambiguous_direction(index, time)),
         };
         frozen.set_out(group, now, modes, &work);
         Ok(())
@@ -262,7 +262,7 @@ impl System {
                 let _ = self.decide(index, 0.0, y, modes);
             }
         }
-        self.settle_pairs_of_several(y, modes);
+        self.settle_multi_input_pairs(y, modes);
     }
 }
 

@@ -17,8 +17,8 @@ pub(super) const LOCKED: Obstacle = Obstacle::Failed(ForceFailure::SelfLocking {
 
 impl System {
     /// A group at rest that may start in either direction.
-    pub(super) fn either_way(&self, index: usize, time: f64) -> PhysicalStop {
-        let id = self.rubbing_id(index, 0);
+    pub(super) fn ambiguous_direction(&self, index: usize, time: f64) -> PhysicalStop {
+        let id = self.member_id(index, 0);
         PhysicalStop {
             name: "several_solutions",
             message: format!(
@@ -55,7 +55,7 @@ impl System {
         self.friction_stop(index, member, failure)
     }
 
-    fn rubbing_id(&self, index: usize, member: usize) -> String {
+    fn member_id(&self, index: usize, member: usize) -> String {
         let object = self.frozen.groups[index].members[member].object;
         self.model.objects[object].id.clone()
     }
@@ -67,7 +67,7 @@ impl System {
         failure: Obstacle,
     ) -> PhysicalStop {
         let given = self.frozen.groups[index].coordinate.is_none();
-        stop_for(self.rubbing_id(index, member), given, failure)
+        stop_for(self.member_id(index, member), given, failure)
     }
 
     /// Why the last evaluation gave no numbers, where friction is the reason.
@@ -77,12 +77,12 @@ impl System {
     ) -> Option<PhysicalStop> {
         for (index, group) in self.frozen.groups.iter().enumerate() {
             for (number, member) in group.members.iter().enumerate() {
-                if let Some(failure) = told(work.rubbing[member.linkage].failure) {
+                if let Some(failure) = named_obstacle(work.rubbing[member.linkage].failure) {
                     return Some(self.friction_stop(index, number, failure));
                 }
             }
         }
-        self.obstacle_of_several(work)
+        self.multi_input_obstacle(work)
     }
 }
 
@@ -128,6 +128,6 @@ pub(super) fn stop_for(object: String, given: bool, failure: Obstacle) -> Physic
 }
 
 /// An obstacle that ends a run by name: numbers that are not finite have other reasons.
-pub(super) fn told(failure: Option<Obstacle>) -> Option<Obstacle> {
+pub(super) fn named_obstacle(failure: Option<Obstacle>) -> Option<Obstacle> {
     failure.filter(|failure| *failure != Obstacle::Failed(ForceFailure::NotFinite))
 }

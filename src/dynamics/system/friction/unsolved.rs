@@ -20,7 +20,7 @@ impl Frozen {
         work: &mut Work<f64>,
     ) -> Option<(usize, Obstacle)> {
         self.forces(time, state, modes, work);
-        self.rub(state, modes, Extent::Full, work);
+        self.add_friction(state, modes, Extent::Full, work);
         let link = self.link_force(group, state, work);
         let root = self.root_acceleration(group, link, work);
         let free = group.component.is_some();
@@ -38,7 +38,7 @@ impl Frozen {
             }
         }
         let together = free && group.members.len() > 1;
-        let others = together && self.moves_otherwise(group, link, root, modes, work);
+        let others = together && self.has_other_acceleration(group, link, root, modes, work);
         others.then_some((0, Obstacle::Several))
     }
 
@@ -49,7 +49,7 @@ impl Frozen {
     /// both sides of the only solution A*; where it has the other sign, there is
     /// another root in between. An acceleration with which no friction agrees, or not
     /// just one, decides nothing.
-    fn moves_otherwise(
+    fn has_other_acceleration(
         &self,
         group: &Group,
         link: f64,
@@ -61,7 +61,7 @@ impl Frozen {
         let found: Vec<f64> = members
             .map(|member| work.rubbing[member.linkage].force)
             .collect();
-        self.take_off(group, work);
+        self.remove_friction(group, work);
         let without = self.root_acceleration(group, link, work);
         let size = root.abs() + without.abs();
         let mut differs = false;
@@ -71,7 +71,7 @@ impl Frozen {
             }
             let tried = root + distance * size;
             let left = self.left_over(group, [link, tried], modes, work);
-            self.take_off(group, work);
+            self.remove_friction(group, work);
             differs |= left.is_some_and(|left| left * distance < 0.0);
         }
         for (member, force) in group.members.iter().zip(found) {
@@ -83,7 +83,7 @@ impl Frozen {
     }
 
     /// Takes the friction of a group off all forces.
-    fn take_off(&self, group: &Group, work: &mut Work<f64>) {
+    fn remove_friction(&self, group: &Group, work: &mut Work<f64>) {
         for member in &group.members {
             let own = &mut work.rubbing[member.linkage].force;
             let force = std::mem::take(own);

@@ -33,7 +33,7 @@ impl System {
         let component = watch.component;
         if watch.target == OPEN {
             let contact = (component, modes.0[component]);
-            frozen.put_on_flank(contact, 0.0, (time, &modes.0), y, &mut work);
+            frozen.set_on_flank(contact, 0.0, (time, &modes.0), y, &mut work);
             modes.0[component] = OPEN;
             return Ok(None);
         }
@@ -55,7 +55,7 @@ impl System {
         // What is held is where it is held, whatever an integration has made of that.
         for other in 0..frozen.contacts() {
             if frozen.contact_of(other).holds(modes[other]) {
-                frozen.put_on_flank((other, modes[other]), 0.0, (time, modes), y, work);
+                frozen.set_on_flank((other, modes[other]), 0.0, (time, modes), y, work);
             }
         }
         frozen.motion(time, y, modes, Extent::Full, work);
@@ -63,7 +63,7 @@ impl System {
         let approach = frozen.approach(contact, y, &still, work)[0];
         if approach < 0.0 {
             // It is going apart: by no more than rounding it was behind its flank.
-            frozen.put_on_flank(contact, approach, (time, modes), y, work);
+            frozen.set_on_flank(contact, approach, (time, modes), y, work);
             return Ok(None);
         }
         let response = frozen.complementary(time, y, modes, contact, work);
@@ -79,7 +79,7 @@ impl System {
         let before = y.to_vec();
         let mut rate = coefficient * approach;
         let mut impulse = jump(y, rate);
-        frozen.put_on_flank(contact, -rate, (time, modes), y, work);
+        frozen.set_on_flank(contact, -rate, (time, modes), y, work);
         modes[component] = side;
         let pressing = -frozen.parting(component, time, y, modes, work);
         let rests = restitution::rests(
@@ -92,7 +92,7 @@ impl System {
             y.copy_from_slice(&before);
             rate = 0.0;
             impulse = jump(y, rate);
-            frozen.put_on_flank(contact, 0.0, (time, modes), y, work);
+            frozen.set_on_flank(contact, 0.0, (time, modes), y, work);
         } else {
             modes[component] = OPEN;
         }
@@ -190,11 +190,11 @@ impl System {
                     let speeds = noise[frozen.coordinates + place]
                         + work.speed[frozen.node_of(component)].abs();
                     if rate.abs() <= TOUCH * speeds {
-                        frozen.put_on_flank((component, side), 0.0, (0.0, modes), y, &mut work);
+                        frozen.set_on_flank((component, side), 0.0, (0.0, modes), y, &mut work);
                         modes[component] = side;
                         touching.push(component);
                     } else if rate > 0.0 {
-                        frozen.put_on_flank((component, side), rate, (0.0, modes), y, &mut work);
+                        frozen.set_on_flank((component, side), rate, (0.0, modes), y, &mut work);
                     }
                 }
             }

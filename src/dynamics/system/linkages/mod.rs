@@ -91,7 +91,7 @@ impl LinkageState {
 
     /// Solves it at `q` unless that was done last.
     #[inline]
-    fn go_to(&mut self, q: f64, order: usize) {
+    fn solve_at(&mut self, q: f64, order: usize) {
         if q == self.place && order <= self.order {
             return;
         }
@@ -102,12 +102,12 @@ impl LinkageState {
     /// The linkage at `q`, its derivatives up to `order`; `None` where it cannot be
     /// assembled.
     pub(super) fn placed(&mut self, q: f64, order: usize) -> Option<&Workspace> {
-        self.go_to(q, order);
+        self.solve_at(q, order);
         self.assembled.then_some(&self.workspace)
     }
 
     fn output(&mut self, output: usize, q: f64, order: usize) -> Jet {
-        self.go_to(q, order);
+        self.solve_at(q, order);
         match self.assembled {
             true => self.linkage.output(output, &self.workspace),
             false => Jet::UNKNOWN,
@@ -160,7 +160,7 @@ impl LinkageState {
 
     /// `None` where it cannot be assembled.
     fn reduced(&mut self, q: f64, order: usize) -> Option<Reduced> {
-        self.go_to(q, order);
+        self.solve_at(q, order);
         if self.assembled && self.reduced.is_none() {
             self.reduced = Some(self.linkage.reduced(&self.workspace));
         }

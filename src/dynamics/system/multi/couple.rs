@@ -221,7 +221,7 @@ impl Frozen {
         dense.positive = dense::factorise_symmetric(matrix, roots);
         dense::solve_symmetric(matrix, &mut dense.right[..roots]);
         if let Some(modes) = modes {
-            self.rub_several(&mut dense, modes, work);
+            self.apply_multi_input_friction(&mut dense, modes, work);
         }
         // The accelerations of the carriers, then their inertia forces.
         for (number, force) in dense.forces[..count].iter_mut().enumerate() {

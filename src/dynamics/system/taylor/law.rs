@@ -40,7 +40,7 @@ pub(super) fn last(degree: usize) -> f64 {
 
 /// Way over which the polynomial of a law around a place, looked at within a radius, has
 /// no more than the least share in its last two coefficients; at most `most`.
-pub(in crate::dynamics::system) fn way(
+pub(in crate::dynamics::system) fn expansion_range(
     phi: f64,
     radius: f64,
     most: f64,
@@ -233,7 +233,7 @@ impl LawSeries {
 
     /// Σ|x_k| of the driver's way over the whole step, in units of what the
     /// polynomial is good for.
-    pub(super) fn way(&self, degree: usize) -> f64 {
+    pub(super) fn relative_travel(&self, degree: usize) -> f64 {
         let sizes = self.powers[0][1..=degree].iter().map(|x| x.abs());
         self.excess * sizes.sum::<f64>()
     }
@@ -298,7 +298,7 @@ mod tests {
             phase: 0.3,
             offset: 0.0,
         };
-        let known = |law: &Position| way(0.4, 0.1, 1.0, |phi| law.jet(0, phi));
+        let known = |law: &Position| expansion_range(0.4, 0.1, 1.0, |phi| law.jet(0, phi));
         let (one, five) = (known(&sine(1.0)), known(&sine(5.0)));
         approx::assert_relative_eq!(one / five, 5.0, max_relative = 0.25);
         // There the last two coefficients have about the share allowed.

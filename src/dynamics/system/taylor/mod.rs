@@ -23,7 +23,7 @@ mod tests;
 mod written;
 
 pub(crate) use law::HIGHEST;
-pub(super) use law::way as way_of_law;
+pub(super) use law::expansion_range as way_of_law;
 
 use super::constraints::Constrained;
 use super::frozen::{Chain, Frozen, Rigid, Step};
@@ -200,7 +200,7 @@ impl Frozen {
         let bending = self.laws.iter().zip(&taylor.laws);
         let ways = bending
             .filter(|(law, _)| law.has_variable_ratio())
-            .map(|(_, series)| series.way(degree) / BEYOND);
+            .map(|(_, series)| series.relative_travel(degree) / BEYOND);
         // Speeds are known to one order less.
         let loads = self.loads.iter().zip(&taylor.loads);
         let shares = loads.map(|(load, series)| {

@@ -130,7 +130,13 @@ impl FrozenExpression {
     /// The first of the higher derivatives of a guard that is not zero, as far as the motion
     /// tells them: its sign just behind where it and its rate are zero, whatever the unit of
     /// time.
-    fn first_bend(&self, guard: usize, time: f64, modes: &[i64], work: &Work<f64>) -> f64 {
+    fn first_nonzero_derivative(
+        &self,
+        guard: usize,
+        time: f64,
+        modes: &[i64],
+        work: &Work<f64>,
+    ) -> f64 {
         let third = |value: f64, first: f64, second: f64| {
             Third(Jet {
                 value,
@@ -200,7 +206,7 @@ impl Frozen {
             for (index, component) in written.components().enumerate() {
                 let at = written.guard(index, time, modes, &work);
                 let rate = match at.derivative == 0.0 && at.value == 0.0 {
-                    true => written.first_bend(index, time, modes, &work),
+                    true => written.first_nonzero_derivative(index, time, modes, &work),
                     false => at.derivative,
                 };
                 modes[component] = guards[index].mode_at(at.value, rate);
@@ -276,7 +282,7 @@ impl Frozen {
                 let end = first.as_ref().map_or(end, |first| first.0);
                 let rests = resting.iter().find(|own| own.component == component);
                 let floor = rests.map_or(0.0, |own| own.floor);
-                let found = guard.leaves(mode, &of_guard, &along, end, (fresh, floor));
+                let found = guard.first_crossing(mode, &of_guard, &along, end, (fresh, floor));
                 let Some(found) = found else { continue };
                 if first.as_ref().is_some_and(|first| first.0 <= found.s) {
                     continue;

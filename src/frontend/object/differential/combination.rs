@@ -100,7 +100,9 @@ pub(super) fn combine(
             .collect(),
         Combination::Planetary(ratio) => planetary(fields, written, *ratio, own)?,
         Combination::Lever(output) => lever(fields, written, *output, own)?,
-        Combination::Own(constraint) => by_own(fields, written, constraint.drivers())?,
+        Combination::Own(constraint) => {
+            coded_constraint_ratios(fields, written, constraint.drivers())?
+        }
     };
     let named = written.iter().zip(inputs);
     let inputs = named.map(|(input, ratio)| {
@@ -112,7 +114,7 @@ pub(super) fn combine(
 }
 
 /// A constraint given in code knows its gradient itself.
-fn by_own(
+fn coded_constraint_ratios(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     drivers: usize,

@@ -117,7 +117,7 @@ fn with_origin(points: &[NamedPoint]) -> Vec<NamedPoint> {
 
 /// Reads the name of one of the points; `known` is `None` when they are faulty.
 fn one_of(mut slot: Slot<'_>, link: &str, known: Option<&[NamedPoint]>) -> Option<[f64; 2]> {
-    let name = slot.look(|slot| slot.text())?;
+    let name = slot.read_in_place(|slot| slot.text())?;
     let known = known?;
     if let Some(point) = known.iter().find(|point| point.name == name) {
         return Some(point.at);

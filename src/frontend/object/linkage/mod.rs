@@ -172,7 +172,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<DriveMode> {
         .and_then(|(at, pairs)| pairs.get(at).map(|pair| pairs::coordinate(&pair.kind)));
     let input = Measures(kind);
     let of_one = match several {
-        true => not_of_one(fields).then_some(OneInput::default()),
+        true => refuse_single_input_fields(fields).then_some(OneInput::default()),
         false => one_input(fields, input, driver),
     };
     let doc = "True: the friction of the pairs acts on the motion in `dam run`, and the linkage, or single pairs of one of several inputs, may come to rest by it; false: it counts in `dam forces` only.";
@@ -257,7 +257,7 @@ fn one_input(fields: &mut Fields<'_>, input: Measures, driver: Measures) -> Opti
 }
 
 /// Refuses what belongs to a linkage of one input; true when there is nothing of it.
-fn not_of_one(fields: &mut Fields<'_>) -> bool {
+fn refuse_single_input_fields(fields: &mut Fields<'_>) -> bool {
     let mut found = false;
     for property in ["position", "start", "travel"] {
         let message = format!("`{property}` belongs to a linkage of one input");
@@ -269,7 +269,7 @@ fn not_of_one(fields: &mut Fields<'_>) -> bool {
 
 fn travel(mut slot: Slot<'_>, input: Measures) -> Option<[f64; 2]> {
     let end = |slot: Slot<'_>| slot.quantity(input.displacement(), Bounds::ANY);
-    let (from, to) = slot.look(|slot| slot.pair(end, end))?;
+    let (from, to) = slot.read_in_place(|slot| slot.pair(end, end))?;
     if from < to {
         return Some([from, to]);
     }

@@ -79,7 +79,7 @@ impl Names {
 
     /// Reads the name of a link; its index.
     pub(super) fn link(&self, mut slot: Slot<'_>) -> Option<usize> {
-        let name = slot.look(|slot| slot.text())?;
+        let name = slot.read_in_place(|slot| slot.text())?;
         let found = self.position(&name);
         if found.is_none() {
             let message = format!("there is no link `{name}`");
@@ -90,7 +90,7 @@ impl Names {
 
     /// Reads the name of a link or of the ground (`None`).
     pub(super) fn link_or_ground(&self, mut slot: Slot<'_>) -> Option<Option<usize>> {
-        let name = slot.look(|slot| slot.text())?;
+        let name = slot.read_in_place(|slot| slot.text())?;
         if name == GROUND {
             return Some(None);
         }
@@ -117,7 +117,7 @@ impl Names {
 
     /// Reads the name of a pair; its index.
     pub(super) fn pair(&self, mut slot: Slot<'_>) -> Option<usize> {
-        let name = slot.look(|slot| slot.text())?;
+        let name = slot.read_in_place(|slot| slot.text())?;
         let found = self.pairs.iter().position(|pair| *pair == name);
         if found.is_none() {
             let known: Vec<&str> = self.pairs.iter().map(String::as_str).collect();
@@ -129,7 +129,7 @@ impl Names {
 
     /// Reads the reference to a point: `rod.B`, `ground.O`, `slider.origin`.
     pub(super) fn point(&self, mut slot: Slot<'_>) -> Option<PointOf> {
-        let text = slot.look(|slot| slot.text())?;
+        let text = slot.read_in_place(|slot| slot.text())?;
         let Some((owner, name)) = text.split_once('.') else {
             self.not_a_point(&mut slot, &text);
             return None;
@@ -153,7 +153,7 @@ impl Names {
 
     /// Reads the name of a point of one link; its coordinates.
     pub(super) fn own_point(&self, mut slot: Slot<'_>, link: &str) -> Option<[f64; 2]> {
-        let name = slot.look(|slot| slot.text())?;
+        let name = slot.read_in_place(|slot| slot.text())?;
         let points = self.points(link)?;
         point_named(&mut slot, link, &name, points)
     }

@@ -213,7 +213,7 @@ impl DiscCam {
         if let (Guide::Translating { .. }, None) = (self.geometry().guide, self.geometry().roller())
         {
             // The radius of curvature is the base circle's plus a function of φ.
-            let least = self.bends()[0].value;
+            let least = self.curvature_extremes()[0].value;
             let from = (self.geometry().base_radius + radius - least).max(0.0);
             return Ok(vec![BaseRange { from, to: None }]);
         }
@@ -233,7 +233,7 @@ impl DiscCam {
 
     /// At most 1 where the profile is smooth enough.
     fn sharpness(&self, radius: f64, factor: f64) -> f64 {
-        let [least, most] = self.bends();
+        let [least, most] = self.curvature_extremes();
         match self.geometry().roller() {
             // Radius of curvature at least `radius`: no ratio, it may be negative.
             None => 1.0 + (radius - least.value) / self.geometry().base_radius,
@@ -251,7 +251,7 @@ impl DiscCam {
     /// Limits of rollers and cutters on this pitch curve; `None` under a flat face.
     pub fn roller_limits(&self, factor: f64) -> Option<RollerLimits> {
         let roller = self.geometry().roller()?;
-        let [least, most] = self.bends();
+        let [least, most] = self.curvature_extremes();
         let radius = |curvature: At, sign: f64| {
             let sharp = sign * curvature.value > 0.0;
             sharp.then(|| At {

@@ -24,7 +24,7 @@ fn the_follower_of_an_eccentric_jumps_at_52_30_rpm() {
         rate: 10.0,
         preload: 0.2,
     };
-    let LetsGo::At(found) = closing.lets_go(spring, 1.0) else {
+    let LetsGo::At(found) = closing.separation_speed(spring, 1.0) else {
         panic!("it jumps");
     };
     approx::assert_relative_eq!(found.value, 30f64.sqrt(), max_relative = 1e-14);
@@ -53,7 +53,7 @@ fn damping_moves_the_jump_to_the_root_of_its_quadratic() {
         preload: 0.5,
     };
     for sense in [1.0, -1.0] {
-        let LetsGo::At(found) = closing.lets_go(spring, sense) else {
+        let LetsGo::At(found) = closing.separation_speed(spring, sense) else {
             panic!("it jumps");
         };
         let least = closing.least(spring, sense * found.value);
@@ -73,14 +73,14 @@ fn what_is_open_at_rest_and_what_never_opens_is_said() {
         rate: 0.0,
         preload: 0.75,
     };
-    assert!(matches!(closing.lets_go(weak, 1.0), LetsGo::AtRest(at) if at.value == 0.25));
+    assert!(matches!(closing.separation_speed(weak, 1.0), LetsGo::AtRest(at) if at.value == 0.25));
     let massless = eccentric(0.0, 0.02, 0.0, 1.0);
     let closing = Closing::new(&TURN, &massless);
-    assert_eq!(closing.lets_go(weak, 1.0), LetsGo::Never);
+    assert_eq!(closing.separation_speed(weak, 1.0), LetsGo::Never);
     let loose = ClosingSpring::default();
     let free = eccentric(1.0, 0.02, 0.0, 0.0);
     let closing = Closing::new(&TURN, &free);
-    assert!(matches!(closing.lets_go(loose, 1.0), LetsGo::At(at) if at.value == 0.0));
+    assert!(matches!(closing.separation_speed(loose, 1.0), LetsGo::At(at) if at.value == 0.0));
 }
 
 #[test]

@@ -208,7 +208,7 @@ fn a_flat_face_needs_a_convex_profile() {
         ..geometry
     };
     let cam = DiscCam::new(&position, &enough).unwrap();
-    let least = cam.bends()[0].value;
+    let least = cam.curvature_extremes()[0].value;
     approx::assert_relative_eq!(least, 0.005, max_relative = 1e-11);
     assert!(cam.findings().is_empty());
 }

@@ -44,7 +44,7 @@ fn geared(
     coupling: &CouplingSpec,
     own: impl Fn(&Element) -> Side,
 ) -> Option<Geared> {
-    let meeting = coupling.meeting(&spec.pairs).ok()?;
+    let meeting = coupling.axis_positions(&spec.pairs).ok()?;
     let side = |link: Option<usize>| own(&Element::of_link(link));
     let second = match meeting.guide {
         None => Second::Wheel(side(coupling.wheels[1])),

@@ -40,12 +40,12 @@ impl CouplingSpec {
         match self.kind {
             CouplingKind::Cam(_) if one == other => Err(Mismatch::Same(one)),
             CouplingKind::Cam(_) => Ok(()),
-            _ => self.meeting(pairs).map(|_| ()),
+            _ => self.axis_positions(pairs).map(|_| ()),
         }
     }
 
     /// Where the axes of its wheels lie; a cam has none.
-    pub(in crate::kinematics::linkage) fn meeting(
+    pub(in crate::kinematics::linkage) fn axis_positions(
         &self,
         pairs: &[PairSpec],
     ) -> Result<Meeting, Mismatch> {

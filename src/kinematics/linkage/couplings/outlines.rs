@@ -33,7 +33,7 @@ pub(crate) fn outlines(spec: &LinkageSpec) -> Vec<Outline> {
         if let CouplingKind::Cam(cam) = &coupling.kind {
             return of_cam(coupling.wheels, cam);
         }
-        let meeting = coupling.meeting(&spec.pairs).ok()?;
+        let meeting = coupling.axis_positions(&spec.pairs).ok()?;
         Some(of_one(coupling, &meeting, &spec.pairs))
     };
     spec.couplings.iter().filter_map(of).flatten().collect()
@@ -74,7 +74,7 @@ fn of_cam([own, other]: [Option<usize>; 2], cam: &CamPairSpec) -> Option<Vec<Out
     let [x, y] = cam.centre;
     let flank = |offset: f64| {
         let angles = (0..POINTS).map(|place| TAU * f64::from(place) / f64::from(POINTS));
-        let points = angles.map(|angle| curve.beside(angle, offset));
+        let points = angles.map(|angle| curve.equidistant_point(angle, offset));
         Outline::Flank(own, points.map(|[u, v]| [x + u, y + v]).collect())
     };
     let flanks = match cam.roller_radius > 0.0 {

@@ -152,7 +152,7 @@ impl PitchCurve {
 
     /// The point of an equidistant curve, `offset` outside the pitch curve, at a polar angle of
     /// the latter; seen from its centre in the frame of the cam (m).
-    pub(super) fn beside(&self, angle: f64, offset: f64) -> [f64; 2] {
+    pub(super) fn equidistant_point(&self, angle: f64, offset: f64) -> [f64; 2] {
         let (sin, cos) = angle.sin_cos();
         let radius = self.radius(angle).value;
         let at = [radius * cos, radius * sin];

@@ -209,7 +209,7 @@ pub(super) fn coupled(spec: &LinkageSpec) -> Vec<CouplingReaction> {
             Some(CouplingReaction::Cam(cam.clone(), curve))
         }
         _ => coupling
-            .meeting(&spec.pairs)
+            .axis_positions(&spec.pairs)
             .ok()
             .map(CouplingReaction::Wheels),
     };

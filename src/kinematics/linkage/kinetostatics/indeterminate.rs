@@ -84,7 +84,7 @@ impl Kinetostatics {
             };
         }
         let mut open = self.in_self_stress(w);
-        while self.rubs_on(&mut open, w) {}
+        while self.add_friction_unknowns(&mut open, w) {}
         let [pairs, rest] = {
             let (pairs, rest) = open.split_at(2 * self.spec.pairs.len());
             [pairs, rest]
@@ -143,7 +143,7 @@ impl Kinetostatics {
     }
 
     /// Takes in the unknowns that the friction of open pairs acts on; true if there were new ones.
-    fn rubs_on(&self, open: &mut [bool], w: &ForceWorkspace) -> bool {
+    fn add_friction_unknowns(&self, open: &mut [bool], w: &ForceWorkspace) -> bool {
         let mut grew = false;
         for term in &w.terms {
             if !(open[term.unknown] || open[term.unknown + 1]) {

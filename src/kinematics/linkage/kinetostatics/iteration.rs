@@ -99,7 +99,7 @@ impl ForceWorkspace {
         let mut before = [f64::INFINITY; 2];
         let mut rest = f64::INFINITY;
         for _ in 0..cap {
-            self.rub();
+            self.update_friction();
             for (tau, next) in self.friction.iter_mut().zip(&self.next) {
                 *tau += part * (next - *tau);
             }
@@ -144,7 +144,7 @@ impl ForceWorkspace {
     pub(super) fn newton(&mut self, course: &mut Convergence) -> bool {
         self.react();
         for _ in 0..NEWTON {
-            self.rub();
+            self.update_friction();
             let scale = self.scale();
             let mut residual = 0.0f64;
             for a in 0..self.columns {

@@ -172,13 +172,13 @@ impl Course<'_> {
                 self.divide(pair, [low, middle], [a, c], (noise, depth - 1), found);
                 self.divide(pair, [middle, high], [c, b], (noise, depth - 1), found);
             }
-            _ => self.look_between(pair, [low, high], [a, b], noise, found),
+            _ => self.roots_between(pair, [low, high], [a, b], noise, found),
         }
     }
 
     /// Roots between two neighbouring places: one where the signs differ, two
     /// where the rate turns back beyond zero.
-    fn look_between(
+    fn roots_between(
         &mut self,
         pair: usize,
         [low, high]: [f64; 2],

@@ -94,7 +94,7 @@ impl ForceWorkspace {
                 for unknown in &mut self.unknowns {
                     *unknown = scale * size * next_random(&mut state);
                 }
-                self.rub();
+                self.update_friction();
                 self.friction.copy_from_slice(&self.next);
                 self.collect(course, &mut found);
             }

@@ -1,8 +1,8 @@
 //! Memory for one position, kept from position to position.
 
 use super::friction::{Law, Term};
+use super::held_pairs::SeveralForces;
 use super::positions::{LinkPosition, PointPosition};
-use super::several_held::SeveralForces;
 use crate::math::linear::Factors;
 
 /// Place of a pair, and how it slides.
@@ -161,7 +161,7 @@ impl ForceWorkspace {
 
     /// `next` = friction that belongs to the reactions F.
     #[inline]
-    pub(super) fn rub(&mut self) {
+    pub(super) fn update_friction(&mut self) {
         for term in &self.terms {
             term.friction(&self.unknowns, &mut self.next);
         }

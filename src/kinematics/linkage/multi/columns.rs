@@ -13,7 +13,7 @@
 //! 3, in the plane.
 
 use super::plan::{Group, InnerJoint, MultiPlan, Screw, Source};
-use super::twist::{Parts, Pose, Twist, at, carried, dot, minus, plus, times};
+use super::twist::{Parts, Pose, Twist, at, cross_product, dot, minus, plus, times};
 use crate::kinematics::linkage::state::State;
 use crate::math::number::Number;
 
@@ -278,7 +278,7 @@ impl<N: Number> Columns<N> {
 
     /// Velocities of all bodies, and their accelerations while those of the inputs are
     /// zero, at given rates of the inputs; needs [`Self::find`].
-    pub(super) fn go(&mut self, plan: &MultiPlan, rates: &[N]) {
+    pub(super) fn set_rates(&mut self, plan: &MultiPlan, rates: &[N]) {
         for joint in &plan.tree {
             let (screw, rate) = (self.screws[joint.input], rates[joint.input]);
             let before = self.velocity[joint.parent];
@@ -288,7 +288,7 @@ impl<N: Number> Columns<N> {
                 true => own,
                 false => before,
             };
-            let change = times(carried(&owner, &screw), rate);
+            let change = times(cross_product(&owner, &screw), rate);
             self.velocity[joint.body] = own;
             self.acceleration[joint.body] = plus(self.acceleration[joint.parent], change);
         }
@@ -303,7 +303,7 @@ impl<N: Number> Columns<N> {
             }
             let inner = group.inner.as_ref().map(|inner| {
                 let (screw, rate) = (self.screws[inner.input], rates[inner.input]);
-                times(carried(&self.velocity[inner.base], &screw), rate)
+                times(cross_product(&self.velocity[inner.base], &screw), rate)
             });
             match group.dyad {
                 true => self.accelerate_dyad(index, group, inner),
@@ -313,7 +313,7 @@ impl<N: Number> Columns<N> {
                 self.acceleration[own.driven] = plus(self.acceleration[own.base], change);
             }
         }
-        self.go_attached(plan);
+        self.set_attached_rates(plan);
     }
 
     /// The change of a pair's screw times the pair's rate.
@@ -325,7 +325,7 @@ impl<N: Number> Columns<N> {
             true => at[1] * relative[1] + at[2] * relative[2],
             false => relative[0],
         };
-        times(carried(&self.velocity[screw.owner], at), rate)
+        times(cross_product(&self.velocity[screw.owner], at), rate)
     }
 
     fn accelerate_dyad(&mut self, index: usize, group: &Group, inner: Option<Twist<N>>) {

@@ -94,7 +94,7 @@ pub(super) fn placed(welded: &Welded) -> Vec<bool> {
 }
 
 /// True when inputs, or they and the pairs, place something more than once.
-pub(super) fn holds_more_than_once(welded: &Welded) -> bool {
+pub(super) fn is_overconstrained(welded: &Welded) -> bool {
     let mut faults = Faults::default();
     let joints = joints(welded, &mut faults);
     if faults.check().is_err() {

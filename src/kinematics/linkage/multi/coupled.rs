@@ -23,7 +23,7 @@ impl PreparedCoupling {
                 .map(Box::new)
                 .map(Self::Cam),
             _ => {
-                let meeting = coupling.meeting(pairs).ok()?;
+                let meeting = coupling.axis_positions(pairs).ok()?;
                 Some(Self::Wheels(Geared::new(coupling, &meeting, pairs, ground)))
             }
         }

@@ -9,7 +9,7 @@
 
 use super::columns::Columns;
 use super::plan::{Group, MultiPlan, Screw};
-use super::twist::{Twist, at, carried, dot, plus};
+use super::twist::{Twist, at, cross_product, dot, plus};
 use crate::math::linear::dense;
 
 /// D, its derivative along a motion of the inputs, and its second one in time while the
@@ -98,10 +98,13 @@ impl Columns<f64> {
         let [[a, b, c], _] = &self.dyads[index];
         let moved = |k: usize, screw: &Twist<f64>| {
             let (velocity, acceleration) = motion(group.screws[k].owner);
-            let rate = carried(&velocity, screw);
+            let rate = cross_product(&velocity, screw);
             (
                 rate,
-                plus(carried(&acceleration, screw), carried(&velocity, &rate)),
+                plus(
+                    cross_product(&acceleration, screw),
+                    cross_product(&velocity, &rate),
+                ),
             )
         };
         let ((a1, a2), (b1, b2), (c1, c2)) = (moved(0, a), moved(1, b), moved(2, c));

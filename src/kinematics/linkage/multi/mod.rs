@@ -99,7 +99,7 @@ impl MultiLinkage {
         let mut state = plan.plan.state();
         let inputs: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         place::outwards(&plan, &inputs, &mut state);
-        place::turned_outwards(&plan, &inputs, &mut state.near);
+        place::whole_turn_angles(&plan, &inputs, &mut state.near);
         plan.attach(&mut state);
         // (No one number is the start.)
         let mut linkage = welded.spec.linkage;
@@ -124,7 +124,7 @@ impl MultiLinkage {
             });
         }
         let mut start = StartPosition::new(state, inputs.clone(), plan.turning);
-        if let Err(NotAssembled { group }) = start.go_to(&plan, &signs, &inputs) {
+        if let Err(NotAssembled { group }) = start.solve_at(&plan, &signs, &inputs) {
             let names = super::choice::names(&linkage, plan.plan.steps[group - 1].bodies());
             return Err(vec![Fault::new(
                 "inputs",
@@ -252,7 +252,7 @@ impl<N: Quantity> MultiWorkspace<N> {
         for (at, input) in self.at.iter_mut().zip(inputs) {
             *at = input.value();
         }
-        self.known.go_to(plan, signs, &self.at)?;
+        self.known.solve_at(plan, signs, &self.at)?;
         let state = &self.known.state;
         match &mut self.values {
             None => self.columns.load(plan, state),
@@ -273,7 +273,7 @@ impl<N: Quantity> MultiWorkspace<N> {
             }
         }
         self.columns.find(plan);
-        self.columns.go(plan, rates);
+        self.columns.set_rates(plan, rates);
         Ok(())
     }
 

@@ -45,7 +45,7 @@ impl MultiMotion {
     ///
     /// # Errors
     /// The inputs cannot be reached; everything stays where it was.
-    pub fn go(&mut self, inputs: &[Jet]) -> Result<(), NotAssembled> {
+    pub fn set_inputs(&mut self, inputs: &[Jet]) -> Result<(), NotAssembled> {
         for (k, input) in inputs.iter().enumerate() {
             (self.at[k], self.rates[k]) = (input.value, input.first);
         }
@@ -77,7 +77,7 @@ impl MultiMotion {
     }
 
     /// Lets angles go on from those of an earlier instant.
-    pub fn go_on_from(&mut self, angles: &[f64]) {
+    pub fn unwrap_angles(&mut self, angles: &[f64]) {
         self.space.known.angles.copy_from_slice(angles);
         self.space.known.state.near.copy_from_slice(angles);
     }

@@ -27,7 +27,7 @@ pub struct NotAssembled {
 /// Places what inputs alone place.
 pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
     for joint in &plan.tree {
-        let relative = joint.driver.relative::<1>(joint.between(inputs));
+        let relative = joint.driver.relative_frame::<1>(joint.between(inputs));
         let relative = match joint.reversed {
             false => relative,
             true => inverse(&relative),
@@ -50,7 +50,7 @@ pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
 pub(super) fn inside(plan: &MultiPlan, group: usize, inputs: &[f64], state: &mut State) {
     if let Some(inner) = &plan.groups[group].inner {
         let between = inner.between(inputs);
-        let relative = inner.driver.relative::<1>(between);
+        let relative = inner.driver.relative_frame::<1>(between);
         state.relative.set(&relative);
         (state.reduced, state.turned) = (between, inner.driver.sliding.is_none());
     }
@@ -66,7 +66,7 @@ pub(super) fn place(
 ) -> Result<(), NotAssembled> {
     outwards(plan, inputs, state);
     if plan.geared {
-        turned_outwards(plan, inputs, &mut state.near);
+        whole_turn_angles(plan, inputs, &mut state.near);
     }
     for (index, step) in plan.plan.steps.iter().enumerate() {
         inside(plan, index, inputs, state);
@@ -89,7 +89,7 @@ pub(super) fn place(
 }
 
 /// The angles over whole turns of all that inputs alone place.
-pub(super) fn turned_outwards(plan: &MultiPlan, inputs: &[f64], angles: &mut [f64]) {
+pub(super) fn whole_turn_angles(plan: &MultiPlan, inputs: &[f64], angles: &mut [f64]) {
     for joint in &plan.tree {
         let parent = match joint.parent == plan.bodies {
             true => 0.0,
@@ -190,7 +190,7 @@ impl StartPosition {
     /// Goes to other inputs: at once, or along the straight way in parts where a larger
     /// group does not find its position so. Where they cannot be reached, everything stays
     /// where it was, but for the margins.
-    pub(super) fn go_to(
+    pub(super) fn solve_at(
         &mut self,
         plan: &MultiPlan,
         signs: &[f64],
@@ -275,7 +275,7 @@ impl StartPosition {
                 self.angles[body] = nearest_turn(angle, self.angles[body]);
             }
         }
-        turned_outwards(plan, inputs, &mut self.angles);
+        whole_turn_angles(plan, inputs, &mut self.angles);
         plan.turn_attached(&mut self.angles);
     }
 

@@ -91,7 +91,7 @@ fn completed(spec: &MultiSpec) -> Option<Completed> {
             let welded = Welded::of(&tried);
             match last {
                 true => compile::compile(&welded).is_ok(),
-                false => !compile::holds_more_than_once(&welded),
+                false => !compile::is_overconstrained(&welded),
             }
         });
         add(&mut all, InputCoordinate::Pair(next?));
@@ -103,7 +103,7 @@ fn completed(spec: &MultiSpec) -> Option<Completed> {
     let placed = MultiLinkage::new(all.clone()).ok();
     let better = placed
         .as_ref()
-        .and_then(|linkage| better(&all, linkage, own));
+        .and_then(|linkage| better_conditioned_inputs(&all, linkage, own));
     Some(Completed {
         spec: better.unwrap_or(all),
         own,
@@ -251,7 +251,11 @@ fn start(spec: &MultiSpec, coordinate: InputCoordinate) -> f64 {
 
 /// The same with other pairs as its further inputs, where these are clearly better conditioned at the
 /// position at which it is put together.
-fn better(spec: &MultiSpec, linkage: &MultiLinkage, own: usize) -> Option<MultiSpec> {
+fn better_conditioned_inputs(
+    spec: &MultiSpec,
+    linkage: &MultiLinkage,
+    own: usize,
+) -> Option<MultiSpec> {
     let exchanged: Vec<usize> = (own..spec.inputs.len())
         .filter(|&input| spec.inputs[input].coordinate.floating_link().is_none())
         .collect();
@@ -261,7 +265,7 @@ fn better(spec: &MultiSpec, linkage: &MultiLinkage, own: usize) -> Option<MultiS
         ..Jet::default()
     };
     let inputs: Vec<Jet> = spec.inputs.iter().map(still).collect();
-    motion.go(&inputs).ok()?;
+    motion.set_inputs(&inputs).ok()?;
     let candidates = candidates(spec, own);
     let mut rows: Vec<Vec<f64>> = candidates
         .iter()

@@ -1,7 +1,7 @@
 //! How far rounding reaches: the same linkage with its numbers moved in the last digits.
 
 use super::{MultiLinkage, MultiMotion};
-use crate::kinematics::linkage::rounding::{COPIES, SAFETY, moved};
+use crate::kinematics::linkage::rounding::{COPIES, SAFETY, perturbed};
 use crate::math::jet::Jet;
 
 /// Copies of a linkage of several inputs that differ from it by rounding.
@@ -16,7 +16,7 @@ impl MultiRounding {
     pub fn of(linkage: &MultiLinkage) -> Self {
         let copies = (1..=COPIES).filter_map(|seed| {
             let mut spec = linkage.spec().clone();
-            spec.linkage = moved(&spec.linkage, linkage.size(), seed);
+            spec.linkage = perturbed(&spec.linkage, linkage.size(), seed);
             let copy = MultiLinkage::new(spec).ok()?;
             let alike = copy.core.signs == linkage.core.signs;
             alike.then(|| MultiMotion::new(&copy))
@@ -39,8 +39,8 @@ impl MultiRounding {
         errors.clear();
         errors.resize(values.len(), 0.0);
         for copy in &mut self.copies {
-            copy.go_on_from(angles);
-            if copy.go(inputs).is_err() {
+            copy.unwrap_angles(angles);
+            if copy.set_inputs(inputs).is_err() {
                 errors.fill(f64::INFINITY);
                 return;
             }

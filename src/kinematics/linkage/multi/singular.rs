@@ -187,7 +187,7 @@ impl<'a> GridReach<'a> {
         });
         let mut first = linkage.workspace::<f64>();
         let first_node = nearest[1] * side + nearest[0];
-        if let Err(group) = self.go(&mut first, first_node) {
+        if let Err(group) = self.solve_node(&mut first, first_node) {
             self.stuck[first_node] = Some(group);
             return;
         }
@@ -208,7 +208,7 @@ impl<'a> GridReach<'a> {
                 let Some(mut space) = self.spaces[node].clone() else {
                     continue;
                 };
-                match self.go(&mut space, next) {
+                match self.solve_node(&mut space, next) {
                     Ok(()) => {
                         self.spaces[next] = Some(space);
                         open.push_back(next);
@@ -219,7 +219,7 @@ impl<'a> GridReach<'a> {
         }
     }
 
-    fn go(&self, space: &mut MultiWorkspace<f64>, node: usize) -> Result<(), usize> {
+    fn solve_node(&self, space: &mut MultiWorkspace<f64>, node: usize) -> Result<(), usize> {
         let place = [(node % self.side) as f64, (node / self.side) as f64];
         let inputs = self.plane.inputs(place);
         let found = space.solve(&inputs, &self.rates);

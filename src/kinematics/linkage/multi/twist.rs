@@ -72,7 +72,7 @@ pub(super) fn dot<N: Number>(a: &Twist<N>, b: &Twist<N>) -> N {
 
 /// t × S: the change of a screw that a body of velocity t carries.
 #[inline(always)]
-pub(super) fn carried<N: Number>(t: &Twist<N>, s: &Twist<N>) -> Twist<N> {
+pub(super) fn cross_product<N: Number>(t: &Twist<N>, s: &Twist<N>) -> Twist<N> {
     [
         N::from(0.0),
         s[0] * t[2] - t[0] * s[2],

@@ -85,7 +85,7 @@ impl<N: Number> Columns<N> {
 
     /// Velocities and accelerations of the attached links, those of their bases being known.
     #[inline]
-    pub(super) fn go_attached(&mut self, plan: &MultiPlan) {
+    pub(super) fn set_attached_rates(&mut self, plan: &MultiPlan) {
         for one in &plan.plan.attached {
             let base = plan.body(one.base);
             self.velocity[one.link] = self.velocity[base];

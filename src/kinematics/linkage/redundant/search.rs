@@ -27,7 +27,7 @@ const MOST_TRIED: usize = 1000;
 /// does not move, or the search finds no reason. What is said approximately of its links chooses
 /// among the assemblies in which it moves, and is no reason to refuse it. A branch may be: where a
 /// single one is why it does not move, that is what is wrong.
-pub(in crate::kinematics::linkage) fn found(
+pub(in crate::kinematics::linkage) fn find_movable_linkage(
     spec: &LinkageSpec,
     closed_forms: bool,
 ) -> Option<Result<Linkage, Vec<Fault>>> {
@@ -62,7 +62,7 @@ pub(in crate::kinematics::linkage) fn found(
 /// The linkage as it is said, or else in another assembly in which it moves.
 fn moving(spec: &LinkageSpec, closed_forms: bool) -> Option<Linkage> {
     let as_said = |trial: &LinkageSpec| Linkage::built(trial.clone(), closed_forms).ok();
-    let as_it_moves = |trial: &LinkageSpec| Linkage::built_as_it_moves(trial, closed_forms);
+    let as_it_moves = |trial: &LinkageSpec| Linkage::assemble_redundant(trial, closed_forms);
     search(spec, &as_said).or_else(|| search(spec, &as_it_moves))
 }
 
@@ -94,7 +94,7 @@ fn search(spec: &LinkageSpec, built: &Built<'_>) -> Option<Linkage> {
         left: MOST_TRIED,
         built,
     };
-    search.leave_out(0, missing)
+    search.remove_equations(0, missing)
 }
 
 /// Makes a linkage of which it is known what is redundant, if it moves.
@@ -111,7 +111,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Leaves out `missing` more equations by candidates from the one given on.
-    fn leave_out(&mut self, from: usize, missing: usize) -> Option<Linkage> {
+    fn remove_equations(&mut self, from: usize, missing: usize) -> Option<Linkage> {
         if missing == 0 {
             self.left = self.left.checked_sub(1)?;
             return (self.built)(&self.trial);
@@ -124,7 +124,7 @@ impl Search<'_> {
                 continue;
             }
             self.trial.redundant.push(next);
-            let found = self.leave_out(index + 1, missing - next.equations());
+            let found = self.remove_equations(index + 1, missing - next.equations());
             self.trial.redundant.pop();
             if found.is_some() {
                 return found;
@@ -146,7 +146,7 @@ fn collides(one: &Redundant, other: &Redundant) -> bool {
 /// What could be left out: whole pairs beside another one of the same links, links that hang between
 /// two pairs, guides that turn; the last ones first, so that what was there before stays.
 fn candidates(spec: &LinkageSpec) -> Vec<Redundant> {
-    let mut list = beside_another(spec);
+    let mut list = duplicate_pairs(spec);
     for link in (0..spec.links.len()).rev() {
         list.extend(between(spec, link));
     }
@@ -160,7 +160,7 @@ fn candidates(spec: &LinkageSpec) -> Vec<Redundant> {
 }
 
 /// Pairs whose links are joined by an earlier pair of the same kind.
-fn beside_another(spec: &LinkageSpec) -> Vec<Redundant> {
+fn duplicate_pairs(spec: &LinkageSpec) -> Vec<Redundant> {
     let ends = |pair: &PairSpec| {
         let mut ends = [pair.on.link, pair.link.link];
         ends.sort_unstable();

@@ -127,7 +127,7 @@ struct Plan<'a> {
 
 impl Plan<'_> {
     /// Segments before and after a station; `None`: rest outside the plan.
-    fn beside(&self, station: usize) -> [Option<usize>; 2] {
+    fn adjacent_segments(&self, station: usize) -> [Option<usize>; 2] {
         let count = self.segments.len();
         let before = match station {
             0 if self.periodic => Some(count - 1),
@@ -144,7 +144,10 @@ impl Plan<'_> {
     /// Derivatives beyond what is smooth are of no use to anybody.
     fn check_prescribed(&self, faults: &mut Faults) {
         for (index, station) in self.stations.iter().enumerate() {
-            let taken = self.beside(index).iter().any(|&side| self.is_smooth(side));
+            let taken = self
+                .adjacent_segments(index)
+                .iter()
+                .any(|&side| self.is_smooth(side));
             let given = [
                 ("speed", station.speed),
                 ("acceleration", station.acceleration),
@@ -162,7 +165,7 @@ impl Plan<'_> {
         let mut unknowns = 0;
         let mut all = Vec::with_capacity(self.stations.len());
         for (index, station) in self.stations.iter().enumerate() {
-            let sides = self.beside(index);
+            let sides = self.adjacent_segments(index);
             let prescribed = [station.speed, station.acceleration, None];
             let orders = match station.acceleration {
                 Some(_) => station.order.max(2),
@@ -211,7 +214,7 @@ impl Plan<'_> {
         for (index, station) in derivatives.iter().enumerate() {
             let unknown = station.iter().filter(is_unknown).count();
             for order in station.len() + 1..=station.len() + unknown {
-                let [before, after] = self.beside(index);
+                let [before, after] = self.adjacent_segments(index);
                 for (segment, end, sign) in [(before?, 1.0, 1.0), (after?, 0.0, -1.0)] {
                     self.add_terms(derivatives, segment, end, order, sign, |column, value| {
                         match column {

@@ -24,7 +24,7 @@ struct Course {
 }
 
 impl Course {
-    fn told(self) -> Value {
+    fn to_json(self) -> Value {
         json!({
             "name": self.name,
             "unit": if self.turning { "rad" } else { "m" },
@@ -72,11 +72,11 @@ pub(super) fn of_one(linkage: &Linkage, turning: bool) -> Value {
         start,
         poses,
     };
-    course.told()
+    course.to_json()
 }
 
 /// The courses of a linkage of several inputs through one position, each over one input.
-pub(super) fn of_several(linkage: &MultiLinkage, at: Option<&[f64]>) -> Vec<Value> {
+pub(super) fn multi_input_courses(linkage: &MultiLinkage, at: Option<&[f64]>) -> Vec<Value> {
     let inputs = linkage.inputs();
     let start = || inputs.iter().map(|input| input.start).collect::<Vec<f64>>();
     // What is asked for may be of a text with other inputs.
@@ -84,7 +84,7 @@ pub(super) fn of_several(linkage: &MultiLinkage, at: Option<&[f64]>) -> Vec<Valu
     let at = at.filter(fits).map_or_else(start, <[f64]>::to_vec);
     let courses = inputs.iter().enumerate();
     courses
-        .map(|(k, input)| over(linkage, &at, k, input).told())
+        .map(|(k, input)| over(linkage, &at, k, input).to_json())
         .collect()
 }
 
@@ -103,7 +103,7 @@ fn over(linkage: &MultiLinkage, at: &[f64], input: usize, own: &InputSpec) -> Co
             let inputs = at.iter().enumerate();
             let inputs =
                 inputs.map(|(k, &value)| held(if k == input { values[place] } else { value }));
-            if motion.go(&inputs.collect::<Vec<Jet>>()).is_ok() {
+            if motion.set_inputs(&inputs.collect::<Vec<Jet>>()).is_ok() {
                 poses[place] = frames((0..links).map(|link| motion.pose(link)));
             }
         }

@@ -13,7 +13,7 @@ pub(super) fn section(model: &Model, object: usize) -> Section {
     let part = &model.objects[object];
     let count = part.nodes.len();
     let driver = part.driver().unwrap_or(object);
-    let asked = inputs::asked(model, object);
+    let asked = inputs::input_formulas(model, object);
     let masses = if count == 1 {
         "1 mass".into()
     } else {

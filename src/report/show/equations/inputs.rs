@@ -20,7 +20,7 @@ pub(super) struct InputFormulas {
 }
 
 /// What the inputs of an object with several of them ask for; `None`: it has not.
-pub(super) fn asked(model: &Model, object: usize) -> Option<InputFormulas> {
+pub(super) fn input_formulas(model: &Model, object: usize) -> Option<InputFormulas> {
     let part = &model.objects[object];
     let (_, constraint) = combination(model, object)?;
     let displacement = |driver: usize| of_object("φ", model, driver);

@@ -13,8 +13,8 @@ mod linkage;
 mod loads;
 #[cfg(feature = "studio")]
 mod mathml;
+mod multi_input;
 mod output;
-mod several;
 mod sources;
 mod text;
 
@@ -125,12 +125,12 @@ pub fn equations(model: &Model) -> Equations {
     // (A stop is a load on the mass that it stops.)
     // (What is a linkage of several inputs stands in its own equations.)
     let shown = objects.filter(|&object| {
-        let hidden = only_looked_at(model, object) || several::is_part(model, object);
+        let hidden = is_unconnected_output(model, object) || multi_input::is_part(model, object);
         !hidden && model.objects[object].kind != STOP
     });
     let sections = shown.map(|object| {
-        if let Some(body) = several::of(model, object) {
-            return several::section(model, object, body);
+        if let Some(body) = multi_input::of(model, object) {
+            return multi_input::section(model, object, body);
         }
         let first = model.objects[object].nodes.first();
         match first.map(|&node| &model.nodes[node].motion) {
@@ -150,7 +150,7 @@ pub fn equations(model: &Model) -> Equations {
 }
 
 /// True for an output of a linkage on which nothing hangs.
-fn only_looked_at(model: &Model, object: usize) -> bool {
+fn is_unconnected_output(model: &Model, object: usize) -> bool {
     let part = &model.objects[object];
     let drives = |other: &crate::dynamics::model::ObjectPart| other.is_driven_by(object);
     part.kind == OUTPUT && !model.objects.iter().any(drives)

@@ -1,7 +1,7 @@
 //! Equations of drives and of rigid objects.
 
 use super::{
-    Section, inertia_side, inputs, linkage, linkage_of, loads, of_object, only_looked_at,
+    Section, inertia_side, inputs, is_unconnected_output, linkage, linkage_of, loads, of_object,
     output_name, reflected,
 };
 use crate::dynamics::model::{Closure, Law, Model, NodeMotion, OUTPUT, ObjectPart};
@@ -62,7 +62,7 @@ pub(super) fn rotor(model: &Model, object: usize) -> Section {
 pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
     let part = &model.objects[object];
     let phi = of_object("φ", model, object);
-    let mut section = match inputs::asked(model, object) {
+    let mut section = match inputs::input_formulas(model, object) {
         Some(asked) => sum_lines(part, phi.clone(), asked),
         None => law_lines(model, object, phi.clone(), law),
     };
@@ -146,7 +146,7 @@ fn sum_lines(part: &ObjectPart, phi: Symbol, asked: inputs::InputFormulas) -> Se
 fn direct_pulls(model: &Model, object: usize) -> Vec<Expr> {
     (0..model.objects.len())
         .filter(|&other| model.objects[other].is_driven_by(object))
-        .filter(|&other| !only_looked_at(model, other))
+        .filter(|&other| !is_unconnected_output(model, other))
         .flat_map(|other| match model.objects[other].inputs.len() {
             0 | 1 => {
                 let prime = of_object("U", model, other).prime();

@@ -57,7 +57,7 @@ pub(super) fn backwards(model: &Model, drive: usize) -> Option<Fault> {
 }
 
 /// The nodes that move with a node.
-pub(in crate::studies::steady) fn behind(model: &Model, node: usize) -> Vec<bool> {
+pub(in crate::studies::steady) fn nodes_moved_by(model: &Model, node: usize) -> Vec<bool> {
     let mut moved = vec![false; model.nodes.len()];
     moved[node] = true;
     // Drivers stand before what they drive.
@@ -77,7 +77,7 @@ pub(in crate::studies::steady) fn behind(model: &Model, node: usize) -> Vec<bool
 
 /// True when something elastic hangs on a drive.
 pub fn is_elastic(model: &Model, drive: usize) -> bool {
-    let moved = behind(model, model.objects[drive].nodes[0]);
+    let moved = nodes_moved_by(model, model.objects[drive].nodes[0]);
     let masses = model.nodes.iter().zip(moved);
     masses
         .filter(|(_, moved)| *moved)

@@ -28,7 +28,7 @@ impl<'a> TreeMap<'a> {
             all_masses: true,
             ..request(period, 256)
         };
-        let run = whole(&tree, &request, &budget)?;
+        let run = run_to_end(&tree, &request, &budget)?;
         let mut scales: Vec<f64> = state.iter().map(|entry| entry.abs()).collect();
         for row in run.samples.chunks_exact(2 * n) {
             for (scale, value) in scales.iter_mut().zip(row) {
@@ -54,7 +54,7 @@ impl Map for TreeMap<'_> {
     fn apply(&self, state: &[f64], time: f64) -> Result<Vec<f64>, String> {
         let n = self.masses();
         let tree = self.part.tree_at(&state[..n], &state[n..]);
-        let run = whole(&tree, &request(time, 0), &self.budget)?;
+        let run = run_to_end(&tree, &request(time, 0), &self.budget)?;
         Ok(run.displacement.into_iter().chain(run.speed).collect())
     }
 
@@ -94,7 +94,7 @@ impl Map for TreeMap<'_> {
             all_masses: true,
             ..request(time, count)
         };
-        let run = whole(&tree, &request, &self.budget)?;
+        let run = run_to_end(&tree, &request, &self.budget)?;
         let column = |mass: usize| {
             run.samples
                 .iter()
@@ -103,7 +103,11 @@ impl Map for TreeMap<'_> {
                 .copied()
                 .collect()
         };
-        Ok(Orbit::even(time, count, (0..n).map(column).collect()))
+        Ok(Orbit::with_equal_steps(
+            time,
+            count,
+            (0..n).map(column).collect(),
+        ))
     }
 
     fn scales(&self) -> &[f64] {
@@ -135,7 +139,11 @@ fn request(end: f64, samples: usize) -> Request {
 }
 
 /// A run to its end.
-fn whole(tree: &ExactTree, request: &Request, budget: &Budget<'_>) -> Result<ExactRun, String> {
+fn run_to_end(
+    tree: &ExactTree,
+    request: &Request,
+    budget: &Budget<'_>,
+) -> Result<ExactRun, String> {
     let run = tree
         .run_while(request, &|| !budget.is_spent())
         .map_err(|refusal| refusal.reason)?;

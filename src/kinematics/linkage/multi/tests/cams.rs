@@ -84,7 +84,7 @@ fn pressed(
     let mut all = Vec::new();
     for k in 0..40 {
         let inputs = at(&starts, 0.1 * f64::from(k));
-        motion.go(&inputs).unwrap();
+        motion.set_inputs(&inputs).unwrap();
         let rates: Vec<f64> = inputs.iter().map(|input| input.first).collect();
         solver
             .solve_over_time(&motion, &rates, &Options::default(), &mut w)
@@ -127,7 +127,7 @@ fn the_start_of_an_adjusted_lever_is_that_of_multipliers() {
     };
     let [of_arm, of_cam] = [407.904_112_440_562_4, 506.898_110_393_548];
     let inputs = [jet(2.0, 0.0, of_arm), jet(0.5, 20.0, of_cam)];
-    motion.go(&inputs).unwrap();
+    motion.set_inputs(&inputs).unwrap();
     let near = |found: f64, wanted: f64| {
         approx::assert_relative_eq!(found, wanted, max_relative = 1e-11);
     };
@@ -176,7 +176,9 @@ fn rollers_stay_on_their_pitch_curves() {
         let mut motion = MultiMotion::new(&linkage);
         let starts: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         for k in -10..=10 {
-            motion.go(&at(&starts, 0.015 * f64::from(k))).unwrap();
+            motion
+                .set_inputs(&at(&starts, 0.015 * f64::from(k)))
+                .unwrap();
             for error in errors(&spec, &motion) {
                 assert!(error.abs() < 1e-14, "{k}: {error:e}");
             }

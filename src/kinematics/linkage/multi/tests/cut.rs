@@ -129,7 +129,7 @@ pub(super) fn knee() -> MultiSpec {
     let linkage = MultiLinkage::new(spec.clone()).unwrap();
     let starts: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
     let mut motion = MultiMotion::new(&linkage);
-    motion.go(&super::motion::at(&starts, 0.0)).unwrap();
+    motion.set_inputs(&super::motion::at(&starts, 0.0)).unwrap();
     let angle = motion.pair(2).value;
     spec.inputs[1] = input("knee", InputCoordinate::Pair(2), angle);
     spec

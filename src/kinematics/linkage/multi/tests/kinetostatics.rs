@@ -17,7 +17,7 @@ fn driving_forces_are_those_of_the_equations_of_motion() {
         let mut w = solver.workspace();
         for t in [0.0, 0.02, 0.05] {
             let inputs = at(&starts, t);
-            motion.go(&inputs).unwrap();
+            motion.set_inputs(&inputs).unwrap();
             let rates: Vec<f64> = inputs.iter().map(|input| input.first).collect();
             solver
                 .solve_over_time(&motion, &rates, &Options::default(), &mut w)
@@ -42,7 +42,7 @@ fn powers_of_the_drivers_change_the_energy() {
         let solver = Kinetostatics::of_inputs(&spec).unwrap();
         let mut w = solver.workspace();
         let energy = |motion: &mut MultiMotion, t: f64| {
-            motion.go(&at(&starts, t)).unwrap();
+            motion.set_inputs(&at(&starts, t)).unwrap();
             motion.energies().iter().sum::<f64>()
         };
         let t = 0.03;
@@ -53,7 +53,7 @@ fn powers_of_the_drivers_change_the_energy() {
         );
         let rate = (8.0 * (after - before) - (farther - far)) / (12.0 * h);
         let inputs = at(&starts, t);
-        motion.go(&inputs).unwrap();
+        motion.set_inputs(&inputs).unwrap();
         let rates: Vec<f64> = inputs.iter().map(|input| input.first).collect();
         solver
             .solve_over_time(&motion, &rates, &Options::default(), &mut w)
@@ -82,7 +82,7 @@ fn friction_is_paid_by_the_drivers_and_the_frame_is_in_equilibrium() {
         let solver = Kinetostatics::of_inputs(&spec).unwrap();
         let mut w = solver.workspace();
         let inputs = at(&starts, 0.03);
-        motion.go(&inputs).unwrap();
+        motion.set_inputs(&inputs).unwrap();
         let rates: Vec<f64> = inputs.iter().map(|input| input.first).collect();
         let mut power = |friction: bool| {
             let options = Options {

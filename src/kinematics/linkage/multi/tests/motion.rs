@@ -52,7 +52,7 @@ fn velocities_and_accelerations_are_derivatives_in_time() {
         let mut motion = MultiMotion::new(&linkage);
         let (links, pairs) = (spec.linkage.links.len(), spec.linkage.pairs.len());
         let mut look = |t: f64| {
-            motion.go(&at(&starts, t)).unwrap();
+            motion.set_inputs(&at(&starts, t)).unwrap();
             told(&motion, links, pairs)
         };
         let t = 0.03;
@@ -78,7 +78,7 @@ fn the_jacobian_gives_the_velocities() {
         let starts: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         let mut motion = MultiMotion::new(&linkage);
         let inputs = at(&starts, 0.02);
-        motion.go(&inputs).unwrap();
+        motion.set_inputs(&inputs).unwrap();
         for link in 0..spec.linkage.links.len() {
             let point = PointOf {
                 link: Some(link),

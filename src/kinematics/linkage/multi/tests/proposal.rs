@@ -95,7 +95,7 @@ fn a_better_choice_is_proposed_near_a_singular_position() {
             ..Jet::default()
         };
         let inputs: Vec<Jet> = spec.inputs.iter().map(still).collect();
-        motion.go(&inputs).unwrap();
+        motion.set_inputs(&inputs).unwrap();
         let mut most = 0.0f64;
         for pair in 0..spec.linkage.pairs.len() {
             let mut first = vec![0.0; inputs.len()];

@@ -20,7 +20,7 @@ fn starts(spec: &MultiSpec) -> Vec<f64> {
 
 fn going(spec: &MultiSpec, t: f64) -> MultiMotion {
     let mut going = MultiMotion::new(&MultiLinkage::new(spec.clone()).unwrap());
-    going.go(&motion::at(&starts(spec), t)).unwrap();
+    going.set_inputs(&motion::at(&starts(spec), t)).unwrap();
     going
 }
 

@@ -2,7 +2,7 @@
 
 use super::super::columns::Heading;
 use super::super::rows::Course;
-use super::ask::AskedSeveral;
+use super::request::AskedSeveral;
 use super::values;
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiMotion, MultiRounding, NotAssembled};
@@ -29,8 +29,8 @@ impl<'q, 'a> SeveralInputs<'q, 'a> {
     }
 
     /// Goes to a place of the axis.
-    pub(super) fn go(&mut self, place: f64) -> Result<(), NotAssembled> {
-        self.motion.go(&self.asked.inputs_at(place))
+    pub(super) fn set_place(&mut self, place: f64) -> Result<(), NotAssembled> {
+        self.motion.set_inputs(&self.asked.inputs_at(place))
     }
 }
 
@@ -46,7 +46,7 @@ impl Course for SeveralInputs<'_, '_> {
     }
 
     fn at(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), NotAssembled> {
-        self.go(place)?;
+        self.set_place(place)?;
         values::values(self.asked, &self.motion, values);
         Ok(())
     }
@@ -95,7 +95,7 @@ impl Course for SeveralInputs<'_, '_> {
     }
 
     fn resume(&mut self, row: usize) {
-        self.motion.go_on_from(&self.angles[row]);
+        self.motion.unwrap_angles(&self.angles[row]);
     }
 }
 

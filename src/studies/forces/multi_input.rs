@@ -1,8 +1,8 @@
 //! Kinetostatics of linkages of several inputs: the same study over their course.
 
-use super::asked::count;
 use super::columns::columns_of_inputs;
 use super::course::{Course, PositionSource};
+use super::request::count;
 use super::{ForceSettings, ForceStudy, solved};
 use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
@@ -32,7 +32,7 @@ pub struct SeveralDrives {
 ///
 /// Faults of the linkage's numbers. A position that cannot be solved is no error: its row
 /// says why.
-pub fn several_forces(
+pub fn multi_input_forces(
     asked: &AskedSeveral<'_>,
     options: Options,
 ) -> Result<ForceStudy, Vec<Fault>> {
@@ -45,8 +45,8 @@ pub fn several_forces(
         to,
         count: count(asked.positions(), [from, to], closed),
         // Where the inputs have speeds that are not those of their way, no work is done on it.
-        speed: match asked.goes_its_way() {
-            true => asked.rate_of_way(),
+        speed: match asked.is_uniform() {
+            true => asked.axis_rate(),
             false => 0.0,
         },
         acceleration: 0.0,
@@ -83,10 +83,11 @@ impl PositionSource for Source<'_, '_> {
 
     fn at(&mut self, place: f64) -> Result<&MultiMotion, String> {
         let inputs = self.asked.inputs_at(place);
-        if let Err(why) = self.motion.go(&inputs) {
+        if let Err(why) = self.motion.set_inputs(&inputs) {
             // From a singular position on it does not find its way: it starts anew.
             let mut anew = MultiMotion::new(self.asked.linkage());
-            anew.go(&inputs).map_err(|_| self.asked.cause(why))?;
+            anew.set_inputs(&inputs)
+                .map_err(|_| self.asked.cause(why))?;
             self.motion = anew;
         }
         Ok(&self.motion)

@@ -52,7 +52,7 @@ const TURNS: f64 = 37.3;
 
 /// The ways of the objects' last nodes, which is what others follow; `None` for other
 /// nodes, where the motion is not known, and where nothing is a number.
-pub(super) fn ways(
+pub(super) fn node_paths(
     model: &Model,
     duration: f64,
     stretch: Stretch,
@@ -60,7 +60,7 @@ pub(super) fn ways(
 ) -> Vec<Option<NodePath>> {
     let duration = match stretch {
         Stretch::Run => duration,
-        Stretch::Whole => whole(model).fold(duration, f64::max),
+        Stretch::Whole => drive_durations(model).fold(duration, f64::max),
     };
     let instants = instants(model, duration);
     let mut followed = vec![false; model.nodes.len()];
@@ -91,7 +91,7 @@ pub(super) fn ways(
                 driver.map(|driver| {
                     let follow = |jet: &Jet| {
                         let law_jet = law.position.jet(locate(&breaks, jet), jet.value);
-                        behind(law_jet, jet, law.lever)
+                        driven_motion(law_jet, jet, law.lever)
                     };
                     driver.iter().map(follow).collect()
                 })
@@ -102,7 +102,7 @@ pub(super) fn ways(
             } => {
                 let each = drivers.iter().map(|&driver| motions[driver].as_deref());
                 each.collect::<Option<Vec<&[Jet]>>>()
-                    .map(|each| constrained(constraint, &each))
+                    .map(|each| constrained_motion(constraint, &each))
             }
         };
         motions.push(motion);
@@ -116,7 +116,7 @@ fn locate(breaks: &Breaks, jet: &Jet) -> i64 {
 }
 
 /// The motion λ·U(φ) of what follows φ, without the third derivative.
-fn behind(law: Jet, driver: &Jet, lever: f64) -> Jet {
+fn driven_motion(law: Jet, driver: &Jet, lever: f64) -> Jet {
     Jet {
         value: lever * law.value,
         first: lever * law.first * driver.first,
@@ -126,7 +126,7 @@ fn behind(law: Jet, driver: &Jet, lever: f64) -> Jet {
 }
 
 /// The motion G(φ₁, …, φₖ) behind several drivers, without the third derivative.
-fn constrained(constraint: &Constraint, drivers: &[&[Jet]]) -> Vec<Jet> {
+fn constrained_motion(constraint: &Constraint, drivers: &[&[Jet]]) -> Vec<Jet> {
     let mut law = ConstraintJet::new(drivers.len());
     let instants = drivers.first().map_or(0, |first| first.len());
     let at = |instant: usize| {
@@ -162,7 +162,7 @@ fn instants(model: &Model, duration: f64) -> Vec<f64> {
 
 /// How long each prescribed drive takes for all that it does (s): many turns where it
 /// turns on and on.
-fn whole(model: &Model) -> impl Iterator<Item = f64> {
+fn drive_durations(model: &Model) -> impl Iterator<Item = f64> {
     let drives = model.objects.iter().filter(|part| part.is_drive());
     drives.filter_map(|part| {
         let NodeMotion::Prescribed { motion, .. } = &model.nodes[part.nodes[0]].motion else {

@@ -22,7 +22,7 @@ pub struct RequestedFigure {
 
 /// The figures that a scene asks for: those of `run.accuracy`; else those that it expects;
 /// else the greatest |δ| and the contact force of its elastic objects.
-pub(in crate::studies) fn asked(
+pub(in crate::studies) fn requested_figures(
     scene: &TypedScene,
     elastic: &Elastic,
     first: &Figures,

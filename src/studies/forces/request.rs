@@ -95,7 +95,7 @@ pub fn course_of(asked: &KinematicsRequest<'_>) -> Result<Course, String> {
             let period = asked.linkage.range().period.map(|found| found.length);
             let loads = loads::over_time(asked.model, &asked.object, to, asked.positions);
             let loads = loads.unwrap_or_default();
-            let closed = repeats(&motions, period) && come_back(&loads);
+            let closed = repeats(&motions, period) && end_as_they_began(&loads);
             let instant = |(index, motion)| Instant {
                 motion,
                 loads: loads.get(index).cloned().unwrap_or_default(),
@@ -138,7 +138,7 @@ fn repeats(motions: &[InputMotion], period: Option<f64>) -> bool {
 }
 
 /// True when forces over time end as they began.
-fn come_back(loads: &[Vec<f64>]) -> bool {
+fn end_as_they_began(loads: &[Vec<f64>]) -> bool {
     let (Some(first), Some(last)) = (loads.first(), loads.last()) else {
         return true;
     };

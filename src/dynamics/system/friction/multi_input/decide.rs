@@ -2,7 +2,7 @@
 
 use super::super::standstill::AT_REST;
 use super::super::stick_slip::{ProbeAction, StickSlip};
-use super::ways::Ways;
+use super::continuations::Ways;
 use super::{JUST_STARTED, Several, SeveralWork};
 use crate::dynamics::integrate::PhysicalStop;
 use crate::dynamics::system::System;
@@ -34,7 +34,7 @@ impl System {
             return Ok(());
         };
         if ProbeAction::of(target) == ProbeAction::Stop {
-            return Err(self.several_unsolved(several, time, y, modes));
+            return Err(self.multi_input_unsolved(several, time, y, modes));
         }
         let pairs = several.pairs.iter();
         let stops = ProbeAction::of(target) == ProbeAction::Start(StickSlip::Stuck);
@@ -45,7 +45,7 @@ impl System {
 
     /// Directions of all pairs at t = 0: by their rates, and where they rest by what they do
     /// next.
-    pub(in crate::dynamics::system::friction) fn settle_pairs_of_several(
+    pub(in crate::dynamics::system::friction) fn settle_multi_input_pairs(
         &self,
         y: &mut [f64],
         modes: &mut [i64],
@@ -54,7 +54,7 @@ impl System {
             return;
         };
         let mut work = Work::new(&self.frozen);
-        let Some(own) = self.frozen.look_at_pairs((0.0, y, modes), &mut work) else {
+        let Some(own) = self.frozen.evaluate_pairs((0.0, y, modes), &mut work) else {
             return;
         };
         let mut stopped = Vec::new();
@@ -96,7 +96,7 @@ impl System {
         {
             modes[pair.component] = StickSlip::Stuck.mode();
         }
-        let Some(own) = frozen.look_at_pairs((time, y, modes), &mut work) else {
+        let Some(own) = frozen.evaluate_pairs((time, y, modes), &mut work) else {
             return Ok(());
         };
         for (place, pair) in several.stopped_along(time, stopped, own) {
@@ -111,7 +111,7 @@ impl System {
             // Too many ways to look at: what rests stays so, if it can.
             return match ways.loosens(&resting, 0.0) {
                 Some(margin) if margin <= 0.0 => {
-                    several.note_whole(modes);
+                    several.record_full_stick(modes);
                     Ok(())
                 }
                 _ => Err(self.too_many_at_rest(several, time, resting.len())),
@@ -119,7 +119,7 @@ impl System {
         }
         let found = ways.consistent(&resting, start);
         let [way] = &found[..] else {
-            return Err(self.not_one_way(several, time, found.len()));
+            return Err(self.ambiguous_continuation(several, time, found.len()));
         };
         let own = &*ways.own;
         for (pair, direction) in resting.iter().zip(&way.directions) {
@@ -137,7 +137,7 @@ impl System {
                 };
             }
         }
-        several.note_whole(modes);
+        several.record_full_stick(modes);
         for _ in 0..ROUNDS {
             frozen.stop_pairs(several, (time, y, modes), &mut work);
         }
@@ -147,7 +147,7 @@ impl System {
 
 impl Several {
     /// Writes down whether friction holds all of it.
-    fn note_whole(&self, modes: &mut [i64]) {
+    fn record_full_stick(&self, modes: &mut [i64]) {
         let all = self.states(modes).all(|state| state == StickSlip::Stuck);
         let state = if all {
             StickSlip::Stuck
@@ -203,7 +203,7 @@ impl Several {
 impl Frozen {
     /// Evaluates a state, friction as the modes say; the memory of it. `None` where the linkage
     /// has no forces there, whatever friction does.
-    fn look_at_pairs<'w>(
+    fn evaluate_pairs<'w>(
         &self,
         (time, state, modes): (f64, &[f64], &[i64]),
         work: &'w mut Work<f64>,
@@ -226,7 +226,7 @@ impl Frozen {
         (time, state, modes): (f64, &mut [f64], &[i64]),
         work: &mut Work<f64>,
     ) {
-        let Some(own) = self.look_at_pairs((time, state, modes), work) else {
+        let Some(own) = self.evaluate_pairs((time, state, modes), work) else {
             return;
         };
         let mut ways = Ways::new(several, own);

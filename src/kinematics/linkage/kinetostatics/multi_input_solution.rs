@@ -1,7 +1,7 @@
 //! What was found of the friction of a linkage of several inputs.
 
 use super::Kinetostatics;
-use super::several_held::{DEPENDENT, GIVEN, dot};
+use super::held_pairs::{DEPENDENT, GIVEN, dot};
 use super::workspace::ForceWorkspace;
 
 impl Kinetostatics {
@@ -73,14 +73,14 @@ impl Kinetostatics {
     }
 
     /// The pairs that have friction.
-    pub fn rubbing_pairs(&self) -> impl Iterator<Item = usize> + '_ {
+    pub fn pairs_with_friction(&self) -> impl Iterator<Item = usize> + '_ {
         let all = self.friction_factors.iter().enumerate();
         all.filter_map(|(pair, law)| law.map(|_| pair))
     }
 
     /// How a pair moves when another is pushed, with the held ones at rest: its mobility over
     /// the geometric mean of those that both have by themselves; 0 where that is rounding.
-    pub fn moves_with(&self, pair: usize, pushed: usize, w: &ForceWorkspace) -> f64 {
+    pub fn relative_mobility(&self, pair: usize, pushed: usize, w: &ForceWorkspace) -> f64 {
         let (inputs, several) = (self.drivers.len(), &w.several);
         let [own, other] = [pair, pushed].map(|one| several.between(one, one, inputs));
         let share = several.remaining(pair, pushed, inputs) / (own * other).sqrt();

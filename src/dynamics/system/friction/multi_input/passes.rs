@@ -32,7 +32,7 @@ impl Frozen {
     /// Finds the friction of a linkage of several inputs, the accelerations of the roots
     /// without it being in `dense`, and adds what it does to these. Its forces on the inputs
     /// stay in `work`.
-    pub(in crate::dynamics::system) fn rub_several<N: Quantity>(
+    pub(in crate::dynamics::system) fn apply_multi_input_friction<N: Quantity>(
         &self,
         dense: &mut Dense<N>,
         modes: &[i64],
@@ -49,7 +49,7 @@ impl Frozen {
         let rubs = several.read_modes(modes, &mut own.sliding);
         if work.multi[several.linkage].assembled {
             self.read_coupling(several, dense, &mut own);
-            self.place_friction_of_several(several, &mut own, work);
+            self.set_frictionless_motion(several, &mut own, work);
             if rubs && own.failure.is_none() {
                 self.find_friction(several, &mut own, work);
             }
@@ -104,7 +104,7 @@ impl Frozen {
     }
 
     /// Takes the motion without friction over into the equations of the links.
-    fn place_friction_of_several<N: Quantity>(
+    fn set_frictionless_motion<N: Quantity>(
         &self,
         several: &Several,
         own: &mut SeveralWork<N>,
@@ -124,7 +124,7 @@ impl Frozen {
         own.inputs.clear();
         own.inputs.extend(nodes.iter().enumerate().map(jet));
         let finite = own.free.iter().all(|free| free.value().is_finite());
-        if !finite || own.motion.go(&own.inputs).is_err() {
+        if !finite || own.motion.set_inputs(&own.inputs).is_err() {
             own.failure = Some(Obstacle::Failed(ForceFailure::NotFinite));
             return own.force.fill(N::from(f64::NAN));
         }
@@ -133,7 +133,7 @@ impl Frozen {
             inertias: &own.inertias,
         };
         let solver = &several.kinetostatics;
-        if let Err(failure) = solver.place_several(&own.motion, carried, &mut own.forces) {
+        if let Err(failure) = solver.set_motion(&own.motion, carried, &mut own.forces) {
             own.failure = Some(Obstacle::Failed(failure));
             own.force.fill(N::from(f64::NAN));
         }
@@ -147,7 +147,7 @@ impl Frozen {
         work: &Work<N>,
     ) {
         let solver = &several.kinetostatics;
-        let found = solver.rub_several(
+        let found = solver.solve_friction(
             &own.mobility_values,
             &own.sliding,
             &options(false),
@@ -180,7 +180,7 @@ impl Frozen {
     }
 
     /// Power lost to the friction of the linkage of several inputs (W).
-    pub(in crate::dynamics::system) fn loss_of_several(
+    pub(in crate::dynamics::system) fn multi_input_friction_loss(
         &self,
         work: &Work<f64>,
     ) -> Option<(usize, f64)> {

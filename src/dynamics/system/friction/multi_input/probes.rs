@@ -6,7 +6,7 @@ use super::super::force::options;
 use super::super::standstill::LOOKS;
 use super::super::stick_slip::ProbeAction;
 use super::super::stick_slip::StickSlip;
-use super::ways::Ways;
+use super::continuations::Ways;
 use super::{Several, SeveralWork};
 use crate::dynamics::integrate::Probe;
 use crate::dynamics::system::frozen::Frozen;
@@ -31,17 +31,17 @@ impl Several {
 
 impl Frozen {
     /// Number of the probe of the linkage of several inputs: after those of all groups.
-    fn probe_of_several(&self) -> usize {
+    fn multi_input_probe_index(&self) -> usize {
         self.groups.len()
     }
 
     /// Number of things with joint friction that have probes.
-    pub(in crate::dynamics::system) fn rubbing_things(&self) -> usize {
+    pub(in crate::dynamics::system) fn friction_group_count(&self) -> usize {
         self.groups.len() + usize::from(self.several.is_some())
     }
 
     /// What of the linkage of several inputs to look for.
-    pub(in crate::dynamics::system::friction) fn probes_of_several(
+    pub(in crate::dynamics::system::friction) fn multi_input_probes(
         &self,
         modes: &[i64],
         out: &mut Vec<Probe>,
@@ -52,7 +52,7 @@ impl Frozen {
         // (The component of the whole is no cause of a switch.)
         let mut probe = |action: ProbeAction, looks: usize| {
             out.push(Probe {
-                index: self.probe_of_several(),
+                index: self.multi_input_probe_index(),
                 component: several.component + 1,
                 target: action.target(),
                 looks,
@@ -67,7 +67,7 @@ impl Frozen {
     }
 
     /// A probe of the linkage of several inputs at a state: positive where it fires.
-    pub(in crate::dynamics::system::friction) fn probe_several(
+    pub(in crate::dynamics::system::friction) fn evaluate_multi_input_probe(
         &self,
         probe: &Probe,
         (time, state, modes): (f64, &[f64], &[i64]),
@@ -102,7 +102,7 @@ impl Several {
             ..
         } = own;
         let solver = &self.kinetostatics;
-        match solver.rub_several(mobility_values, sliding, &options(true), forces) {
+        match solver.solve_friction(mobility_values, sliding, &options(true), forces) {
             Ok(1) => None,
             Ok(_) => Some(Obstacle::Several),
             Err(failure) => Some(Obstacle::Failed(failure)),

@@ -25,14 +25,12 @@ struct TrialMotion<'a> {
 impl TrialMotion<'_> {
     /// T on an input at the motion in `inputs`.
     fn find(&mut self) -> Option<Vec<f64>> {
-        self.motion.go(&self.inputs).ok()?;
+        self.motion.set_inputs(&self.inputs).ok()?;
         let (solver, forces) = (self.solver, &mut *self.forces);
-        solver
-            .place_several(self.motion, self.carried, forces)
-            .ok()?;
+        solver.set_motion(self.motion, self.carried, forces).ok()?;
         let options = options(false);
         solver
-            .rub_several(self.mobility, self.sliding, &options, forces)
+            .solve_friction(self.mobility, self.sliding, &options, forces)
             .ok()?;
         Some(solver.friction_on_inputs(forces).to_vec())
     }
@@ -72,9 +70,9 @@ impl Frozen {
         let solver = &several.kinetostatics;
         let (inputs, outputs) = (own.free.len(), several.outputs.len());
         let (mut by_free, mut by_loads) = (vec![0.0; inputs * inputs], vec![0.0; inputs * outputs]);
-        solver.slopes_of_several(&mut own.forces, &mut by_free, &mut by_loads);
+        solver.friction_derivatives(&mut own.forces, &mut by_free, &mut by_loads);
         let here = solver.friction_on_inputs(&own.forces).to_vec();
-        let pushed = solver.pushed_by_friction(&own.mobility_values, &own.forces);
+        let pushed = solver.friction_accelerations(&own.mobility_values, &own.forces);
         let change = |value: N| value - N::from(value.value());
         // What the accelerations without friction and the mobility change by, together.
         for l in 0..inputs {
@@ -87,7 +85,8 @@ impl Frozen {
             }
         }
         for (output, &node) in several.outputs.iter().enumerate() {
-            let acceleration = solver.output_acceleration_of_several(output, &own.motion, &pushed);
+            let acceleration =
+                solver.output_acceleration_with_friction(output, &own.motion, &pushed);
             let moved = change(work.force[node]) - change(work.mass[node]).scale(acceleration);
             for k in 0..inputs {
                 own.force[k] += moved.scale(by_loads[k * outputs + output]);
@@ -109,7 +108,7 @@ impl Frozen {
             sliding: &own.sliding,
             inputs: own.inputs.clone(),
         };
-        beside.motion.go_on_from(own.motion.angles());
+        beside.motion.unwrap_angles(own.motion.angles());
         for (l, &node) in self.multi[several.linkage].nodes.iter().enumerate() {
             let step = STEP * solver.input_scale(l);
             let by_place = beside.slopes((&here, step), |own| &mut own.inputs[l].value);

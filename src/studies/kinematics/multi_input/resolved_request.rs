@@ -1,7 +1,7 @@
 //! What is known of a question about a linkage of several inputs: its way, and where that leads.
 
 use super::super::columns::unit_of;
-use super::ask::{Advance, AskedSeveral, Leg};
+use super::request::{Advance, AskedSeveral, Leg};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion};
 use crate::math::jet::Jet;
@@ -29,7 +29,7 @@ impl AskedSeveral<'_> {
     }
 
     /// True where every input has the speed of its way, and no acceleration.
-    pub(in crate::studies) fn goes_its_way(&self) -> bool {
+    pub(in crate::studies) fn is_uniform(&self) -> bool {
         match &self.way {
             Advance::Time { .. } => true,
             Advance::Path { rate, legs, .. } => {
@@ -100,7 +100,11 @@ impl AskedSeveral<'_> {
         let ends = [[from, length], [to, -length]].into_iter();
         let ends = ends.filter_map(|[place, inwards]| {
             let mut motion = MultiMotion::new(&self.linkage);
-            let mut go = |part: f64| motion.go(&self.inputs_at(place + part * inwards)).is_ok();
+            let mut go = |part: f64| {
+                motion
+                    .set_inputs(&self.inputs_at(place + part * inwards))
+                    .is_ok()
+            };
             if !go(BESIDE) || go(-BESIDE) {
                 return None;
             }
@@ -111,7 +115,7 @@ impl AskedSeveral<'_> {
     }
 
     /// Rate of the axis.
-    pub(in crate::studies) fn rate_of_way(&self) -> f64 {
+    pub(in crate::studies) fn axis_rate(&self) -> f64 {
         match self.way {
             Advance::Time { .. } => 1.0,
             Advance::Path { rate, .. } => rate,
@@ -138,7 +142,7 @@ impl AskedSeveral<'_> {
 
     /// Time of each row: at constant speed along a way.
     pub(super) fn times(&self, places: &[f64]) -> Vec<f64> {
-        let rate = self.rate_of_way().abs();
+        let rate = self.axis_rate().abs();
         let rate = if rate > 0.0 { rate } else { 1.0 };
         let from = places.first().copied().unwrap_or(0.0);
         places

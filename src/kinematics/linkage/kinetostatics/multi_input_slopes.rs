@@ -5,13 +5,13 @@ use super::workspace::ForceWorkspace;
 use crate::kinematics::linkage::multi::MultiMotion;
 
 impl Kinetostatics {
-    /// Derivatives of the force found by [`Self::rub_several`] just before: of each input's by
+    /// Derivatives of the force found by [`Self::solve_friction`] just before: of each input's by
     /// every acceleration a₀ into `by_accelerations` (m × m), by the force on every output into
     /// `by_loads` (m × outputs).
     ///
     /// By the rest they follow: a change of the mobility is one of a₀ by dG·T, an inertia m on
     /// an output a force −m·φ̈ on it.
-    pub fn slopes_of_several(
+    pub fn friction_derivatives(
         &self,
         w: &mut ForceWorkspace,
         by_accelerations: &mut [f64],
@@ -76,8 +76,8 @@ impl Kinetostatics {
         self.generalise(&w.next, &multipliers, w, out);
     }
 
-    /// Acceleration of an output in the motion found by [`Self::rub_several`].
-    pub fn output_acceleration_of_several(
+    /// Acceleration of an output in the motion found by [`Self::solve_friction`].
+    pub fn output_acceleration_with_friction(
         &self,
         output: usize,
         motion: &MultiMotion,
@@ -91,7 +91,7 @@ impl Kinetostatics {
     }
 
     /// Accelerations that the friction found gives to the inputs.
-    pub fn pushed_by_friction(&self, mobility: &[f64], w: &ForceWorkspace) -> Vec<f64> {
+    pub fn friction_accelerations(&self, mobility: &[f64], w: &ForceWorkspace) -> Vec<f64> {
         let rows = mobility.chunks_exact(self.drivers.len());
         let force = &w.several.force;
         rows.map(|row| row.iter().zip(force).map(|(g, t)| g * t).sum())

@@ -25,12 +25,12 @@
 //! nothing that is solved together with it may be driven by its outputs rigidly; both are
 //! refused.
 
+mod continuations;
 mod decide;
 mod derivatives;
 mod passes;
 mod probes;
 mod stops;
-mod ways;
 
 use super::{Obstacle, StickSlip};
 use crate::dynamics::integrate::{EventFunction, Guard};
@@ -144,7 +144,7 @@ pub(in crate::dynamics::system) struct SeveralWork<N> {
 
 impl Frozen {
     /// Memory for the friction of a linkage of several inputs; `None` without any.
-    pub(in crate::dynamics::system) fn several_memory<N: Quantity>(
+    pub(in crate::dynamics::system) fn multi_input_friction_memory<N: Quantity>(
         &self,
     ) -> Option<Box<SeveralWork<N>>> {
         let several = self.several.as_ref()?;
@@ -171,7 +171,7 @@ impl Frozen {
 
     /// Puts the friction of a linkage of several inputs into the layout; false where another
     /// one has friction already. Components are numbered afterwards.
-    pub(in crate::dynamics::system) fn place_several_friction(
+    pub(in crate::dynamics::system) fn add_multi_input_friction(
         &mut self,
         linkage: usize,
         body: &MultiLinkageBody,
@@ -187,7 +187,7 @@ impl Frozen {
             linkage,
             value: MultiValue::Pair(pair),
         };
-        let pairs = kinetostatics.rubbing_pairs().map(|pair| RubbingPair {
+        let pairs = kinetostatics.pairs_with_friction().map(|pair| RubbingPair {
             pair,
             signal: self.add_signal_of(place(pair)),
             component: usize::MAX,

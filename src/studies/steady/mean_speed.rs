@@ -196,7 +196,7 @@ pub(super) fn held(
     state[speed] = wanted.speed;
     let inertia = wanted.model.nodes[wanted.model.objects[wanted.drive].nodes[0]].inertia;
     let unit = (inertia + wanted.inertia) * wanted.speed * wanted.speed / cycle;
-    let (mut moment, per_moment) = first_moment(&map, &state, [moment, unit], cycle)?;
+    let (mut moment, per_moment) = initial_moment(&map, &state, [moment, unit], cycle)?;
     // The vibrations settle while the moment is adjusted and the speed put back.
     for _ in 0..ADJUSTING {
         let (end, mean) = map.measure(&state, moment, cycle)?;
@@ -226,7 +226,7 @@ pub(super) fn held(
 
 /// A moment that about keeps the speed over a cycle, and the speed gained in a cycle for
 /// each unit of it, > 0.
-fn first_moment(
+fn initial_moment(
     map: &HeldMap<'_>,
     state: &[f64],
     [mut moment, unit]: [f64; 2],

@@ -1,8 +1,8 @@
 //! The flywheel, and the moment that holds a mean speed, of a machine with a motor and
 //! elastic objects.
 
-use super::held::{Added, MeanSpeedTarget, PeriodicState, held, with_added};
 use super::map::Map;
+use super::mean_speed::{Added, MeanSpeedTarget, PeriodicState, held, with_added};
 use super::periodic::none;
 use super::phase::PhaseMap;
 use super::shooting::{near, shoot};
@@ -47,7 +47,7 @@ impl WheelRequest<'_> {
     ///
     /// # Errors
     /// No moment holds the mean speed, no inertia lowers the fluctuation as far.
-    pub(super) fn found(&self) -> Result<WheelResult, Vec<Fault>> {
+    pub(super) fn solve(&self) -> Result<WheelResult, Vec<Fault>> {
         let last = RefCell::new(None);
         let (inertia, without) = match self.spec.fluctuation {
             None => (0.0, None),

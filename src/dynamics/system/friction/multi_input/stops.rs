@@ -15,7 +15,7 @@ impl System {
     }
 
     /// The end of a run where the motion has no solution, or several.
-    pub(super) fn several_unsolved(
+    pub(super) fn multi_input_unsolved(
         &self,
         several: &Several,
         time: f64,
@@ -33,7 +33,12 @@ impl System {
     }
 
     /// The end of a run where pairs at rest may go on in no way, or in several.
-    pub(super) fn not_one_way(&self, several: &Several, time: f64, ways: usize) -> PhysicalStop {
+    pub(super) fn ambiguous_continuation(
+        &self,
+        several: &Several,
+        time: f64,
+        ways: usize,
+    ) -> PhysicalStop {
         let object = self.id_of(several);
         let at = shown(time, 9);
         let (name, message) = match ways {
@@ -79,12 +84,12 @@ impl System {
     }
 
     /// Why the last evaluation gave no numbers, where friction of this linkage is the reason.
-    pub(in crate::dynamics::system::friction) fn obstacle_of_several(
+    pub(in crate::dynamics::system::friction) fn multi_input_obstacle(
         &self,
         work: &Work<f64>,
     ) -> Option<PhysicalStop> {
         let (several, own) = (self.frozen.several.as_ref()?, work.several.as_ref()?);
-        let failure = super::super::stops::told(own.failure)?;
+        let failure = super::super::stops::named_obstacle(own.failure)?;
         Some(self.stop_of_friction(self.id_of(several), false, failure))
     }
 

@@ -1,14 +1,14 @@
 //! Kinematics of linkages of several inputs: over the way of one input or of several, or over
 //! the time of the scene's drives; the singular positions over two of them.
 
-mod ask;
-mod asked;
 mod course;
+mod input_range;
 mod plane;
-mod reach;
+mod request;
+mod resolved_request;
 mod values;
 
-pub use ask::AskedSeveral;
+pub use request::AskedSeveral;
 
 use super::columns::unit_of;
 use super::figures::{NamedFigure, Places, figures_of};
@@ -18,11 +18,11 @@ use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, Stopped, Stroke, Tran
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::NotAssembled;
 use crate::math::roots::bisect;
-use ask::Advance;
 use course::SeveralInputs;
+use request::Advance;
 
 /// Positions, speeds and accelerations of a linkage of several inputs over what was asked.
-pub fn several_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
+pub fn multi_input_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
     let mut rows = Rows::new(SeveralInputs::new(asked));
     let places = evenly(asked.span(), asked.positions, asked.also);
     let stopped = rows.fill(&places);
@@ -103,11 +103,13 @@ fn limits(asked: &AskedSeveral<'_>) -> Vec<Limit> {
 fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled) -> Stopped {
     let mut course = SeveralInputs::new(asked);
     let mut why = why;
-    let [_, at] = bisect([inside, outside], 100, |place| match course.go(place) {
-        Ok(()) => true,
-        Err(found) => {
-            why = found;
-            false
+    let [_, at] = bisect([inside, outside], 100, |place| {
+        match course.set_place(place) {
+            Ok(()) => true,
+            Err(found) => {
+                why = found;
+                false
+            }
         }
     });
     let input = match asked.way {
@@ -137,7 +139,7 @@ fn strokes(asked: &AskedSeveral<'_>, rows: &mut Rows<SeveralInputs<'_, '_>>) -> 
         // Speeds stand behind their displacements.
         let owner = (column.owner.clone(), unit_of(coordinate));
         let course = &mut rows.course;
-        let sense = asked.rate_of_way();
+        let sense = asked.axis_rate();
         let mut look = |place: f64, value: bool| match course.at(place, &mut values) {
             Ok(()) if value => values[index],
             Ok(()) => values[index + 1] / sense,
@@ -156,7 +158,7 @@ fn transmission(asked: &AskedSeveral<'_>, places: &[f64]) -> Vec<Transmission> {
         spec,
         linkage.structure(),
         places,
-        &mut |place, dyad| match course.go(place) {
+        &mut |place, dyad| match course.set_place(place) {
             Ok(()) => dyad.angle(
                 &|point| course.motion.point(point).map(|jet| jet.value),
                 &|link| course.motion.angle(link).value,

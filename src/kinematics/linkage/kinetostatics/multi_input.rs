@@ -16,7 +16,7 @@
 
 use super::external::Input;
 use super::friction::Law;
-use super::several_held::dot;
+use super::held_pairs::dot;
 use super::solve::{ForceFailure, Options};
 use super::workspace::ForceWorkspace;
 use super::{Kinetostatics, Unknown};
@@ -50,7 +50,7 @@ impl Kinetostatics {
     ///
     /// # Errors
     /// The equations are singular, or not finite.
-    pub fn place_several(
+    pub fn set_motion(
         &self,
         motion: &MultiMotion,
         carried: OutputLoads<'_>,
@@ -124,13 +124,13 @@ impl Kinetostatics {
     }
 
     /// The force of friction on the inputs with the accelerations that it leaves, at what
-    /// [`Self::place_several`] took over, where the pairs do what `sliding` says; the number of
+    /// [`Self::set_motion`] took over, where the pairs do what `sliding` says; the number of
     /// solutions.
     ///
     /// # Errors
     /// [`ForceFailure::SelfLocking`] where no accelerations agree with the friction that they
     /// cause.
-    pub fn rub_several(
+    pub fn solve_friction(
         &self,
         mobility: &[f64],
         sliding: &[Sliding],
@@ -177,12 +177,12 @@ impl Kinetostatics {
         column.fill(0.0);
         let [wrench, _] = self.frictions(pair, &w.pairs[pair]);
         self.each_row(pair, &wrench, &w.centres, |row, value| column[row] += value);
-        self.take_off_inertia(pair, column, w);
+        self.subtract_inertia(pair, column, w);
         w.factors.solve(column, 1);
     }
 
     /// Takes the inertia forces of what a unit of a pair's friction accelerates off rows.
-    fn take_off_inertia(&self, pair: usize, rows: &mut [f64], w: &ForceWorkspace) {
+    fn subtract_inertia(&self, pair: usize, rows: &mut [f64], w: &ForceWorkspace) {
         let (inputs, several) = (self.drivers.len(), &w.several);
         let rates = &several.rates[pair * inputs..(pair + 1) * inputs];
         for (input, inertia) in several.inertia.chunks_exact(rows.len()).enumerate() {

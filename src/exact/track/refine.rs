@@ -12,7 +12,7 @@ use crate::math::order::by_first;
 /// where it is expected, in lengths of the piece.
 const NEAR_EXPECTED: f64 = 0.02;
 
-/// [`Track::climb`], out of line.
+/// [`Track::refine_extremum`], out of line.
 pub(super) struct Climb<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
@@ -35,7 +35,7 @@ impl Task for Climb<'_> {
             figure,
             margin,
         } = self;
-        track.climb::<A>(scene, ahead, ends, figure, margin);
+        track.refine_extremum::<A>(scene, ahead, ends, figure, margin);
     }
 }
 
@@ -60,7 +60,7 @@ impl Track {
     /// Finds the greatest value of sign·(functional k) in the step, where it
     /// passes the greatest so far by more than `margin`.
     #[inline(always)]
-    pub(super) fn climb<A: Arith>(
+    pub(super) fn refine_extremum<A: Arith>(
         &mut self,
         scene: Scene,
         ahead: LanesAhead,

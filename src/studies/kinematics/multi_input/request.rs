@@ -1,8 +1,8 @@
 //! What is asked of a linkage of several inputs.
 
-use super::super::ask::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
+use super::super::request::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
 use super::super::subject::{of_outputs, start_of};
-use super::reach::{InputReach, reach};
+use super::input_range::{InputReach, reach};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
 use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion, NotAssembled};
@@ -293,13 +293,15 @@ impl<'a> AskedSeveral<'a> {
     /// The first place must be one at which the linkage can be assembled.
     fn begins(&self) -> Result<(), String> {
         let mut motion = MultiMotion::new(&self.linkage);
-        motion.go(&self.inputs_at(self.span()[0])).map_err(|why| {
-            format!(
-                "`{}` cannot be assembled where the way of its inputs begins: {}",
-                self.object,
-                self.cause(why)
-            )
-        })
+        motion
+            .set_inputs(&self.inputs_at(self.span()[0]))
+            .map_err(|why| {
+                format!(
+                    "`{}` cannot be assembled where the way of its inputs begins: {}",
+                    self.object,
+                    self.cause(why)
+                )
+            })
     }
 
     fn input(&self, name: &str) -> Result<usize, String> {

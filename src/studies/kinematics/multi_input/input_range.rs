@@ -35,7 +35,7 @@ pub(super) fn reach(linkage: &MultiLinkage, at: &[f64], input: usize, turning: b
         let mut go = |place: f64| {
             let mut inputs: Vec<Jet> = at.iter().map(|&value| held(value)).collect();
             inputs[input] = held(place);
-            motion.go(&inputs)
+            motion.set_inputs(&inputs)
         };
         let mut inside = at[input];
         go(inside).ok()?;

@@ -4,8 +4,8 @@
 
 use super::super::Quantity;
 use super::super::columns::{CENTRE, Heading, OUTPUT, SLIDE, heading, unit_of};
-use super::super::values::{along_path, instant_centre, moved, transport, under_block};
-use super::ask::AskedSeveral;
+use super::super::values::{along_path, instant_centre, time_derivatives, transport, under_block};
+use super::request::AskedSeveral;
 use crate::kinematics::linkage::multi::MultiMotion;
 use crate::kinematics::linkage::spec::{OutputKind, PairKind, PointOf};
 use crate::math::jet::Jet;
@@ -137,7 +137,11 @@ pub(super) fn values(asked: &AskedSeveral<'_>, motion: &MultiMotion, out: &mut V
         let guide = pair.on.link.map(|link| {
             let under = motion.point(under_block(pair, direction, along.value));
             let angle = motion.angle(link);
-            (angle.value, angle.first, under.map(|x| moved(x, TIME)))
+            (
+                angle.value,
+                angle.first,
+                under.map(|x| time_derivatives(x, TIME)),
+            )
         });
         transport(direction, along.first, guide, out);
         motion.output_transfer(&OutputKind::Pair { pair: index }, &mut first);
@@ -159,7 +163,7 @@ fn of_link(link: usize, at: [f64; 2]) -> PointOf {
 }
 
 fn point_values([x, y]: [Jet; 2], out: &mut Vec<f64>) {
-    let ([vx, ax], [vy, ay]) = (moved(x, TIME), moved(y, TIME));
+    let ([vx, ax], [vy, ay]) = (time_derivatives(x, TIME), time_derivatives(y, TIME));
     out.extend([x.value, y.value, vx, vy, vx.hypot(vy), ax, ay, ax.hypot(ay)]);
     along_path([x, y], TIME, out);
 }

@@ -18,7 +18,7 @@ const MOST_INSTANTS: f64 = 200_000.0;
 
 /// The first time up to `duration` at which a trajectory leaves an open interval; `None`:
 /// never.
-fn leaves(way: &Trajectory<'_>, (from, to): (f64, f64), duration: f64) -> Option<f64> {
+fn exit_time(way: &Trajectory<'_>, (from, to): (f64, f64), duration: f64) -> Option<f64> {
     if let Some(DriveMotion::Constant { speed, angle }) = way.as_drive() {
         let edge = if *speed > 0.0 { to } else { from };
         let time = (edge - angle) / speed;
@@ -86,7 +86,7 @@ impl ModelBuilder {
     /// what is there.
     pub(super) fn limit(&mut self, at: &Place, driver: NodeIndex, reach: (f64, f64), ends: &str) {
         let way = Trajectory::of(&self.model, driver);
-        let left = way.and_then(|way| leaves(&way, reach, self.duration));
+        let left = way.and_then(|way| exit_time(&way, reach, self.duration));
         if let Some(time) = left {
             let (input, coordinate) = self.owner(driver);
             let warning = format!(

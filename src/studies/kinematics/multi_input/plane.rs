@@ -1,8 +1,8 @@
 //! What lies over the ranges of the inputs: singular curves over two, positions over all.
 
 use super::super::{Grid, Plane, PlaneInput};
-use super::ask::{Advance, AskedSeveral};
 use super::course::frames;
+use super::request::{Advance, AskedSeveral};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiMotion, singular_curves};
 use crate::math::jet::Jet;
@@ -148,7 +148,7 @@ fn positions(
             stride *= values.len();
             rest = line;
         }
-        if motion.go(&inputs).is_ok() {
+        if motion.set_inputs(&inputs).is_ok() {
             found[place] = frames(&motion, links);
         }
     }

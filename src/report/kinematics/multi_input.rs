@@ -44,7 +44,10 @@ fn over_inputs(found: &Kinematics) -> Option<String> {
     let axes = grid.axes.iter().map(|(name, own, values)| GridAxis {
         name: name.clone(),
         unit: unit(*own).to_owned(),
-        values: values.iter().map(|&value| shown(*own, value)).collect(),
+        values: values
+            .iter()
+            .map(|&value| in_display_unit(*own, value))
+            .collect(),
     });
     let drawing = Drawing {
         spec: found.linkage.spec(),
@@ -63,7 +66,7 @@ fn unit(own: Coordinate) -> &'static str {
     }
 }
 
-fn shown(own: Coordinate, value: f64) -> f64 {
+fn in_display_unit(own: Coordinate, value: f64) -> f64 {
     match own {
         Coordinate::Turning => value.to_degrees(),
         Coordinate::Sliding => value,
@@ -120,7 +123,12 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
 
 fn chart(found: &Kinematics, plane: &Plane) -> Plot {
     let [one, other] = &plane.inputs;
-    let point = |&[x, y]: &[f64; 2]| (shown(one.coordinate, x), shown(other.coordinate, y));
+    let point = |&[x, y]: &[f64; 2]| {
+        (
+            in_display_unit(one.coordinate, x),
+            in_display_unit(other.coordinate, y),
+        )
+    };
     let mut groups: Vec<usize> = plane.curves.iter().map(|curve| curve.group).collect();
     groups.sort_unstable();
     groups.dedup();
@@ -142,7 +150,11 @@ fn chart(found: &Kinematics, plane: &Plane) -> Plot {
         ..Series::line("way of the inputs", plane.path.iter().map(point).collect())
     });
     let axis = |input: &PlaneInput| Axis {
-        range: Some(input.range.map(|value| shown(input.coordinate, value))),
+        range: Some(
+            input
+                .range
+                .map(|value| in_display_unit(input.coordinate, value)),
+        ),
         ..Axis::new(&input.name, unit(input.coordinate))
     };
     Plot {

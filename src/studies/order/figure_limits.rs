@@ -1,8 +1,8 @@
 //! What is known of the figures that a scene asks for, by refining its models.
 
-use super::asked::{RequestedFigure, asked};
 use super::bound::of_figure;
 use super::judge::{Judge, value};
+use super::requested_figures::{RequestedFigure, requested_figures};
 use super::row::{Course, Families, Family, Row};
 use super::settling::Settled;
 use super::trial::{Trial, Trials, coordinates};
@@ -34,7 +34,7 @@ impl FigureLimits {
         let row = Row::walk(trials, families, |trials, row| {
             if asked_for.is_empty() {
                 let first = &trials.made[row.runs[0]].figures;
-                asked_for = asked(trials.scene, &trials.elastic, first);
+                asked_for = requested_figures(trials.scene, &trials.elastic, first);
             }
             enough(trials, row, &asked_for)
         })?;
@@ -42,7 +42,7 @@ impl FigureLimits {
             // The first run ended early, or is in doubt: nothing can be told from it.
             let base = trials.at(&base(families))?;
             let found = &trials.made[base].figures;
-            asked_for = asked(trials.scene, &trials.elastic, found);
+            asked_for = requested_figures(trials.scene, &trials.elastic, found);
         }
         let courses = asked_for.iter().map(|one| row.course(trials, one));
         Ok(Self {
@@ -64,7 +64,7 @@ impl FigureLimits {
 ///
 /// # Errors
 /// No model can be built or started.
-pub(in crate::studies) fn first_enough(
+pub(in crate::studies) fn first_accurate_trial(
     trials: &mut Trials<'_>,
     families: &Families,
     row: &Row,

@@ -79,7 +79,7 @@ impl<'a> Ways<'a> {
         } = &mut *self.own;
         let solver = &self.several.kinetostatics;
         solver
-            .rub_several(mobility_values, &self.sliding, &options(false), forces)
+            .solve_friction(mobility_values, &self.sliding, &options(false), forces)
             .is_ok()
     }
 
@@ -90,11 +90,11 @@ impl<'a> Ways<'a> {
     }
 
     /// Pairs that move when one is pushed, with those held that are set so, and how.
-    fn moved_with(&self, pushed: usize, pairs: &[usize]) -> Vec<f64> {
+    fn coupled_motion(&self, pushed: usize, pairs: &[usize]) -> Vec<f64> {
         let (solver, forces) = (&self.several.kinetostatics, &self.own.forces);
         let moved = pairs.iter().map(|&pair| match self.is_given(pair) {
             true => 0.0,
-            false => solver.moves_with(pair, pushed, forces),
+            false => solver.relative_mobility(pair, pushed, forces),
         });
         moved.collect()
     }
@@ -102,7 +102,7 @@ impl<'a> Ways<'a> {
     /// True of a pair that rests because others are held.
     pub(super) fn is_held_by_others(&self, pair: usize) -> bool {
         let (solver, forces) = (&self.several.kinetostatics, &self.own.forces);
-        !self.is_given(pair) && solver.moves_with(pair, pair, forces) == 0.0
+        !self.is_given(pair) && solver.relative_mobility(pair, pair, forces) == 0.0
     }
 
     /// By how much what holds the pairs at rest passes what friction can hold, with the friction
@@ -161,7 +161,7 @@ impl<'a> Ways<'a> {
         else {
             return f64::NEG_INFINITY;
         };
-        let moved = self.moved_with(pushed, free);
+        let moved = self.coupled_motion(pushed, free);
         let before = self.sliding.clone();
         let mut most = f64::NEG_INFINITY;
         for direction in [1.0, -1.0] {
@@ -188,9 +188,9 @@ impl<'a> Ways<'a> {
     /// All ways in which pairs at rest go on that agree with Coulomb's law; of two that are one
     /// but for rounding the one in which more pairs start, where some are to, or fewer.
     pub(super) fn consistent(&mut self, resting: &[usize], start: bool) -> Vec<Continuation> {
-        let mut found = self.all_ways(resting, 0.0);
+        let mut found = self.all_continuations(resting, 0.0);
         if found.is_empty() {
-            found = self.all_ways(resting, ROUNDING);
+            found = self.all_continuations(resting, ROUNDING);
         }
         if let [one, other] = &found[..]
             && one.is_next_to(other)
@@ -201,7 +201,7 @@ impl<'a> Ways<'a> {
         found
     }
 
-    fn all_ways(&mut self, resting: &[usize], slack: f64) -> Vec<Continuation> {
+    fn all_continuations(&mut self, resting: &[usize], slack: f64) -> Vec<Continuation> {
         let mut found = Vec::new();
         for number in 0..3usize.pow(resting.len() as u32) {
             let digit = |place: usize| number / 3usize.pow(place as u32) % 3;
