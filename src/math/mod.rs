@@ -18,8 +18,8 @@
 //! * Newton's method for two unknowns in closed form in `cam::findings`;
 //! * the integrators of `steady::extrapolation` and of `exact::independent`, which is a check.
 //!
-//! `number`, `jet` and `polynomial` are public, as `dam::number`, `dam::jet` and
-//! `dam::polynomial`. A test holds this folder free of imports from others.
+//! `number`, `jet`, `polynomial` and `expression` are public at the top of the library. A test holds this
+//! folder free of imports from others.
 
 pub(crate) mod bounded_series;
 pub(crate) mod chebyshev;
