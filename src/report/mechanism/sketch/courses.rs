@@ -24,7 +24,7 @@ struct Course {
 }
 
 impl Course {
-    fn to_json(self) -> Value {
+    fn into_json(self) -> Value {
         json!({
             "name": self.name,
             "unit": if self.turning { "rad" } else { "m" },
@@ -72,7 +72,7 @@ pub(super) fn of_one(linkage: &Linkage, turning: bool) -> Value {
         start,
         poses,
     };
-    course.to_json()
+    course.into_json()
 }
 
 /// The courses of a linkage of several inputs through one position, each over one input.
@@ -84,7 +84,7 @@ pub(super) fn multi_input_courses(linkage: &MultiLinkage, at: Option<&[f64]>) ->
     let at = at.filter(fits).map_or_else(start, <[f64]>::to_vec);
     let courses = inputs.iter().enumerate();
     courses
-        .map(|(k, input)| over(linkage, &at, k, input).to_json())
+        .map(|(k, input)| over(linkage, &at, k, input).into_json())
         .collect()
 }
 
