@@ -97,6 +97,17 @@ pub enum Domain {
     UpToOne,
 }
 
+impl ForceLaw {
+    /// The name of a number in the formula and the words: its key, or that of a law that is this
+    /// number alone.
+    pub(crate) fn name_of(&self, parameter: &Parameter) -> &'static str {
+        match parameter.key {
+            "" => self.key,
+            key => key,
+        }
+    }
+}
+
 /// A law with its numbers (SI units).
 #[derive(Clone, Debug)]
 pub struct Declared {
@@ -157,15 +168,7 @@ impl Declared {
     /// tests of all laws exclude.
     pub(crate) fn formula(&self) -> Option<Expression> {
         let own = ["phi", "phi_dot"].into_iter();
-        // (A number without a key has that of its law.)
-        let keys = self
-            .law
-            .parameters
-            .iter()
-            .map(|parameter| match parameter.key {
-                "" => self.law.key,
-                key => key,
-            });
+        let keys = (self.law.parameters.iter()).map(|own| self.law.name_of(own));
         let names: Vec<&str> = own.chain(keys).collect();
         Expression::new(self.law.formula, &names).ok()
     }

@@ -351,10 +351,7 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
 fn words(declared: &Declared, coordinate: Coordinate) -> String {
     let mut words = declared.law.words.to_owned();
     for (parameter, value) in declared.parameters() {
-        let key = match parameter.key {
-            "" => declared.law.key,
-            key => key,
-        };
+        let key = declared.law.name_of(parameter);
         let shown = match parameter.measure {
             Measure::Number => significant(value, 4),
             measure => with_unit(value, unit_of(measure, coordinate), 6),
