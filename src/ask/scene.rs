@@ -118,6 +118,16 @@ impl Scene {
         self
     }
 
+    /// Names a parameter, to which every number and every expression may refer:
+    /// `.parameter("r", "50 mm")`, then `"2*r + 5 mm"`.
+    #[must_use]
+    pub fn parameter(mut self, name: &str, value: impl Into<Node>) -> Self {
+        let value = value.into();
+        self.document
+            .edit(|root| root.property("parameters").put(name, value));
+        self
+    }
+
     /// Sets a property by its address: `rocker.pair.gap`, `run.tolerance`. Later
     /// settings win; they also reach what an object copies from the catalogue.
     #[must_use]

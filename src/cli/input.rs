@@ -52,7 +52,11 @@ impl<'a> Input<'a> {
         let bytes = read.map_err(|error| format!("cannot read the scene `{shown}`: {error}"))?;
         Ok(Self {
             document: Document::parse(&shown, &bytes)?,
-            folder: Box::new(Folder::beside(&args.scene)),
+            // What comes from standard input has no folder of its own.
+            folder: Box::new(match args.scene.as_os_str() == STANDARD_INPUT {
+                true => Folder::new("objects"),
+                false => Folder::beside(&args.scene),
+            }),
             overrides: Overrides::new(args.set.clone()),
             budget: *interrupt::budget(),
         })

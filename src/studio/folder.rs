@@ -1,7 +1,8 @@
 //! The folder that is open: everything read or written lies below it, links resolved.
 
 use super::limits::BODY;
-use crate::frontend::scene::{Catalogue, Folder as Objects};
+use crate::frontend::diagnostics::Diagnostic;
+use crate::frontend::scene::{Catalogue, Folder as Objects, NamedBytes};
 use std::borrow::Cow;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -199,6 +200,12 @@ impl Catalogue for Shelf {
             true => self.objects.names(),
             false => Vec::new(),
         }
+    }
+
+    fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        // The page need not know where the folder lies.
+        let (_, bytes) = self.objects.table(name)?;
+        Ok((name.to_owned(), bytes))
     }
 }
 

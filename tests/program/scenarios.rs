@@ -1,7 +1,7 @@
 //! Every scene under `scenarios/` keeps what it expects of itself.
 
 use dam::lower::lower;
-use dam::scene::{BuiltIn, Document, Overrides};
+use dam::scene::{BuiltIn, Document, Folder, Layered, Overrides};
 use dam::studies::expectations::check;
 use dam::studies::lookup::unknown_figures;
 use dam::studies::run::run;
@@ -39,7 +39,7 @@ fn judge(path: &Path) -> Result<(), String> {
     let document = Document::parse(&path.display().to_string(), &bytes)
         .map_err(|diagnostics| diagnostics.to_string())?;
     let reading = document
-        .scene(&BuiltIn, &Overrides::none())
+        .scene(&Layered(&Folder::beside(path), &BuiltIn), &Overrides::none())
         .map_err(|diagnostics| diagnostics.to_string())?;
     let model = lower(&reading.scene).map_err(|faults| format!("{faults:?}"))?;
     let system = System::new(model).map_err(|faults| format!("{faults:?}"))?;

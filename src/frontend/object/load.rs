@@ -12,9 +12,6 @@ use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
 
-/// Most points of a table.
-const MOST_POINTS: usize = 100_000;
-
 /// Owner of loads: where they act.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum On {
@@ -96,8 +93,8 @@ fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
         ("first", MassChoice::First),
         ("all", MassChoice::All),
     ];
-    slot.text_or(
-        |slot| slot.choice(&names),
+    slot.choice_or(
+        &names,
         |slot| {
             let most = masses.map_or(super::body::MOST_MASSES, |count| count as u64);
             if most == 0 {
@@ -127,7 +124,7 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
     law.case(
         "time_table",
         "List of [time, force]: linear between the points, constant outside.",
-        |slot| points(slot, q::TIME.into(), force, 1).map(LoadLawSpec::TimeTable),
+        |slot| slot.points(q::TIME, force, 1).map(LoadLawSpec::TimeTable),
     );
     if let On::Chain { driver, .. } | On::Output { driver, .. } = on {
         law.case(
@@ -167,36 +164,6 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
     }
 }
 
-/// Reads `[[x, y], …]` with x strictly ascending.
-pub(super) fn points(
-    mut slot: Slot<'_>,
-    x: QuantityChoice,
-    y: QuantityChoice,
-    least: usize,
-) -> Option<Vec<(f64, f64)>> {
-    let points = slot.read_in_place(|slot| {
-        slot.list(least..=MOST_POINTS, |slot| {
-            slot.pair(
-                |slot| slot.quantity(x, Bounds::ANY),
-                |slot| slot.quantity(y, Bounds::ANY),
-            )
-        })
-    })?;
-    let wrong = (1..points.len()).find(|&at| points[at].0 <= points[at - 1].0);
-    match wrong {
-        None => Some(points),
-        Some(at) => {
-            let message = format!(
-                "the first values must ascend: {} follows {}",
-                points[at].0,
-                points[at - 1].0
-            );
-            slot.refuse_item(at, "not-ascending", message);
-            None
-        }
-    }
-}
-
 fn period(fields: &mut Fields<'_>, driver: Measures, doc: &str) -> Option<Option<f64>> {
     fields.maybe("period", doc, |slot| {
         slot.quantity(driver.displacement(), Bounds::POSITIVE)
@@ -208,7 +175,7 @@ fn position_table(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Op
         let points = fields.need(
             "points",
             "List of [driver's displacement, force]: linear between the points.",
-            |slot| points(slot, driver.displacement(), force, 1),
+            |slot| slot.points(driver.displacement(), force, 1),
         );
         let doc = "Repeats after this much of the driver's displacement; without it the force is constant outside the points";
         let period = period(fields, driver, doc);

@@ -1,6 +1,6 @@
 //! The motor of a drive: turning, or linear.
 
-use super::load::{declared, points};
+use super::load::declared;
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, MotorSpec, WrittenSpec};
 use super::written;
@@ -13,6 +13,7 @@ use serde_json::json;
 pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<MotorSpec> {
     slot.record(|fields| {
         let doc = "Inertia of the rotor, or mass of a linear motor; 0 when what follows it rigidly has inertia enough";
+        own.name_inertia(fields);
         let inertia = fields.need("inertia", doc, |slot| {
             slot.quantity(own.inertia(), Bounds::NOT_NEGATIVE)
         });
@@ -90,7 +91,7 @@ fn law(fields: &mut Fields<'_>, own: Measures) -> Option<LoadLawSpec> {
         false => "List of [speed, force]: linear between the points, constant outside.",
     };
     law.case("table", doc, |slot| {
-        points(slot, own.speed(), own.force(), 2).map(LoadLawSpec::SpeedTable)
+        slot.points(own.speed(), own.force(), 2).map(LoadLawSpec::SpeedTable)
     });
     let names = written::with_over(builder::OWN.to_vec(), fields_have_over);
     law.case(

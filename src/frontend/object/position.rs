@@ -3,7 +3,6 @@
 mod linkages;
 
 use super::cam;
-use super::load::points;
 use super::measures::Measures;
 use super::measures::PositionMeasures;
 use super::measures::any;
@@ -272,7 +271,7 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
         let points = fields.need(
             "points",
             "List of [driver's displacement, displacement], at least three, the first values ascending.",
-            |slot| points(slot, ends.driver.displacement(), ends.output.displacement(), 3),
+            |slot| slot.points(ends.driver.displacement(), ends.output.displacement(), 3),
         );
         let periodic = fields.or(
             "periodic",

@@ -1,12 +1,15 @@
 //! The place of one value, and what can be read there.
 
 use super::bounds::Bounds;
+use super::csv::Files;
 use super::dimension::Dimensions;
+use super::parameters::Parameters;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use super::wanted::QuantityChoice;
 use crate::frontend::diagnostics::{Diagnostic, Place, SourceId};
 use serde_json::{Map, Value as Json, json};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Collects what reading finds, or describes what it would accept.
@@ -17,6 +20,12 @@ pub struct Reader {
     pub(super) describing: bool,
     pub(super) definitions: Map<String, Json>,
     pub(super) dimensions: Dimensions,
+    /// The parameters of the scene.
+    pub parameters: Parameters,
+    /// The files that the scene names.
+    pub files: Files,
+    /// The parameters to which something has referred.
+    pub(super) used: BTreeSet<String>,
     /// Sources of values that were set from the command line.
     pub overrides: Range<SourceId>,
     /// Numbers met on the way, where they are asked for.
@@ -40,6 +49,15 @@ impl Reader {
     /// A reader of trees.
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// A reader of parts of a scene with these parameters and files.
+    pub fn of_parts(parameters: &Parameters, files: &Files) -> Self {
+        Self {
+            parameters: parameters.clone(),
+            files: files.clone(),
+            ..Self::default()
+        }
     }
 
     /// A reader of trees that keeps what is declared of every number it meets.
@@ -179,6 +197,18 @@ impl<'a> Slot<'a> {
             wanted,
             bounds,
         });
+    }
+
+    /// The same of a number inside this value, which may lie anywhere.
+    pub(super) fn declare_at(&mut self, name: &str, node: &Node, wanted: QuantityChoice) {
+        if let Some(numbers) = self.reader.numbers.as_mut() {
+            numbers.push(Declared {
+                path: join(&self.path, name),
+                place: node.place.clone(),
+                wanted: Some(wanted),
+                bounds: Bounds::ANY,
+            });
+        }
     }
 
     /// Another reading of the same value, when the first was only a look.

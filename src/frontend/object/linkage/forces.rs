@@ -4,7 +4,6 @@ use super::names::Names;
 use super::pairs;
 use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::model::Coordinate;
-use crate::frontend::object::load::points;
 use crate::frontend::object::measures::Measures;
 use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot};
 use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, PairSpec};
@@ -227,7 +226,7 @@ fn over_input(
     input: Measures,
 ) -> Option<OverInput> {
     let list = fields.need("points", doc, |slot| {
-        points(slot, input.displacement(), value, 1)
+        slot.points(input.displacement(), value, 1)
     });
     let doc = "Repeats after this much of the input coordinate";
     let period = fields.maybe("period", doc, |slot| {
