@@ -54,7 +54,7 @@ impl Scene {
     }
 
     /// Reads a scene's file. Objects are copied (`from`) out of the folder `objects`
-    /// beside it, then out of what is built in.
+    /// beside it, then out of what is built in. Its tables may be files beside it.
     ///
     /// # Errors
     /// The file cannot be read, or is not strict JSON. What is wrong with the scene

@@ -276,6 +276,19 @@ mod tests {
         assert_eq!(folder.scenes(), ["a.json", "deep/b.json"]);
         let shelf = folder.catalogue(&folder.file("a.json").unwrap());
         assert!(shelf.lookup("o").is_none() && shelf.names().is_empty());
+        let table = "angle [deg],lift [mm]\n0,0\n";
+        fs::write(other.join("lift.csv"), table).unwrap();
+        fs::write(root.join("lift.csv"), table).unwrap();
+        symlink(other.join("lift.csv"), root.join("link.csv")).unwrap();
+        assert_eq!(shelf.table("lift.csv").unwrap().0, "lift.csv");
+        for name in [
+            "../other/lift.csv",
+            "link.csv",
+            "away/lift.csv",
+            "/etc/passwd",
+        ] {
+            assert!(shelf.table(name).is_err(), "{name}");
+        }
         let (of_scene, name) = Folder::open(Some(&root.join("link.json"))).unwrap();
         assert_eq!(
             (of_scene.name().as_str(), name.as_deref()),

@@ -40,17 +40,18 @@ pub(crate) fn formula(text: &str, scope: &mut dyn Scope) -> Result<Option<Measur
         return Ok(None);
     }
     let quantities = reader.quantities;
-    let wrong = |message: String| Mistake {
+    let wrong = |message: &str, hint: &str| Mistake {
         message: format!("\"{text}\": {message}"),
-        hint: String::new(),
+        hint: hint.to_owned(),
         place: 0..text.len(),
     };
-    let kind = kind_of(&expression.program().value, &quantities).map_err(wrong)?;
+    let kind = kind_of(&expression.program().value, &quantities);
+    let kind = kind.map_err(|message| wrong(&message, "units must fit: \"2*r + 5 mm\""))?;
     let values: Vec<f64> = quantities.iter().map(|one| one.value).collect();
     let value = expression.at(&values);
     match value.is_finite() {
         true => Ok(Some(Measure { value, ..kind })),
-        false => Err(wrong("it has no finite value".to_owned())),
+        false => Err(wrong("it has no finite value", "does it divide by zero?")),
     }
 }
 
@@ -154,13 +155,15 @@ fn symbol_length(text: &str, first: bool, scope: &mut dyn Scope) -> usize {
     let word = &text[..word.unwrap_or(text.len())];
     let after = rest.trim_start();
     let operand = |c: char| c.is_alphanumeric() || c == '(' || c == '.';
-    // A remainder, a function, or a longer name; a unit may not be called like a name, but
-    // for the revolutions of r/min.
+    // A remainder, a function, or a longer name; or a name that is called like a unit, but
+    // in r/min.
     let other = symbol.starts_with('%') && after.starts_with(operand)
         || after.starts_with('(')
         || rest.starts_with('_')
         || find(&symbol.replace('μ', "µ")).is_none()
-        || !(first && after.starts_with('/')) && scope.quantity(word).is_some();
+        || REVOLUTIONS.contains(&word)
+            && !(first && after.starts_with('/'))
+            && scope.quantity(word).is_some();
     match other {
         true => 0,
         false => length,
@@ -200,7 +203,10 @@ fn kind(op: &Op, code: &Code, kinds: &[Measure], given: &[Measure]) -> Result<Me
         _ => alike(of(a), of(b)),
     };
     let plain = |x: Measure, what: &str| match x.dimension {
-        Dimension::NONE => Ok(Measure { per_minute: false, ..x }),
+        Dimension::NONE => Ok(Measure {
+            per_minute: false,
+            ..x
+        }),
         other => Err(format!("{what} takes a pure number, not {}", words(other))),
     };
     Ok(match *op {
@@ -299,7 +305,9 @@ fn words(dimension: Dimension) -> String {
     if dimension == Dimension::NONE {
         return "a pure number".to_owned();
     }
-    let known = quantities::ALL.iter().find(|one| one.dimension == dimension);
+    let known = quantities::ALL
+        .iter()
+        .find(|one| one.dimension == dimension);
     match known {
         Some(quantity) => format!("{} ({dimension})", quantity.name),
         None => format!("something in {dimension}"),
@@ -344,7 +352,9 @@ mod tests {
     }
 
     fn takes(quantity: Quantity, text: &str, wanted: f64) {
-        let value = quantity.accept(found(text)).unwrap_or_else(|e| panic!("{text}: {e:?}"));
+        let value = quantity
+            .accept(found(text))
+            .unwrap_or_else(|e| panic!("{text}: {e:?}"));
         approx::assert_relative_eq!(value, wanted, max_relative = 4e-15);
     }
 
@@ -367,7 +377,11 @@ mod tests {
             (q::LINEAR_STIFFNESS, "10 N/r", 200.0),
             (q::LINEAR_STIFFNESS, "F/r", 4e4),
             (q::MOMENT, "F*r", 100.0),
-            (q::ROTATIONAL_STIFFNESS, "F*r/a", 100.0 / (std::f64::consts::PI / 6.0)),
+            (
+                q::ROTATIONAL_STIFFNESS,
+                "F*r/a",
+                100.0 / (std::f64::consts::PI / 6.0),
+            ),
             (q::LINEAR_SPEED, "n*r", omega * 0.05),
             (q::POWER, "F*r*n", 100.0 * omega),
             (q::ANGULAR_SPEED, "2*n", 2.0 * omega),
@@ -388,8 +402,20 @@ mod tests {
     #[test]
     fn dimensions_are_checked() {
         for text in [
-            "r + F", "r + 1", "r + k", "r < F", "sin(r)", "r^0.5", "k^r", "floor(r)", "exp(r)",
-            "n + 5 Hz", "sqrt(r)", "max(r, 1)", "r + a", "n*1 s + k",
+            "r + F",
+            "r + 1",
+            "r + k",
+            "r < F",
+            "sin(r)",
+            "r^0.5",
+            "k^r",
+            "floor(r)",
+            "exp(r)",
+            "n + 5 Hz",
+            "sqrt(r)",
+            "max(r, 1)",
+            "r + a",
+            "n*1 s + k",
         ] {
             let mistake = formula(text, &mut given()).unwrap_err();
             assert!(mistake.message.contains(text), "{mistake:?}");

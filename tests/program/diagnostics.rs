@@ -39,16 +39,25 @@ const TABLES: &[(&str, &[u8])] = &[
     ("empty.csv", b"\n\n"),
     ("headless.csv", b"0,1\n1,2\n"),
     ("ragged.csv", b"angle [deg],lift [mm]\n0,0\n10\n20,2,5\n"),
-    ("words.csv", b"angle [deg],lift [mm]\n0,zero\n10,NaN\n20,\n30,1e999\n40,1 mm\n"),
+    (
+        "words.csv",
+        b"angle [deg],lift [mm]\n0,zero\n10,NaN\n20,\n30,1e999\n40,1 mm\n",
+    ),
     ("commas.csv", b"angle [deg];lift [mm]\n0;0,5\n10;1.000,5\n"),
     ("quoted.csv", b"angle [deg],lift [mm]\n0,\"0,5\"\n"),
     ("units.csv", b"angle [deg],lift [kg]\n0,0\n"),
     ("strange.csv", b"angle [deg],lift [furlong]\n0,0\n"),
     ("open.csv", b"angle [deg,lift\n0,0\n"),
-    ("three.csv", b"angle [deg]\tlift [mm]\tforce [N]\n0\t0\t1\n1\t0\t2\n2\t1\t1\n"),
+    (
+        "three.csv",
+        b"angle [deg]\tlift [mm]\tforce [N]\n0\t0\t1\n1\t0\t2\n2\t1\t1\n",
+    ),
     ("twice.csv", b"lift [mm],angle [deg],lift [mm]\n0,0,0\n"),
     ("short.csv", b"angle [deg],lift [mm]\n0,0\n1,1\n"),
-    ("descending.csv", b"# measured\nangle [deg],lift [mm]\n0,0\n2,1\n1,2\n"),
+    (
+        "descending.csv",
+        b"# measured\nangle [deg],lift [mm]\n0,0\n2,1\n1,2\n",
+    ),
     ("latin.csv", b"angle [\xb0],lift [mm]\n0,0\n"),
 ];
 

@@ -86,7 +86,9 @@ fn inlined([r, n, k, force, mass]: [f64; 5]) -> String {
         ("\"2*r\"", format!("{:?}", 2.0 * r)),
     ];
     let text = SCENE.replace("\"parameters\": { PARAMETERS },", "");
-    let text = numbers.iter().fold(text, |text, (name, number)| text.replace(name, number));
+    let text = numbers
+        .iter()
+        .fold(text, |text, (name, number)| text.replace(name, number));
     assert!(!text.contains("half") && !text.contains("m_0"), "{text}");
     text
 }
@@ -94,7 +96,10 @@ fn inlined([r, n, k, force, mass]: [f64; 5]) -> String {
 /// Expressions print as they were written, and are the same program.
 fn without_texts(meaning: &str) -> String {
     let text = meaning.split("text: \"");
-    let rest = |part: &str| part.split_once('"').map_or(part.to_owned(), |(_, rest)| rest.to_owned());
+    let rest = |part: &str| {
+        part.split_once('"')
+            .map_or(part.to_owned(), |(_, rest)| rest.to_owned())
+    };
     text.enumerate()
         .map(|(at, part)| if at == 0 { part.to_owned() } else { rest(part) })
         .collect()
@@ -147,14 +152,30 @@ fn what_depends_on_a_parameter_follows_it_in_every_command() {
         approx::assert_relative_eq!(speed(set), wanted, max_relative = 1e-6);
     }
     let compared = answer(&[
-        "compare", &scene, "--json", "--over", "parameters.r=50 mm,70 mm", "--set", "slide.masses=0",
-        "--figure", "slide.peak_speed",
+        "compare",
+        &scene,
+        "--json",
+        "--over",
+        "parameters.r=50 mm,70 mm",
+        "--set",
+        "slide.masses=0",
+        "--figure",
+        "slide.peak_speed",
     ]);
     let text = compared.to_string();
     assert!(text.contains("parameters.r"), "{text}");
     let map = answer(&[
-        "map", &scene, "--json", "--quiet", "--x", "parameters.r=50:70 mm:3", "--unchecked",
-        "--set", "slide.masses=0", "--figure", "slide.peak_speed",
+        "map",
+        &scene,
+        "--json",
+        "--quiet",
+        "--x",
+        "parameters.r=50:70 mm:3",
+        "--unchecked",
+        "--set",
+        "slide.masses=0",
+        "--figure",
+        "slide.peak_speed",
     ]);
     let mut found = Vec::new();
     numbers(&map, &mut found);
@@ -205,8 +226,16 @@ fn a_property_is_set_by_either_of_its_names() {
 #[test]
 fn parameters_are_named_in_code() {
     let text = Scene::from_json(&with("")).unwrap();
-    let pairs = [("r", "50 mm"), ("n", "300 rpm"), ("half", "r/2"), ("F", "600 N"), ("m_0", "4 kg")];
-    let scene = pairs.into_iter().fold(text, |scene, (name, value)| scene.parameter(name, value));
+    let pairs = [
+        ("r", "50 mm"),
+        ("n", "300 rpm"),
+        ("half", "r/2"),
+        ("F", "600 N"),
+        ("m_0", "4 kg"),
+    ];
+    let scene = pairs
+        .into_iter()
+        .fold(text, |scene, (name, value)| scene.parameter(name, value));
     let scene = scene.parameter("k", 3);
     let hash = |scene: &Scene| scene.decode().unwrap().scene.hash;
     assert_eq!(hash(&scene), hash(&Scene::from_json(&with(GIVEN)).unwrap()));
@@ -224,14 +253,20 @@ fn remarks_name_what_nothing_uses() {
     assert_eq!(remarks[0]["code"], "unused-parameter");
     // What uses it may have been set to another value.
     let document = answer(&["check", &scene, "--json", "--set", "slide.inertia=1"]);
-    assert_eq!(document["diagnostics"].as_array().unwrap().len(), 0, "{document}");
+    assert_eq!(
+        document["diagnostics"].as_array().unwrap().len(),
+        0,
+        "{document}"
+    );
 }
 
 #[test]
 fn hostile_parameters_are_refused_in_time() {
     let folder = tempfile::tempdir().unwrap();
     let many = |count: usize, one: &dyn Fn(usize) -> String| {
-        let all: Vec<String> = (0..count).map(|at| format!("\"a{at}\":{}", one(at))).collect();
+        let all: Vec<String> = (0..count)
+            .map(|at| format!("\"a{at}\":{}", one(at)))
+            .collect();
         all.join(",")
     };
     let count = 100_000;
@@ -250,9 +285,21 @@ fn hostile_parameters_are_refused_in_time() {
     });
     for (parameters, speed, word) in [
         (chain, format!("\"a{}\"", count - 1), "is valid"),
-        (many(count, &|at| format!("\"a{}\"", (at + 1) % count)), "1".to_owned(), "in a circle"),
-        (many(count, &|at| format!("\"b{at}\"")), "1".to_owned(), "is not known"),
-        (many(count, &|_| "1".to_owned()), "1".to_owned(), "nothing refers to"),
+        (
+            many(count, &|at| format!("\"a{}\"", (at + 1) % count)),
+            "1".to_owned(),
+            "in a circle",
+        ),
+        (
+            many(count, &|at| format!("\"b{at}\"")),
+            "1".to_owned(),
+            "is not known",
+        ),
+        (
+            many(count, &|_| "1".to_owned()),
+            "1".to_owned(),
+            "nothing refers to",
+        ),
         (nested, "1".to_owned(), "nested too deeply"),
         (long, "1".to_owned(), "longer than"),
     ] {
@@ -262,6 +309,10 @@ fn hostile_parameters_are_refused_in_time() {
             String::from_utf8_lossy(&output.stdout),
             String::from_utf8_lossy(&output.stderr)
         );
-        assert!(text.contains(word), "{word}: {}", &text[..text.len().min(500)]);
+        assert!(
+            text.contains(word),
+            "{word}: {}",
+            &text[..text.len().min(500)]
+        );
     }
 }

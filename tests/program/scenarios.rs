@@ -39,7 +39,10 @@ fn judge(path: &Path) -> Result<(), String> {
     let document = Document::parse(&path.display().to_string(), &bytes)
         .map_err(|diagnostics| diagnostics.to_string())?;
     let reading = document
-        .scene(&Layered(&Folder::beside(path), &BuiltIn), &Overrides::none())
+        .scene(
+            &Layered(&Folder::beside(path), &BuiltIn),
+            &Overrides::none(),
+        )
         .map_err(|diagnostics| diagnostics.to_string())?;
     let model = lower(&reading.scene).map_err(|faults| format!("{faults:?}"))?;
     let system = System::new(model).map_err(|faults| format!("{faults:?}"))?;

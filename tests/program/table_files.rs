@@ -108,10 +108,15 @@ fn files_outside_the_folder_are_refused() {
     std::fs::write(outer.path().join("secret.csv"), table).unwrap();
     std::fs::write(folder.join("tables/lift.csv"), table).unwrap();
     let absolute = outer.path().join("secret.csv").display().to_string();
-    let mut outside = vec![absolute, "../secret.csv".to_owned(), "tables/../../secret.csv".to_owned()];
+    let mut outside = vec![
+        absolute,
+        "../secret.csv".to_owned(),
+        "tables/../../secret.csv".to_owned(),
+    ];
     #[cfg(unix)]
     {
-        let link = |from: &Path, to: &str| std::os::unix::fs::symlink(from, folder.join(to)).unwrap();
+        let link =
+            |from: &Path, to: &str| std::os::unix::fs::symlink(from, folder.join(to)).unwrap();
         link(&outer.path().join("secret.csv"), "link.csv");
         link(outer.path(), "out");
         outside.extend(["link.csv".to_owned(), "out/secret.csv".to_owned()]);
@@ -121,13 +126,19 @@ fn files_outside_the_folder_are_refused() {
         let output = dam(&["check", &path]);
         assert_eq!(output.status.code(), Some(2), "{name}");
         let text = stderr(&output);
-        assert!(text.contains("outside-folder") && !text.contains("0,0"), "{name}: {text}");
+        assert!(
+            text.contains("outside-folder") && !text.contains("0,0"),
+            "{name}: {text}"
+        );
     }
     let path = scene(&folder, r#"{ "file": "tables/lift.csv" }"#);
     assert_eq!(dam(&["check", &path]).status.code(), Some(0));
     let path = scene(&folder, r#"{ "file": "tables/lif.csv" }"#);
     let text = stderr(&dam(&["check", &path]));
-    assert!(text.contains("missing-file") && text.contains("did you mean `lift.csv`?"), "{text}");
+    assert!(
+        text.contains("missing-file") && text.contains("did you mean `lift.csv`?"),
+        "{text}"
+    );
     let path = scene(&folder, r#"{ "file": "tables" }"#);
     assert!(stderr(&dam(&["check", &path])).contains("no plain file"));
 }
@@ -135,7 +146,11 @@ fn files_outside_the_folder_are_refused() {
 #[test]
 fn a_scene_without_a_folder_has_no_files() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("lift.csv"), "angle [deg],lift [mm]\n0,0\n10,1\n20,3\n").unwrap();
+    std::fs::write(
+        folder.path().join("lift.csv"),
+        "angle [deg],lift [mm]\n0,0\n10,1\n20,3\n",
+    )
+    .unwrap();
     let text = SCENE.replace("POINTS", r#"{ "file": "lift.csv" }"#);
     let mut child = Command::new(env!("CARGO_BIN_EXE_dam"))
         .args(["check", "-"])
@@ -148,7 +163,11 @@ fn a_scene_without_a_folder_has_no_files() {
     std::io::Write::write_all(&mut child.stdin.take().unwrap(), text.as_bytes()).unwrap();
     let output = child.wait_with_output().unwrap();
     assert!(stderr(&output).contains("no-folder"), "{}", stderr(&output));
-    let faults = Scene::from_json(&text).unwrap().decode().unwrap_err().to_string();
+    let faults = Scene::from_json(&text)
+        .unwrap()
+        .decode()
+        .unwrap_err()
+        .to_string();
     assert!(faults.contains("no folder"), "{faults}");
     // From its file it has one, in whichever folder the program runs.
     let path = scene(folder.path(), r#"{ "file": "lift.csv" }"#);
@@ -158,10 +177,19 @@ fn a_scene_without_a_folder_has_no_files() {
 #[test]
 fn faults_are_shown_in_the_file() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("lift.csv"), "angle [deg],lift [mm]\n0,0\n10,one\n20,3\n").unwrap();
+    std::fs::write(
+        folder.path().join("lift.csv"),
+        "angle [deg],lift [mm]\n0,0\n10,one\n20,3\n",
+    )
+    .unwrap();
     let path = scene(folder.path(), r#"{ "file": "lift.csv" }"#);
     let text = stderr(&dam(&["check", &path]));
-    for part in ["lift.csv:3:4", "3 | 10,one", "`one` is not a number", "named here"] {
+    for part in [
+        "lift.csv:3:4",
+        "3 | 10,one",
+        "`one` is not a number",
+        "named here",
+    ] {
         assert!(text.contains(part), "{part}: {text}");
     }
 }
@@ -177,9 +205,14 @@ fn tables_that_are_too_large_are_refused() {
     }
     std::fs::write(&file, &text).unwrap();
     assert!(stderr(&dam(&["check", &path])).contains("more than 1000000 rows"));
-    std::fs::File::create(&file).unwrap().set_len(50_000_001).unwrap();
+    std::fs::File::create(&file)
+        .unwrap()
+        .set_len(50_000_001)
+        .unwrap();
     assert!(stderr(&dam(&["check", &path])).contains("larger than 50 MB"));
-    let many: Vec<String> = (0..200).map(|at| format!("{{ \"file\": \"{at}.csv\" }}")).collect();
+    let many: Vec<String> = (0..200)
+        .map(|at| format!("{{ \"file\": \"{at}.csv\" }}"))
+        .collect();
     let path = scene(folder.path(), &format!("[{}]", many.join(",")));
     assert!(!stderr(&dam(&["check", &path])).is_empty());
 }
@@ -187,19 +220,39 @@ fn tables_that_are_too_large_are_refused() {
 #[test]
 fn a_reduced_scene_holds_its_tables() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("lift.csv"), "angle [deg];lift [mm]\n0;0\n90;1,5\n180;3\n270;1,5\n360;0\n").unwrap();
+    std::fs::write(
+        folder.path().join("lift.csv"),
+        "angle [deg];lift [mm]\n0;0\n90;1,5\n180;3\n270;1,5\n360;0\n",
+    )
+    .unwrap();
     let text = SCENE
         .replace("POINTS", r#"{ "file": "lift.csv" }, "periodic": true"#)
-        .replace("\"masses\": 0", "\"stiffness\": 1e6, \"damping_capacity\": 0.5, \"masses\": 3");
+        .replace(
+            "\"masses\": 0",
+            "\"stiffness\": 1e6, \"damping_capacity\": 0.5, \"masses\": 3",
+        );
     let path = folder.path().join("scene.json");
     std::fs::write(&path, text).unwrap();
     let out = folder.path().join("out");
-    let arguments = ["reduce", path.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let arguments = [
+        "reduce",
+        path.to_str().unwrap(),
+        "--out",
+        out.to_str().unwrap(),
+    ];
     let output = dam(&arguments);
-    let files: Vec<_> = std::fs::read_dir(&out).unwrap_or_else(|_| panic!("{}", stderr(&output))).collect();
+    let files: Vec<_> = std::fs::read_dir(&out)
+        .unwrap_or_else(|_| panic!("{}", stderr(&output)))
+        .collect();
     let scene = files.into_iter().map(|file| file.unwrap().path());
-    let mut scenes = scene.filter(|file| std::fs::read_to_string(file).is_ok_and(|text| text.contains("\"objects\"") && text.contains("\"points\"")));
+    let mut scenes = scene.filter(|file| {
+        std::fs::read_to_string(file)
+            .is_ok_and(|text| text.contains("\"objects\"") && text.contains("\"points\""))
+    });
     let reduced = scenes.next().expect("a reduced scene");
     let text = std::fs::read_to_string(&reduced).unwrap();
-    assert!(text.contains("\"1.5 mm\"") && !text.contains("lift.csv"), "{text}");
+    assert!(
+        text.contains("\"1.5 mm\"") && !text.contains("lift.csv"),
+        "{text}"
+    );
 }

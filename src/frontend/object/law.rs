@@ -167,8 +167,7 @@ fn polynomial(slot: Slot<'_>) -> Option<PolynomialSpec> {
 
 fn table(mut slot: Slot<'_>) -> Option<Vec<(f64, f64)>> {
     let least = *TABLE_POINTS.start();
-    let found =
-        slot.read_in_place(|slot| slot.points(q::NUMBER, q::NUMBER, least))?;
+    let found = slot.read_in_place(|slot| slot.points(q::NUMBER, q::NUMBER, least))?;
     if found.len() > *TABLE_POINTS.end() {
         let message = format!("a law takes at most {} points", TABLE_POINTS.end());
         slot.refuse("wrong-length", message);

@@ -26,13 +26,10 @@ pub(super) fn masses(mut slot: Slot<'_>, most: u64) -> Option<Masses> {
             "expected a whole number, or \"auto\"".to_owned();
         return None;
     }
-    slot.choice_or(
-        &[("auto", Masses::Auto)],
-        |slot| {
-            slot.count(0..=most)
-                .map(|count| Masses::Count(count as usize))
-        },
-    )
+    slot.choice_or(&[("auto", Masses::Auto)], |slot| {
+        slot.count(0..=most)
+            .map(|count| Masses::Count(count as usize))
+    })
 }
 
 /// Most modes of one object.

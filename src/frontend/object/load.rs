@@ -93,20 +93,17 @@ fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
         ("first", MassChoice::First),
         ("all", MassChoice::All),
     ];
-    slot.choice_or(
-        &names,
-        |slot| {
-            let most = masses.map_or(super::body::MOST_MASSES, |count| count as u64);
-            if most == 0 {
-                let mut slot = slot;
-                slot.refuse("out-of-range", "a rigid object has no numbered masses")
-                    .hints
-                    .push("leave out `mass`".to_owned());
-                return None;
-            }
-            Some(MassChoice::Number(slot.count(1..=most)? as usize))
-        },
-    )
+    slot.choice_or(&names, |slot| {
+        let most = masses.map_or(super::body::MOST_MASSES, |count| count as u64);
+        if most == 0 {
+            let mut slot = slot;
+            slot.refuse("out-of-range", "a rigid object has no numbered masses")
+                .hints
+                .push("leave out `mass`".to_owned());
+            return None;
+        }
+        Some(MassChoice::Number(slot.count(1..=most)? as usize))
+    })
 }
 
 fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {

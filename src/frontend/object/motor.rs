@@ -91,7 +91,8 @@ fn law(fields: &mut Fields<'_>, own: Measures) -> Option<LoadLawSpec> {
         false => "List of [speed, force]: linear between the points, constant outside.",
     };
     law.case("table", doc, |slot| {
-        slot.points(own.speed(), own.force(), 2).map(LoadLawSpec::SpeedTable)
+        slot.points(own.speed(), own.force(), 2)
+            .map(LoadLawSpec::SpeedTable)
     });
     let names = written::with_over(builder::OWN.to_vec(), fields_have_over);
     law.case(

@@ -75,11 +75,13 @@ impl TableFile {
         let csv = Csv::new(&self.source.text, self.id).map_err(|fault| vec![*fault])?;
         let chosen = csv.chosen(names).map_err(|fault| vec![*fault])?;
         for (at, wanted) in chosen.into_iter().zip(wanted) {
-            csv.check_unit(&csv.columns[at], wanted).map_err(|fault| vec![*fault])?;
+            csv.check_unit(&csv.columns[at], wanted)
+                .map_err(|fault| vec![*fault])?;
         }
         let mut rows = Vec::new();
         csv.each_row(&mut |cells| {
-            let cell = |at: usize| csv.number(&csv.columns[chosen[at]], wanted[at], &cells[chosen[at]]);
+            let cell =
+                |at: usize| csv.number(&csv.columns[chosen[at]], wanted[at], &cells[chosen[at]]);
             let (x, y) = (cell(0)?, cell(1)?);
             rows.push(((x, y), csv.place(cells[chosen[0]].clone())));
             Ok(())
@@ -126,8 +128,13 @@ impl<'f> Csv<'f> {
         csv.separator = found.unwrap_or(',');
         let cells = csv.cells(start, line);
         if cells.iter().all(|cell| csv.is_number(cell)) {
-            let fault = csv.fault("the first line does not name the columns", start..start + line.len());
-            return Err(Box::new(fault.hint("write a header: angle [deg], lift [mm]")));
+            let fault = csv.fault(
+                "the first line does not name the columns",
+                start..start + line.len(),
+            );
+            return Err(Box::new(
+                fault.hint("write a header: angle [deg], lift [mm]"),
+            ));
         }
         for cell in cells {
             csv.columns.push(csv.column(cell)?);
@@ -181,7 +188,10 @@ impl<'f> Csv<'f> {
             if count == 2 {
                 return Ok([0, 1]);
             }
-            let message = format!("the file has {count} columns, and two are needed: {}", all());
+            let message = format!(
+                "the file has {count} columns, and two are needed: {}",
+                all()
+            );
             let hint = match count {
                 0 | 1 => "columns are separated by commas, semicolons or tabs".to_owned(),
                 _ => "choose them in the scene: \"columns\": [\"angle\", \"lift\"]".to_owned(),
@@ -189,18 +199,22 @@ impl<'f> Csv<'f> {
             return Err(Box::new(self.fault(message, header()).hint(hint)));
         };
         let find = |name: &String| {
-            let mut fitting = (self.columns.iter().enumerate())
-                .filter(|(_, column)| column.name == name.trim() || self.text[column.range.clone()] == **name);
+            let mut fitting = (self.columns.iter().enumerate()).filter(|(_, column)| {
+                column.name == name.trim() || self.text[column.range.clone()] == **name
+            });
             let Some((at, _)) = fitting.next() else {
                 let known = self.columns.iter().map(|one| one.name);
                 let hint = did_you_mean(name, known);
                 let fault = self.fault(format!("the file has no column `{name}`"), header());
-                return Err(Box::new(fault.hint(hint.unwrap_or_else(|| format!("it has {}", all())))));
+                return Err(Box::new(
+                    fault.hint(hint.unwrap_or_else(|| format!("it has {}", all()))),
+                ));
             };
             match fitting.next() {
-                Some((_, other)) => {
-                    Err(self.fault(format!("two columns are named `{name}`"), other.range.clone()))
-                }
+                Some((_, other)) => Err(self.fault(
+                    format!("two columns are named `{name}`"),
+                    other.range.clone(),
+                )),
                 None => Ok(at),
             }
         };
@@ -208,7 +222,11 @@ impl<'f> Csv<'f> {
     }
 
     /// Whether the unit of a column fits.
-    fn check_unit(&self, column: &Column<'_>, wanted: QuantityChoice) -> Result<(), Box<Diagnostic>> {
+    fn check_unit(
+        &self,
+        column: &Column<'_>,
+        wanted: QuantityChoice,
+    ) -> Result<(), Box<Diagnostic>> {
         if column.unit.is_empty() {
             return Ok(());
         }
@@ -289,6 +307,16 @@ impl<'f> Csv<'f> {
         }
     }
 
+    /// An empty cell is pointed at beside its separator.
+    fn shown(&self, cell: &Range<usize>) -> Range<usize> {
+        let first = self.text[..cell.start].ends_with('\n');
+        match cell.is_empty() {
+            true if !first && cell.start > 0 => cell.start - 1..cell.start,
+            true => cell.start..cell.start + 1,
+            false => cell.clone(),
+        }
+    }
+
     fn is_number(&self, cell: &Range<usize>) -> bool {
         let text = self.plain(cell);
         number_and_unit(&text).is_some_and(|(number, _)| number.len() == text.len())
@@ -308,14 +336,19 @@ impl<'f> Csv<'f> {
             };
             let comma = self.separator == ',' && text.contains(',');
             let hint = comma.then(|| "a decimal comma needs a semicolon as separator".to_owned());
-            return Err(Box::new(self.fault(message, at_least_one(cell)).maybe_hint(hint)));
+            return Err(Box::new(
+                self.fault(message, self.shown(cell)).maybe_hint(hint),
+            ));
         }
         let value = match column.unit {
             "" => text.parse().ok(),
-            unit => parse(&format!("{text} {unit}")).ok().and_then(|one| wanted.accept(one).ok()),
+            unit => parse(&format!("{text} {unit}"))
+                .ok()
+                .and_then(|one| wanted.accept(one).ok()),
         };
         let finite = value.filter(|value: &f64| value.is_finite());
-        finite.ok_or_else(|| self.fault(format!("`{text}` is too large for a number"), cell.clone()))
+        finite
+            .ok_or_else(|| self.fault(format!("`{text}` is too large for a number"), cell.clone()))
     }
 }
 
@@ -335,16 +368,13 @@ fn bare(line: &str, range: Range<usize>) -> Range<usize> {
     let text = &line[range.clone()];
     let start = range.start + text.len() - text.trim_start().len();
     let text = text.trim();
-    let inner = text.strip_prefix('"').and_then(|text| text.strip_suffix('"'));
+    let inner = text
+        .strip_prefix('"')
+        .and_then(|text| text.strip_suffix('"'));
     match inner {
         Some(inner) => start + 1..start + 1 + inner.len(),
         None => start..start + text.len(),
     }
-}
-
-/// An empty cell is pointed at where it would begin.
-fn at_least_one(cell: &Range<usize>) -> Range<usize> {
-    cell.start..cell.end.max(cell.start + 1)
 }
 
 fn counted(cells: usize) -> String {
@@ -372,7 +402,9 @@ fn gather<'n>(node: &'n Node, names: &mut Vec<&'n str>) {
     match &node.value {
         Value::Object(members) => {
             names.extend(node.get("file").and_then(Node::text));
-            members.iter().for_each(|member| gather(&member.value, names));
+            members
+                .iter()
+                .for_each(|member| gather(&member.value, names));
         }
         Value::List(items) => items.iter().for_each(|item| gather(item, names)),
         _ => {}
@@ -401,7 +433,9 @@ pub fn put_in(node: &mut Node, files: &Files) {
         return;
     }
     match &mut node.value {
-        Value::Object(members) => members.iter_mut().for_each(|one| put_in(&mut one.value, files)),
+        Value::Object(members) => members
+            .iter_mut()
+            .for_each(|one| put_in(&mut one.value, files)),
         Value::List(items) => items.iter_mut().for_each(|item| put_in(item, files)),
         _ => {}
     }

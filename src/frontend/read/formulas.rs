@@ -36,23 +36,29 @@ pub(super) fn fault(text: &str, mistake: &Mistake, names: &[String]) -> Wrong {
     let word = text.get(mistake.place.clone()).unwrap_or_default();
     let all = || names.iter().map(String::as_str);
     let unknown = mistake.message.ends_with("is not known");
+    let is_unit = hidden(word) == Some("a unit");
     let hint = match unknown {
+        _ if is_unit => format!("a unit stands after a number: 1 {word}"),
         true => did_you_mean(word, all()).unwrap_or_else(|| match names.is_empty() {
             true => "the scene has no `parameters`".to_owned(),
             false => format!("known are {}", quoted_list(all().take(MOST_LISTED), "and")),
         }),
-        false if after_number(text, mistake) => match hidden(word) {
-            Some("a unit") => format!("a unit stands after a number: 1 {word}"),
-            _ => did_you_mean(word, known_units().iter().map(String::as_str))
-                .unwrap_or_else(|| format!("`{word}` is no unit that is known")),
-        },
+        false if after_number(text, mistake) => {
+            let units = known_units();
+            did_you_mean(word, units.iter().map(String::as_str))
+                .unwrap_or_else(|| format!("`{word}` is no unit that is known"))
+        }
         false if mistake.hint.is_empty() => {
             "write a number with a unit, or a formula: \"2*r + 5 mm\"".to_owned()
         }
         false => mistake.hint.clone(),
     };
     Wrong {
-        code: if unknown { "unknown-name" } else { "bad-formula" },
+        code: if unknown {
+            "unknown-name"
+        } else {
+            "bad-formula"
+        },
         message: mistake.message.clone(),
         hint,
     }
@@ -83,7 +89,11 @@ struct Named<'r> {
 
 impl Scope for Named<'_> {
     fn quantity(&mut self, name: &str) -> Option<Option<Measure>> {
-        let own = self.dimensions.entries.iter_mut().find(|one| one.name == name);
+        let own = self
+            .dimensions
+            .entries
+            .iter_mut()
+            .find(|one| one.name == name);
         if let Some(own) = own {
             own.used = true;
             return Some(own.value);
@@ -157,7 +167,9 @@ impl Symbols for InExpression<'_> {
 
     fn names(&self) -> Vec<String> {
         let variables = self.variables.iter().map(|one| one.0.to_owned());
-        variables.chain(self.named.names().into_iter().take(MOST_LISTED)).collect()
+        variables
+            .chain(self.named.names().into_iter().take(MOST_LISTED))
+            .collect()
     }
 }
 
@@ -192,11 +204,20 @@ impl Slot<'_> {
 
     /// True of a text that refers to a named number.
     pub(crate) fn is_formula(&self) -> bool {
-        let Some(text) = self.node().and_then(|node| node.text()) else {
+        let text = self.node().and_then(|node| node.text());
+        text.is_some_and(|text| self.refers(text))
+    }
+
+    fn refers(&self, text: &str) -> bool {
+        if !self.reader.has_names() {
             return false;
-        };
+        }
         let mut words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
-        let Reader { dimensions, parameters, .. } = &*self.reader;
+        let Reader {
+            dimensions,
+            parameters,
+            ..
+        } = &*self.reader;
         words.any(|word| {
             let own = dimensions.entries.iter().any(|one| one.name == word);
             own || parameters.get(word).is_some()
@@ -205,14 +226,22 @@ impl Slot<'_> {
 
     /// The quantity that a text states, alone or by a formula.
     pub(super) fn stated(&mut self, text: &str, wanted: &QuantityChoice) -> Option<Measure> {
-        let error = match parse(text) {
-            Ok(measure) => return self.sure(text).then_some(measure),
-            Err(error) => error,
-        };
-        let starts = text.trim_start().trim_start_matches(['-', '+']).trim_start();
+        let starts = text
+            .trim_start()
+            .trim_start_matches(['-', '+'])
+            .trim_start();
         let named = starts.starts_with(|c: char| c.is_alphabetic() || c == '_');
-        if !is_calculated(text) && !(named && self.reader.has_names()) {
-            self.unit_fault(text, error, wanted);
+        // Of 10 N/r the r may be a unit too.
+        let refers = self.refers(text);
+        match parse(text) {
+            Ok(measure) if !refers => return Some(measure),
+            Err(error) if !(refers || is_calculated(text) || named && self.reader.has_names()) => {
+                self.unit_fault(text, error, wanted);
+                return None;
+            }
+            _ => {}
+        }
+        if !self.sure(text) {
             return None;
         }
         let found = formula(text, &mut self.reader.named());
@@ -232,15 +261,12 @@ impl Slot<'_> {
 
     /// The quantity that a text states, where nothing is wrong with it.
     pub(crate) fn quantity_of(&mut self, text: &str) -> Option<Measure> {
-        let found = parse(text).ok();
-        found.or_else(|| formula(text, &mut self.reader.named()).ok().flatten())
+        let literal = parse(text).ok().filter(|_| !self.refers(text));
+        literal.or_else(|| formula(text, &mut self.reader.named()).ok().flatten())
     }
 
     /// Refuses a unit that is also the name of a parameter: `2 r`.
     fn sure(&mut self, text: &str) -> bool {
-        if self.reader.parameters.is_empty() {
-            return true;
-        }
         let unit = number_and_unit(text).map_or("", |found| found.1);
         if unit.is_empty() || self.reader.parameters.get(unit).is_none() {
             return true;
@@ -256,11 +282,16 @@ impl Slot<'_> {
 /// True of a text in which something is calculated: an operator follows its first number or
 /// bracket.
 fn is_calculated(text: &str) -> bool {
-    let text = text.trim_start().trim_start_matches(['-', '+']).trim_start();
+    let text = text
+        .trim_start()
+        .trim_start_matches(['-', '+'])
+        .trim_start();
     if text.starts_with('(') {
         return true;
     }
-    let called = text.find('(').is_some_and(|at| super::is_name(text[..at].trim_end()));
+    let called = text
+        .find('(')
+        .is_some_and(|at| super::is_name(text[..at].trim_end()));
     let after = number_and_unit(text).map_or("", |found| found.1);
     let operator = |rest: &str| rest.starts_with(['+', '-', '*', '/', '^']);
     called || operator(after) || after.contains(" + ") || after.contains(" - ")

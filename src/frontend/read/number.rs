@@ -9,7 +9,7 @@ use super::tree::Value;
 use super::wanted::QuantityChoice;
 use crate::frontend::diagnostics::Diagnostic;
 use crate::units::quantities::{self, NUMBER};
-use crate::units::{Quantity, Measure, Mismatch, UnitError, known_units, parse, shown};
+use crate::units::{Measure, Mismatch, Quantity, UnitError, known_units, parse, shown};
 use serde_json::{Map, json};
 use std::ops::RangeInclusive;
 
@@ -189,7 +189,8 @@ impl Slot<'_> {
     /// Warns of a number without a unit that is likely meant in another one than SI.
     fn doubt(&mut self, value: f64, wanted: &QuantityChoice) {
         let usual = USUAL.iter().find(|one| one.0 == wanted.first);
-        let Some((quantity, [least, most], unit)) = usual.filter(|_| wanted.second.is_none()) else {
+        let Some((quantity, [least, most], unit)) = usual.filter(|_| wanted.second.is_none())
+        else {
             return;
         };
         let size = value.abs();
@@ -202,7 +203,9 @@ impl Slot<'_> {
         let warning = Diagnostic::warning("implausible", message)
             .at(self.place())
             .path(self.path.clone())
-            .hint(format!("write \"{value} {unit}\", or \"{value} {si}\" if it is meant"));
+            .hint(format!(
+                "write \"{value} {unit}\", or \"{value} {si}\" if it is meant"
+            ));
         self.reader.diagnostics.push(warning);
     }
 

@@ -60,7 +60,10 @@ impl Parameters {
         &'p self,
         used: impl Fn(&str) -> bool + 'p,
     ) -> impl Iterator<Item = (&'p str, &'p Place, &'p Place)> {
-        let unused = self.0.iter().filter(move |(name, one)| !one.used && !used(name));
+        let unused = self
+            .0
+            .iter()
+            .filter(move |(name, one)| !one.used && !used(name));
         unused.map(|(name, one)| (name.as_str(), &one.place, &one.value_place))
     }
 }
@@ -72,7 +75,11 @@ fn is_sound(name: &str) -> bool {
 
 /// What a name means in expressions already.
 fn meaning(name: &str) -> Option<&'static str> {
-    let variables = OWN.iter().chain(&DRIVER).chain(&OVER).chain(&CONDITION_NAMES);
+    let variables = OWN
+        .iter()
+        .chain(&DRIVER)
+        .chain(&OVER)
+        .chain(&CONDITION_NAMES);
     let mut names = variables.map(|one| one.0);
     match names.any(|variable| variable == name) {
         true => Some("a variable"),
@@ -112,7 +119,10 @@ fn read(mut slot: Slot<'_>) -> Option<()> {
     let mut all = BTreeMap::new();
     for (at, member) in members.iter().enumerate() {
         let value = evaluation.values[at];
-        canonical.insert(member.name.clone(), value.map_or(Json::Null, |one| json!(one.value)));
+        canonical.insert(
+            member.name.clone(),
+            value.map_or(Json::Null, |one| json!(one.value)),
+        );
         let parameter = Parameter {
             place: member.name_place.clone(),
             value_place: member.value.place.clone(),
@@ -157,7 +167,11 @@ impl<'m> Evaluation<'m> {
     fn new(members: &'m [Member]) -> Self {
         Self {
             members,
-            index: members.iter().map(|one| one.name.as_str()).zip(0..).collect(),
+            index: members
+                .iter()
+                .map(|one| one.name.as_str())
+                .zip(0..)
+                .collect(),
             values: vec![None; members.len()],
             used: vec![false; members.len()],
             faults: Vec::new(),
@@ -182,7 +196,9 @@ impl<'m> Evaluation<'m> {
                     "names are made of letters, digits and `_`, and begin with a letter or `_`",
                 ),
                 Some(what) => (
-                    format!("`{name}` cannot be the name of a parameter: it is {what} of expressions"),
+                    format!(
+                        "`{name}` cannot be the name of a parameter: it is {what} of expressions"
+                    ),
                     "choose another name",
                 ),
                 None => continue,
@@ -269,7 +285,9 @@ impl<'m> Evaluation<'m> {
         for place in others {
             fault = fault.also(place, "");
         }
-        fault.hints.push("give one of them a value of its own".to_owned());
+        fault
+            .hints
+            .push("give one of them a value of its own".to_owned());
         self.faults.pop();
         self.faults.push(fault);
     }
@@ -279,18 +297,25 @@ impl<'m> Evaluation<'m> {
         let text = match &node.value {
             Value::Number(value) if value.is_finite() => return Some(Measure::bare(*value)),
             Value::Number(_) => {
-                self.fault(at, "not-finite", "this is too large for a number".to_owned());
+                self.fault(
+                    at,
+                    "not-finite",
+                    "this is too large for a number".to_owned(),
+                );
                 return None;
             }
             Value::Text(text) => text,
             _ => {
                 let message = format!("a parameter must be a number, found {}", node.type_name());
                 let hint = "a number, or a text: \"50 mm\", \"r/2\"";
-                self.fault(at, "wrong-type", message).hints.push(hint.to_owned());
+                self.fault(at, "wrong-type", message)
+                    .hints
+                    .push(hint.to_owned());
                 return None;
             }
         };
-        if let Ok(measure) = parse(text) {
+        let refers = !self.references(at).is_empty();
+        if let Some(measure) = parse(text).ok().filter(|_| !refers) {
             return Some(measure);
         }
         match formula(text, &mut *self) {
@@ -327,10 +352,13 @@ impl Scope for Evaluation<'_> {
 pub(super) fn unused(found: &[(&str, &Place, &Place)]) -> Vec<Diagnostic> {
     let hint = "write its name in place of a number, or remove it";
     let single = |(name, place, _): &(&str, &Place, &Place)| {
-        Diagnostic::warning("unused-parameter", format!("nothing refers to the parameter `{name}`"))
-            .at((*place).clone())
-            .path(format!("parameters.{name}"))
-            .hint(hint)
+        Diagnostic::warning(
+            "unused-parameter",
+            format!("nothing refers to the parameter `{name}`"),
+        )
+        .at((*place).clone())
+        .path(format!("parameters.{name}"))
+        .hint(hint)
     };
     let mut all: Vec<Diagnostic> = found.iter().take(MOST_FAULTS).map(single).collect();
     if let Some((first, place, _)) = found.get(MOST_FAULTS) {

@@ -83,12 +83,15 @@ fn of_file(mut slot: Slot<'_>, wanted: [QuantityChoice; 2], least: usize) -> Opt
         }
         Ok(rows) => {
             let count = rows.len();
-            let message = format!("the file `{name}` has {count} rows, at least {least} are needed");
+            let message =
+                format!("the file `{name}` has {count} rows, at least {least} are needed");
             refuse(&mut slot, Diagnostic::error("wrong-length", message), &at);
             None
         }
         Err(faults) => {
-            faults.into_iter().for_each(|fault| refuse(&mut slot, fault, &at));
+            faults
+                .into_iter()
+                .for_each(|fault| refuse(&mut slot, fault, &at));
             None
         }
     }

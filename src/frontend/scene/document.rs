@@ -6,13 +6,10 @@ use super::objects::ObjectTable;
 use super::overrides::{self, Overrides};
 use super::{Catalogue, Levels, TypedScene, address, root};
 use crate::fault::Fault;
-use crate::frontend::diagnostics::{
-    Diagnostic, Diagnostics, Place, Severity, Source, Sources,
-};
+use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Place, Severity, Source, Sources};
 use crate::frontend::object::Registry;
 use crate::frontend::read::{
-    self, Declared, Files, Member, Node, Parameters, Reader, TableFile, Value,
-    did_you_mean,
+    self, Declared, Files, Member, Node, Parameters, Reader, TableFile, Value, did_you_mean,
 };
 use hash::hash;
 use std::collections::BTreeMap;
@@ -186,8 +183,13 @@ impl Document {
         let known = ObjectTable::new(&self.registry);
         let (read, canonical) = reader.read(Some(&tree), "", |slot| root::read(slot, known));
         let unused = reader.unused_parameters();
-        let wrong = reader.diagnostics.iter().any(|one| one.severity == Severity::Error);
-        reader.diagnostics.extend(unused.into_iter().filter(|_| !wrong));
+        let wrong = reader
+            .diagnostics
+            .iter()
+            .any(|one| one.severity == Severity::Error);
+        reader
+            .diagnostics
+            .extend(unused.into_iter().filter(|_| !wrong));
         for mut fault in reader.diagnostics {
             // As it is addressed everywhere else: `rocker.pair.gap`.
             if let Some(address) = fault.path.strip_prefix("objects.") {
@@ -291,7 +293,7 @@ fn files(tree: &Node, catalogue: &dyn Catalogue, sources: &mut Sources) -> Files
             continue;
         }
         let found = match files.len() < MOST_FILES && size <= MOST_OF_FILES {
-            true => table_file(name, catalogue, sources, &mut size),
+            true => table_file(name, catalogue, sources, &mut size).map_err(|fault| *fault),
             false => {
                 let message = format!(
                     "a scene takes at most {MOST_FILES} files, of {} MB together",
@@ -314,14 +316,18 @@ fn table_file(
     catalogue: &dyn Catalogue,
     sources: &mut Sources,
     size: &mut usize,
-) -> Result<TableFile, Diagnostic> {
-    let (name, bytes) = catalogue.table(name).map_err(|fault| *fault)?;
+) -> Result<TableFile, Box<Diagnostic>> {
+    let (name, bytes) = catalogue.table(name)?;
     *size += bytes.len();
     let wrong = |error: std::string::FromUtf8Error| {
         let at = error.utf8_error().valid_up_to();
-        let line = error.as_bytes()[..at].iter().filter(|&&b| b == b'\n').count() + 1;
+        let line = error.as_bytes()[..at]
+            .iter()
+            .filter(|&&b| b == b'\n')
+            .count()
+            + 1;
         let message = format!("`{name}` is not UTF-8: line {line}");
-        Diagnostic::error("not-utf8", message).hint("save it as UTF-8")
+        Box::new(Diagnostic::error("not-utf8", message).hint("save it as UTF-8"))
     };
     let mut text = String::from_utf8(bytes).map_err(wrong)?;
     // A byte-order mark is no part of the first name.

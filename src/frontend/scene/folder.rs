@@ -136,22 +136,28 @@ fn table(folder: &Path, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
     };
     let shown = folder.join(name);
     let (Ok(root), Ok(real)) = (root.canonicalize(), shown.canonicalize()) else {
-        let missing = fault("missing-file", format!("there is no file `{name}` in the folder of the scene"));
+        let missing = fault(
+            "missing-file",
+            format!("there is no file `{name}` in the folder of the scene"),
+        );
         return Err(Box::new(missing.maybe_hint(like(folder, name))));
     };
     if !real.starts_with(root) {
         return Err(outside());
     }
     let unread = |error: &dyn std::fmt::Display| {
-        fault("missing-file", format!("the file `{name}` cannot be read: {error}"))
+        fault(
+            "missing-file",
+            format!("the file `{name}` cannot be read: {error}"),
+        )
     };
     // Reading a pipe might never end.
     if !real.is_file() {
         return Err(unread(&"it is no plain file"));
     }
     let mut bytes = Vec::new();
-    let read = fs::File::open(&real)
-        .and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
+    let read =
+        fs::File::open(&real).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
     match read {
         Err(error) => Err(unread(&error)),
         Ok(_) if bytes.len() as u64 > MOST_BYTES => {

@@ -2,9 +2,7 @@
 
 use super::address::{self, RESERVED, Step};
 use crate::frontend::diagnostics::{Diagnostic, Place, Source, SourceId, Sources};
-use crate::frontend::read::{
-    Member, Node, Value, did_you_mean, parse_fragment, synonyms,
-};
+use crate::frontend::read::{Member, Node, Value, did_you_mean, parse_fragment, synonyms};
 use std::sync::Arc;
 
 /// Properties to be changed before a scene is read, in order.

@@ -9,12 +9,13 @@ use crate::frontend::read::tree::Node;
 use serde_json::{Value as Json, json};
 
 /// What words mean that other programs and textbooks have for properties.
-const MEANT: [(&str, &[&str]); 30] = [
+const MEANT: [(&str, &[&str]); 33] = [
     ("stroke", &["lift", "amplitude"]),
     ("travel", &["lift", "amplitude"]),
     ("width", &["thickness"]),
     ("turns", &["duration"]),
     ("time", &["duration"]),
+    ("duration", &["time"]),
     ("end", &["duration"]),
     ("t_end", &["duration"]),
     ("rpm", &["speed"]),
@@ -29,6 +30,8 @@ const MEANT: [(&str, &[&str]); 30] = [
     ("m", &["mass", "inertia"]),
     ("inertia", &["moment"]),
     ("weight", &["mass", "inertia"]),
+    ("mass", &["inertia"]),
+    ("moment_of_inertia", &["inertia"]),
     ("dashpot", &["damping"]),
     ("damper", &["damping"]),
     ("damping_ratio", &["damping_capacity"]),
@@ -45,7 +48,8 @@ const MEANT: [(&str, &[&str]); 30] = [
 /// The property that a foreign word means, among those that are not given.
 fn meant(word: &str, absent: &[&'static str]) -> Option<&'static str> {
     let (_, all) = MEANT.iter().find(|one| one.0 == word)?;
-    all.iter().find_map(|name| absent.iter().copied().find(|one| one == name))
+    all.iter()
+        .find_map(|name| absent.iter().copied().find(|one| one == name))
 }
 
 impl Fields<'_> {
