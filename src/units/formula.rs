@@ -30,16 +30,16 @@ pub(crate) trait Scope {
 /// The quantity that a formula gives; `Ok(None)`: it uses a name of which it has been said
 /// what is wrong.
 pub(crate) fn formula(text: &str, scope: &mut dyn Scope) -> Result<Option<Measure>, Mistake> {
-    let mut reader = Reader {
+    let mut symbols = FormulaSymbols {
         scope,
         quantities: Vec::new(),
         faulty: false,
     };
-    let expression = Expression::with(text, &mut reader)?;
-    if reader.faulty {
+    let expression = Expression::with(text, &mut symbols)?;
+    if symbols.faulty {
         return Ok(None);
     }
-    let quantities = reader.quantities;
+    let quantities = symbols.quantities;
     let wrong = |message: &str, hint: &str| Mistake {
         message: format!("\"{text}\": {message}"),
         hint: hint.to_owned(),
@@ -73,14 +73,14 @@ pub(crate) fn hidden(name: &str) -> Option<&'static str> {
 /// Units that names may be called like.
 const REVOLUTIONS: [&str; 2] = ["r", "U"];
 
-struct Reader<'s> {
+struct FormulaSymbols<'s> {
     scope: &'s mut dyn Scope,
     /// By the index of their variable.
     quantities: Vec<Measure>,
     faulty: bool,
 }
 
-impl Reader<'_> {
+impl FormulaSymbols<'_> {
     /// Numbers without a unit are calculated with, all others keep their dimension.
     fn take(&mut self, quantity: Measure) -> Symbol {
         if quantity.bare {
@@ -91,7 +91,7 @@ impl Reader<'_> {
     }
 }
 
-impl Symbols for Reader<'_> {
+impl Symbols for FormulaSymbols<'_> {
     fn symbol(&mut self, name: &str) -> Option<Symbol> {
         let found = self.scope.quantity(name)?;
         self.faulty |= found.is_none();

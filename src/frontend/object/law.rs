@@ -2,7 +2,7 @@
 
 use crate::fault::Fault;
 use crate::frontend::diagnostics::{Diagnostics, Place, Source, Sources};
-use crate::frontend::read::{Bounds, Fields, Node, Reader, Slot, Value, parse_fragment};
+use crate::frontend::read::{Bounds, Fields, Node, Reader, Slot, Value, parse_fragment, points};
 use crate::kinematics::motion::law::{MOST_CONDITIONS, PolynomialSpec, SectionsSpec, TABLE_POINTS};
 use crate::kinematics::motion::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
 use crate::units::quantities as q;
@@ -167,7 +167,7 @@ fn polynomial(slot: Slot<'_>) -> Option<PolynomialSpec> {
 
 fn table(mut slot: Slot<'_>) -> Option<Vec<(f64, f64)>> {
     let least = *TABLE_POINTS.start();
-    let found = slot.read_in_place(|slot| slot.points(q::NUMBER, q::NUMBER, least))?;
+    let found = slot.read_in_place(|slot| points(slot, q::NUMBER, q::NUMBER, least))?;
     if found.len() > *TABLE_POINTS.end() {
         let message = format!("a law takes at most {} points", TABLE_POINTS.end());
         slot.refuse("wrong-length", message);

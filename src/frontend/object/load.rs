@@ -7,7 +7,7 @@ use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::written;
 use crate::dynamics::laws::{self, Declared, Domain, ForceLaw, Measure, Parameter};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, points};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
@@ -121,7 +121,7 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
     law.case(
         "time_table",
         "List of [time, force]: linear between the points, constant outside.",
-        |slot| slot.points(q::TIME, force, 1).map(LoadLawSpec::TimeTable),
+        |slot| points(slot, q::TIME, force, 1).map(LoadLawSpec::TimeTable),
     );
     if let On::Chain { driver, .. } | On::Output { driver, .. } = on {
         law.case(
@@ -172,7 +172,7 @@ fn position_table(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Op
         let points = fields.need(
             "points",
             "List of [driver's displacement, force]: linear between the points.",
-            |slot| slot.points(driver.displacement(), force, 1),
+            |slot| points(slot, driver.displacement(), force, 1),
         );
         let doc = "Repeats after this much of the driver's displacement; without it the force is constant outside the points";
         let period = period(fields, driver, doc);

@@ -7,7 +7,7 @@ use super::written;
 use crate::dynamics::builder::written as builder;
 use crate::dynamics::laws::{self, ForceLaw};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, Slot};
+use crate::frontend::read::{Bounds, Fields, Slot, points};
 use serde_json::json;
 
 pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<MotorSpec> {
@@ -91,8 +91,7 @@ fn law(fields: &mut Fields<'_>, own: Measures) -> Option<LoadLawSpec> {
         false => "List of [speed, force]: linear between the points, constant outside.",
     };
     law.case("table", doc, |slot| {
-        slot.points(own.speed(), own.force(), 2)
-            .map(LoadLawSpec::SpeedTable)
+        points(slot, own.speed(), own.force(), 2).map(LoadLawSpec::SpeedTable)
     });
     let names = written::with_over(builder::OWN.to_vec(), fields_have_over);
     law.case(

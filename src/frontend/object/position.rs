@@ -8,7 +8,7 @@ use super::measures::PositionMeasures;
 use super::measures::any;
 use super::plan;
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
-use crate::frontend::read::{Bounds, Fields, Slot};
+use crate::frontend::read::{Bounds, Fields, Slot, points};
 use crate::kinematics::position::{CustomPosition, PositionSpec, SlottedDriver, SlottedOutput};
 use crate::units::quantities as q;
 use linkages::{four_bar, slider_crank, slotted_link};
@@ -271,7 +271,7 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
         let points = fields.need(
             "points",
             "List of [driver's displacement, displacement], at least three, the first values ascending.",
-            |slot| slot.points(ends.driver.displacement(), ends.output.displacement(), 3),
+            |slot| points(slot, ends.driver.displacement(), ends.output.displacement(), 3),
         );
         let periodic = fields.or(
             "periodic",

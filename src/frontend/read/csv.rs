@@ -6,8 +6,8 @@
 //! separator no number has a decimal comma.
 
 use super::suggest::{did_you_mean, quoted_list};
+use super::tree::{Node, Value};
 use super::wanted::QuantityChoice;
-use super::{Node, UnitFault, Value};
 use crate::frontend::diagnostics::{Diagnostic, Place, Source, SourceId};
 use crate::units::{number_and_unit, parse};
 use std::borrow::Cow;
@@ -236,13 +236,13 @@ impl<'f> Csv<'f> {
             let message = format!("unknown unit `{}`", column.unit);
             return Err(Box::new(self.fault(message, place).hint(hint)));
         };
-        let Err(mismatch) = wanted.accept(measure) else {
+        if wanted.accept(measure).is_ok() {
             return Ok(());
-        };
-        let words = (wanted.first.si(), &*wanted.words());
-        let wrong = UnitFault::new((column.name, column.unit), (measure, mismatch), words);
-        let fault = Diagnostic::error(wrong.code, wrong.message).at(self.place(place));
-        Err(Box::new(fault.label(wrong.label).hint(hint)))
+        }
+        let message = format!("the column `{}` has the wrong unit", column.name);
+        let fault = Diagnostic::error("wrong-unit", message).at(self.place(place));
+        let label = format!("this is in {}", measure.dimension);
+        Err(Box::new(fault.label(label).hint(hint)))
     }
 
     /// Reads row by row; the cells are those of the header.
@@ -332,7 +332,7 @@ impl<'f> Csv<'f> {
         if !self.is_number(cell) {
             let message = match text.is_empty() {
                 true => format!("the column `{}` has no number here", column.name),
-                false => format!("`{}` is not a number", super::number::shorten(&text)),
+                false => format!("`{}` is not a number", shortened(&text)),
             };
             let comma = self.separator == ',' && text.contains(',');
             let hint = comma.then(|| "a decimal comma needs a semicolon as separator".to_owned());
@@ -374,6 +374,14 @@ fn bare(line: &str, range: Range<usize>) -> Range<usize> {
     match inner {
         Some(inner) => start + 1..start + 1 + inner.len(),
         None => start..start + text.len(),
+    }
+}
+
+/// The beginning of a long cell.
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(40) {
+        None => text.to_owned(),
+        Some((at, _)) => format!("{}…", &text[..at]),
     }
 }
 

@@ -4,6 +4,7 @@
 use super::dimension::{Dimensions, Entry};
 use super::fields::Fields;
 use super::formulas::FORMULA_PATTERN;
+use super::parameters;
 use super::slot::Slot;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
@@ -32,6 +33,21 @@ impl Fields<'_> {
             })
         });
         self.reader.dimensions = Dimensions { entries };
+    }
+
+    /// Reads `parameters` of the scene, to which all numbers asked for from here on may refer.
+    pub fn parameters(&mut self, doc: &str) -> Option<()> {
+        self.maybe("parameters", doc, parameters::read).map(drop)
+    }
+
+    /// A parameter with a unit that the text of a property refers to.
+    pub(crate) fn quantity_in(&self, property: &str) -> Option<&str> {
+        let text = self.member(property)?.value.text()?;
+        let mut words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+        words.find(|word| {
+            let found = self.reader.parameters.get(word).flatten();
+            found.is_some_and(|found| !found.bare)
+        })
     }
 
     /// Ends the scope of the named numbers; false when some were not used.

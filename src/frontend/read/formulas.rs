@@ -2,12 +2,11 @@
 //! object that is being read.
 
 use super::dimension::Dimensions;
-use super::fields::Fields;
-use super::parameters::Parameters;
+use super::parameter::Parameters;
 use super::slot::{Reader, Slot};
 use super::suggest::{did_you_mean, quoted_list};
 use super::wanted::QuantityChoice;
-use crate::frontend::diagnostics::{Diagnostic, Place};
+use crate::frontend::diagnostics::Place;
 use crate::math::expression::{Expression, Mistake, Names, Symbol, Symbols};
 use crate::units::{Measure, Scope, formula, hidden, known_units, number_and_unit, parse};
 use std::collections::BTreeSet;
@@ -122,29 +121,17 @@ impl Scope for Named<'_> {
     }
 }
 
-impl Reader {
-    fn named(&mut self) -> Named<'_> {
-        Named {
-            dimensions: &mut self.dimensions,
-            parameters: &self.parameters,
-            used: &mut self.used,
-        }
+/// The names that a reader has in force.
+fn named(reader: &mut Reader) -> Named<'_> {
+    Named {
+        dimensions: &mut reader.dimensions,
+        parameters: &reader.parameters,
+        used: &mut reader.used,
     }
+}
 
-    fn has_names(&self) -> bool {
-        !(self.dimensions.entries.is_empty() && self.parameters.is_empty())
-    }
-
-    /// Warnings of parameters that nothing refers to. What refers to them may have been
-    /// set to another value from the command line: then those alone that are set there.
-    pub fn unused_parameters(&self) -> Vec<Diagnostic> {
-        let found = self.parameters.unused(|name| self.used.contains(name));
-        let set = |place: &Place| self.overrides.contains(&place.source);
-        let found: Vec<_> = found
-            .filter(|(_, _, value)| self.overrides.is_empty() || set(value))
-            .collect();
-        super::parameters::unused(&found)
-    }
+fn has_names(reader: &Reader) -> bool {
+    !(reader.dimensions.entries.is_empty() && reader.parameters.is_empty())
 }
 
 /// Variables of an expression, and the parameters of the scene as numbers in SI units.
@@ -173,18 +160,6 @@ impl Symbols for InExpression<'_> {
     }
 }
 
-impl Fields<'_> {
-    /// A parameter with a unit that the text of a property refers to.
-    pub(crate) fn quantity_in(&self, property: &str) -> Option<&str> {
-        let text = self.member(property)?.value.text()?;
-        let mut words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
-        words.find(|word| {
-            let found = self.reader.parameters.get(word).flatten();
-            found.is_some_and(|found| !found.bare)
-        })
-    }
-}
-
 impl Slot<'_> {
     /// An expression over variables and the parameters of the scene; `Ok(None)`: it uses a
     /// parameter of which it has been said what is wrong.
@@ -195,7 +170,7 @@ impl Slot<'_> {
     ) -> Result<Option<Expression>, Mistake> {
         let mut symbols = InExpression {
             variables,
-            named: self.reader.named(),
+            named: named(self.reader),
             faulty: false,
         };
         let found = Expression::with(text, &mut symbols)?;
@@ -209,7 +184,7 @@ impl Slot<'_> {
     }
 
     fn refers(&self, text: &str) -> bool {
-        if !self.reader.has_names() {
+        if !has_names(self.reader) {
             return false;
         }
         let mut words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
@@ -230,12 +205,12 @@ impl Slot<'_> {
             .trim_start()
             .trim_start_matches(['-', '+'])
             .trim_start();
-        let named = starts.starts_with(|c: char| c.is_alphabetic() || c == '_');
+        let by_name = starts.starts_with(|c: char| c.is_alphabetic() || c == '_');
         // Of 10 N/r the r may be a unit too.
         let refers = self.refers(text);
         match parse(text) {
             Ok(measure) if !refers => return Some(measure),
-            Err(error) if !(refers || is_calculated(text) || named && self.reader.has_names()) => {
+            Err(error) if !(refers || is_calculated(text) || by_name && has_names(self.reader)) => {
                 self.unit_fault(text, error, wanted);
                 return None;
             }
@@ -244,11 +219,11 @@ impl Slot<'_> {
         if !self.sure(text) {
             return None;
         }
-        let found = formula(text, &mut self.reader.named());
+        let found = formula(text, &mut named(self.reader));
         found.unwrap_or_else(|mistake| {
             let names = match self.reader.diagnostics.len() > MOST_FAULTS {
                 true => Vec::new(),
-                false => self.reader.named().names(),
+                false => named(self.reader).names(),
             };
             let wrong = fault(text, &mistake, &names);
             let place = place(&self.place(), text, &mistake);
@@ -262,7 +237,7 @@ impl Slot<'_> {
     /// The quantity that a text states, where nothing is wrong with it.
     pub(crate) fn quantity_of(&mut self, text: &str) -> Option<Measure> {
         let literal = parse(text).ok().filter(|_| !self.refers(text));
-        literal.or_else(|| formula(text, &mut self.reader.named()).ok().flatten())
+        literal.or_else(|| formula(text, &mut named(self.reader)).ok().flatten())
     }
 
     /// Refuses a unit that is also the name of a parameter: `2 r`.

@@ -3,10 +3,9 @@
 //! They are evaluated once, in the order in which they depend on each other, before
 //! anything else is read. A number or an expression of the scene then refers to them.
 
-use super::fields::Fields;
 use super::formulas::FORMULA_PATTERN;
+use super::parameter::{MOST_FAULTS, MOST_OF_CIRCLE, Parameter, Parameters};
 use super::slot::Slot;
-use super::suggest::quoted_list;
 use super::tree::{Member, Node, Value};
 use super::wanted::QuantityChoice;
 use crate::dynamics::builder::written::{DRIVER, OVER, OWN};
@@ -16,57 +15,6 @@ use crate::units::quantities::{ALL, ANYTHING};
 use crate::units::{Measure, Scope, formula, hidden, parse};
 use serde_json::{Map, Value as Json, json};
 use std::collections::BTreeMap;
-use std::sync::Arc;
-
-/// Faults of parameters of which each is reported.
-const MOST_FAULTS: usize = 20;
-
-/// Names that a circle is reported with.
-const MOST_OF_CIRCLE: usize = 8;
-
-/// The parameters of a scene, evaluated.
-#[derive(Clone, Debug, Default)]
-pub struct Parameters(Arc<BTreeMap<String, Parameter>>);
-
-#[derive(Clone, Debug)]
-struct Parameter {
-    place: Place,
-    /// Place of its value.
-    value_place: Place,
-    /// `None`: it is faulty, which has been said.
-    value: Option<Measure>,
-    /// Whether another parameter refers to it.
-    used: bool,
-}
-
-impl Parameters {
-    /// What a name stands for: see [`Scope::quantity`].
-    pub(super) fn get(&self, name: &str) -> Option<Option<Measure>> {
-        self.0.get(name).map(|one| one.value)
-    }
-
-    /// The names, ascending.
-    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
-        self.0.keys().map(String::as_str)
-    }
-
-    /// True when there is none.
-    pub(super) fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
-    /// Parameters that nothing refers to, with the places of name and value.
-    pub(super) fn unused<'p>(
-        &'p self,
-        used: impl Fn(&str) -> bool + 'p,
-    ) -> impl Iterator<Item = (&'p str, &'p Place, &'p Place)> {
-        let unused = self
-            .0
-            .iter()
-            .filter(move |(name, one)| !one.used && !used(name));
-        unused.map(|(name, one)| (name.as_str(), &one.place, &one.value_place))
-    }
-}
 
 /// True for a name that parameters may have; a hyphen would be a minus in formulas.
 fn is_sound(name: &str) -> bool {
@@ -87,14 +35,8 @@ fn meaning(name: &str) -> Option<&'static str> {
     }
 }
 
-impl Fields<'_> {
-    /// Reads `parameters`, to which all numbers asked for from here on may refer.
-    pub fn parameters(&mut self, doc: &str) -> Option<()> {
-        self.maybe("parameters", doc, read).map(drop)
-    }
-}
-
-fn read(mut slot: Slot<'_>) -> Option<()> {
+/// Reads the parameters of a scene.
+pub(super) fn read(mut slot: Slot<'_>) -> Option<()> {
     if slot.describing() {
         slot.describe(json!({
             "type": "object",
@@ -142,7 +84,7 @@ fn read(mut slot: Slot<'_>) -> Option<()> {
         slot.refuse("parameters", message);
     }
     *slot.out = Json::Object(canonical);
-    slot.reader.parameters = Parameters(Arc::new(all));
+    slot.reader.parameters = Parameters::new(all);
     sound.then_some(())
 }
 
@@ -215,20 +157,20 @@ impl<'m> Evaluation<'m> {
         let count = self.members.len();
         let references: Vec<Vec<usize>> = (0..count).map(|at| self.references(at)).collect();
         let mut open: Vec<usize> = references.iter().map(Vec::len).collect();
-        let mut followers: Vec<Vec<usize>> = vec![Vec::new(); count];
+        let mut dependents: Vec<Vec<usize>> = vec![Vec::new(); count];
         for (at, references) in references.iter().enumerate() {
             for &other in references {
-                followers[other].push(at);
+                dependents[other].push(at);
                 self.used[other] |= other != at;
             }
         }
         let mut ready: Vec<usize> = (0..count).filter(|&at| open[at] == 0).collect();
         while let Some(at) = ready.pop() {
             self.values[at] = self.value(at);
-            for &follower in &followers[at] {
-                open[follower] -= 1;
-                if open[follower] == 0 {
-                    ready.push(follower);
+            for &dependent in &dependents[at] {
+                open[dependent] -= 1;
+                if open[dependent] == 0 {
+                    ready.push(dependent);
                 }
             }
         }
@@ -346,32 +288,4 @@ impl Scope for Evaluation<'_> {
         let names = self.members.iter().take(most);
         names.map(|one| one.name.clone()).collect()
     }
-}
-
-/// What is said of parameters that nothing refers to.
-pub(super) fn unused(found: &[(&str, &Place, &Place)]) -> Vec<Diagnostic> {
-    let hint = "write its name in place of a number, or remove it";
-    let single = |(name, place, _): &(&str, &Place, &Place)| {
-        Diagnostic::warning(
-            "unused-parameter",
-            format!("nothing refers to the parameter `{name}`"),
-        )
-        .at((*place).clone())
-        .path(format!("parameters.{name}"))
-        .hint(hint)
-    };
-    let mut all: Vec<Diagnostic> = found.iter().take(MOST_FAULTS).map(single).collect();
-    if let Some((first, place, _)) = found.get(MOST_FAULTS) {
-        let count = found.len() - MOST_FAULTS;
-        let names = found[MOST_FAULTS..].iter().map(|one| one.0);
-        let message = match count {
-            1 => format!("nothing refers to the parameter `{first}`"),
-            _ => format!(
-                "nothing refers to {count} more parameters: {}, …",
-                quoted_list(names.take(MOST_OF_CIRCLE), "and")
-            ),
-        };
-        all.push(Diagnostic::warning("unused-parameter", message).at((*place).clone()));
-    }
-    all
 }

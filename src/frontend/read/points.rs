@@ -10,37 +10,35 @@ use serde_json::json;
 /// Most points of a list.
 const MOST_POINTS: usize = 100_000;
 
-impl Slot<'_> {
-    /// Reads `[[x, y], …]` with x strictly ascending, or `{ "file": "lift.csv" }`.
-    pub fn points(
-        mut self,
-        x: impl Into<QuantityChoice>,
-        y: impl Into<QuantityChoice>,
-        least: usize,
-    ) -> Option<Vec<(f64, f64)>> {
-        let wanted = [x.into(), y.into()];
-        let rows: Vec<Row> = self.read_in_place(|slot| {
-            slot.object_or(
-                |slot| slot.defined("table_file", |slot| of_file(slot, wanted, least)),
-                |slot| of_list(slot, wanted, least),
-            )
-        })?;
-        let wrong = rows.windows(2).find(|pair| pair[1].0.0 <= pair[0].0.0);
-        let Some([before, row]) = wrong else {
-            return Some(rows.into_iter().map(|row| row.0).collect());
-        };
-        let message = format!(
-            "the first values must ascend: {} follows {}",
-            row.0.0, before.0.0
-        );
-        let place = row.1.clone();
-        let at = rows.iter().position(|one| one.0 == row.0).unwrap_or(0);
-        let path = format!("{}[{at}]", self.path);
-        let fault = self.refuse("not-ascending", message);
-        fault.place = Some(place);
-        fault.path = path;
-        None
-    }
+/// Reads `[[x, y], …]` with x strictly ascending, or `{ "file": "lift.csv" }`.
+pub fn points(
+    mut slot: Slot<'_>,
+    x: impl Into<QuantityChoice>,
+    y: impl Into<QuantityChoice>,
+    least: usize,
+) -> Option<Vec<(f64, f64)>> {
+    let wanted = [x.into(), y.into()];
+    let rows: Vec<Row> = slot.read_in_place(|slot| {
+        slot.object_or(
+            |slot| slot.defined("table_file", |slot| of_file(slot, wanted, least)),
+            |slot| of_list(slot, wanted, least),
+        )
+    })?;
+    let wrong = rows.windows(2).find(|pair| pair[1].0.0 <= pair[0].0.0);
+    let Some([before, row]) = wrong else {
+        return Some(rows.into_iter().map(|row| row.0).collect());
+    };
+    let message = format!(
+        "the first values must ascend: {} follows {}",
+        row.0.0, before.0.0
+    );
+    let place = row.1.clone();
+    let at = rows.iter().position(|one| one.0 == row.0).unwrap_or(0);
+    let path = format!("{}[{at}]", slot.path);
+    let fault = slot.refuse("not-ascending", message);
+    fault.place = Some(place);
+    fault.path = path;
+    None
 }
 
 fn of_list(slot: Slot<'_>, [x, y]: [QuantityChoice; 2], least: usize) -> Option<Vec<Row>> {

@@ -3,7 +3,7 @@
 use super::bounds::Bounds;
 use super::csv::Files;
 use super::dimension::Dimensions;
-use super::parameters::Parameters;
+use super::parameter::{Parameters, unused};
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use super::wanted::QuantityChoice;
@@ -71,6 +71,17 @@ impl Reader {
     /// The numbers met, faulty ones too, in the order of reading.
     pub fn numbers(self) -> Vec<Declared> {
         self.numbers.unwrap_or_default()
+    }
+
+    /// Warnings of parameters that nothing refers to. What refers to them may have been
+    /// set to another value from the command line: then those alone that are set there.
+    pub fn unused_parameters(&self) -> Vec<Diagnostic> {
+        let found = self.parameters.unused(|name| self.used.contains(name));
+        let set = |place: &Place| self.overrides.contains(&place.source);
+        let found: Vec<_> = found
+            .filter(|(_, _, value)| self.overrides.is_empty() || set(value))
+            .collect();
+        unused(&found)
     }
 
     /// A reader that writes the JSON Schema of whatever it is made to read.

@@ -5,7 +5,7 @@ use super::pairs;
 use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::measures::Measures;
-use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, points};
 use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, PairSpec};
 use crate::units::quantities as q;
 use serde_json::json;
@@ -226,7 +226,7 @@ fn over_input(
     input: Measures,
 ) -> Option<OverInput> {
     let list = fields.need("points", doc, |slot| {
-        slot.points(input.displacement(), value, 1)
+        points(slot, input.displacement(), value, 1)
     });
     let doc = "Repeats after this much of the input coordinate";
     let period = fields.maybe("period", doc, |slot| {
