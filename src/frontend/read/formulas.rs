@@ -8,7 +8,7 @@ use super::suggest::{did_you_mean, quoted_list};
 use super::wanted::QuantityChoice;
 use crate::frontend::diagnostics::Place;
 use crate::math::expression::{Expression, Mistake, Names, Symbol, Symbols};
-use crate::units::{Measure, Scope, formula, hidden, known_units, number_and_unit, parse};
+use crate::units::{Measure, Scope, formula, known_units, number_and_unit, parse};
 use std::collections::BTreeSet;
 
 /// Texts that are a number with or without a unit, or a formula.
@@ -35,7 +35,7 @@ pub(super) fn fault(text: &str, mistake: &Mistake, names: &[String]) -> Wrong {
     let word = text.get(mistake.place.clone()).unwrap_or_default();
     let all = || names.iter().map(String::as_str);
     let unknown = mistake.message.ends_with("is not known");
-    let is_unit = hidden(word) == Some("a unit");
+    let is_unit = known_units().iter().any(|unit| unit == word);
     let hint = match unknown {
         _ if is_unit => format!("a unit stands after a number: 1 {word}"),
         true => did_you_mean(word, all()).unwrap_or_else(|| match names.is_empty() {
@@ -240,15 +240,18 @@ impl Slot<'_> {
         literal.or_else(|| formula(text, &mut named(self.reader)).ok().flatten())
     }
 
-    /// Refuses a unit that is also the name of a parameter: `2 r`.
+    /// Refuses a parameter right after a number, where a unit is read: `2 r`.
     fn sure(&mut self, text: &str) -> bool {
         let unit = number_and_unit(text).map_or("", |found| found.1);
         if unit.is_empty() || self.reader.parameters.get(unit).is_none() {
             return true;
         }
-        let message = format!("`{unit}` is a parameter, and a unit: revolutions");
+        let message = format!("an operator is missing before the parameter `{unit}`");
         let number = text.trim().trim_end_matches(unit).trim();
-        let hint = format!("write \"{number}*{unit}\", or \"{number} rev\"");
+        let hint = match parse(text) {
+            Ok(_) => format!("write \"{number}*{unit}\", or \"{number} rev\" for revolutions"),
+            Err(_) => format!("write \"{number}*{unit}\""),
+        };
         self.refuse("ambiguous-unit", message).hints.push(hint);
         false
     }
