@@ -57,6 +57,9 @@ struct Csv<'f> {
     start: usize,
 }
 
+/// Takes the cells of a row.
+type RowReader<'r> = dyn FnMut(&[Range<usize>]) -> Result<(), Box<Diagnostic>> + 'r;
+
 /// The faults of a table.
 type Faults = Vec<Diagnostic>;
 
@@ -246,10 +249,7 @@ impl<'f> Csv<'f> {
     }
 
     /// Reads row by row; the cells are those of the header.
-    fn each_row(
-        &self,
-        read: &mut dyn FnMut(&[Range<usize>]) -> Result<(), Box<Diagnostic>>,
-    ) -> Result<(), Faults> {
+    fn each_row(&self, read: &mut RowReader<'_>) -> Result<(), Faults> {
         let (mut faults, mut count) = (Vec::new(), 0usize);
         for (start, line) in lines(self.text, self.start) {
             count += 1;

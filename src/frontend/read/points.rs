@@ -68,11 +68,10 @@ fn of_file(mut slot: Slot<'_>, wanted: [QuantityChoice; 2], least: usize) -> Opt
     let columns = columns.map(|(x, y)| [x, y]);
     let at = slot.node().and_then(|node| node.get("file"));
     let at = at.map_or_else(|| slot.place(), |node| node.place.clone());
-    let file = slot.reader.files.get(&name).cloned();
-    let file = file.unwrap_or_else(|| Err(no_folder()));
-    let rows = match file {
-        Ok(file) => file.rows(columns.as_ref(), wanted),
-        Err(fault) => Err(vec![fault]),
+    let rows = match slot.reader.files.get(&name) {
+        Some(Ok(file)) => file.rows(columns.as_ref(), wanted),
+        Some(Err(fault)) => Err(vec![fault.clone()]),
+        None => Err(vec![no_folder()]),
     };
     match rows {
         Ok(rows) if rows.len() >= least => {
