@@ -1,6 +1,6 @@
 //! A scene made ready to be asked.
 
-use super::RunOptions;
+use super::{RunOptions, requirements};
 use crate::Error;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Figures;
@@ -8,7 +8,7 @@ use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Reading, TypedScene};
-use crate::studies::expectations::unknown_figures;
+use crate::studies::expectations::{Requirement, unknown_figures};
 use crate::studies::order::{Certificate, choose};
 use crate::studies::run::{RunResult, run};
 use crate::studies::steady::{Answer, steady_motion_within};
@@ -106,6 +106,19 @@ impl Mechanism {
         self.attach(&mut found.figures, named, control)?;
         found.figures.warnings.extend(self.shortfalls());
         Ok(found)
+    }
+
+    /// Judges everything that the scene expects, in its order, by the run and the studies that it
+    /// takes; ended from outside.
+    ///
+    /// # Errors
+    /// It was ended before everything was judged.
+    pub fn verify_within(&self, control: &Control<'_>) -> Result<Vec<Requirement>, Error> {
+        let all = requirements::judged(self, control);
+        match control.is_spent() {
+            true => Err(Error::question("the judging was interrupted")),
+            false => Ok(all),
+        }
     }
 
     /// What is wrong with each figure that does not hold the accuracy that the scene asks for.
