@@ -4,7 +4,7 @@ use super::driven_end::{balanced_shares, loaded};
 use super::modes::Modal;
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, Level, Lumping, PairSpec};
 use super::{Connected, ModelBuilder, Place};
-use crate::dynamics::model::{Closure, Coordinate, DampingLaw, Law, NodeIndex, Pair};
+use crate::dynamics::model::{Closure, Coordinate, Law, Loss, NodeIndex, Pair};
 use crate::dynamics::stated::StatedPosition;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::position::{Position, PositionSpec};
@@ -267,7 +267,7 @@ impl ModelBuilder {
             closure,
             gap,
             opens,
-            law,
+            form,
             contact,
         } = spec.pair;
         self.faults.not_negative(&at.path("pair.gap"), gap);
@@ -284,7 +284,7 @@ impl ModelBuilder {
             let message = format!("{opens} is no side");
             self.fault(at, "pair.opens", message, "give + or -");
         }
-        if let DampingLaw::HuntCrossley { kappa: Some(kappa) } = law {
+        if let Loss::Factor(kappa) = form.loss {
             let path = at.path("pair.law.hunt_crossley.kappa");
             self.faults.not_negative(&path, kappa);
         }
@@ -295,7 +295,7 @@ impl ModelBuilder {
             closure,
             gap,
             opens,
-            law,
+            form,
         }
     }
 }

@@ -5,9 +5,10 @@
 
 use super::spec::{BodySpec, ChainSpec, ContactSpec};
 use super::{ChainParameters, ModelBuilder, Place};
+use crate::dynamics::laws::contact::linear_laws;
 use crate::dynamics::model::{
-    Closure, ContactElement, ContactLaw, DampingLaw, Law, Link, LinkBase, Node, NodeIndex,
-    NodeMotion, Pair, Pressing,
+    Closure, ContactElement, Elastic, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair,
+    Pressing,
 };
 use crate::kinematics::cam::{CamGeometry, DiscCam};
 use crate::kinematics::position::Position;
@@ -17,23 +18,16 @@ impl ModelBuilder {
     /// The faults of a contact element's numbers, and of what it stands in front of.
     pub(super) fn check_contact(&mut self, at: &Place, spec: &ChainSpec, contact: &ContactSpec) {
         self.check_contact_numbers(at, "pair.contact", contact);
-        if spec.pair.law != DampingLaw::KelvinVoigt {
+        if !spec.pair.form.is_linear() {
             let message = "a contact element has a law of its own";
             let hint = "remove `pair.law`, or `pair.contact`";
             self.fault(at, "pair.law", message, hint);
         }
-        let linear = matches!(
-            contact.law,
-            ContactLaw::Elastic | ContactLaw::KelvinVoigt { .. }
-        );
-        if spec.pair.closure == Closure::Bilateral && !linear {
-            let message = "a bilateral pair takes the contact laws elastic and kelvin_voigt alone";
-            self.fault(
-                at,
-                "pair.contact.law",
-                message,
-                "give one of them, or another closure",
-            );
+        if spec.pair.closure == Closure::Bilateral && !contact.law.declaration().linear {
+            let laws = linear_laws("", "and");
+            let message = format!("a bilateral pair takes the contact laws {laws} alone");
+            let hint = "give one of them, or another closure";
+            self.fault(at, "pair.contact.law", message, hint);
         }
         let rigid = matches!(spec.body, BodySpec::Rigid { .. });
         if contact.law.is_rigid() && !rigid {
@@ -66,21 +60,8 @@ impl ModelBuilder {
         if !contact.law.is_rigid() {
             self.faults.positive(&path("stiffness"), contact.stiffness);
         }
-        match contact.law {
-            ContactLaw::Restitution { coefficient } => {
-                if !(0.0..=1.0).contains(&coefficient) {
-                    let message = format!("{coefficient} is no coefficient of restitution");
-                    let hint = "give a number between 0 and 1";
-                    self.fault(at, &format!("{property}.restitution"), message, hint);
-                }
-            }
-            ContactLaw::Elastic => {}
-            ContactLaw::KelvinVoigt { damping } => {
-                self.faults.not_negative(&path("damping"), damping);
-            }
-            ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation } => {
-                self.faults.not_negative(&path("dissipation"), dissipation);
-            }
+        for (parameter, value) in contact.law.parameters() {
+            parameter.check(&mut self.faults, &path(parameter.key), value);
         }
     }
 
@@ -116,7 +97,7 @@ impl ModelBuilder {
         self.presses(at.object, &contact);
         let stiffness = contact.stiffness;
         let plain = |compliance| Pair {
-            law: contact.law.of_link(compliance).0,
+            form: contact.law.of_link(compliance).0,
             ..pair
         };
         let (parameters, pair) = match body {
@@ -132,9 +113,9 @@ impl ModelBuilder {
             _ if parameters.dampings[0] == 0.0 && contact.law.is_lossless() => {
                 let mut series = parameters.clone();
                 let compliance = 1.0 / parameters.stiffnesses[0];
-                series.stiffnesses[0] = match contact.law {
-                    ContactLaw::Hertz { .. } => stiffness,
-                    _ => 1.0 / (compliance + 1.0 / stiffness),
+                series.stiffnesses[0] = match contact.law.form().elastic {
+                    Elastic::Proportional => 1.0 / (compliance + 1.0 / stiffness),
+                    Elastic::Power { .. } | Elastic::Rigid { .. } => stiffness,
                 };
                 (series, plain(compliance))
             }
@@ -159,7 +140,7 @@ impl ModelBuilder {
         parameters: &ChainParameters,
         (pair, contact): (Pair, ContactSpec),
     ) -> Vec<NodeIndex> {
-        let rate_dependent = !contact.law.is_linear();
+        let rate_dependent = !contact.law.form().is_linear();
         if parameters.dampings[0] == 0.0 && rate_dependent {
             let message = "behind a contact that loses energy by its indentation, an elastic \
                            object without damping leaves the speed of the contact undetermined \

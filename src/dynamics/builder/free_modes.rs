@@ -14,21 +14,17 @@ use super::continuum::Continuum;
 use super::modes::{Modal, Shares};
 use super::spec::{ChainSpec, ContactSpec};
 use super::{ChainParameters, ModelBuilder, Place};
-use crate::dynamics::model::{ContactLaw, Law, NodeIndex, Pair, PartInput, Reduced, SUM};
+use crate::dynamics::laws::contact::linear_laws;
+use crate::dynamics::model::{Law, NodeIndex, Pair, PartInput, Reduced, SUM};
 
 /// What stands against static flexibility behind a contact, of these laws.
 pub(crate) const STATIC_BEHIND_A_CURVE: &str = "static flexibility is that of the object and of its \
      contact in series, which needs a contact force proportional to the indentation";
 
 /// What to give in its place.
-pub(crate) const INSTEAD_OF_STATIC: &str =
-    "the contact law `elastic` or `kelvin_voigt`, or `modes` in place of `flexibility`";
-
-impl ContactLaw {
-    /// True where the force is proportional to the indentation, as long as it is slow.
-    pub(crate) fn has_static_stiffness(self) -> bool {
-        matches!(self, Self::Elastic | Self::KelvinVoigt { .. })
-    }
+pub(crate) fn instead_of_static() -> String {
+    let laws = linear_laws("`", "or");
+    format!("the contact law {laws}, or `modes` in place of `flexibility`")
 }
 
 impl ModelBuilder {
@@ -85,8 +81,13 @@ impl ModelBuilder {
     /// What stands against static flexibility behind a contact.
     pub(super) fn check_static_contact(&mut self, at: &Place, spec: &ChainSpec) {
         let law = spec.pair.contact.map(|contact| contact.law);
-        if law.is_some_and(|law| !law.has_static_stiffness() && !law.is_rigid()) {
-            self.fault(at, "flexibility", STATIC_BEHIND_A_CURVE, INSTEAD_OF_STATIC);
+        if law.is_some_and(|law| !law.declaration().linear && !law.is_rigid()) {
+            self.fault(
+                at,
+                "flexibility",
+                STATIC_BEHIND_A_CURVE,
+                &instead_of_static(),
+            );
         }
     }
 }

@@ -3,7 +3,8 @@
 use super::contact;
 use super::measures::Measures;
 use super::spec::{ContactSpec, PairSpec};
-use crate::dynamics::model::{Closure, ContactLaw, DampingLaw};
+use crate::dynamics::laws::contact::linear_laws;
+use crate::dynamics::model::{Closure, Loss};
 use crate::frontend::read::{Bounds, Fields, Slot};
 use serde_json::json;
 
@@ -40,7 +41,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
             json!("+"),
             |slot| slot.choice(&[("+", 1.0), ("-", -1.0)]),
         );
-        let law = fields.or("law", "Law of the contact force.", json!("kelvin_voigt"), |slot| {
+        let law = fields.or("law", "Law of the contact force: `kelvin_voigt` c·p + b·ṗ, `hunt_crossley` c·p·(1 + κ·ṗ); c and b of link 1.", json!("kelvin_voigt"), |slot| {
             law(slot, own)
         });
         let contact = fields.maybe(
@@ -57,17 +58,17 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
             closure,
             gap: gap?,
             opens: opens?,
-            law,
+            form: law.into(),
             contact,
         };
         check(fields, &pair)
     })
 }
 
-fn law(slot: Slot<'_>, own: Measures) -> Option<DampingLaw> {
+fn law(slot: Slot<'_>, own: Measures) -> Option<Loss> {
     let names = [
-        ("kelvin_voigt", DampingLaw::KelvinVoigt),
-        ("hunt_crossley", DampingLaw::HuntCrossley { kappa: None }),
+        ("kelvin_voigt", Loss::Damper),
+        ("hunt_crossley", Loss::FactorOfDamper),
     ];
     slot.object_or(
         |slot| {
@@ -78,9 +79,7 @@ fn law(slot: Slot<'_>, own: Measures) -> Option<DampingLaw> {
                             fields.need("kappa", "κ, seconds per unit of penetration", |slot| {
                                 slot.quantity(own.time_per_displacement(), Bounds::NOT_NEGATIVE)
                             });
-                        Some(DampingLaw::HuntCrossley {
-                            kappa: Some(kappa?),
-                        })
+                        Some(Loss::Factor(kappa?))
                     })
                 })
             })
@@ -107,16 +106,14 @@ fn check(fields: &mut Fields<'_>, pair: &PairSpec) -> Option<PairSpec> {
     if pair.opens < 0.0 && pair.closure != Closure::Force {
         refuse("opens", "\"force\"");
     }
-    if pair.law != DampingLaw::KelvinVoigt && pair.closure == Closure::Bilateral {
+    if !pair.form.is_linear() && pair.closure == Closure::Bilateral {
         refuse("law", "\"force\" or \"form\"");
     }
-    let nonlinear = |contact: &ContactSpec| {
-        let law = contact.law;
-        !matches!(law, ContactLaw::Elastic | ContactLaw::KelvinVoigt { .. })
-    };
+    let nonlinear = |contact: &ContactSpec| !contact.law.declaration().linear;
     if pair.contact.as_ref().is_some_and(nonlinear) && pair.closure == Closure::Bilateral {
         sound = false;
-        let message = "a bilateral pair takes the contact laws `elastic` and `kelvin_voigt` alone";
+        let laws = linear_laws("`", "and");
+        let message = format!("a bilateral pair takes the contact laws {laws} alone");
         let fault = fields.refuse("contact", "contradiction", message);
         let hint = "set `closure` to \"force\" or \"form\", or give another law";
         fault.hints.push(hint.to_owned());

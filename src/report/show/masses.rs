@@ -3,7 +3,7 @@
 use super::linkages::{linkages, multi_linkages};
 use super::{contact, equations, load_word, units};
 use crate::dynamics::model::{
-    Closure, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair, STOP,
+    Closure, LinkBase, Loss, Model, NodeMotion, OUTPUT, ObjectPart, STOP,
 };
 use crate::report::diagram::pair;
 use crate::report::findings::Table;
@@ -170,13 +170,7 @@ fn pairs(model: &Model) -> Table {
     };
     for object in objects(model).filter(|one| !one.is_drive() && one.kind != STOP && !linkage(one))
     {
-        let bilateral = Pair {
-            closure: Closure::Bilateral,
-            gap: 0.0,
-            opens: 1.0,
-            law: DampingLaw::KelvinVoigt,
-        };
-        let pair = pair(model, object).copied().unwrap_or(bilateral);
+        let pair = pair(model, object).copied().unwrap_or_default();
         let unit = units(object.coordinate).displacement;
         let (closure, gap, opens) = match pair.closure {
             Closure::Bilateral => ("bilateral", "–".to_owned(), "never"),
@@ -191,18 +185,14 @@ fn pairs(model: &Model) -> Table {
             ),
             Closure::Form => ("form", with_unit(pair.gap, unit, 6), "in the gap"),
         };
-        let law = match (pair.law, object.links.is_empty()) {
+        let law = match pair.form.loss {
             _ if object.contact.is_some() => contact::summary(object),
-            (_, true) => "rigid".to_owned(),
-            (DampingLaw::KelvinVoigt, _) => "Kelvin–Voigt".to_owned(),
-            (DampingLaw::HuntCrossley { kappa: Some(kappa) }, _) => {
+            _ if object.links.is_empty() => "rigid".to_owned(),
+            Loss::Damper => "Kelvin–Voigt".to_owned(),
+            Loss::Factor(kappa) => {
                 format!("Hunt–Crossley, κ = {} s/{unit}", significant(kappa, 6))
             }
-            (DampingLaw::HuntCrossley { kappa: None }, _) => {
-                "Hunt–Crossley, κ from b and the static load".to_owned()
-            }
-            (DampingLaw::Hertz { .. }, _) => "Hertz".to_owned(),
-            (DampingLaw::Restitution { .. }, _) => "rigid".to_owned(),
+            Loss::FactorOfDamper => "Hunt–Crossley, κ from b and the static load".to_owned(),
         };
         table.push(vec![
             object.id.clone(),

@@ -27,6 +27,8 @@ pub struct QuantityUnits {
     pub stiffness: &'static str,
     /// Damping.
     pub damping: &'static str,
+    /// Time per displacement.
+    pub time_per_displacement: &'static str,
 }
 
 /// Units of an object's quantities.
@@ -39,6 +41,7 @@ pub fn units(coordinate: Coordinate) -> QuantityUnits {
             inertia: "kg m²",
             stiffness: "N m/rad",
             damping: "N m s/rad",
+            time_per_displacement: "s/rad",
         },
         Coordinate::Sliding => QuantityUnits {
             displacement: "m",
@@ -47,6 +50,7 @@ pub fn units(coordinate: Coordinate) -> QuantityUnits {
             inertia: "kg",
             stiffness: "N/m",
             damping: "N s/m",
+            time_per_displacement: "s/m",
         },
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::MassPlace;
 use super::{Builder, Moved, Role, tree_pair};
-use crate::dynamics::model::{DampingLaw, LinkBase};
+use crate::dynamics::model::LinkBase;
 use crate::exact::{TreeMass, TreeObject};
 
 impl Builder<'_> {
@@ -35,16 +35,10 @@ impl Builder<'_> {
                     (mass.parent, mass.lever) = (Some(base.mass), base.ratio);
                 }
             }
-            let (mut linear, mut nonlinear) = (true, "");
+            let mut linear = true;
             if let LinkBase::Law { pair } = &link.base {
                 (mass.pair, linear) = tree_pair(pair);
-                if let DampingLaw::Restitution { coefficient } = pair.law {
-                    mass.restitution = Some(coefficient);
-                }
-                nonlinear = match pair.law {
-                    DampingLaw::Hertz { .. } => "its contact force is not linear (Hertz)",
-                    _ => "its contact force is not linear (Hunt–Crossley)",
-                };
+                mass.restitution = pair.form.restitution();
             }
             problem.masses.push(mass);
             problem.displacement.push(0.0);
@@ -61,7 +55,9 @@ impl Builder<'_> {
             });
             if !linear {
                 self.spoiled[tree] = true;
-                self.refuse(object, nonlinear);
+                let law = part.contact.map(|own| own.law.declaration().name);
+                let law = law.unwrap_or("Hunt–Crossley");
+                self.refuse(object, format!("its contact force is not linear ({law})"));
             }
         }
         let added = &mut self.trees[tree];

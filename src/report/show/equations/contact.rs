@@ -1,10 +1,13 @@
 //! Equations of a contact element in front of an object.
 
+use super::loads::unit_of;
 use super::{Section, of_mass};
+use crate::dynamics::laws::Measure;
 use crate::dynamics::model::{
-    Closure, ContactElement, ContactLaw, DampingLaw, Model, ObjectPart, Pair,
+    Closure, ContactElement, ContactLaw, Coordinate, Elastic, Model, ObjectPart, Pair,
 };
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
+use crate::report::show::contact::unit_of_stiffness;
 use crate::report::show::units;
 
 /// Shape of the equations: how a contact stands in front of mass 1.
@@ -20,10 +23,10 @@ pub(super) enum Shape {
 /// How the contact of an object stands in front of mass 1.
 pub(super) fn shape(model: &Model, contact: &ContactElement, pair: &Pair) -> Shape {
     let link = &model.links[contact.link];
-    match pair.law {
+    match pair.form.elastic {
         _ if contact.point.is_some() => Shape::Point,
-        DampingLaw::Hertz { compliance, .. } if compliance > 0.0 => Shape::Series(1.0 / compliance),
-        DampingLaw::KelvinVoigt if link.stiffness < contact.stiffness => {
+        Elastic::Power { compliance, .. } if compliance > 0.0 => Shape::Series(1.0 / compliance),
+        Elastic::Proportional if link.stiffness < contact.stiffness => {
             Shape::Series(1.0 / (1.0 / link.stiffness - 1.0 / contact.stiffness))
         }
         _ => Shape::Alone,
@@ -46,10 +49,6 @@ pub(super) fn deformation(contact: Option<&ContactElement>) -> &'static str {
     }
 }
 
-fn stiffness() -> Expr {
-    symbol("k", Index::None).expr()
-}
-
 /// The pull of the contact at a depth d, of the sign of x.
 pub(super) fn pull(contact: &ContactElement, shape: &Shape, depth: Expr, x: &Symbol) -> Expr {
     let depth = match shape {
@@ -60,29 +59,80 @@ pub(super) fn pull(contact: &ContactElement, shape: &Shape, depth: Expr, x: &Sym
         }
         _ => depth,
     };
-    let growth = || {
-        let size = Expr::Absolute(Box::new(x.clone().expr()));
-        let change = symbol("d", Index::None).expr().times(size);
-        let rate = change.over(symbol("dt", Index::None));
-        let chi = symbol("χ", Index::None).expr();
-        let factor = Expr::Number(1.0).plus(chi.times(rate));
-        Expr::Greater(Box::new(Expr::Number(0.0)), Box::new(factor))
+    // On either flank the penetration grows as |x|: its rate is ẋ·sgn x.
+    let size = Expr::Absolute(Box::new(x.clone().expr()));
+    let change = symbol("d", Index::None).expr().times(size);
+    let letters = Letters {
+        stiffness: symbol("k", Index::None),
+        damping: damping(),
+        factor: symbol("χ", Index::None),
     };
-    match contact.law {
-        ContactLaw::Restitution { .. } => Expr::Words("what holds it on the flank".into()),
-        ContactLaw::Elastic => stiffness().times(depth),
-        ContactLaw::KelvinVoigt { .. } => Expr::sum(vec![
-            stiffness().times(depth),
-            damping().expr().times(x.clone().rate()),
-        ]),
-        ContactLaw::HuntCrossley { .. } => stiffness().times(depth).times(growth()),
-        ContactLaw::Hertz { dissipation } => {
-            let root = Expr::Root(Box::new(Expr::Absolute(Box::new(depth.clone()))));
-            let force = stiffness().times(depth).times(root);
-            match dissipation {
-                0.0 => force,
-                _ => force.times(growth()),
-            }
+    let size = Expr::Absolute(Box::new(depth.clone()));
+    let motion = Motion {
+        depth,
+        size,
+        rate: x.clone().rate().expr(),
+        growth: change.over(symbol("dt", Index::None)),
+    };
+    let (force, factor) = force(&contact.law, &letters, motion);
+    let zero = Expr::Number(0.0);
+    match (force, factor) {
+        (Some(force), Some(factor)) => force.times(Expr::Greater(Box::new(zero), Box::new(factor))),
+        (Some(force), None) => force,
+        (None, _) => Expr::Words("what holds it on the flank".into()),
+    }
+}
+
+/// Letters of a contact's numbers.
+pub(super) struct Letters {
+    pub(super) stiffness: Symbol,
+    pub(super) damping: Symbol,
+    pub(super) factor: Symbol,
+}
+
+/// The motion in a contact: depth and its magnitude, its rate for a damper and for the factor.
+pub(super) struct Motion {
+    pub(super) depth: Expr,
+    pub(super) size: Expr,
+    pub(super) rate: Expr,
+    pub(super) growth: Expr,
+}
+
+/// The force of a contact, and the factor 1 + χ·ṗ of a form that has one; no force of a rigid
+/// contact.
+pub(super) fn force(
+    law: &ContactLaw,
+    letters: &Letters,
+    motion: Motion,
+) -> (Option<Expr>, Option<Expr>) {
+    let (form, damping) = law.of_link(0.0);
+    let linear = letters.stiffness.clone().expr().times(motion.depth);
+    let elastic = match form.elastic {
+        Elastic::Proportional => linear,
+        Elastic::Power { exponent, .. } => linear.times(power_below(motion.size, exponent)),
+        Elastic::Rigid { .. } => return (None, None),
+    };
+    match form.factor() {
+        None if damping == 0.0 => (Some(elastic), None),
+        None => {
+            let damped = letters.damping.clone().expr().times(motion.rate);
+            (Some(elastic.plus(damped)), None)
+        }
+        Some(0.0) => (Some(elastic), None),
+        Some(_) => {
+            let growth = letters.factor.clone().expr().times(motion.growth);
+            (Some(elastic), Some(Expr::Number(1.0).plus(growth)))
+        }
+    }
+}
+
+/// d^(n − 1).
+fn power_below(depth: Expr, exponent: f64) -> Expr {
+    match exponent - 1.0 {
+        0.5 => Expr::Root(Box::new(depth)),
+        other => {
+            let logarithm = Expr::Function("ln", Box::new(depth));
+            Expr::Function("exp", Box::new(Expr::Number(other).times(logarithm)))
         }
     }
 }
@@ -130,38 +180,60 @@ pub(super) fn legend(part: &ObjectPart, pair: &Pair, section: &mut Section) {
     let Some(contact) = part.contact else {
         return;
     };
-    let unit = units(part.coordinate);
-    let sliding = unit.displacement == "m";
-    let of_point = if sliding {
-        "N/m^(3/2)"
-    } else {
-        "N m/rad^(3/2)"
+    let letters = Letters {
+        stiffness: symbol("k", Index::None),
+        damping: damping(),
+        factor: symbol("χ", Index::None),
     };
-    let of_rate = if sliding { "s/m" } else { "s/rad" };
-    let k = symbol("k", Index::None);
-    let meaning = "stiffness of the contact";
-    match contact.law {
-        ContactLaw::Restitution { coefficient } => {
-            let e = symbol("e", Index::None);
-            section.entry(e, coefficient, "", "coefficient of restitution");
-        }
-        ContactLaw::Hertz { .. } => section.entry(k, contact.stiffness, of_point, meaning),
-        _ => section.entry(k, contact.stiffness, unit.stiffness, meaning),
-    }
-    match contact.law {
-        ContactLaw::KelvinVoigt { damping: b } => {
-            section.entry(damping(), b, unit.damping, "damping of the contact");
-        }
-        ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation }
-            if dissipation > 0.0 =>
-        {
-            let chi = symbol("χ", Index::None);
-            section.entry(chi, dissipation, of_rate, "dissipation of the contact");
-        }
-        _ => {}
-    }
+    let e = symbol("e", Index::None);
+    let of_contact = (contact.law, contact.stiffness);
+    entries(
+        of_contact,
+        (letters, e),
+        ("contact", part.coordinate),
+        section,
+    );
+    let unit = units(part.coordinate);
     if pair.closure == Closure::Form {
         section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
+    }
+}
+
+/// What the letters of a contact stand for, as far as its force has them.
+pub(super) fn entries(
+    (law, stiffness): (ContactLaw, f64),
+    (letters, e): (Letters, Symbol),
+    (of, coordinate): (&str, Coordinate),
+    section: &mut Section,
+) {
+    let (form, damping) = law.of_link(0.0);
+    if let Some(restitution) = form.restitution() {
+        return section.entry(e, restitution, "", "coefficient of restitution");
+    }
+    let unit = unit_of_stiffness(form, coordinate);
+    section.entry(
+        letters.stiffness,
+        stiffness,
+        unit,
+        format!("stiffness of the {of}"),
+    );
+    if damping > 0.0 {
+        let unit = unit_of(Measure::Damping, coordinate);
+        section.entry(
+            letters.damping,
+            damping,
+            unit,
+            format!("damping of the {of}"),
+        );
+    }
+    if let Some(chi) = form.factor().filter(|chi| *chi > 0.0) {
+        let unit = unit_of(Measure::TimePerDisplacement, coordinate);
+        section.entry(
+            letters.factor,
+            chi,
+            unit,
+            format!("dissipation of the {of}"),
+        );
     }
 }
 
