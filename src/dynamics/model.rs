@@ -29,7 +29,7 @@ use crate::kinematics::position::Position;
 use serde::Serialize;
 use std::sync::Arc;
 
-pub use super::laws::contact::{ContactForm, ContactLaw, Elastic, Loss};
+pub use super::laws::contact::{ContactForm, ContactLaw, Loss};
 pub(crate) use condition::NAMES as CONDITION_NAMES;
 pub use condition::{Condition, UNTIL};
 pub use contact::ContactElement;

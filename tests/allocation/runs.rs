@@ -89,7 +89,7 @@ fn model() -> Model {
             closure: Closure::Form,
             gap: 1e-4,
             opens: 1.0,
-            form: Loss::Factor(0.1).into(),
+            form: ContactForm::Proportional(Loss::Factor(0.1)),
         };
         model.links.push(Link {
             mass,

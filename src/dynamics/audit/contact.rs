@@ -1,6 +1,6 @@
 //! Forces of contacts in the terms of the scene.
 
-use crate::dynamics::model::{Closure, Elastic, Loss, Pair};
+use crate::dynamics::model::{Closure, ContactForm, Loss, Pair};
 
 /// Halvings in the search for an indentation.
 const HALVINGS: usize = 200;
@@ -70,18 +70,17 @@ impl Contact {
 
     /// N at a depth and a rate, not cut off.
     fn normal(&self, depth: f64, rate: f64) -> f64 {
-        let elastic = match self.pair.form.elastic {
-            Elastic::Proportional => self.stiffness * depth,
-            Elastic::Power {
+        let elastic = self.stiffness * depth;
+        match self.pair.form {
+            ContactForm::Proportional(Loss::Damper) => elastic + self.damping * rate,
+            ContactForm::Proportional(Loss::Factor(chi)) => elastic * (1.0 + chi * rate),
+            ContactForm::Proportional(Loss::FactorOfDamper) => elastic * (1.0 + self.kappa * rate),
+            ContactForm::Power {
                 exponent,
+                factor,
                 compliance,
-            } => self.force_of_power(depth, exponent, compliance),
-            Elastic::Rigid { .. } => return 0.0,
-        };
-        match self.pair.form.loss {
-            Loss::Damper => elastic + self.damping * rate,
-            Loss::Factor(chi) => elastic * (1.0 + chi * rate),
-            Loss::FactorOfDamper => elastic * (1.0 + self.kappa * rate),
+            } => self.force_of_power(depth, exponent, compliance) * (1.0 + factor * rate),
+            ContactForm::Rigid { .. } => 0.0,
         }
     }
 

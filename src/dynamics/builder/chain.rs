@@ -4,7 +4,8 @@ use super::driven_end::{balanced_shares, loaded};
 use super::modes::Modal;
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, Level, Lumping, PairSpec};
 use super::{Connected, ModelBuilder, Place};
-use crate::dynamics::model::{Closure, Coordinate, Law, Loss, NodeIndex, Pair};
+use crate::dynamics::laws::contact::law_of_link;
+use crate::dynamics::model::{Closure, ContactForm, Coordinate, Law, Loss, NodeIndex, Pair};
 use crate::dynamics::stated::StatedPosition;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::position::{Position, PositionSpec};
@@ -284,8 +285,9 @@ impl ModelBuilder {
             let message = format!("{opens} is no side");
             self.fault(at, "pair.opens", message, "give + or -");
         }
-        if let Loss::Factor(kappa) = form.loss {
-            let path = at.path("pair.law.hunt_crossley.kappa");
+        if let ContactForm::Proportional(loss @ Loss::Factor(kappa)) = form {
+            let key = law_of_link(loss).key;
+            let path = at.path(&format!("pair.law.{key}.kappa"));
             self.faults.not_negative(&path, kappa);
         }
         if let Some(contact) = contact {

@@ -5,9 +5,9 @@
 
 use super::spec::{BodySpec, ChainSpec, ContactSpec};
 use super::{ChainParameters, ModelBuilder, Place};
-use crate::dynamics::laws::contact::linear_laws;
+use crate::dynamics::laws::contact::keys;
 use crate::dynamics::model::{
-    Closure, ContactElement, Elastic, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair,
+    Closure, ContactElement, ContactForm, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair,
     Pressing,
 };
 use crate::kinematics::cam::{CamGeometry, DiscCam};
@@ -23,8 +23,8 @@ impl ModelBuilder {
             let hint = "remove `pair.law`, or `pair.contact`";
             self.fault(at, "pair.law", message, hint);
         }
-        if spec.pair.closure == Closure::Bilateral && !contact.law.declaration().linear {
-            let laws = linear_laws("", "and");
+        if spec.pair.closure == Closure::Bilateral && !contact.law.declaration().is_linear() {
+            let laws = keys(|law| law.is_linear(), "", "and");
             let message = format!("a bilateral pair takes the contact laws {laws} alone");
             let hint = "give one of them, or another closure";
             self.fault(at, "pair.contact.law", message, hint);
@@ -113,9 +113,9 @@ impl ModelBuilder {
             _ if parameters.dampings[0] == 0.0 && contact.law.is_lossless() => {
                 let mut series = parameters.clone();
                 let compliance = 1.0 / parameters.stiffnesses[0];
-                series.stiffnesses[0] = match contact.law.form().elastic {
-                    Elastic::Proportional => 1.0 / (compliance + 1.0 / stiffness),
-                    Elastic::Power { .. } | Elastic::Rigid { .. } => stiffness,
+                series.stiffnesses[0] = match contact.law.form() {
+                    ContactForm::Proportional(_) => 1.0 / (compliance + 1.0 / stiffness),
+                    ContactForm::Power { .. } | ContactForm::Rigid { .. } => stiffness,
                 };
                 (series, plain(compliance))
             }

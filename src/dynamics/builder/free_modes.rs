@@ -14,7 +14,7 @@ use super::continuum::Continuum;
 use super::modes::{Modal, Shares};
 use super::spec::{ChainSpec, ContactSpec};
 use super::{ChainParameters, ModelBuilder, Place};
-use crate::dynamics::laws::contact::linear_laws;
+use crate::dynamics::laws::contact::keys;
 use crate::dynamics::model::{Law, NodeIndex, Pair, PartInput, Reduced, SUM};
 
 /// What stands against static flexibility behind a contact, of these laws.
@@ -23,7 +23,7 @@ pub(crate) const STATIC_BEHIND_A_CURVE: &str = "static flexibility is that of th
 
 /// What to give in its place.
 pub(crate) fn instead_of_static() -> String {
-    let laws = linear_laws("`", "or");
+    let laws = keys(|law| law.is_linear(), "`", "or");
     format!("the contact law {laws}, or `modes` in place of `flexibility`")
 }
 
@@ -81,7 +81,7 @@ impl ModelBuilder {
     /// What stands against static flexibility behind a contact.
     pub(super) fn check_static_contact(&mut self, at: &Place, spec: &ChainSpec) {
         let law = spec.pair.contact.map(|contact| contact.law);
-        if law.is_some_and(|law| !law.declaration().linear && !law.is_rigid()) {
+        if law.is_some_and(|law| !law.declaration().is_linear() && !law.is_rigid()) {
             self.fault(
                 at,
                 "flexibility",

@@ -7,7 +7,7 @@
 
 use crate::dynamics::integrate::{EventFunction, Guard};
 use crate::dynamics::laws::contact::PowerForce;
-use crate::dynamics::model::{Closure, Elastic, Pair};
+use crate::dynamics::model::{Closure, Pair};
 use crate::fault::Fault;
 use crate::math::number::Number;
 use crate::math::quantity::Quantity;
@@ -72,17 +72,7 @@ impl Contact {
             ));
         }
         let kappa = pair.form.factor();
-        let power = match pair.form.elastic {
-            Elastic::Power {
-                exponent,
-                compliance,
-            } => Some(PowerForce {
-                stiffness,
-                exponent,
-                compliance,
-            }),
-            Elastic::Proportional | Elastic::Rigid { .. } => None,
-        };
+        let power = PowerForce::of(&pair.form, stiffness);
         if kappa.is_some_and(|kappa| !(kappa >= 0.0 && kappa.is_finite())) {
             return Err(Fault::new(
                 format!("{object}.pair.kappa"),

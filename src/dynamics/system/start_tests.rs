@@ -329,7 +329,7 @@ fn an_explicit_start_at_contact_is_decided_by_its_speed() {
 
 #[test]
 fn hunt_crossley_finds_its_constant_from_the_static_penetration() {
-    let form = Loss::FactorOfDamper.into();
+    let form = ContactForm::Proportional(Loss::FactorOfDamper);
     let contact = Pair {
         form,
         ..pair(FORCE)

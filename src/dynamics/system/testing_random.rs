@@ -77,7 +77,10 @@ fn random_body(random: &mut Random) -> Body {
             closure,
             gap: [0.0, 0.1][random.below(2)],
             opens: [1.0, -1.0][random.below(2)],
-            form: [ContactForm::default(), Loss::Factor(kappa).into()][random.below(2)],
+            form: [
+                ContactForm::default(),
+                ContactForm::Proportional(Loss::Factor(kappa)),
+            ][random.below(2)],
         },
     }
 }

@@ -19,15 +19,14 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
             "Geometry from which the stiffness follows, in its place.",
             |slot| contact_geometry::read(slot, own),
         );
-        let of_power = law.is_some_and(|law| law.stiffness == kinds::Stiffness::OfPower);
+        let of_power = law.is_some_and(ContactForceLaw::is_of_power);
         let stiffness = fields.maybe("stiffness", &doc_of_stiffness(), |slot| match of_power {
             // (Units have whole exponents.)
             true => slot.number(Bounds::POSITIVE),
             false => slot.quantity(own.stiffness(), Bounds::POSITIVE),
         });
         let mut numbers = Vec::new();
-        for parameter in kinds::properties() {
-            let doc = kinds::doc_of_property(parameter.key);
+        for (parameter, doc) in kinds::properties() {
             let read = |slot: Slot<'_>| number(slot, parameter, own);
             numbers.push((parameter.key, fields.maybe(parameter.key, &doc, read)));
         }
@@ -53,10 +52,9 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
 
 /// Reads which law it is: without a name a rigid one, where its number is given.
 fn law(fields: &mut Fields<'_>) -> Option<&'static ContactForceLaw> {
-    let meant = CONTACT_LAWS.iter().find(|law| {
-        law.stiffness == kinds::Stiffness::None
-            && law.parameters.iter().all(|own| fields.has(own.key))
-    });
+    let meant = CONTACT_LAWS
+        .iter()
+        .find(|law| law.is_rigid() && law.parameters.iter().all(|own| fields.has(own.key)));
     let meant = meant.unwrap_or(&CONTACT_LAWS[0]).key;
     let choices = CONTACT_LAWS.map(|law| (law.key, law));
     fields.or("law", &kinds::doc_of_laws(), json!(meant), |slot| {
@@ -65,12 +63,11 @@ fn law(fields: &mut Fields<'_>) -> Option<&'static ContactForceLaw> {
 }
 
 fn doc_of_stiffness() -> String {
-    let laws = |stiffness| kinds::laws_of(stiffness, "`", "and");
     format!(
         "Stiffness k of the contact; of {} K, a bare number in N/m^(3/2) or N m/rad^(3/2); none \
          of {}",
-        laws(kinds::Stiffness::OfPower),
-        laws(kinds::Stiffness::None)
+        kinds::keys(ContactForceLaw::is_of_power, "`", "and"),
+        kinds::keys(ContactForceLaw::is_rigid, "`", "and")
     )
 }
 
@@ -96,7 +93,7 @@ fn stiffness_of(
     ) {
         return None;
     }
-    if law.stiffness == kinds::Stiffness::None {
+    if law.is_rigid() {
         let mut sound = true;
         for (name, is_given) in [("stiffness", stiffness.is_some()), ("from", from.is_some())] {
             if is_given {
@@ -138,8 +135,8 @@ fn stiffness_of(
             (Touching::Line, open)
         }
     };
-    let of_power = law.stiffness == kinds::Stiffness::OfPower;
-    let laws = |quote| kinds::laws_of(kinds::Stiffness::OfPower, quote, "or");
+    let of_power = law.is_of_power();
+    let laws = |quote| kinds::keys(ContactForceLaw::is_of_power, quote, "or");
     let (fits, message, hint) = match touching {
         Touching::Point => (
             of_power,

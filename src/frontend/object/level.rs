@@ -102,7 +102,7 @@ impl Lumped {
 /// Refuses what does not go with the driving pair. `None`: refused.
 pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
     let curved =
-        |contact: ContactSpec| !contact.law.is_rigid() && !contact.law.declaration().linear;
+        |contact: ContactSpec| !contact.law.is_rigid() && !contact.law.declaration().is_linear();
     if matches!(chain.body, BodySpec::Modes { modes: 0, .. })
         && chain.pair.contact.is_some_and(curved)
     {

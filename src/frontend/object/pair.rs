@@ -3,8 +3,8 @@
 use super::contact;
 use super::measures::Measures;
 use super::spec::{ContactSpec, PairSpec};
-use crate::dynamics::laws::contact::linear_laws;
-use crate::dynamics::model::{Closure, Loss};
+use crate::dynamics::laws::contact::{CONTACT_LAWS, ContactForceLaw, keys, law_of_link};
+use crate::dynamics::model::{Closure, ContactForm, Loss};
 use crate::frontend::read::{Bounds, Fields, Slot};
 use serde_json::json;
 
@@ -58,7 +58,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
             closure,
             gap: gap?,
             opens: opens?,
-            form: law.into(),
+            form: ContactForm::Proportional(law),
             contact,
         };
         check(fields, &pair)
@@ -66,14 +66,13 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
 }
 
 fn law(slot: Slot<'_>, own: Measures) -> Option<Loss> {
-    let names = [
-        ("kelvin_voigt", Loss::Damper),
-        ("hunt_crossley", Loss::FactorOfDamper),
-    ];
+    let of_link = |law: &&ContactForceLaw| Some((law.key, law.of_link?));
+    let names: Vec<_> = CONTACT_LAWS.iter().filter_map(of_link).collect();
+    let with_factor = law_of_link(Loss::FactorOfDamper).key;
     slot.object_or(
         |slot| {
             slot.record(|fields| {
-                fields.need("hunt_crossley", "N = c·p·max(0, 1 + κ·ṗ)", |slot| {
+                fields.need(with_factor, "N = c·p·max(0, 1 + κ·ṗ)", |slot| {
                     slot.record(|fields| {
                         let kappa =
                             fields.need("kappa", "κ, seconds per unit of penetration", |slot| {
@@ -109,10 +108,10 @@ fn check(fields: &mut Fields<'_>, pair: &PairSpec) -> Option<PairSpec> {
     if !pair.form.is_linear() && pair.closure == Closure::Bilateral {
         refuse("law", "\"force\" or \"form\"");
     }
-    let nonlinear = |contact: &ContactSpec| !contact.law.declaration().linear;
+    let nonlinear = |contact: &ContactSpec| !contact.law.declaration().is_linear();
     if pair.contact.as_ref().is_some_and(nonlinear) && pair.closure == Closure::Bilateral {
         sound = false;
-        let laws = linear_laws("`", "and");
+        let laws = keys(|law| law.is_linear(), "`", "and");
         let message = format!("a bilateral pair takes the contact laws {laws} alone");
         let fault = fields.refuse("contact", "contradiction", message);
         let hint = "set `closure` to \"force\" or \"form\", or give another law";

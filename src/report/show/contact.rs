@@ -1,6 +1,5 @@
 //! Contact elements in words.
 
-use super::equations::unit_of;
 use super::units;
 use crate::dynamics::model::{ContactForm, ContactLaw, Coordinate, ObjectPart};
 use crate::report::quantity::significant;
@@ -35,7 +34,7 @@ pub(super) fn summary_of(law: ContactLaw, stiffness: f64, coordinate: Coordinate
         .parameters()
         .filter(|(own, value)| own.usual != Some(*value))
     {
-        add(own.letter.0, value, unit_of(own.measure, coordinate));
+        add(own.letter.0, value, units(coordinate).of(own.measure));
     }
     words
 }

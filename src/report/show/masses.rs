@@ -2,8 +2,9 @@
 
 use super::linkages::{linkages, multi_linkages};
 use super::{contact, equations, load_word, units};
+use crate::dynamics::laws::contact::law_of_link;
 use crate::dynamics::model::{
-    Closure, LinkBase, Loss, Model, NodeMotion, OUTPUT, ObjectPart, STOP,
+    Closure, ContactForm, LinkBase, Loss, Model, NodeMotion, OUTPUT, ObjectPart, STOP,
 };
 use crate::report::diagram::pair;
 use crate::report::findings::Table;
@@ -185,14 +186,14 @@ fn pairs(model: &Model) -> Table {
             ),
             Closure::Form => ("form", with_unit(pair.gap, unit, 6), "in the gap"),
         };
-        let law = match pair.form.loss {
+        let law = match pair.form {
             _ if object.contact.is_some() => contact::summary(object),
             _ if object.links.is_empty() => "rigid".to_owned(),
-            Loss::Damper => "Kelvin–Voigt".to_owned(),
-            Loss::Factor(kappa) => {
-                format!("Hunt–Crossley, κ = {} s/{unit}", significant(kappa, 6))
+            ContactForm::Proportional(loss) => {
+                format!("{}{}", law_of_link(loss).name, factor(loss, unit))
             }
-            Loss::FactorOfDamper => "Hunt–Crossley, κ from b and the static load".to_owned(),
+            // (Of a contact element alone.)
+            ContactForm::Power { .. } | ContactForm::Rigid { .. } => String::new(),
         };
         table.push(vec![
             object.id.clone(),
@@ -203,6 +204,15 @@ fn pairs(model: &Model) -> Table {
         ]);
     }
     table
+}
+
+/// κ of a pair.
+fn factor(loss: Loss, unit: &str) -> String {
+    match loss {
+        Loss::Damper => String::new(),
+        Loss::Factor(kappa) => format!(", κ = {} s/{unit}", significant(kappa, 6)),
+        Loss::FactorOfDamper => ", κ from b and the static load".to_owned(),
+    }
 }
 
 fn loads(model: &Model) -> Table {

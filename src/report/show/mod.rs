@@ -10,6 +10,7 @@ pub mod motion;
 pub mod position;
 pub(crate) mod reduced;
 
+use crate::dynamics::laws::Measure;
 use crate::dynamics::model::Coordinate;
 
 /// Units of an object's quantities, by its kind of coordinate.
@@ -29,6 +30,20 @@ pub struct QuantityUnits {
     pub damping: &'static str,
     /// Time per displacement.
     pub time_per_displacement: &'static str,
+}
+
+impl QuantityUnits {
+    /// Unit of a number of a law.
+    pub fn of(&self, measure: Measure) -> &'static str {
+        match measure {
+            Measure::Force => self.force,
+            Measure::Stiffness => self.stiffness,
+            Measure::Damping => self.damping,
+            Measure::Speed => self.speed,
+            Measure::TimePerDisplacement => self.time_per_displacement,
+            Measure::Number => "",
+        }
+    }
 }
 
 /// Units of an object's quantities.

@@ -258,7 +258,7 @@ impl<'s> Trials<'s> {
     pub(in crate::studies) fn may_be_static(&self, id: &str) -> bool {
         self.chain(id).is_some_and(|chain| {
             let contact = chain.pair.contact.map(|contact| contact.law);
-            let linear = contact.is_none_or(|law| law.declaration().linear);
+            let linear = contact.is_none_or(|law| law.declaration().is_linear());
             linear && chain.pair.closure != Closure::Form && chain.stops.is_empty()
         })
     }

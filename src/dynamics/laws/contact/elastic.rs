@@ -1,13 +1,12 @@
 //! A spring without loss.
 
-use super::{ContactForceLaw, ContactForm, Stiffness};
+use super::{ContactForceLaw, ContactForm};
 
 pub(super) const ELASTIC: ContactForceLaw = ContactForceLaw {
     key: "elastic",
     name: "elastic",
     doc: "k·p",
-    stiffness: Stiffness::Proportional,
-    linear: true,
+    of_link: None,
     parameters: &[],
     form: |_| (ContactForm::default(), 0.0),
 };

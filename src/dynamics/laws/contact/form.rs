@@ -2,24 +2,16 @@
 
 /// How a contact force N ≥ 0 depends on the penetration p and its rate. The stiffness and the
 /// damping are those of the link or of the stop that has the form.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ContactForm {
-    /// N at rest.
-    pub elastic: Elastic,
-    /// What is added to that by a rate.
-    pub loss: Loss,
-}
-
-/// The force of a contact at rest.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Elastic {
-    /// c·p.
-    #[default]
-    Proportional,
-    /// K·q^n of the indentation q, K the stiffness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ContactForm {
+    /// c·p at rest.
+    Proportional(Loss),
+    /// K·q^n·max(0, 1 + χ·ṗ) of the indentation q, K the stiffness.
     Power {
         /// n ≥ 1.
         exponent: f64,
+        /// χ ≥ 0.
+        factor: f64,
         /// Compliance ≥ 0 of the undamped link behind the contact, in series with it:
         /// p = q + compliance·N. With a loss it is 0.
         compliance: f64,
@@ -32,89 +24,32 @@ pub enum Elastic {
     },
 }
 
-/// How a contact force depends on the rate of penetration.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+/// How a force c·p depends on the rate of penetration.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loss {
-    /// N = e(p) + b·ṗ, cut off at zero.
-    #[default]
+    /// N = c·p + b·ṗ, cut off at zero.
     Damper,
-    /// N = e(p)·max(0, 1 + χ·ṗ).
+    /// N = c·p·max(0, 1 + χ·ṗ).
     Factor(f64),
     /// The same, χ = b₁/(c₁·p*) with p* the static penetration.
     FactorOfDamper,
 }
 
-/// A force proportional to the penetration, with a loss.
-impl From<Loss> for ContactForm {
-    fn from(loss: Loss) -> Self {
-        let elastic = Elastic::Proportional;
-        Self { elastic, loss }
+/// N = c·p + b·ṗ.
+impl Default for ContactForm {
+    fn default() -> Self {
+        Self::Proportional(Loss::Damper)
     }
 }
 
 impl ContactForm {
-    /// N = c·p·max(0, 1 + χ·ṗ); without χ it is the plain c·p.
-    pub(crate) fn dissipating(chi: f64) -> Self {
-        match chi {
-            0.0 => Self::default(),
-            chi => Loss::Factor(chi).into(),
-        }
-    }
-
-    /// N = K·p^n·max(0, 1 + χ·ṗ).
-    pub(crate) fn power(exponent: f64, chi: f64) -> Self {
-        let elastic = Elastic::Power {
-            exponent,
-            compliance: 0.0,
-        };
-        Self {
-            elastic,
-            loss: Loss::Factor(chi),
-        }
-    }
-
-    /// Rigid, with a coefficient of restitution.
-    pub(crate) fn rigid(restitution: f64) -> Self {
-        let elastic = Elastic::Rigid { restitution };
-        Self {
-            elastic,
-            ..Self::default()
-        }
-    }
-
     /// In series with an undamped link. (Of a proportional force that link has the stiffness
     /// of both.)
-    pub(crate) fn before(self, behind: f64) -> Self {
-        match self.elastic {
-            Elastic::Power {
-                exponent,
-                compliance,
-            } => {
-                let compliance = compliance + behind;
-                let elastic = Elastic::Power {
-                    exponent,
-                    compliance,
-                };
-                Self { elastic, ..self }
-            }
-            Elastic::Proportional | Elastic::Rigid { .. } => self,
+    pub(crate) fn before(mut self, behind: f64) -> Self {
+        if let Self::Power { compliance, .. } = &mut self {
+            *compliance += behind;
         }
-    }
-
-    /// e of a rigid contact.
-    pub fn restitution(&self) -> Option<f64> {
-        match self.elastic {
-            Elastic::Rigid { restitution } => Some(restitution),
-            Elastic::Proportional | Elastic::Power { .. } => None,
-        }
-    }
-
-    /// n of a force p^n; that of a rigid contact counts as 1.
-    pub fn exponent(&self) -> f64 {
-        match self.elastic {
-            Elastic::Power { exponent, .. } => exponent,
-            Elastic::Proportional | Elastic::Rigid { .. } => 1.0,
-        }
+        self
     }
 
     /// True when the force is linear in p and ṗ.
@@ -122,22 +57,39 @@ impl ContactForm {
         *self == Self::default()
     }
 
+    /// e of a rigid contact.
+    pub fn restitution(&self) -> Option<f64> {
+        match *self {
+            Self::Rigid { restitution } => Some(restitution),
+            Self::Proportional(_) | Self::Power { .. } => None,
+        }
+    }
+
+    /// n of a force p^n at rest; that of a rigid contact counts as 1.
+    pub fn exponent(&self) -> f64 {
+        match *self {
+            Self::Power { exponent, .. } => exponent,
+            Self::Proportional(_) | Self::Rigid { .. } => 1.0,
+        }
+    }
+
     /// χ of a force with the factor 1 + χ·ṗ; 0 where it is still to be found.
     pub fn factor(&self) -> Option<f64> {
-        match self.loss {
-            Loss::Damper => None,
-            Loss::Factor(chi) => Some(chi),
-            Loss::FactorOfDamper => Some(0.0),
+        match *self {
+            Self::Proportional(Loss::Factor(factor)) | Self::Power { factor, .. } => Some(factor),
+            Self::Proportional(Loss::FactorOfDamper) => Some(0.0),
+            Self::Proportional(Loss::Damper) | Self::Rigid { .. } => None,
         }
     }
 
     /// True when it takes no energy besides that of a damper.
     pub fn is_lossless(&self) -> bool {
-        let pressed = match self.loss {
-            Loss::Damper => true,
-            Loss::Factor(chi) => chi == 0.0,
-            Loss::FactorOfDamper => false,
-        };
-        pressed && self.restitution().is_none_or(|e| e == 1.0)
+        match *self {
+            Self::Proportional(Loss::FactorOfDamper) => false,
+            Self::Rigid { restitution } => restitution == 1.0,
+            Self::Proportional(_) | Self::Power { .. } => {
+                self.factor().is_none_or(|chi| chi == 0.0)
+            }
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::super::parameter::Parameter;
 use super::hunt_crossley::DISSIPATION;
-use super::{ContactForceLaw, ContactForm, Stiffness};
+use super::{ContactForceLaw, ContactForm};
 
 /// χ, 0 where it is left out.
 const MAY_DISSIPATE: Parameter = Parameter {
@@ -14,8 +14,14 @@ pub(super) const HERTZ: ContactForceLaw = ContactForceLaw {
     key: "hertz",
     name: "Hertz",
     doc: "K·p^(3/2)·(1 + dissipation·ṗ)",
-    stiffness: Stiffness::OfPower,
-    linear: false,
+    of_link: None,
     parameters: &[&MAY_DISSIPATE],
-    form: |own| (ContactForm::power(1.5, own[0]), 0.0),
+    form: |own| {
+        let form = ContactForm::Power {
+            exponent: 1.5,
+            factor: own[0],
+            compliance: 0.0,
+        };
+        (form, 0.0)
+    },
 };

@@ -1,7 +1,7 @@
 //! A force with a loss that grows with the indentation, by Hunt and Crossley.
 
 use super::super::parameter::{Domain, Measure, Parameter};
-use super::{ContactForceLaw, ContactForm, Stiffness};
+use super::{ContactForceLaw, ContactForm, Loss};
 
 /// χ.
 pub(super) const DISSIPATION: Parameter = Parameter {
@@ -18,8 +18,10 @@ pub(super) const HUNT_CROSSLEY: ContactForceLaw = ContactForceLaw {
     key: "hunt_crossley",
     name: "Hunt–Crossley",
     doc: "k·p·(1 + dissipation·ṗ)",
-    stiffness: Stiffness::Proportional,
-    linear: false,
+    of_link: Some(Loss::FactorOfDamper),
     parameters: &[&DISSIPATION],
-    form: |own| (ContactForm::dissipating(own[0]), 0.0),
+    form: |own| match own[0] {
+        0.0 => (ContactForm::default(), 0.0),
+        chi => (ContactForm::Proportional(Loss::Factor(chi)), 0.0),
+    },
 };

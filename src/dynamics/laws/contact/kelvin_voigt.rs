@@ -1,14 +1,13 @@
 //! Spring and damper side by side, by Kelvin and Voigt.
 
 use super::super::parameter::{Domain, Measure, Parameter};
-use super::{ContactForceLaw, ContactForm, Stiffness};
+use super::{ContactForceLaw, ContactForm, Loss};
 
 pub(super) const KELVIN_VOIGT: ContactForceLaw = ContactForceLaw {
     key: "kelvin_voigt",
     name: "Kelvin–Voigt",
     doc: "k·p + damping·ṗ",
-    stiffness: Stiffness::Proportional,
-    linear: true,
+    of_link: Some(Loss::Damper),
     parameters: &[&Parameter {
         key: "damping",
         doc: "Damping of {laws}",

@@ -13,11 +13,10 @@ mod kelvin_voigt;
 mod power;
 mod restitution;
 
-pub use form::{ContactForm, Elastic, Loss};
+pub use form::{ContactForm, Loss};
 pub(crate) use power::PowerForce;
 
 use super::parameter::Parameter;
-use std::fmt::Write;
 
 /// Laws of contact elements and of stops; the first is meant where none is named.
 pub(crate) const CONTACT_LAWS: [&ContactForceLaw; 5] = [
@@ -40,25 +39,35 @@ pub struct ContactForceLaw {
     pub name: &'static str,
     /// Its force, for the schema.
     pub doc: &'static str,
-    /// Its stiffness.
-    pub stiffness: Stiffness,
-    /// True when the force is linear in p and ṗ, whatever the numbers are.
-    pub linear: bool,
+    /// The loss of a pair of this law without a contact element: link 1 is the contact too, with
+    /// its own stiffness and damping. `None`: such a pair has no such law.
+    pub of_link: Option<Loss>,
     /// Its other numbers, in their order.
     pub parameters: &'static [&'static Parameter],
     /// The form of its force with these numbers, and its damping b.
     pub form: fn(&[f64]) -> (ContactForm, f64),
 }
 
-/// The stiffness that a law has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stiffness {
-    /// k, force by displacement.
-    Proportional,
-    /// K of a power of the indentation; its unit depends on the power.
-    OfPower,
-    /// None: it is rigid.
-    None,
+impl ContactForceLaw {
+    /// The form of its force as far as that does not depend on its numbers.
+    fn nominal(&self) -> ContactForm {
+        (self.form)(&[1.0; MOST]).0
+    }
+
+    /// True when the force is linear in p and ṗ, whatever the numbers are.
+    pub(crate) fn is_linear(&self) -> bool {
+        self.nominal().is_linear()
+    }
+
+    /// True when it has no stiffness.
+    pub(crate) fn is_rigid(&self) -> bool {
+        self.nominal().restitution().is_some()
+    }
+
+    /// True when its stiffness is that of a power of the indentation.
+    pub(crate) fn is_of_power(&self) -> bool {
+        matches!(self.nominal(), ContactForm::Power { .. })
+    }
 }
 
 /// A contact law with its numbers (SI units).
@@ -126,80 +135,53 @@ impl ContactLaw {
 
     /// True when nothing gives way in it: it has no stiffness and no indentation.
     pub fn is_rigid(&self) -> bool {
-        self.law.stiffness == Stiffness::None
+        self.form().restitution().is_some()
     }
 }
 
-/// The keys of the laws that are linear, as they are listed in a sentence.
-pub(crate) fn linear_laws(quote: &str, joined: &str) -> String {
-    keys(|law| law.linear, quote, joined)
+/// The law of a pair without a contact element.
+pub(crate) fn law_of_link(loss: Loss) -> &'static ContactForceLaw {
+    let damper = |loss: Loss| loss == Loss::Damper;
+    let is_it = |own: Loss| damper(own) == damper(loss);
+    let mut laws = CONTACT_LAWS.into_iter();
+    laws.find(|law| law.of_link.is_some_and(is_it))
+        .unwrap_or(CONTACT_LAWS[0])
 }
 
-fn keys(of: impl Fn(&ContactForceLaw) -> bool, quote: &str, joined: &str) -> String {
+/// The keys of some laws, as a sentence lists them: `a, b and c`.
+pub(crate) fn keys(of: impl Fn(&ContactForceLaw) -> bool, quote: &str, joined: &str) -> String {
     let laws = CONTACT_LAWS.iter().filter(|law| of(law));
     let keys = laws.map(|law| format!("{quote}{}{quote}", law.key));
-    listed(&keys.collect::<Vec<String>>(), joined)
-}
-
-/// The keys of the laws with such a stiffness.
-pub(crate) fn laws_of(stiffness: Stiffness, quote: &str, joined: &str) -> String {
-    keys(|law| law.stiffness == stiffness, quote, joined)
+    let keys: Vec<String> = keys.collect();
+    match keys.as_slice() {
+        [first @ .., last] if !first.is_empty() => format!("{} {joined} {last}", first.join(", ")),
+        _ => keys.concat(),
+    }
 }
 
 /// What the laws say of their forces, for the schema.
 pub(crate) fn doc_of_laws() -> String {
-    let laws = CONTACT_LAWS
-        .iter()
-        .map(|law| format!("`{}` {}", law.key, law.doc));
-    let laws: Vec<String> = laws.collect();
+    let laws = CONTACT_LAWS.map(|law| format!("`{}` {}", law.key, law.doc));
     format!(
         "N over the indentation p and its rate: {}.",
         laws.join("; ")
     )
 }
 
-/// The properties of all laws, each once.
-pub(crate) fn properties() -> Vec<&'static Parameter> {
-    let mut found: Vec<&'static Parameter> = Vec::new();
-    for own in CONTACT_LAWS
-        .iter()
-        .flat_map(|law| law.parameters.iter().copied())
-    {
-        if found.iter().all(|other| other.key != own.key) {
-            found.push(own);
+/// The keys of the properties of all laws, each once, with what they are, for the schema.
+pub(crate) fn properties() -> Vec<(&'static Parameter, String)> {
+    let mut found: Vec<(&'static Parameter, String)> = Vec::new();
+    for own in CONTACT_LAWS.iter().flat_map(|law| law.parameters) {
+        let same = |other: &&Parameter| (other.key, other.doc) == (own.key, own.doc);
+        let laws = keys(|law| law.parameters.iter().any(same), "`", "and");
+        let doc = own.doc.replace("{laws}", &laws);
+        match found.iter_mut().find(|(other, _)| other.key == own.key) {
+            None => found.push((own, doc)),
+            Some((_, known)) if known.contains(&doc) => {}
+            Some((_, known)) => *known = format!("{known}; {doc}"),
         }
     }
     found
-}
-
-/// What a property is, for the schema: of each law that has it, where they differ.
-pub(crate) fn doc_of_property(key: &str) -> String {
-    let mut groups: Vec<(&str, Vec<String>)> = Vec::new();
-    for law in CONTACT_LAWS {
-        let own = law.parameters.iter().find(|own| own.key == key);
-        let Some(own) = own else { continue };
-        let name = format!("`{}`", law.key);
-        match groups.iter_mut().find(|(doc, _)| *doc == own.doc) {
-            Some((_, laws)) => laws.push(name),
-            None => groups.push((own.doc, vec![name])),
-        }
-    }
-    let mut doc = String::new();
-    for (own, laws) in &groups {
-        let between = if doc.is_empty() { "" } else { "; " };
-        let own = own.replace("{laws}", &listed(laws, "and"));
-        let _ = write!(doc, "{between}{own}");
-    }
-    doc
-}
-
-/// `a, b and c`.
-fn listed(names: &[String], joined: &str) -> String {
-    match names {
-        [] => String::new(),
-        [only] => only.clone(),
-        [first @ .., last] => format!("{} {joined} {last}", first.join(", ")),
-    }
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! without fail. Behind p = 0 the force is continued as an odd function: the methods look a
 //! little beyond the place where a pair opens.
 
+use super::ContactForm;
 use crate::math::jet::Jet;
 
 /// Indentations smaller than this (m or rad) count as this in the derivatives beyond the
@@ -26,6 +27,22 @@ pub(crate) struct PowerForce {
 }
 
 impl PowerForce {
+    /// The force of a form, where that is such a power.
+    pub(crate) fn of(form: &ContactForm, stiffness: f64) -> Option<Self> {
+        match *form {
+            ContactForm::Power {
+                exponent,
+                compliance,
+                ..
+            } => Some(Self {
+                stiffness,
+                exponent,
+                compliance,
+            }),
+            ContactForm::Proportional(_) | ContactForm::Rigid { .. } => None,
+        }
+    }
+
     /// This contact with a link of a compliance behind it.
     pub(crate) fn before(self, compliance: f64) -> Self {
         let compliance = self.compliance + compliance;

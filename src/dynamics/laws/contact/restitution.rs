@@ -2,14 +2,13 @@
 //! coming apart is held.
 
 use super::super::parameter::{Domain, Measure, Parameter};
-use super::{ContactForceLaw, ContactForm, Stiffness};
+use super::{ContactForceLaw, ContactForm};
 
 pub(super) const RESTITUTION: ContactForceLaw = ContactForceLaw {
     key: "restitution",
     name: "rigid",
     doc: "rigid, with impacts, which is the default where that is given",
-    stiffness: Stiffness::None,
-    linear: false,
+    of_link: None,
     parameters: &[&Parameter {
         key: "restitution",
         doc: "Coefficient of restitution e of a rigid contact: the speed after an impact over \
@@ -20,5 +19,8 @@ pub(super) const RESTITUTION: ContactForceLaw = ContactForceLaw {
         domain: Domain::Share,
         usual: None,
     }],
-    form: |own| (ContactForm::rigid(own[0]), 0.0),
+    form: |own| {
+        let restitution = own[0];
+        (ContactForm::Rigid { restitution }, 0.0)
+    },
 };

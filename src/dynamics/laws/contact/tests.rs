@@ -15,13 +15,10 @@ fn what_a_law_declares_is_what_its_form_is() {
     for declared in CONTACT_LAWS {
         let law = tried(declared);
         let form = law.form();
-        assert_eq!(declared.linear, form.is_linear(), "{}", declared.key);
-        let stiffness = match form.elastic {
-            Elastic::Proportional => Stiffness::Proportional,
-            Elastic::Power { .. } => Stiffness::OfPower,
-            Elastic::Rigid { .. } => Stiffness::None,
-        };
-        assert_eq!(declared.stiffness, stiffness, "{}", declared.key);
+        assert_eq!(declared.is_linear(), form.is_linear(), "{}", declared.key);
+        assert_eq!(declared.is_rigid(), law.is_rigid(), "{}", declared.key);
+        let of_power = matches!(form, ContactForm::Power { .. });
+        assert_eq!(declared.is_of_power(), of_power, "{}", declared.key);
         assert!(declared.parameters.len() <= MOST, "{}", declared.key);
         let loses = !declared.parameters.is_empty();
         assert_eq!(law.is_lossless(), !loses, "{}", declared.key);
@@ -68,9 +65,14 @@ fn the_force_that_the_schema_states_is_that_of_the_form() {
 
 #[test]
 fn a_property_of_several_laws_names_them() {
+    let docs: Vec<String> = properties().into_iter().map(|(_, doc)| doc).collect();
+    let wanted = "χ of `hunt_crossley` and `hertz`, seconds per unit of indentation";
+    assert!(docs.iter().any(|doc| doc == wanted), "{docs:?}");
     assert_eq!(
-        doc_of_property("dissipation"),
-        "χ of `hunt_crossley` and `hertz`, seconds per unit of indentation"
+        keys(|law| law.is_linear(), "`", "and"),
+        "`elastic` and `kelvin_voigt`"
     );
-    assert_eq!(linear_laws("`", "and"), "`elastic` and `kelvin_voigt`");
+    assert_eq!(keys(|law| law.is_rigid(), "", "or"), "restitution");
+    assert_eq!(law_of_link(Loss::Factor(0.5)).key, "hunt_crossley");
+    assert_eq!(law_of_link(Loss::Damper).key, "kelvin_voigt");
 }

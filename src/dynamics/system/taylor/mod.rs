@@ -163,11 +163,11 @@ impl Frozen {
             Some("a load from outside the library")
         } else if contacts.any(|contact| contact.is_some()) {
             Some(
-                "a contact whose force is a power of the indentation, which has no series where it begins,",
+                "a contact force that grows with a power of the indentation, such as that of Hertz,",
             )
         } else if stops.any(|stop| stop.is_some()) {
             Some(
-                "a stop whose force is a power of the indentation, which has no series where it begins,",
+                "the force of a stop that grows with a power of the indentation, such as that of Hertz,",
             )
         } else {
             None

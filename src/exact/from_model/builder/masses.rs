@@ -2,7 +2,8 @@
 
 use super::super::MassPlace;
 use super::{Builder, Moved, Role, tree_pair};
-use crate::dynamics::model::LinkBase;
+use crate::dynamics::laws::contact::law_of_link;
+use crate::dynamics::model::{LinkBase, Loss};
 use crate::exact::{TreeMass, TreeObject};
 
 impl Builder<'_> {
@@ -55,9 +56,12 @@ impl Builder<'_> {
             });
             if !linear {
                 self.spoiled[tree] = true;
-                let law = part.contact.map(|own| own.law.declaration().name);
-                let law = law.unwrap_or("Hunt–Crossley");
-                self.refuse(object, format!("its contact force is not linear ({law})"));
+                let own = part.contact.map(|own| own.law.declaration());
+                let own = own.unwrap_or(law_of_link(Loss::FactorOfDamper));
+                self.refuse(
+                    object,
+                    format!("its contact force is not linear ({})", own.name),
+                );
             }
         }
         let added = &mut self.trees[tree];

@@ -4,8 +4,9 @@ use super::{
     LONGEST_WRITTEN_OUT, Section, contact, inertia_side, inputs, list, loads, of_mass, of_object,
     output, output_name, reflected,
 };
-use crate::dynamics::laws::Measure;
-use crate::dynamics::model::{Closure, LinkBase, Loss, Model, NodeMotion, ObjectPart, Pair};
+use crate::dynamics::model::{
+    Closure, ContactForm, LinkBase, Loss, Model, NodeMotion, ObjectPart, Pair,
+};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::{position, units};
 
@@ -144,7 +145,7 @@ fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
         return;
     }
     section.line(symbol("F", Index::None), force, "pull of link 1");
-    if pair.form.loss == Loss::FactorOfDamper {
+    if pair.form == ContactForm::Proportional(Loss::FactorOfDamper) {
         let static_penetration = symbol("p", Index::Word("static".into()));
         let ratio = of_mass("b", 1).expr();
         let ratio = ratio.over(of_mass("c", 1).expr().times(static_penetration));
@@ -273,8 +274,8 @@ fn legend(model: &Model, part: &ObjectPart, section: &mut Section) {
         if pair.closure == Closure::Form {
             section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
         }
-        if let Loss::Factor(kappa) = pair.form.loss {
-            let unit = loads::unit_of(Measure::TimePerDisplacement, part.coordinate);
+        if let ContactForm::Proportional(Loss::Factor(kappa)) = pair.form {
+            let unit = unit.time_per_displacement;
             section.entry(symbol("κ", Index::None), kappa, unit, "contact damping");
         }
     }

@@ -1,13 +1,9 @@
 //! Equations of a contact element in front of an object.
 
-use super::loads::unit_of;
+use super::contact_force::{Force, Letters, Motion};
 use super::{Section, of_mass};
-use crate::dynamics::laws::Measure;
-use crate::dynamics::model::{
-    Closure, ContactElement, ContactLaw, Coordinate, Elastic, Model, ObjectPart, Pair,
-};
+use crate::dynamics::model::{Closure, ContactElement, ContactForm, Loss, Model, ObjectPart, Pair};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
-use crate::report::show::contact::unit_of_stiffness;
 use crate::report::show::units;
 
 /// Shape of the equations: how a contact stands in front of mass 1.
@@ -23,10 +19,12 @@ pub(super) enum Shape {
 /// How the contact of an object stands in front of mass 1.
 pub(super) fn shape(model: &Model, contact: &ContactElement, pair: &Pair) -> Shape {
     let link = &model.links[contact.link];
-    match pair.form.elastic {
+    match pair.form {
         _ if contact.point.is_some() => Shape::Point,
-        Elastic::Power { compliance, .. } if compliance > 0.0 => Shape::Series(1.0 / compliance),
-        Elastic::Proportional if link.stiffness < contact.stiffness => {
+        ContactForm::Power { compliance, .. } if compliance > 0.0 => {
+            Shape::Series(1.0 / compliance)
+        }
+        ContactForm::Proportional(Loss::Damper) if link.stiffness < contact.stiffness => {
             Shape::Series(1.0 / (1.0 / link.stiffness - 1.0 / contact.stiffness))
         }
         _ => Shape::Alone,
@@ -60,85 +58,31 @@ pub(super) fn pull(contact: &ContactElement, shape: &Shape, depth: Expr, x: &Sym
         _ => depth,
     };
     // On either flank the penetration grows as |x|: its rate is ẋ·sgn x.
-    let size = Expr::Absolute(Box::new(x.clone().expr()));
-    let change = symbol("d", Index::None).expr().times(size);
-    let letters = Letters {
-        stiffness: symbol("k", Index::None),
-        damping: damping(),
-        factor: symbol("χ", Index::None),
-    };
-    let size = Expr::Absolute(Box::new(depth.clone()));
+    let magnitude = Expr::Absolute(Box::new(x.clone().expr()));
+    let change = symbol("d", Index::None).expr().times(magnitude);
     let motion = Motion {
+        size: Expr::Absolute(Box::new(depth.clone())),
         depth,
-        size,
         rate: x.clone().rate().expr(),
         growth: change.over(symbol("dt", Index::None)),
     };
-    let (force, factor) = force(&contact.law, &letters, motion);
-    let zero = Expr::Number(0.0);
-    match (force, factor) {
-        (Some(force), Some(factor)) => force.times(Expr::Greater(Box::new(zero), Box::new(factor))),
-        (Some(force), None) => force,
-        (None, _) => Expr::Words("what holds it on the flank".into()),
+    match letters().force(&contact.law, motion) {
+        Force::Plain(force) => force,
+        Force::Dissipating(force, factor) => {
+            let zero = Box::new(Expr::Number(0.0));
+            force.times(Expr::Greater(zero, Box::new(factor)))
+        }
+        Force::Reaction => Expr::Words("what holds it on the flank".into()),
     }
 }
 
-/// Letters of a contact's numbers.
-pub(super) struct Letters {
-    pub(super) stiffness: Symbol,
-    pub(super) damping: Symbol,
-    pub(super) factor: Symbol,
-}
-
-/// The motion in a contact: depth and its magnitude, its rate for a damper and for the factor.
-pub(super) struct Motion {
-    pub(super) depth: Expr,
-    pub(super) size: Expr,
-    pub(super) rate: Expr,
-    pub(super) growth: Expr,
-}
-
-/// The force of a contact, and the factor 1 + χ·ṗ of a form that has one; no force of a rigid
-/// contact.
-pub(super) fn force(
-    law: &ContactLaw,
-    letters: &Letters,
-    motion: Motion,
-) -> (Option<Expr>, Option<Expr>) {
-    let (form, damping) = law.of_link(0.0);
-    let linear = letters.stiffness.clone().expr().times(motion.depth);
-    let elastic = match form.elastic {
-        Elastic::Proportional => linear,
-        Elastic::Power { exponent, .. } => linear.times(power_below(motion.size, exponent)),
-        Elastic::Rigid { .. } => return (None, None),
-    };
-    match form.factor() {
-        None if damping == 0.0 => (Some(elastic), None),
-        None => {
-            let damped = letters.damping.clone().expr().times(motion.rate);
-            (Some(elastic.plus(damped)), None)
-        }
-        Some(0.0) => (Some(elastic), None),
-        Some(_) => {
-            let growth = letters.factor.clone().expr().times(motion.growth);
-            (Some(elastic), Some(Expr::Number(1.0).plus(growth)))
-        }
+fn letters() -> Letters {
+    Letters {
+        stiffness: symbol("k", Index::None),
+        damping: symbol("b", Index::Word("contact".into())),
+        factor: symbol("χ", Index::None),
+        restitution: symbol("e", Index::None),
     }
-}
-
-/// d^(n − 1).
-fn power_below(depth: Expr, exponent: f64) -> Expr {
-    match exponent - 1.0 {
-        0.5 => Expr::Root(Box::new(depth)),
-        other => {
-            let logarithm = Expr::Function("ln", Box::new(depth));
-            Expr::Function("exp", Box::new(Expr::Number(other).times(logarithm)))
-        }
-    }
-}
-
-fn damping() -> Symbol {
-    symbol("b", Index::Word("contact".into()))
 }
 
 /// What a rigid contact does in an impact; nothing of any other.
@@ -157,8 +101,7 @@ fn after() -> Expr {
 /// −e·ẋ just before it.
 fn rebound() -> Expr {
     let before = symbol("x", Index::Word("before".into())).rate();
-    let e = symbol("e", Index::None).expr();
-    e.times(before).negative()
+    letters().restitution.expr().times(before).negative()
 }
 
 /// The balance of the massless point.
@@ -180,60 +123,11 @@ pub(super) fn legend(part: &ObjectPart, pair: &Pair, section: &mut Section) {
     let Some(contact) = part.contact else {
         return;
     };
-    let letters = Letters {
-        stiffness: symbol("k", Index::None),
-        damping: damping(),
-        factor: symbol("χ", Index::None),
-    };
-    let e = symbol("e", Index::None);
     let of_contact = (contact.law, contact.stiffness);
-    entries(
-        of_contact,
-        (letters, e),
-        ("contact", part.coordinate),
-        section,
-    );
+    letters().entries(of_contact, ("contact", part.coordinate), section);
     let unit = units(part.coordinate);
     if pair.closure == Closure::Form {
         section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
-    }
-}
-
-/// What the letters of a contact stand for, as far as its force has them.
-pub(super) fn entries(
-    (law, stiffness): (ContactLaw, f64),
-    (letters, e): (Letters, Symbol),
-    (of, coordinate): (&str, Coordinate),
-    section: &mut Section,
-) {
-    let (form, damping) = law.of_link(0.0);
-    if let Some(restitution) = form.restitution() {
-        return section.entry(e, restitution, "", "coefficient of restitution");
-    }
-    let unit = unit_of_stiffness(form, coordinate);
-    section.entry(
-        letters.stiffness,
-        stiffness,
-        unit,
-        format!("stiffness of the {of}"),
-    );
-    if damping > 0.0 {
-        let unit = unit_of(Measure::Damping, coordinate);
-        section.entry(
-            letters.damping,
-            damping,
-            unit,
-            format!("damping of the {of}"),
-        );
-    }
-    if let Some(chi) = form.factor().filter(|chi| *chi > 0.0) {
-        let unit = unit_of(Measure::TimePerDisplacement, coordinate);
-        section.entry(
-            letters.factor,
-            chi,
-            unit,
-            format!("dissipation of the {of}"),
-        );
     }
 }
 

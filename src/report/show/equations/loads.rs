@@ -1,6 +1,7 @@
 //! Loads in the equations of motion.
 
-use super::{Section, contact, of_mass, of_object};
+use super::contact_force::{Force, Letters, Motion};
+use super::{Section, of_mass, of_object};
 use crate::dynamics::laws::{Declared, Measure};
 use crate::dynamics::model::{
     Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop, TrackSource,
@@ -164,31 +165,30 @@ impl OneLoad<'_> {
             false => at.expr().minus(phi),
         };
         section.line(p.clone(), depth, "indentation of the stop");
-        let letters = || contact::Letters {
+        let letters = Letters {
             stiffness: self.letter("k"),
             damping: self.letter("b"),
             factor: self.letter("χ"),
+            restitution: self.letter("e"),
         };
-        let e = self.letter("e");
-        let of_stop = ("stop", self.part().coordinate);
-        let own = (stop.law, stop.stiffness);
-        contact::entries(own, (letters(), e.clone()), of_stop, section);
-        let motion = contact::Motion {
+        let motion = Motion {
             depth: p.clone().expr(),
             size: p.clone().expr(),
             rate: p.clone().rate().expr(),
             growth: p.clone().rate().expr(),
         };
-        let force = match contact::force(&stop.law, &letters(), motion) {
-            (Some(force), Some(factor)) => force.times(factor),
-            (Some(force), None) => force,
-            (None, _) => {
+        let force = match letters.force(&stop.law, motion) {
+            Force::Plain(force) => force,
+            Force::Dissipating(force, factor) => force.times(factor),
+            Force::Reaction => {
                 let speed = |word: &str| symbol("p", Index::Word(word.into())).rate();
-                let rebound = e.expr().times(speed("before")).negative();
-                section.line(speed("after"), rebound, "at an impact");
+                let rebound = letters.restitution.clone().expr().times(speed("before"));
+                section.line(speed("after"), rebound.negative(), "at an impact");
                 Expr::Words("what holds it on the stop".into())
             }
         };
+        let own = (stop.law, stop.stiffness);
+        letters.entries(own, ("stop", self.part().coordinate), section);
         let pushes = Expr::Greater(Box::new(Expr::Number(0.0)), Box::new(force));
         let pushes = match stop.side > 0.0 {
             true => pushes.negative(),
@@ -212,7 +212,7 @@ impl OneLoad<'_> {
                 (letter, "0") => symbol(letter, Index::Mass(0)),
                 (letter, index) => symbol(letter, Index::Word(index.into())),
             };
-            let unit = unit_of(parameter.measure, self.part().coordinate);
+            let unit = units(self.part().coordinate).of(parameter.measure);
             section.entry(symbol.clone(), value, unit, parameter.meaning);
             symbols.push(symbol);
         }
@@ -333,24 +333,11 @@ fn words(declared: &Declared, coordinate: Coordinate) -> String {
         let key = declared.law.name_of(parameter);
         let shown = match parameter.measure {
             Measure::Number => significant(value, 4),
-            measure => with_unit(value, unit_of(measure, coordinate), 6),
+            measure => with_unit(value, units(coordinate).of(measure), 6),
         };
         words = words.replace(&format!("{{{key}}}"), &shown);
     }
     words
-}
-
-/// Unit of a number of a law.
-pub(in crate::report::show) fn unit_of(measure: Measure, coordinate: Coordinate) -> &'static str {
-    let unit = units(coordinate);
-    match measure {
-        Measure::Force => unit.force,
-        Measure::Stiffness => unit.stiffness,
-        Measure::Damping => unit.damping,
-        Measure::Speed => unit.speed,
-        Measure::TimePerDisplacement => unit.time_per_displacement,
-        Measure::Number => "",
-    }
 }
 
 /// What a stop holds: `φ ≥ 0 m`.

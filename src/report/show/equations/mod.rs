@@ -7,6 +7,7 @@
 
 mod chain;
 mod contact;
+mod contact_force;
 mod inputs;
 mod latex;
 mod linkage;
@@ -20,7 +21,6 @@ mod text;
 
 pub(crate) use inputs::summary as inputs_summary;
 pub use latex::latex;
-pub(super) use loads::unit_of;
 pub use loads::{stop_words, summary as load_summary};
 #[cfg(feature = "studio")]
 pub(in crate::report) use mathml::mathml;
