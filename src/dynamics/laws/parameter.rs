@@ -39,7 +39,7 @@ pub enum Measure {
 }
 
 /// What a number may be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Domain {
     /// Anything finite.
     Any,
@@ -51,8 +51,8 @@ pub enum Domain {
     NotZero,
     /// > 0, at most 1.
     UpToOne,
-    /// From 0 to 1.
-    Share,
+    /// From one number to another, both included.
+    Between(f64, f64),
 }
 
 impl Parameter {
@@ -63,10 +63,11 @@ impl Parameter {
             Domain::NotNegative => faults.not_negative(path, value),
             Domain::Positive | Domain::UpToOne => faults.positive(path, value),
             Domain::NotZero => faults.not_zero(path, value),
-            Domain::Share if (0.0..=1.0).contains(&value) => {}
-            Domain::Share => {
+            Domain::Between(from, to) if (from..=to).contains(&value) => {}
+            Domain::Between(from, to) => {
                 let message = format!("{value} is no {}", self.meaning);
-                faults.add(path, message, "give a number between 0 and 1");
+                let hint = format!("give a number between {from} and {to}");
+                faults.add(path, message, &hint);
             }
         }
     }

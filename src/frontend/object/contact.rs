@@ -64,8 +64,8 @@ fn law(fields: &mut Fields<'_>) -> Option<&'static ContactForceLaw> {
 
 fn doc_of_stiffness() -> String {
     format!(
-        "Stiffness k of the contact; of {} K, a bare number in N/m^(3/2) or N m/rad^(3/2); none \
-         of {}",
+        "Stiffness k of the contact; of {} K, a bare number in N/m^(3/2) or N m/rad^(3/2) where \
+         the exponent is 3/2; none of {}",
         kinds::keys(ContactForceLaw::is_of_power, "`", "and"),
         kinds::keys(ContactForceLaw::is_rigid, "`", "and")
     )
@@ -135,17 +135,16 @@ fn stiffness_of(
             (Touching::Line, open)
         }
     };
-    let of_power = law.is_of_power();
-    let laws = |quote| kinds::keys(ContactForceLaw::is_of_power, quote, "or");
+    let laws = |quote| kinds::keys(ContactForceLaw::is_of_point, quote, "or");
     let (fits, message, hint) = match touching {
         Touching::Point => (
-            of_power,
+            law.is_of_point(),
             format!("a contact in a point has the law {}", laws("`")),
             format!("set `law` to {}, or give a `line`", laws("\"")),
         ),
         Touching::Line => (
-            !of_power,
-            format!("the law `{}` is that of a contact in a point", law.key),
+            !law.is_of_power(),
+            format!("the law `{}` is not that of a contact along a line", law.key),
             "give a `point`, or another `law`".to_owned(),
         ),
     };

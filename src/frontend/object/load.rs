@@ -300,7 +300,7 @@ pub(super) fn number(slot: Slot<'_>, parameter: &Parameter, own: Measures) -> Op
         Domain::Positive => Bounds::POSITIVE,
         Domain::NotZero => Bounds::NOT_ZERO,
         Domain::UpToOne => Bounds::up_to(1.0),
-        Domain::Share => Bounds::between(0.0, 1.0),
+        Domain::Between(from, to) => Bounds::between(from, to),
     };
     let wanted = match parameter.measure {
         Measure::Force => own.force(),

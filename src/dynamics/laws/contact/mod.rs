@@ -68,6 +68,11 @@ impl ContactForceLaw {
     pub(crate) fn is_of_power(&self) -> bool {
         matches!(self.nominal(), ContactForm::Power { .. })
     }
+
+    /// True when its force is that of a contact in a point, whatever the numbers are.
+    pub(crate) fn is_of_point(&self) -> bool {
+        self.nominal().exponent() == 1.5
+    }
 }
 
 /// A contact law with its numbers (SI units).

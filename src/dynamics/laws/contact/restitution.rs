@@ -16,7 +16,7 @@ pub(super) const RESTITUTION: ContactForceLaw = ContactForceLaw {
         letter: ("e", ""),
         meaning: "coefficient of restitution",
         measure: Measure::Number,
-        domain: Domain::Share,
+        domain: Domain::Between(0.0, 1.0),
         usual: None,
     }],
     form: |own| {

@@ -4,7 +4,7 @@ use crate::dynamics::laws::parameter::Domain;
 /// Numbers at which a law is tried.
 fn tried(law: &'static ContactForceLaw) -> ContactLaw {
     let number = |own: &&Parameter| match own.domain {
-        Domain::Share | Domain::UpToOne => 0.6,
+        Domain::Between(from, to) => from + 0.6 * (to - from),
         _ => 1.75,
     };
     ContactLaw::new(law, law.parameters.iter().map(number))
@@ -45,6 +45,7 @@ fn the_force_that_the_schema_states_is_that_of_the_form() {
         let text = declared
             .doc
             .replace('·', "*")
+            .replace('−', "-")
             .replace('ṗ', "p_dot")
             .replace('K', "k");
         let formula = crate::math::expression::Expression::new(&text, &names).expect(&text);
