@@ -1,9 +1,9 @@
 //! Chains of masses, and rigid objects.
 
 use super::driven_end::{balanced_shares, loaded};
-use super::modes::Modal;
+use super::modes::{Modal, ModalLowering};
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, Level, Lumping, PairSpec};
-use super::{Connected, ModelBuilder, Place};
+use super::{Connected, ModelBuilder, Place, contact, driven_end, stop};
 use crate::dynamics::laws::contact::law_of_link;
 use crate::dynamics::model::{Closure, ContactForm, Coordinate, Law, Loss, NodeIndex, Pair};
 use crate::dynamics::stated::StatedPosition;
@@ -222,8 +222,16 @@ impl ModelBuilder {
                 modes,
                 split,
             };
-            self.check_stops(at, spec);
-            return self.modal(at, law, (spec, pair), body);
+            stop::check(at, spec, &self.indices, &mut self.faults);
+            let object = ModalLowering {
+                into: self,
+                at,
+                law,
+                spec,
+                pair,
+                body,
+            };
+            return object.lower();
         }
         let nodes = match (&spec.body, &spec.pair.contact) {
             (_, Some(contact)) => self.touching(at, law, &spec.body, parameters, (pair, *contact)),
@@ -232,7 +240,7 @@ impl ModelBuilder {
             }
             _ => self.masses(at, law, parameters, pair),
         };
-        self.check_driven_end(at, spec);
+        driven_end::check(at, spec, &mut self.faults);
         let end = match spec.has_driven_end() {
             true => Some(self.driven_end(at, law, parameters.driven_end).1),
             false => None,
@@ -291,7 +299,7 @@ impl ModelBuilder {
             self.faults.not_negative(&path, kappa);
         }
         if let Some(contact) = contact {
-            self.check_contact(at, spec, &contact);
+            contact::check(at, spec, &contact, &mut self.faults);
         }
         Pair {
             closure,

@@ -10,61 +10,66 @@ use crate::dynamics::model::{
     Closure, ContactElement, ContactForm, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair,
     Pressing,
 };
+use crate::fault::Faults;
 use crate::kinematics::cam::{CamGeometry, DiscCam};
 use crate::kinematics::position::Position;
 use std::sync::Arc;
 
+/// The faults of a contact element's numbers, and of what it stands in front of.
+pub(super) fn check(at: &Place, spec: &ChainSpec, contact: &ContactSpec, faults: &mut Faults) {
+    check_numbers(at, "pair.contact", contact, faults);
+    if !spec.pair.form.is_linear() {
+        let message = "a contact element has a law of its own";
+        let hint = "remove `pair.law`, or `pair.contact`";
+        faults.add(at.path("pair.law"), message, hint);
+    }
+    if spec.pair.closure == Closure::Bilateral && !contact.law.declaration().is_linear() {
+        let laws = keys(|law| law.is_linear(), "", "and");
+        let message = format!("a bilateral pair takes the contact laws {laws} alone");
+        let hint = "give one of them, or another closure";
+        faults.add(at.path("pair.contact.law"), message, hint);
+    }
+    let rigid = matches!(spec.body, BodySpec::Rigid { .. });
+    if contact.law.is_rigid() && !rigid {
+        let message = "before an elastic object an impact would set a single fragment going, \
+                       the more lightly the more masses there are";
+        let hint = "give `masses: 0`, or the contact a stiffness";
+        faults.add(at.path("pair.contact.restitution"), message, hint);
+    }
+    if contact.law.is_rigid() && spec.pair.closure == Closure::Form && spec.pair.gap == 0.0 {
+        let message = "without a gap a rigid pair never comes apart, and nothing strikes";
+        let hint = "give a gap, or the closure bilateral without a contact";
+        faults.add(at.path("pair.contact.restitution"), message, hint);
+    }
+    if let BodySpec::Rigid { inertia } = spec.body
+        && inertia <= 0.0
+    {
+        let message = "a body on a contact element needs an inertia: nothing else carries it";
+        faults.add(
+            at.path("inertia"),
+            message,
+            "give an inertia greater than 0",
+        );
+    }
+}
+
+/// The faults of the numbers of a contact at a property.
+pub(super) fn check_numbers(
+    at: &Place,
+    property: &str,
+    contact: &ContactSpec,
+    faults: &mut Faults,
+) {
+    let path = |name: &str| at.path(&format!("{property}.{name}"));
+    if !contact.law.is_rigid() {
+        faults.positive(&path("stiffness"), contact.stiffness);
+    }
+    for (parameter, value) in contact.law.parameters() {
+        parameter.check(faults, &path(parameter.key), value);
+    }
+}
+
 impl ModelBuilder {
-    /// The faults of a contact element's numbers, and of what it stands in front of.
-    pub(super) fn check_contact(&mut self, at: &Place, spec: &ChainSpec, contact: &ContactSpec) {
-        self.check_contact_numbers(at, "pair.contact", contact);
-        if !spec.pair.form.is_linear() {
-            let message = "a contact element has a law of its own";
-            let hint = "remove `pair.law`, or `pair.contact`";
-            self.fault(at, "pair.law", message, hint);
-        }
-        if spec.pair.closure == Closure::Bilateral && !contact.law.declaration().is_linear() {
-            let laws = keys(|law| law.is_linear(), "", "and");
-            let message = format!("a bilateral pair takes the contact laws {laws} alone");
-            let hint = "give one of them, or another closure";
-            self.fault(at, "pair.contact.law", message, hint);
-        }
-        let rigid = matches!(spec.body, BodySpec::Rigid { .. });
-        if contact.law.is_rigid() && !rigid {
-            let message = "before an elastic object an impact would set a single fragment going, \
-                           the more lightly the more masses there are";
-            let hint = "give `masses: 0`, or the contact a stiffness";
-            self.fault(at, "pair.contact.restitution", message, hint);
-        }
-        if contact.law.is_rigid() && spec.pair.closure == Closure::Form && spec.pair.gap == 0.0 {
-            let message = "without a gap a rigid pair never comes apart, and nothing strikes";
-            let hint = "give a gap, or the closure bilateral without a contact";
-            self.fault(at, "pair.contact.restitution", message, hint);
-        }
-        if let BodySpec::Rigid { inertia } = spec.body
-            && inertia <= 0.0
-        {
-            let message = "a body on a contact element needs an inertia: nothing else carries it";
-            self.fault(at, "inertia", message, "give an inertia greater than 0");
-        }
-    }
-
-    /// The faults of the numbers of a contact at a property.
-    pub(super) fn check_contact_numbers(
-        &mut self,
-        at: &Place,
-        property: &str,
-        contact: &ContactSpec,
-    ) {
-        let path = |name: &str| at.path(&format!("{property}.{name}"));
-        if !contact.law.is_rigid() {
-            self.faults.positive(&path("stiffness"), contact.stiffness);
-        }
-        for (parameter, value) in contact.law.parameters() {
-            parameter.check(&mut self.faults, &path(parameter.key), value);
-        }
-    }
-
     /// Tells how hard an object presses on its cam, as far as that can be built: what is
     /// wrong with it is told where cams are asked about.
     pub fn pressing(&mut self, at: &Place, spec: &ChainSpec, geometry: &CamGeometry) {
