@@ -5,7 +5,7 @@ use super::modes::{Modal, ModalLowering};
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, Level, Lumping, PairSpec};
 use super::{Connected, ModelBuilder, Place, contact, driven_end, stop};
 use crate::dynamics::laws::contact::law_of_link;
-use crate::dynamics::model::{Closure, ContactForm, Coordinate, Law, Loss, NodeIndex, Pair};
+use crate::dynamics::model::{Closure, Coordinate, Law, Loss, NodeIndex, Pair};
 use crate::dynamics::stated::StatedPosition;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::position::{Position, PositionSpec};
@@ -293,7 +293,7 @@ impl ModelBuilder {
             let message = format!("{opens} is no side");
             self.fault(at, "pair.opens", message, "give + or -");
         }
-        if let ContactForm::Proportional(loss @ Loss::Factor(kappa)) = form {
+        if let Some(loss @ Loss::Factor(kappa)) = form.loss() {
             let key = law_of_link(loss).key;
             let path = at.path(&format!("pair.law.{key}.kappa"));
             self.faults.not_negative(&path, kappa);

@@ -2,7 +2,7 @@
 
 use super::System;
 use super::balance::{Balance, resting_mode};
-use crate::dynamics::model::{Closure, ContactForm, LinkBase, Loss};
+use crate::dynamics::model::{Closure, LinkBase, Loss};
 use crate::fault::Fault;
 
 impl System {
@@ -12,7 +12,7 @@ impl System {
         let open = |link: &crate::dynamics::model::Link| {
             matches!(&link.base, LinkBase::Law { pair }
                 if pair.closure != Closure::Bilateral
-                    && pair.form == ContactForm::Proportional(Loss::FactorOfDamper))
+                    && pair.form.loss() == Some(Loss::FactorOfDamper))
         };
         let links: Vec<usize> = (0..self.model.links.len())
             .filter(|&link| open(&self.model.links[link]))

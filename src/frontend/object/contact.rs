@@ -144,10 +144,7 @@ fn stiffness_of(
         ),
         Touching::Line => (
             !law.is_of_power(),
-            format!(
-                "the law `{}` is not that of a contact along a line",
-                law.key
-            ),
+            format!("the law `{}` is that of a contact in a point", law.key),
             "give a `point`, or another `law`".to_owned(),
         ),
     };

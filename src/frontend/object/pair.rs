@@ -41,7 +41,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
             json!("+"),
             |slot| slot.choice(&[("+", 1.0), ("-", -1.0)]),
         );
-        let law = fields.or("law", "Law of the contact force: `kelvin_voigt` c·p + b·ṗ, `hunt_crossley` c·p·(1 + κ·ṗ); c and b of link 1.", json!("kelvin_voigt"), |slot| {
+        let law = fields.or("law", "Law of the contact force: `kelvin_voigt` c·p + b·ṗ, `hunt_crossley` c·p·(1 + κ·ṗ); c and b of link 1.", json!(law_of_link(Loss::Damper).key), |slot| {
             law(slot, own)
         });
         let contact = fields.maybe(

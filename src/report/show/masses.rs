@@ -4,7 +4,7 @@ use super::linkages::{linkages, multi_linkages};
 use super::{contact, equations, load_word, units};
 use crate::dynamics::laws::contact::law_of_link;
 use crate::dynamics::model::{
-    Closure, ContactForm, LinkBase, Loss, Model, NodeMotion, OUTPUT, ObjectPart, STOP,
+    Closure, LinkBase, Loss, Model, NodeMotion, OUTPUT, ObjectPart, STOP,
 };
 use crate::report::diagram::pair;
 use crate::report::findings::Table;
@@ -186,14 +186,12 @@ fn pairs(model: &Model) -> Table {
             ),
             Closure::Form => ("form", with_unit(pair.gap, unit, 6), "in the gap"),
         };
-        let law = match pair.form {
+        let law = match pair.form.loss() {
             _ if object.contact.is_some() => contact::summary(object),
-            _ if object.links.is_empty() => "rigid".to_owned(),
-            ContactForm::Proportional(loss) => {
+            Some(loss) if !object.links.is_empty() => {
                 format!("{}{}", law_of_link(loss).name, factor(loss, unit))
             }
-            // (Of a contact element alone.)
-            ContactForm::Power { .. } | ContactForm::Rigid { .. } => String::new(),
+            _ => "rigid".to_owned(),
         };
         table.push(vec![
             object.id.clone(),

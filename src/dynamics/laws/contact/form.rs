@@ -57,6 +57,14 @@ impl ContactForm {
         *self == Self::default()
     }
 
+    /// The loss of a proportional force.
+    pub fn loss(&self) -> Option<Loss> {
+        match *self {
+            Self::Proportional(loss) => Some(loss),
+            Self::Power { .. } | Self::Rigid { .. } => None,
+        }
+    }
+
     /// e of a rigid contact.
     pub fn restitution(&self) -> Option<f64> {
         match *self {

@@ -52,20 +52,43 @@ impl PowerForce {
     /// N and its derivatives over p.
     #[inline]
     pub(crate) fn jet(&self, p: f64) -> Jet {
+        match self.is_of_point() {
+            true => self.jet_of_point(p),
+            false => self.jet_of_power(p),
+        }
+    }
+
+    /// n = 3/2, in roots alone: r = √q.
+    #[inline]
+    fn jet_of_point(&self, p: f64) -> Jet {
+        let side = 1.0f64.copysign(p);
+        let r = self.root_of_point(p.abs());
+        let k = self.stiffness;
+        let slope = |r: f64| 1.0 + 1.5 * self.compliance * k * r;
+        let safe = r.max(LEAST.sqrt());
+        let w = slope(safe);
+        Jet {
+            value: side * k * r * r * r,
+            first: 1.5 * k * r / slope(r),
+            second: side * 0.75 * k / (safe * w.powi(3)),
+            third: -0.375 * k * (4.0 * w - 3.0) / (safe.powi(3) * w.powi(5)),
+        }
+    }
+
+    /// Any n.
+    fn jet_of_power(&self, p: f64) -> Jet {
         let side = 1.0f64.copysign(p);
         let (a, n, k) = (self.compliance, self.exponent, self.stiffness);
-        let q = self.indentation(p.abs());
-        let power = self.power_below(q);
-        let tangent = n * k * power;
+        let q = self.indentation_of_power(p.abs());
+        let tangent = |q: f64| n * k * q.powf(n - 1.0);
         // Derivatives over q beyond the first, where these have a limit.
         let safe = q.max(LEAST);
-        let safe_tangent = n * k * self.power_below(safe);
-        let second = (n - 1.0) * safe_tangent / safe;
+        let second = (n - 1.0) * tangent(safe) / safe;
         let third = (n - 2.0) * second / safe;
-        let w = 1.0 + a * safe_tangent;
+        let w = 1.0 + a * tangent(safe);
         Jet {
-            value: side * k * power * q,
-            first: tangent / (1.0 + a * tangent),
+            value: side * k * q.powf(n),
+            first: tangent(q) / (1.0 + a * tangent(q)),
             second: side * second / w.powi(3),
             third: (third * w - 3.0 * a * second * second) / w.powi(5),
         }
@@ -74,7 +97,8 @@ impl PowerForce {
     /// The energy stored up to p ≥ 0, with its derivatives.
     pub(crate) fn energy(&self, p: f64) -> Jet {
         let force = self.jet(p);
-        let own = self.indentation(p.abs()) * force.value.abs() / (self.exponent + 1.0);
+        let share = 1.0 / (self.exponent + 1.0);
+        let own = share * self.indentation(p.abs()) * force.value.abs();
         Jet {
             value: own + 0.5 * self.compliance * force.value * force.value,
             first: force.value,
@@ -85,7 +109,12 @@ impl PowerForce {
 
     /// p under a force N ≥ 0.
     pub(crate) fn penetration(&self, force: f64) -> f64 {
-        self.root(force / self.stiffness) + self.compliance * force
+        let ratio = force / self.stiffness;
+        let indentation = match self.is_of_point() {
+            true => ratio.cbrt().powi(2),
+            false => ratio.powf(1.0 / self.exponent),
+        };
+        indentation + self.compliance * force
     }
 
     /// The penetration under a force, as an odd function, with its derivatives.
@@ -104,41 +133,56 @@ impl PowerForce {
     }
 
     /// Share of p ≥ 0 that is indentation: q.
-    #[inline]
     pub(crate) fn indentation(&self, p: f64) -> f64 {
-        let both = self.compliance * self.stiffness;
+        match self.is_of_point() {
+            true => self.root_of_point(p).powi(2),
+            false => self.indentation_of_power(p),
+        }
+    }
+
+    #[inline]
+    fn is_of_point(&self) -> bool {
+        self.exponent == 1.5
+    }
+
+    /// r = √q at p ≥ 0 for n = 3/2: of p = r² + a·K·r³.
+    fn root_of_point(&self, p: f64) -> f64 {
+        let cubic = self.compliance * self.stiffness;
+        if cubic == 0.0 || p == 0.0 {
+            return p.sqrt();
+        }
+        // Both bound r from above; the function is convex there.
+        from_above(p.sqrt().min((p / cubic).cbrt()), |r| {
+            let miss = r * r * (1.0 + cubic * r) - p;
+            miss / (r * (2.0 + 3.0 * cubic * r))
+        })
+    }
+
+    /// q at p ≥ 0 for any n.
+    fn indentation_of_power(&self, p: f64) -> f64 {
+        let (n, both) = (self.exponent, self.compliance * self.stiffness);
         if both == 0.0 || p == 0.0 {
             return p;
         }
-        // Both bound q from above; the function is convex there.
-        let mut q = p.min(self.root(p / both));
-        for _ in 0..ITERATIONS {
-            let share = both * self.power_below(q);
-            let next = q - (q * (1.0 + share) - p) / (1.0 + self.exponent * share);
-            if next >= q || !next.is_finite() {
-                break;
-            }
-            q = next;
-        }
-        q
+        from_above(p.min((p / both).powf(1.0 / n)), |q| {
+            let share = both * q.powf(n - 1.0);
+            (q * (1.0 + share) - p) / (1.0 + n * share)
+        })
     }
+}
 
-    /// q^(n − 1).
-    #[inline]
-    fn power_below(&self, q: f64) -> f64 {
-        match self.exponent == 1.5 {
-            true => q.sqrt(),
-            false => q.powf(self.exponent - 1.0),
+/// Newton's method for an increasing convex function from above its zero; `step`: how far it
+/// goes down.
+fn from_above(start: f64, step: impl Fn(f64) -> f64) -> f64 {
+    let mut x = start;
+    for _ in 0..ITERATIONS {
+        let next = x - step(x);
+        if next >= x || !next.is_finite() {
+            break;
         }
+        x = next;
     }
-
-    /// x^(1/n).
-    fn root(&self, x: f64) -> f64 {
-        match self.exponent == 1.5 {
-            true => x.cbrt().powi(2),
-            false => x.powf(1.0 / self.exponent),
-        }
-    }
+    x
 }
 
 #[cfg(test)]
@@ -175,6 +219,27 @@ mod tests {
                 let [above, below] = [force.energy(p.abs() + h), force.energy(p.abs() - h)];
                 let rate = (above.value - below.value) / (2.0 * h);
                 approx::assert_relative_eq!(rate, size, max_relative = 1e-6);
+            }
+        }
+    }
+
+    #[test]
+    fn a_contact_in_a_point_is_one_of_the_powers() {
+        for compliance in [0.0, 1e-9, 1e-8] {
+            let force = PowerForce {
+                stiffness: 3e10,
+                exponent: 1.5,
+                compliance,
+            };
+            for p in [1e-6, -4e-5, 1e-3] {
+                let [point, power] = [force.jet_of_point(p), force.jet_of_power(p)];
+                let close = |of: fn(&super::Jet) -> f64| {
+                    approx::assert_relative_eq!(of(&point), of(&power), max_relative = 1e-12);
+                };
+                close(|jet| jet.value);
+                close(|jet| jet.first);
+                close(|jet| jet.second);
+                close(|jet| jet.third);
             }
         }
     }

@@ -4,9 +4,7 @@ use super::{
     LONGEST_WRITTEN_OUT, Section, contact, inertia_side, inputs, list, loads, of_mass, of_object,
     output, output_name, reflected,
 };
-use crate::dynamics::model::{
-    Closure, ContactForm, LinkBase, Loss, Model, NodeMotion, ObjectPart, Pair,
-};
+use crate::dynamics::model::{Closure, LinkBase, Loss, Model, NodeMotion, ObjectPart, Pair};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::{position, units};
 
@@ -145,7 +143,7 @@ fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
         return;
     }
     section.line(symbol("F", Index::None), force, "pull of link 1");
-    if pair.form == ContactForm::Proportional(Loss::FactorOfDamper) {
+    if pair.form.loss() == Some(Loss::FactorOfDamper) {
         let static_penetration = symbol("p", Index::Word("static".into()));
         let ratio = of_mass("b", 1).expr();
         let ratio = ratio.over(of_mass("c", 1).expr().times(static_penetration));
@@ -274,7 +272,7 @@ fn legend(model: &Model, part: &ObjectPart, section: &mut Section) {
         if pair.closure == Closure::Form {
             section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
         }
-        if let ContactForm::Proportional(Loss::Factor(kappa)) = pair.form {
+        if let Some(Loss::Factor(kappa)) = pair.form.loss() {
             let unit = unit.time_per_displacement;
             section.entry(symbol("κ", Index::None), kappa, unit, "contact damping");
         }
