@@ -15,6 +15,16 @@ use crate::kinematics::cam::{CamGeometry, DiscCam};
 use crate::kinematics::position::Position;
 use std::sync::Arc;
 
+/// What stands against static flexibility behind a contact, of these laws.
+pub(crate) const STATIC_BEHIND_A_CURVE: &str = "static flexibility is that of the object and of its \
+     contact in series, which needs a contact force proportional to the indentation";
+
+/// What to give in its place.
+pub(crate) fn instead_of_static() -> String {
+    let laws = keys(|law| law.is_linear(), "`", "or");
+    format!("the contact law {laws}, or `modes` in place of `flexibility`")
+}
+
 /// The faults of a contact element's numbers, and of what it stands in front of.
 pub(super) fn check(at: &Place, spec: &ChainSpec, contact: &ContactSpec, faults: &mut Faults) {
     check_numbers(at, "pair.contact", contact, faults);
@@ -66,6 +76,18 @@ pub(super) fn check_numbers(
     }
     for (parameter, value) in contact.law.parameters() {
         parameter.check(faults, &path(parameter.key), value);
+    }
+}
+
+/// The fault of static flexibility behind a contact.
+pub(super) fn check_static(at: &Place, spec: &ChainSpec, faults: &mut Faults) {
+    let law = spec.pair.contact.map(|contact| contact.law);
+    if law.is_some_and(|law| !law.declaration().is_linear() && !law.is_rigid()) {
+        faults.add(
+            at.path("flexibility"),
+            STATIC_BEHIND_A_CURVE,
+            &instead_of_static(),
+        );
     }
 }
 

@@ -11,22 +11,11 @@
 //! the same sum (`TreeObject::output`).
 
 use super::continuum::Continuum;
-use super::modes::{ModalLowering, Shares};
-use super::spec::{ChainSpec, ContactSpec};
-use super::{ChainParameters, ModelBuilder, Place, modal_output};
-use crate::dynamics::laws::contact::keys;
+use super::modal_output::{self, Shares};
+use super::modes::ModalLowering;
+use super::spec::ContactSpec;
+use super::{ChainParameters, ModelBuilder, Place};
 use crate::dynamics::model::{NodeIndex, Pair, PartInput, Reduced, SUM};
-use crate::fault::Faults;
-
-/// What stands against static flexibility behind a contact, of these laws.
-pub(crate) const STATIC_BEHIND_A_CURVE: &str = "static flexibility is that of the object and of its \
-     contact in series, which needs a contact force proportional to the indentation";
-
-/// What to give in its place.
-pub(crate) fn instead_of_static() -> String {
-    let laws = keys(|law| law.is_linear(), "`", "or");
-    format!("the contact law {laws}, or `modes` in place of `flexibility`")
-}
 
 impl ModalLowering<'_> {
     /// Lowers the object free of its driver, behind a contact element.
@@ -80,16 +69,4 @@ fn output_of_masses(into: &mut ModelBuilder, at: &Place, shares: &Shares) -> Opt
     into.model.objects[part].inputs = PartInput::only(Some(at.object));
     into.outputs.insert(at.id.clone(), output);
     Some(output)
-}
-
-/// The fault of static flexibility behind a contact.
-pub(super) fn check_static(at: &Place, spec: &ChainSpec, faults: &mut Faults) {
-    let law = spec.pair.contact.map(|contact| contact.law);
-    if law.is_some_and(|law| !law.declaration().is_linear() && !law.is_rigid()) {
-        faults.add(
-            at.path("flexibility"),
-            STATIC_BEHIND_A_CURVE,
-            &instead_of_static(),
-        );
-    }
 }

@@ -1,11 +1,13 @@
 //! The output of an object that is reduced to modes: a sum, on which loads act.
 
-use super::modes::Shares;
 use super::spec::{LoadLawSpec, LoadSpec};
 use super::{Connected, ModelBuilder, Place};
 use crate::dynamics::model::{Load, LoadLaw, NodeIndex, Pair};
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::position::Position;
+
+/// Shares of a force at the output that inner nodes get.
+pub(super) type Shares = Vec<(NodeIndex, f64)>;
 
 /// The node of the output: the sum of the nodes by their shares.
 pub(super) fn sum(

@@ -17,10 +17,11 @@
 //! needs is its margin.
 
 use super::continuum::{Continuum, Oscillator, Reduction};
+use super::modal_output::{self, Shares};
 use super::smooth::is_smooth;
 use super::spec::{ChainSpec, ContactSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
-use super::{ChainParameters, FREE_FALL, ModelBuilder, Place, free_modes, modal_output};
-use crate::dynamics::model::{Closure, Law, MODE, NodeIndex, Pair, PartInput, Reduced};
+use super::{ChainParameters, FREE_FALL, ModelBuilder, Place, contact};
+use crate::dynamics::model::{Closure, Law, MODE, Pair, PartInput, Reduced};
 use crate::fault::Faults;
 use std::f64::consts::TAU;
 
@@ -99,9 +100,6 @@ impl Rest {
         };
     }
 }
-
-/// Shares of a force at the output that inner nodes get.
-pub(super) type Shares = Vec<(NodeIndex, f64)>;
 
 /// An object of modes that is lowered into a model.
 pub(super) struct ModalLowering<'b> {
@@ -232,7 +230,7 @@ impl ModalLowering<'_> {
             faults.add(at.path(body.property()), message, hint);
         }
         if body.modes == 0 {
-            free_modes::check_static(at, spec, faults);
+            contact::check_static(at, spec, faults);
         }
         for load in &spec.loads {
             check_mass(at, load, faults);

@@ -66,7 +66,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
 }
 
 fn law(slot: Slot<'_>, own: Measures) -> Option<Loss> {
-    let of_link = |law: &&ContactForceLaw| Some((law.key, law.of_link?));
+    let of_link = |law: &&ContactForceLaw| Some((law.key, law.pair_loss?));
     let names: Vec<_> = CONTACT_LAWS.iter().filter_map(of_link).collect();
     let with_factor = law_of_link(Loss::FactorOfDamper).key;
     slot.object_or(

@@ -6,7 +6,7 @@ pub(super) const ELASTIC: ContactForceLaw = ContactForceLaw {
     key: "elastic",
     name: "elastic",
     doc: "k·p",
-    of_link: None,
+    pair_loss: None,
     parameters: &[],
     form: |_| (ContactForm::default(), 0.0),
 };

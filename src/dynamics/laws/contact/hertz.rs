@@ -14,7 +14,7 @@ pub(super) const HERTZ: ContactForceLaw = ContactForceLaw {
     key: "hertz",
     name: "Hertz",
     doc: "K·p^(3/2)·(1 + dissipation·ṗ)",
-    of_link: None,
+    pair_loss: None,
     parameters: &[&MAY_DISSIPATE],
     form: |own| {
         let form = ContactForm::Power {

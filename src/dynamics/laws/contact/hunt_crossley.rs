@@ -18,7 +18,7 @@ pub(super) const HUNT_CROSSLEY: ContactForceLaw = ContactForceLaw {
     key: "hunt_crossley",
     name: "Hunt–Crossley",
     doc: "k·p·(1 + dissipation·ṗ)",
-    of_link: Some(Loss::FactorOfDamper),
+    pair_loss: Some(Loss::FactorOfDamper),
     parameters: &[&DISSIPATION],
     form: |own| match own[0] {
         0.0 => (ContactForm::default(), 0.0),

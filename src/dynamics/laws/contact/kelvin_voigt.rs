@@ -7,7 +7,7 @@ pub(super) const KELVIN_VOIGT: ContactForceLaw = ContactForceLaw {
     key: "kelvin_voigt",
     name: "Kelvin–Voigt",
     doc: "k·p + damping·ṗ",
-    of_link: Some(Loss::Damper),
+    pair_loss: Some(Loss::Damper),
     parameters: &[&Parameter {
         key: "damping",
         doc: "Damping of {laws}",

@@ -41,7 +41,7 @@ pub struct ContactForceLaw {
     pub doc: &'static str,
     /// The loss of a pair of this law without a contact element: link 1 is the contact too, with
     /// its own stiffness and damping. `None`: such a pair has no such law.
-    pub of_link: Option<Loss>,
+    pub pair_loss: Option<Loss>,
     /// Its other numbers, in their order.
     pub parameters: &'static [&'static Parameter],
     /// The form of its force with these numbers, and its damping b.
@@ -149,7 +149,7 @@ pub(crate) fn law_of_link(loss: Loss) -> &'static ContactForceLaw {
     let damper = |loss: Loss| loss == Loss::Damper;
     let is_it = |own: Loss| damper(own) == damper(loss);
     let mut laws = CONTACT_LAWS.into_iter();
-    laws.find(|law| law.of_link.is_some_and(is_it))
+    laws.find(|law| law.pair_loss.is_some_and(is_it))
         .unwrap_or(CONTACT_LAWS[0])
 }
 

@@ -8,7 +8,7 @@ pub(super) const RESTITUTION: ContactForceLaw = ContactForceLaw {
     key: "restitution",
     name: "rigid",
     doc: "rigid, with impacts, which is the default where that is given",
-    of_link: None,
+    pair_loss: None,
     parameters: &[&Parameter {
         key: "restitution",
         doc: "Coefficient of restitution e of a rigid contact: the speed after an impact over \
