@@ -1,6 +1,6 @@
 //! A scene made ready to be asked.
 
-use super::{RunOptions, requirements};
+use super::RunOptions;
 use crate::Error;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Figures;
@@ -13,7 +13,7 @@ use crate::studies::order::{Certificate, choose};
 use crate::studies::run::{RunResult, run};
 use crate::studies::steady::{Answer, steady_motion_within};
 use crate::studies::studied::wrong_units;
-use crate::studies::{Control, RunSettings, clock, defined, lookup, plausible};
+use crate::studies::{Control, RunSettings, clock, defined, lookup, plausible, requirements};
 
 /// A scene that was checked, lowered and frozen: it is asked without being read again.
 #[derive(Debug)]
@@ -114,7 +114,12 @@ impl Mechanism {
     /// # Errors
     /// It was ended before everything was judged.
     pub fn verify_within(&self, control: &Control<'_>) -> Result<Vec<Requirement>, Error> {
-        let all = requirements::judged(self, control);
+        let all = requirements::judged(lookup::Subject {
+            scene: self.scene(),
+            system: &self.system,
+            settings: &self.settings,
+            control,
+        });
         match control.is_spent() {
             true => Err(Error::question("the judging was interrupted")),
             false => Ok(all),

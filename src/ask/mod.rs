@@ -35,7 +35,6 @@ mod map;
 mod mechanism;
 mod methods;
 mod reduce;
-mod requirements;
 mod run;
 mod scene;
 mod synthesis;

@@ -218,6 +218,20 @@ pub fn escape(text: &str) -> String {
     out
 }
 
+/// What stands between backticks in a text that was made safe, as code.
+pub(in crate::report) fn coded(text: &str) -> String {
+    let parts: Vec<&str> = text.split('`').collect();
+    // One alone is a character as any other.
+    if parts.len() % 2 == 0 {
+        return text.to_owned();
+    }
+    let part = |(at, part): (usize, &&str)| match at % 2 {
+        0 => (*part).to_owned(),
+        _ => format!("<code>{part}</code>"),
+    };
+    parts.iter().enumerate().map(part).collect()
+}
+
 /// The text shortened to `length` characters, an ellipsis in the middle so that
 /// both ends of an id stay readable.
 pub fn shortened(text: &str, length: usize) -> String {

@@ -34,6 +34,7 @@ pub(crate) mod offer;
 pub mod order;
 pub mod plausible;
 pub mod reduce;
+pub mod requirements;
 pub mod rigid;
 pub mod run;
 mod settings;
