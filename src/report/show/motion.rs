@@ -92,9 +92,7 @@ pub fn summary(motion: &DriveMotion, coordinate: Coordinate) -> String {
     match motion {
         DriveMotion::Constant { speed: 0.0, .. } => "held".into(),
         DriveMotion::Constant { speed, .. } => speed_words(*speed),
-        DriveMotion::Accelerated { acceleration, .. } => {
-            acceleration_words(*acceleration)
-        }
+        DriveMotion::Accelerated { acceleration, .. } => acceleration_words(*acceleration),
         DriveMotion::RunUp { speed, time, .. } => {
             format!("to {} in {}", speed_words(*speed), with_unit(*time, "s", 4))
         }
