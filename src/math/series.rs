@@ -16,6 +16,12 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub(crate) struct Series<const N: usize, T = f64>(pub(crate) [T; N]);
 
 impl<const N: usize, T: Number> Series<N, T> {
+    /// The series times a constant.
+    #[inline(always)]
+    pub(crate) fn scale(self, factor: f64) -> Self {
+        Self(self.0.map(|c| c.scale(factor)))
+    }
+
     /// Square of the series.
     #[inline(always)]
     pub(crate) fn square(self) -> Self {
@@ -123,12 +129,6 @@ impl<const N: usize> Series<N> {
     #[inline(always)]
     pub(crate) fn is_zero(&self) -> bool {
         self.0 == [0.0; N]
-    }
-
-    /// The series times a constant.
-    #[inline(always)]
-    pub(crate) fn scale(self, factor: f64) -> Self {
-        Self(self.0.map(|c| c * factor))
     }
 
     /// The series plus a constant.

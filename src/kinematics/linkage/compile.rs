@@ -2,12 +2,11 @@
 //! solution, or to what is wrong with its structure.
 
 mod misfit;
-mod tied;
 
 use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
-use super::newton::{GroupPair, NewtonGroup, Side};
+use super::newton::{GroupPair, NewtonGroup, Side, Tied};
 use super::plan::{Driver, Plan, Step, size};
 use super::skeleton::Skeleton;
 use super::spec::LinkageSpec;
@@ -16,7 +15,6 @@ use super::vector::Arm;
 use crate::fault::{Fault, Faults};
 use misfit::misfit;
 pub(super) use misfit::{is_or_are, tie_named};
-use tied::tied;
 
 /// The bodies that the driver does not place, and the body of every link.
 pub(super) struct Bodies {
@@ -211,7 +209,7 @@ pub(super) fn larger_group(
     // What does not meet, or has no pitch curve, was refused before.
     let tied = couplings
         .iter()
-        .filter_map(|&coupling| tied(spec, &spec.couplings[coupling], own));
+        .filter_map(|&coupling| Tied::new(&spec.couplings[coupling], &spec.pairs, own));
     let newton = NewtonGroup {
         bodies: group.iter().map(|&body| bodies.list[body]).collect(),
         joints: joints.collect(),

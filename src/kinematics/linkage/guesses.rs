@@ -226,10 +226,9 @@ fn put(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
         state.put(body, &NewtonGroup::frame::<1>(scratch, index));
         // Where nothing counts the turns it is the angle in (−π, π].
         let angle = scratch.unknowns[3 * index + 2][0];
-        let counted = group.couplings.iter().filter_map(Tied::geared).next();
-        state.near[body.base] = match counted {
-            None => state.links[body.base].angle(),
-            Some(_) => angle,
+        state.near[body.base] = match group.couplings.iter().any(Tied::turns) {
+            false => state.links[body.base].angle(),
+            true => angle,
         };
     }
 }

@@ -7,8 +7,6 @@
 //! and the k-th set to zero, the k-th coefficient of the equations is what the
 //! matrix must balance.
 
-mod cam;
-mod geared;
 mod tied;
 
 use super::dyad::Margin;
@@ -18,8 +16,6 @@ use super::state::State;
 use super::vector::Vector;
 use crate::math::linear::dense::{factorise, solve};
 use crate::math::series::Series;
-pub(super) use cam::Rolling;
-pub(super) use geared::{Geared, Second};
 pub(super) use tied::Tied;
 
 /// Most iterations from a guess of the table; two or three are usual.
@@ -241,7 +237,7 @@ impl NewtonGroup {
             }
         }
         for (index, coupling) in self.couplings.iter().enumerate() {
-            let row = coupling.error::<N>(self, state, scratch, size);
+            let row = coupling.error::<N>(state, scratch, size);
             row.store(&mut scratch.equations[2 * self.joints.len() + index]);
         }
     }
@@ -282,7 +278,13 @@ impl NewtonGroup {
         }
         for (index, coupling) in self.couplings.iter().enumerate() {
             let top = (2 * self.joints.len() + index) * n;
-            coupling.derivatives(self, state, scratch, size, top);
+            let mut matrix = std::mem::take(&mut scratch.matrix);
+            coupling.derivatives(state, scratch, size, |body, entries| {
+                for (unknown, entry) in entries.into_iter().enumerate() {
+                    matrix[top + 3 * body + unknown] += entry;
+                }
+            });
+            scratch.matrix = matrix;
         }
     }
 }

@@ -129,7 +129,7 @@ impl Plan {
 /// belong together, or radius of a cam (m).
 pub(super) fn size(spec: &LinkageSpec) -> f64 {
     let points: Vec<PointOf> = spec.joints().collect();
-    let mut size = spec.greatest_cam();
+    let mut size = spec.greatest_coupling();
     for (index, one) in points.iter().enumerate() {
         for other in points[index + 1..].iter().filter(|o| o.link == one.link) {
             let [x, y] = [other.at[0] - one.at[0], other.at[1] - one.at[1]];

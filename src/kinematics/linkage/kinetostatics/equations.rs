@@ -40,7 +40,7 @@ impl Kinetostatics {
         }
         for coupling in 0..self.spec.couplings.len() {
             let column = 2 * self.spec.pairs.len() + coupling;
-            let places = (w.pairs.as_slice(), w.links.as_slice(), w.centres.as_slice());
+            let places = (w.links.as_slice(), w.centres.as_slice());
             self.each_coupling_row(coupling, places, |row, value| {
                 w.factors.add(row, column, value);
             });

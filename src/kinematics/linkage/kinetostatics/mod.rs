@@ -110,7 +110,7 @@ pub struct Kinetostatics {
     /// Number of equations of constraints that are redundant.
     redundant: usize,
     /// What each coupling presses by.
-    coupled: Vec<couplings::CouplingReaction>,
+    coupled: Vec<super::joints::Joint>,
     /// Factors of friction of each pair that has any, without sign.
     friction_factors: Vec<Option<Law>>,
     /// Size of the inertia in the column of the acceleration (kg or kg·m).
@@ -269,7 +269,7 @@ fn friction(pair: &PairSpec, length: f64) -> Option<Law> {
 /// all coincide.
 fn length_scale(spec: &LinkageSpec) -> f64 {
     let points: Vec<_> = spec.joints().collect();
-    let mut most = spec.greatest_cam();
+    let mut most = spec.greatest_coupling();
     for a in &points {
         for b in points.iter().filter(|b| b.link == a.link) {
             most = most.max((a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]));

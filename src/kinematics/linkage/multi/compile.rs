@@ -257,7 +257,7 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
             group
                 .couplings
                 .iter()
-                .flat_map(|coupling| coupling.bodies()),
+                .flat_map(|coupling| coupling.bodies),
         );
         let outside: Vec<usize> = sides.filter(|side| !links.contains(side)).collect();
         let own = group.inner.as_ref().map(|inner| inner.input);
