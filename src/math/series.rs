@@ -16,6 +16,14 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub(crate) struct Series<const N: usize, T = f64>(pub(crate) [T; N]);
 
 impl<const N: usize, T: Number> Series<N, T> {
+    /// A constant, of any kind of number.
+    #[inline(always)]
+    pub(crate) fn fixed(value: f64) -> Self {
+        let mut coefficients = [T::from(0.0); N];
+        coefficients[0] = T::from(value);
+        Self(coefficients)
+    }
+
     /// The series times a constant.
     #[inline(always)]
     pub(crate) fn scale(self, factor: f64) -> Self {
@@ -88,9 +96,7 @@ impl<const N: usize> Series<N> {
     /// A constant.
     #[inline(always)]
     pub(crate) fn constant(value: f64) -> Self {
-        let mut coefficients = [0.0; N];
-        coefficients[0] = value;
-        Self(coefficients)
+        Self::fixed(value)
     }
 
     /// The variable itself, at `value`.

@@ -6,7 +6,7 @@ mod misfit;
 use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
-use super::newton::{GroupPair, NewtonGroup, Side, Tied};
+use super::newton::{NewtonGroup, Side, Tied};
 use super::plan::{Driver, Plan, Step, size};
 use super::skeleton::Skeleton;
 use super::spec::LinkageSpec;
@@ -202,18 +202,16 @@ pub(super) fn larger_group(
             None => Side::Known(*element),
         }
     };
-    let joints = pairs.iter().map(|&pair| GroupPair {
-        sides: elements(&spec.pairs[pair]).each_ref().map(own),
-        slides: slides(&spec.pairs[pair]),
-    });
+    let joints = pairs
+        .iter()
+        .map(|&pair| Tied::of_pair(&spec.pairs[pair], own));
     // What does not meet, or has no pitch curve, was refused before.
     let tied = couplings
         .iter()
-        .filter_map(|&coupling| Tied::new(&spec.couplings[coupling], &spec.pairs, own));
+        .filter_map(|&coupling| Tied::of_coupling(&spec.couplings[coupling], &spec.pairs, own));
     let newton = NewtonGroup {
         bodies: group.iter().map(|&body| bodies.list[body]).collect(),
-        joints: joints.collect(),
-        couplings: tied.collect(),
+        ties: joints.chain(tied).collect(),
     };
     let links = newton.bodies.iter().flat_map(Body::links).count();
     (Some(Step::Newton(newton)), GroupKind::Newton { links })

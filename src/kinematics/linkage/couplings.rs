@@ -4,7 +4,7 @@
 //! holds what is said of each kind. What it ties is solved by iteration (`newton::tied`). Angles are
 //! continued along the walk, and a table over the whole period, in which the wheels come back to
 //! where they were, gives the turn. Behind several inputs a coupling is one more row of a larger
-//! group's matrix (`multi::coupled`, `multi::larger`). A position is then found on the way from the
+//! group's matrix (`multi::tied`, `multi::larger`). A position is then found on the way from the
 //! last one, in parts in which nothing turns by half a turn.
 
 pub(crate) use super::joints::Outline;

@@ -151,7 +151,7 @@ fn iterate<const N: usize>(
             unknown[0] = value;
         }
     }
-    for link in group.couplings.iter().flat_map(Tied::known_links) {
+    for link in group.ties.iter().flat_map(Tied::known_links) {
         state.near[link] = match guess {
             Guess::Table(table) => table.near(place, link, reduced)[2],
             Guess::Near(anchor) => anchor.near(link, reduced)[2],

@@ -20,8 +20,8 @@ pub(crate) struct Vector<const N: usize, T = f64> {
 impl<const N: usize> Vector<N> {
     /// A constant.
     #[inline(always)]
-    pub(crate) fn constant([x, y]: [f64; 2]) -> Self {
-        Self::new(Series::constant(x), Series::constant(y))
+    pub(crate) fn constant(at: [f64; 2]) -> Self {
+        Self::fixed(at)
     }
 
     /// The unit vector at the angle `rate`·x = `angle`.
@@ -77,6 +77,12 @@ impl<const N: usize, T: Number> Vector<N, T> {
         Self { x, y }
     }
 
+    /// A constant, of any kind of number.
+    #[inline(always)]
+    pub(crate) fn fixed([x, y]: [f64; 2]) -> Self {
+        Self::new(Series::fixed(x), Series::fixed(y))
+    }
+
     #[inline(always)]
     pub(crate) fn dot(self, other: Self) -> Series<N, T> {
         self.x * other.x + self.y * other.y
@@ -98,11 +104,6 @@ impl<const N: usize, T: Number> Vector<N, T> {
     #[inline(always)]
     pub(crate) fn left(self) -> Self {
         Self::new(-self.y, self.x)
-    }
-
-    #[inline(always)]
-    pub(crate) fn scale(self, factor: f64) -> Self {
-        Self::new(self.x.scale(factor), self.y.scale(factor))
     }
 
     #[inline(always)]

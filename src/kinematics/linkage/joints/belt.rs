@@ -3,16 +3,14 @@
 //! The difference of the forces of both strands acts, each in its own direction. The pretension is
 //! not counted, since the linkage does not tell it.
 
-use super::carrier::{Mismatch, axes, axis};
-use super::constraint::{Act, Constraint, Frames, Measure, Turns, Wrench};
+use super::carrier::{Mismatch, axes};
+use super::constraint::Act;
 use super::outline::Outline;
 use super::reader::{JointReader, Sizes};
-use super::wheels::{LACKS, TwoWheels, check_ratio, towards, wrong};
+use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::kinematics::linkage::spec::pair::PairSpec;
-use crate::math::number::Number;
-use crate::math::series::Series;
 use crate::units::shown;
 
 /// A belt in plain numbers.
@@ -41,16 +39,9 @@ fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
     Some(carried?.coupled(CouplingKind::Belt(Belt { radii })))
 }
 
-impl Belt {
-    fn ratio(&self) -> f64 {
-        let [one, other] = self.radii;
-        one / other
-    }
-}
-
 impl Kind for Belt {
     fn check(&self, path: &str, faults: &mut Faults) {
-        check_ratio(self.ratio(), path, faults);
+        check_ratio(self.radii[0] / self.radii[1], path, faults);
     }
 
     fn fits(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch> {
@@ -68,13 +59,7 @@ impl Kind for Belt {
     }
 
     fn ready(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
-        let wheels = TwoWheels {
-            ratio: self.ratio(),
-            offset: coupling.offset,
-            axes: axes(coupling, pairs).ok()?,
-        };
-        let radii = self.radii;
-        Some(Joint::Belt(Ready { wheels, radii }))
+        TwoWheels::new(coupling, pairs, self.radii, press).map(Joint::Belt)
     }
 
     /// Both pulleys and the strands.
@@ -82,23 +67,16 @@ impl Kind for Belt {
         let Ok(axes) = axes(coupling, pairs) else {
             return Vec::new();
         };
-        let circle = |wheel, radius: f64| {
-            let centre = axis(pairs, wheel, coupling.carrier)?;
-            Some(Outline::Circle(wheel, centre, radius.abs()))
-        };
-        let ([one, other], [r1, r2]) = (coupling.wheels, self.radii);
-        let circles = [circle(one, r1), circle(other, r2)];
         let strands = strands(axes, self.radii).map(|ends| Outline::Line(coupling.carrier, ends));
-        circles.into_iter().flatten().chain(strands).collect()
+        circles(coupling, pairs, self.radii).chain(strands).collect()
     }
 
     /// Both strands together are no single force.
     fn words(&self) -> Words {
         Words {
-            force: "Circumferential force of",
             drawn: "belts are left out",
             is_one_force: false,
-            held_link: "geared link",
+            ..WORDS
         }
     }
 }
@@ -119,42 +97,16 @@ fn strands([a, b]: [[f64; 2]; 2], [r1, r2]: [f64; 2]) -> [[[f64; 2]; 2]; 2] {
     })
 }
 
-/// A belt made ready.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::kinematics::linkage) struct Ready {
-    wheels: TwoWheels,
-    radii: [f64; 2],
-}
-
-impl Constraint for Ready {
-    const MEASURE: Measure = TwoWheels::MEASURE;
-    const TURNING: &'static [usize] = TwoWheels::TURNING;
-
-    fn error<const K: usize>(&self, links: &impl Turns<K>) -> Series<K> {
-        self.wheels.error(links)
-    }
-
-    #[inline(always)]
-    fn row<const K: usize, T: Number>(
-        &self,
-        links: &impl Frames<K, T>,
-        add: impl FnMut(usize, Wrench<K, T>),
-    ) {
-        self.wheels.row(links, add);
-    }
-
-    /// Both strands together: a couple on each pulley, and a force across the line of centres where
-    /// the strands are not parallel.
-    fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
-        let (axes, [r1, r2]) = (self.wheels.placed_axes(links), self.radii);
-        let ([ux, uy], apart) = towards(axes);
-        let sense = r2.signum();
-        let across = sense * (r1 - r2) / apart;
-        let force = [-across * uy, across * ux];
-        let on = |at, force, couple| Act { at, force, couple };
-        [
-            on(axes[0], [-force[0], -force[1]], -sense * r1),
-            on(axes[1], force, sense * r2),
-        ]
-    }
+/// Both strands together: a couple on each pulley, and a force across the line of centres where the
+/// strands are not parallel.
+fn press(axes: [[f64; 2]; 2], [r1, r2]: [f64; 2]) -> [Act; 2] {
+    let ([ux, uy], apart) = towards(axes);
+    let sense = r2.signum();
+    let across = sense * (r1 - r2) / apart;
+    let force = [-across * uy, across * ux];
+    let on = |at, force, couple| Act { at, force, couple };
+    [
+        on(axes[0], [-force[0], -force[1]], -sense * r1),
+        on(axes[1], force, sense * r2),
+    ]
 }

@@ -18,29 +18,32 @@ pub(in crate::kinematics::linkage) trait Turns<const K: usize>: Frames<K, f64> {
     fn angle(&self, link: usize) -> Series<K>;
 }
 
-/// The mechanics of a joint made ready: one equation, error = 0.
+/// The mechanics of a joint made ready: equations, error = 0.
 pub(in crate::kinematics::linkage) trait Constraint {
-    /// Quantity of the closing error.
-    const MEASURE: Measure;
+    /// Quantities of its closing errors, one an equation.
+    const ROWS: &'static [Measure];
+
+    /// Number of links that the equations look at.
+    const LINKS: usize;
 
     /// Links whose angles count over whole turns.
     const TURNING: &'static [usize] = &[];
 
-    /// The closing error (rad or m).
-    fn error<const K: usize>(&self, links: &impl Turns<K>) -> Series<K>;
+    /// Sets the closing error of each row (rad or m).
+    fn errors<const K: usize>(&self, links: &impl Turns<K>, set: impl FnMut(usize, Series<K>));
 
-    /// Adds the wrenches of its row on the links.
-    fn row<const K: usize, T: Number>(
+    /// Adds the wrenches of each row on the links.
+    fn rows<const K: usize, T: Number>(
         &self,
         links: &impl Frames<K, T>,
-        add: impl FnMut(usize, Wrench<K, T>),
+        add: impl FnMut(usize, usize, Wrench<K, T>),
     );
 
     /// What a unit of its force does to the first and the second link: the forces of the row, of
     /// length one. A kind whose forces pass through the pins of a carrier has its own.
     fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
         let mut acts = [Act::default(); 2];
-        self.row(links, |link, wrench| {
+        self.rows(links, |_, link, wrench| {
             if let (Some(act), Wrench::Force { at, force }) = (acts.get_mut(link), wrench) {
                 let [x, y] = force.value();
                 let size = self.sense() * x.hypot(y);
@@ -54,6 +57,11 @@ pub(in crate::kinematics::linkage) trait Constraint {
     /// −1 where a positive force makes the closing error smaller.
     fn sense(&self) -> f64 {
         1.0
+    }
+
+    /// Whether its links lie to each other as they are meant, where the equations hold in two ways.
+    fn is_proper(&self, _links: &impl Frames<1, f64>) -> bool {
+        true
     }
 }
 
@@ -108,9 +116,7 @@ impl<const K: usize, T: Number> Wrench<K, T> {
     /// A constant couple.
     #[inline(always)]
     pub(in crate::kinematics::linkage) fn couple(value: f64) -> Self {
-        let mut series = [T::from(0.0); K];
-        series[0] = T::from(value);
-        Self::Couple(Series(series))
+        Self::Couple(Series::fixed(value))
     }
 
     /// Its moment about the origin and its force.
@@ -119,7 +125,7 @@ impl<const K: usize, T: Number> Wrench<K, T> {
         match self {
             Self::Force { at, force } => [at.cross(force), force.x, force.y],
             Self::Couple(couple) => {
-                let none = Series([T::from(0.0); K]);
+                let none = Series::fixed(0.0);
                 [couple, none, none]
             }
         }

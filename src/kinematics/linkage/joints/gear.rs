@@ -4,16 +4,14 @@
 //! both gears alike is not counted, since the linkage does not tell it: the separating force of the
 //! pressure angle.
 
-use super::carrier::{Mismatch, axes, axis};
-use super::constraint::{Act, Constraint, Frames, Measure, Turns, Wrench};
+use super::carrier::{Mismatch, axes};
+use super::constraint::Act;
 use super::outline::Outline;
 use super::reader::{JointReader, Sizes};
-use super::wheels::{LACKS, TwoWheels, check_ratio, towards, wrong};
+use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::kinematics::linkage::spec::pair::PairSpec;
-use crate::math::number::Number;
-use crate::math::series::Series;
 
 /// Two gears in plain numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,11 +62,7 @@ impl Kind for Gear {
     }
 
     fn ready(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
-        Some(Joint::Gear(Ready(TwoWheels {
-            ratio: self.ratio,
-            offset: coupling.offset,
-            axes: axes(coupling, pairs).ok()?,
-        })))
+        TwoWheels::new(coupling, pairs, [self.ratio, 1.0], press).map(Joint::Gear)
     }
 
     /// Both pitch circles.
@@ -77,56 +71,24 @@ impl Kind for Gear {
             return Vec::new();
         };
         let unit = towards(axes).1 / (self.ratio - 1.0);
-        let circle = |wheel, radius: f64| {
-            let centre = axis(pairs, wheel, coupling.carrier)?;
-            Some(Outline::Circle(wheel, centre, radius.abs()))
-        };
-        let [one, other] = coupling.wheels;
-        let circles = [circle(one, self.ratio * unit), circle(other, unit)];
-        circles.into_iter().flatten().collect()
+        circles(coupling, pairs, [self.ratio * unit, unit]).collect()
     }
 
     fn words(&self) -> Words {
         Words {
-            force: "Circumferential force of",
             drawn: "teeth act on the second gear, at the pitch point",
-            is_one_force: true,
-            held_link: "geared link",
+            ..WORDS
         }
     }
 }
 
-/// Gears made ready.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::kinematics::linkage) struct Ready(TwoWheels);
-
-impl Constraint for Ready {
-    const MEASURE: Measure = TwoWheels::MEASURE;
-    const TURNING: &'static [usize] = TwoWheels::TURNING;
-
-    fn error<const K: usize>(&self, links: &impl Turns<K>) -> Series<K> {
-        self.0.error(links)
-    }
-
-    #[inline(always)]
-    fn row<const K: usize, T: Number>(
-        &self,
-        links: &impl Frames<K, T>,
-        add: impl FnMut(usize, Wrench<K, T>),
-    ) {
-        self.0.row(links, add);
-    }
-
-    /// At the pitch point both gears have one velocity, seen from the carrier: it divides the
-    /// distance of their axes.
-    fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
-        let (axes, ratio) = (self.0.placed_axes(links), self.0.ratio);
-        let ([ux, uy], apart) = towards(axes);
-        let reach = apart * ratio / (ratio - 1.0);
-        let at = [axes[0][0] + reach * ux, axes[0][1] + reach * uy];
-        // To the left of the line of centres, or to the right: so that the second gear turns
-        // forwards.
-        let sense = (ratio - 1.0).signum();
-        Act::opposite(at, [-sense * uy, sense * ux])
-    }
+/// At the pitch point both gears have one velocity, seen from the carrier: it divides the distance
+/// of their axes.
+fn press(axes: [[f64; 2]; 2], [ratio, _]: [f64; 2]) -> [Act; 2] {
+    let ([ux, uy], apart) = towards(axes);
+    let reach = apart * ratio / (ratio - 1.0);
+    let at = [axes[0][0] + reach * ux, axes[0][1] + reach * uy];
+    // To the left of the line of centres, or to the right: so that the second gear turns forwards.
+    let sense = (ratio - 1.0).signum();
+    Act::opposite(at, [-sense * uy, sense * ux])
 }

@@ -1,10 +1,11 @@
-//! Joints that couple links by one equation: gears, belts, racks, cams. One file a kind.
+//! Joints between links, one file a kind: pins, guides, and couplings of one equation (gears, belts,
+//! racks, cams).
 //!
-//! The file of a kind holds all that is said of it: its numbers and how they are read, what can be
-//! wrong with them, its closing error, the row of the closing equations, the forces on its links,
+//! The file of a coupling holds all that is said of it: its numbers and how they are read, what can
+//! be wrong with them, its closing error, the row of the closing equations, the forces on its links,
 //! what is drawn, and its words. [`kinds`] lists the kinds; nothing else asks for the kind.
 //!
-//! The row is a set of wrenches on the links ([`Wrench`]): the closing error grows by their power
+//! A row is a set of wrenches on the links ([`Wrench`]): the closing error grows by their power
 //! over the velocities of the links. So the same row is the derivative in Newton's method, the
 //! equation of the velocities behind several inputs, and, turned over, what the force of the joint
 //! does to the links. On power series in time it has its own derivatives.
@@ -21,9 +22,11 @@ pub(super) mod cam;
 mod carrier;
 mod constraint;
 pub(super) mod gear;
+mod guide;
 mod outline;
 pub(super) mod rack;
 mod reader;
+mod revolute;
 #[cfg(test)]
 mod tests;
 mod wheels;
@@ -34,6 +37,7 @@ pub(super) use constraint::{Act, Constraint, Frames, Measure, Turns, Wrench};
 pub(crate) use outline::Outline;
 pub(crate) use reader::{Carried, Domain, JointReader, Lacks, Sizes};
 
+use super::elements::elements;
 use super::spec::pair::{PairSpec, PointOf};
 use crate::fault::Faults;
 use crate::math::number::Number;
@@ -143,9 +147,9 @@ pub(crate) struct Declaration {
     pub(crate) read: fn(&mut dyn JointReader) -> Option<CouplingSpec>,
 }
 
-/// The kinds: name, file, numbers.
+/// The kinds: name, file, numbers, mechanics.
 macro_rules! kinds {
-    ($($(#[$doc:meta])* $Kind:ident: $file:ident, $Numbers:ty;)*) => {
+    ($($(#[$doc:meta])* $Kind:ident: $file:ident, $Numbers:ty, $Ready:ty;)*) => {
         /// Kind of a coupling, with its numbers.
         #[derive(Clone, Debug, PartialEq)]
         pub enum CouplingKind {
@@ -164,44 +168,76 @@ macro_rules! kinds {
         /// How each kind is written in a scene.
         pub(crate) const DECLARATIONS: &[&Declaration] = &[$(&$file::DECLARATION),*];
 
-        /// A coupling made ready.
+        each_joint! {
+            Revolute(revolute::PinInHole),
+            Guide(guide::BlockOnGuide),
+            $($Kind($Ready)),*
+        }
+    };
+}
+
+/// A joint made ready, and what is asked of it whatever its kind.
+macro_rules! each_joint {
+    ($($Kind:ident($Ready:ty)),*) => {
+        /// A joint made ready.
         #[derive(Clone, Debug)]
+        #[allow(missing_docs, reason = "the kinds say what they are")]
         pub(super) enum Joint {
-            $($(#[$doc])* $Kind($file::Ready)),*
+            $($Kind($Ready)),*
         }
 
         impl Joint {
-            /// Quantity of its closing error.
-            pub(super) fn measure(&self) -> Measure {
+            /// Quantities of its closing errors, one an equation.
+            #[inline]
+            pub(super) fn measures(&self) -> &'static [Measure] {
                 match self {
-                    $(Self::$Kind(_) => <$file::Ready as Constraint>::MEASURE),*
+                    $(Self::$Kind(_) => <$Ready as Constraint>::ROWS),*
+                }
+            }
+
+            /// Number of links that its equations look at.
+            #[inline]
+            pub(super) fn links(&self) -> usize {
+                match self {
+                    $(Self::$Kind(_) => <$Ready as Constraint>::LINKS),*
                 }
             }
 
             /// Which of its links have angles that count over whole turns.
             pub(super) fn turning(&self) -> &'static [usize] {
                 match self {
-                    $(Self::$Kind(_) => <$file::Ready as Constraint>::TURNING),*
+                    $(Self::$Kind(_) => <$Ready as Constraint>::TURNING),*
                 }
             }
 
-            /// Its closing error (rad or m).
+            /// Its closing errors (rad or m).
             #[inline]
-            pub(super) fn error<const K: usize>(&self, links: &impl Turns<K>) -> Series<K> {
-                match self {
-                    $(Self::$Kind(own) => own.error(links)),*
-                }
-            }
-
-            /// Its row: the power of these wrenches is the rate of the closing error.
-            #[inline]
-            pub(super) fn row<const K: usize, T: Number>(
+            pub(super) fn errors<const K: usize>(
                 &self,
-                links: &impl Frames<K, T>,
-                add: impl FnMut(usize, Wrench<K, T>),
+                links: &impl Turns<K>,
+                set: impl FnMut(usize, Series<K>),
             ) {
                 match self {
-                    $(Self::$Kind(own) => own.row(links, add)),*
+                    $(Self::$Kind(own) => own.errors(links, set)),*
+                }
+            }
+
+            /// Its rows: the power of these wrenches is the rate of the closing error.
+            #[inline]
+            pub(super) fn rows<const K: usize, T: Number>(
+                &self,
+                links: &impl Frames<K, T>,
+                add: impl FnMut(usize, usize, Wrench<K, T>),
+            ) {
+                match self {
+                    $(Self::$Kind(own) => own.rows(links, add)),*
+                }
+            }
+
+            /// Whether its links lie to each other as they are meant.
+            pub(super) fn is_proper(&self, links: &impl Frames<1, f64>) -> bool {
+                match self {
+                    $(Self::$Kind(own) => own.is_proper(links)),*
                 }
             }
 
@@ -213,6 +249,17 @@ macro_rules! kinds {
             }
         }
     };
+}
+
+impl Joint {
+    /// A pair made ready; its links are the one with the pin or guide, and the other.
+    pub(super) fn of_pair(pair: &PairSpec) -> Self {
+        let elements = elements(pair);
+        match pair.slides() {
+            true => Self::Guide(guide::BlockOnGuide(elements)),
+            false => Self::Revolute(revolute::PinInHole(elements)),
+        }
+    }
 }
 
 impl CouplingKind {
@@ -229,11 +276,11 @@ impl CouplingKind {
 
 kinds! {
     /// Two gears.
-    Gear: gear, gear::Gear;
+    Gear: gear, gear::Gear, wheels::TwoWheels;
     /// A belt or chain over two pulleys.
-    Belt: belt, belt::Belt;
+    Belt: belt, belt::Belt, wheels::TwoWheels;
     /// A gear and a rack on a guide of the carrier.
-    Rack: rack, rack::Rack;
+    Rack: rack, rack::Rack, rack::GearOnRack;
     /// A cam on which a roller or a point of another link runs.
-    Cam: cam, Box<cam::CamPairSpec>;
+    Cam: cam, Box<cam::CamPairSpec>, cam::RollerOnCam;
 }

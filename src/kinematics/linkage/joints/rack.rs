@@ -7,7 +7,7 @@ use super::carrier::{Mismatch, axis, distinct, guide};
 use super::constraint::{Act, Constraint, Frames, Measure, Turns, Wrench};
 use super::outline::Outline;
 use super::reader::{Domain, JointReader, Lacks};
-use super::wheels::check_ratio;
+use super::wheels::{WORDS, check_ratio, circle};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::kinematics::linkage::elements::elements;
@@ -74,7 +74,7 @@ impl Kind for Rack {
         let (axis, guide) = place(coupling, pairs).ok()?;
         let [on, block] = elements(guide);
         let of_carrier = on.link == coupling.carrier;
-        Some(Joint::Rack(Ready {
+        Some(Joint::Rack(GearOnRack {
             radius: self.radius,
             offset: coupling.offset,
             axis,
@@ -89,21 +89,18 @@ impl Kind for Rack {
         let Ok((on_carrier, guide)) = place(coupling, pairs) else {
             return Vec::new();
         };
-        let (gear, carrier) = (coupling.wheels[0], coupling.carrier);
-        let circle = axis(pairs, gear, carrier)
-            .map(|centre| Outline::Circle(gear, centre, self.radius.abs()));
+        let carrier = coupling.carrier;
         let [on, block] = elements(guide);
         let own = if on.link == carrier { on } else { block };
         let line = Outline::Line(carrier, pitch_line(on_carrier, self.radius, own.along));
+        let circle = circle(coupling, pairs, 0, self.radius);
         circle.into_iter().chain([line]).collect()
     }
 
     fn words(&self) -> Words {
         Words {
-            force: "Circumferential force of",
             drawn: "teeth act on the rack, at the pitch point",
-            is_one_force: true,
-            held_link: "geared link",
+            ..WORDS
         }
     }
 }
@@ -123,7 +120,7 @@ fn pitch_line(axis: [f64; 2], radius: f64, along: [f64; 2]) -> [[f64; 2]; 2] {
 
 /// A gear and a rack made ready.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::kinematics::linkage) struct Ready {
+pub(in crate::kinematics::linkage) struct GearOnRack {
     /// ρ (m).
     radius: f64,
     /// Displacement of the rack where the gear's angle is zero (m).
@@ -138,39 +135,40 @@ pub(in crate::kinematics::linkage) struct Ready {
     sides: [usize; 2],
 }
 
-impl Ready {
+impl GearOnRack {
     /// +1 where the guide is on the carrier.
     fn sign(&self) -> f64 {
         if self.sides[0] == 2 { 1.0 } else { -1.0 }
     }
 }
 
-impl Constraint for Ready {
-    const MEASURE: Measure = Measure::Length;
+impl Constraint for GearOnRack {
+    const ROWS: &'static [Measure] = &[Measure::Length];
+    const LINKS: usize = 3;
     const TURNING: &'static [usize] = &[0, 2];
 
-    fn error<const K: usize>(&self, links: &impl Turns<K>) -> Series<K> {
+    fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let [on, block] = self.sides.map(|link| links.frame(link));
         let along = on.direction.turn_constant(self.along);
         let gap = block.place(self.points[1]) - on.place(self.points[0]);
         let slid = along.dot(gap).scale(self.sign());
         let turned = (links.angle(0) - links.angle(2)).scale(self.radius);
-        (slid - turned).shift(-self.offset)
+        set(0, (slid - turned).shift(-self.offset));
     }
 
     #[inline(always)]
-    fn row<const K: usize, T: Number>(
+    fn rows<const K: usize, T: Number>(
         &self,
         links: &impl Frames<K, T>,
-        mut add: impl FnMut(usize, Wrench<K, T>),
+        mut add: impl FnMut(usize, usize, Wrench<K, T>),
     ) {
         let [on, block] = self.sides.map(|link| links.frame(link));
         let force = on.direction.turn_constant(self.along);
         let at = block.place(self.points[1]);
-        add(0, Wrench::couple(-self.radius));
-        add(1, Wrench::Force { at, force });
-        add(2, Wrench::Force { at, force: -force });
-        add(2, Wrench::couple(self.radius));
+        add(0, 0, Wrench::couple(-self.radius));
+        add(0, 1, Wrench::Force { at, force });
+        add(0, 2, Wrench::Force { at, force: -force });
+        add(0, 2, Wrench::couple(self.radius));
     }
 
     fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {

@@ -117,59 +117,86 @@ fn joints() -> Vec<(&'static str, Joint)> {
     ready.to_vec()
 }
 
-/// Derivatives by x, y and θ of each link: the row about the origin of its frame.
-fn gradient<const K: usize>(joint: &Joint, links: &Links<K>) -> [[Series<K>; 3]; 3] {
-    let mut found = [[Series::constant(0.0); 3]; 3];
-    joint.row(links, |link, wrench| {
+/// All joints: the couplings, a pin and a guide.
+fn all() -> Vec<(&'static str, Joint)> {
+    let pin = PairKind::Revolute { diameter: 0.0 };
+    let guide = PairKind::Sliding {
+        direction: -0.6,
+        angle: 0.9,
+        corners: [0.0; 2],
+        half_height: 0.0,
+    };
+    let mut all = joints();
+    for (name, kind) in [("pin", pin), ("guide", guide)] {
+        let pair = pair((0, [0.2, -0.1]), (1, [0.1, 0.3]), kind);
+        all.push((name, Joint::of_pair(&pair)));
+    }
+    all
+}
+
+/// Of each row the derivatives by x, y and θ of each link: wrenches about the origin of its frame.
+fn gradients<const K: usize>(joint: &Joint, links: &Links<K>) -> Vec<[[Series<K>; 3]; 3]> {
+    let mut found = vec![[[Series::constant(0.0); 3]; 3]; joint.measures().len()];
+    joint.rows(links, |row, link, wrench| {
         let [moment, x, y] = wrench.about(links.frame(link).at);
-        for (sum, part) in found[link].iter_mut().zip([x, y, moment]) {
+        for (sum, part) in found[row][link].iter_mut().zip([x, y, moment]) {
             *sum = *sum + part;
         }
     });
     found
 }
 
+fn errors<const K: usize>(joint: &Joint, links: &Links<K>) -> Vec<Series<K>> {
+    let mut found = vec![Series::constant(f64::NAN); joint.measures().len()];
+    joint.errors(links, |row, error| found[row] = error);
+    found
+}
+
 #[test]
-fn the_row_of_every_joint_is_the_gradient_of_its_error() {
+fn the_rows_of_every_joint_are_the_gradients_of_its_errors() {
     let step = 1e-6;
-    for (name, joint) in joints() {
-        let row = gradient(&joint, &links::<1>());
-        assert!(row.iter().flatten().any(|entry| entry.value() != 0.0));
-        for link in 0..3 {
-            for unknown in 0..3 {
-                let error = |by: f64| joint.error(&moved(link, unknown, by)).value();
-                let slope = (error(step) - error(-step)) / (2.0 * step);
-                let found = row[link][unknown].value();
-                assert!((found - slope).abs() < 1e-8, "{name}: {found}, {slope}");
+    for (name, joint) in all() {
+        let rows = gradients(&joint, &links::<1>());
+        for (index, row) in rows.iter().enumerate() {
+            assert!(row.iter().flatten().any(|entry| entry.value() != 0.0));
+            for link in 0..3 {
+                for unknown in 0..3 {
+                    let error =
+                        |by: f64| errors(&joint, &moved(link, unknown, by))[index].value();
+                    let slope = (error(step) - error(-step)) / (2.0 * step);
+                    let found = row[link][unknown].value();
+                    assert!((found - slope).abs() < 1e-8, "{name}: {found}, {slope}");
+                }
             }
         }
     }
 }
 
 #[test]
-fn rates_of_rows_are_those_of_the_error_along_a_motion() {
-    for (name, joint) in joints() {
+fn rates_of_rows_are_those_of_the_errors_along_a_motion() {
+    for (name, joint) in all() {
         let links = links::<3>();
-        let row = gradient(&joint, &links);
-        // d/dt of the error is the power of the row, order by order.
-        let mut power = [0.0; 2];
-        for (own, motion) in row.iter().flatten().zip(links.0.iter().flatten()) {
-            let rates = [motion.0[1], 2.0 * motion.0[2]];
-            power[0] += own.0[0] * rates[0];
-            power[1] += own.0[1] * rates[0] + own.0[0] * rates[1];
-        }
-        let error = joint.error(&links);
-        for (found, wanted) in power.into_iter().zip([error.0[1], 2.0 * error.0[2]]) {
-            assert!((found - wanted).abs() < 1e-12, "{name}: {found}, {wanted}");
+        let rows = gradients(&joint, &links);
+        for (row, error) in rows.iter().zip(errors(&joint, &links)) {
+            // d/dt of the error is the power of the row, order by order.
+            let mut power = [0.0; 2];
+            for (own, motion) in row.iter().flatten().zip(links.0.iter().flatten()) {
+                let rates = [motion.0[1], 2.0 * motion.0[2]];
+                power[0] += own.0[0] * rates[0];
+                power[1] += own.0[1] * rates[0] + own.0[0] * rates[1];
+            }
+            for (found, wanted) in power.into_iter().zip([error.0[1], 2.0 * error.0[2]]) {
+                assert!((found - wanted).abs() < 1e-12, "{name}: {found}, {wanted}");
+            }
         }
     }
 }
 
 #[test]
-fn a_row_does_nothing_to_links_that_move_as_one() {
+fn couplings_do_nothing_to_links_that_move_as_one() {
     for (name, joint) in joints() {
         let mut sum = [0.0; 3];
-        joint.row(&links::<1>(), |_, wrench: Wrench<1>| {
+        joint.rows(&links::<1>(), |_, _, wrench: Wrench<1>| {
             for (sum, part) in sum.iter_mut().zip(wrench.about_origin()) {
                 *sum += part.value();
             }
@@ -194,7 +221,7 @@ fn powers(joint: &Joint, rates: [f64; 2], slides: Option<[f64; 2]>) -> [f64; 2] 
         }
     });
     let mut row = 0.0;
-    joint.row(&links, |link, wrench| {
+    joint.rows(&links, |_, link, wrench| {
         let [moment, x, y] = wrench.about_origin().map(|part| part.value());
         let [w, u, v] = *velocities.get(link).unwrap_or(&[turning, 0.0, 0.0]);
         row += moment * w + x * u + y * v;

@@ -1,9 +1,12 @@
 //! Two wheels on a carrier that turn at a constant ratio, as gears and belts make them.
 
-use super::carrier::Mismatch;
-use super::constraint::{Constraint, Frames, Measure, Turns, Wrench};
+use super::carrier::{Mismatch, axes, axis};
+use super::constraint::{Act, Constraint, Frames, Measure, Turns, Wrench};
+use super::outline::Outline;
 use super::reader::Lacks;
+use super::{CouplingSpec, Words};
 use crate::fault::Faults;
+use crate::kinematics::linkage::spec::pair::PairSpec;
 use crate::math::number::Number;
 use crate::math::series::Series;
 use crate::units::shown;
@@ -19,43 +22,75 @@ pub(super) const LACKS: Lacks = Lacks {
     hint: "join both to one link (or to the ground) by pins",
 };
 
+/// Words about wheels, but for where their force is drawn.
+pub(super) const WORDS: Words = Words {
+    force: "Circumferential force of",
+    drawn: "",
+    is_one_force: true,
+    held_link: "geared link",
+};
+
+/// What a unit of the circumferential force does to both wheels, by their axes (m) and their sizes.
+type Press = fn([[f64; 2]; 2], [f64; 2]) -> [Act; 2];
+
 /// Two wheels: θ₂ − θ = ρ·(θ₁ − θ) + q₀, with θ the angle of the carrier.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub(in crate::kinematics::linkage) struct TwoWheels {
+    /// Their sizes; ρ is the first over the second.
+    sizes: [f64; 2],
     /// ρ.
-    pub(super) ratio: f64,
+    ratio: f64,
     /// q₀ (rad).
-    pub(super) offset: f64,
+    offset: f64,
     /// The axes of the wheels in the frame of the carrier (m).
-    pub(super) axes: [[f64; 2]; 2],
-}
-
-impl Constraint for TwoWheels {
-    const MEASURE: Measure = Measure::Angle;
-    const TURNING: &'static [usize] = &[0, 1, 2];
-
-    fn error<const K: usize>(&self, links: &impl Turns<K>) -> Series<K> {
-        let [one, other, carrier] = [0, 1, 2].map(|link| links.angle(link));
-        (other - carrier - (one - carrier).scale(self.ratio)).shift(-self.offset)
-    }
-
-    #[inline(always)]
-    fn row<const K: usize, T: Number>(
-        &self,
-        _links: &impl Frames<K, T>,
-        mut add: impl FnMut(usize, Wrench<K, T>),
-    ) {
-        add(0, Wrench::couple(-self.ratio));
-        add(1, Wrench::couple(1.0));
-        add(2, Wrench::couple(self.ratio - 1.0));
-    }
+    axes: [[f64; 2]; 2],
+    press: Press,
 }
 
 impl TwoWheels {
-    /// Places of both axes.
-    pub(super) fn placed_axes(&self, links: &impl Frames<1, f64>) -> [[f64; 2]; 2] {
+    /// Of a coupling that has been checked.
+    pub(super) fn new(
+        coupling: &CouplingSpec,
+        pairs: &[PairSpec],
+        sizes: [f64; 2],
+        press: Press,
+    ) -> Option<Self> {
+        Some(Self {
+            sizes,
+            ratio: sizes[0] / sizes[1],
+            offset: coupling.offset,
+            axes: axes(coupling, pairs).ok()?,
+            press,
+        })
+    }
+}
+
+impl Constraint for TwoWheels {
+    const ROWS: &'static [Measure] = &[Measure::Angle];
+    const LINKS: usize = 3;
+    const TURNING: &'static [usize] = &[0, 1, 2];
+
+    fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
+        let [one, other, carrier] = [0, 1, 2].map(|link| links.angle(link));
+        let error = other - carrier - (one - carrier).scale(self.ratio);
+        set(0, error.shift(-self.offset));
+    }
+
+    #[inline(always)]
+    fn rows<const K: usize, T: Number>(
+        &self,
+        _links: &impl Frames<K, T>,
+        mut add: impl FnMut(usize, usize, Wrench<K, T>),
+    ) {
+        add(0, 0, Wrench::couple(-self.ratio));
+        add(0, 1, Wrench::couple(1.0));
+        add(0, 2, Wrench::couple(self.ratio - 1.0));
+    }
+
+    fn acts(&self, links: &impl Frames<1, f64>) -> [Act; 2] {
         let carrier = links.frame(2);
-        self.axes.map(|at| carrier.place(at).value())
+        let axes = self.axes.map(|at| carrier.place(at).value());
+        (self.press)(axes, self.sizes)
     }
 }
 
@@ -64,6 +99,28 @@ pub(super) fn towards([one, other]: [[f64; 2]; 2]) -> ([f64; 2], f64) {
     let [x, y] = [other[0] - one[0], other[1] - one[1]];
     let apart = x.hypot(y);
     ([x / apart, y / apart], apart)
+}
+
+/// Circles of both wheels.
+pub(super) fn circles(
+    coupling: &CouplingSpec,
+    pairs: &[PairSpec],
+    radii: [f64; 2],
+) -> impl Iterator<Item = Outline> {
+    let circles = [0, 1].map(|k| circle(coupling, pairs, k, radii[k]));
+    circles.into_iter().flatten()
+}
+
+/// Circle of one of the wheels.
+pub(super) fn circle(
+    coupling: &CouplingSpec,
+    pairs: &[PairSpec],
+    which: usize,
+    radius: f64,
+) -> Option<Outline> {
+    let wheel = coupling.wheels[which];
+    let centre = axis(pairs, wheel, coupling.carrier)?;
+    Some(Outline::Circle(wheel, centre, radius.abs()))
 }
 
 /// Refuses a ratio whose square is no number.

@@ -1,7 +1,7 @@
 //! From the plain numbers of a linkage of several inputs to the plan of its solution, or
 //! to what is wrong with its inputs and its structure.
 
-use super::coupled::PreparedCoupling;
+use super::tied::TiedBodies;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
@@ -60,7 +60,9 @@ pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Grou
         if let Some(step) = step {
             let inner = inner_of(spec, &joints, &links, &mut faults);
             let mut ready = group_of(spec, &step, &pairs, inner, joints.bodies);
-            ready.couplings = coupled(linkage, &couplings, joints.bodies);
+            if !ready.dyad {
+                ready.ties = ties_of(linkage, [&pairs, &couplings], joints.bodies);
+            }
             found.push(ready);
             steps.push(step);
         }
@@ -175,10 +177,7 @@ fn group_of(
     let all = &spec.linkage.pairs;
     let bodies = step.bodies();
     let screws = match step {
-        Step::Newton(_) => pairs
-            .iter()
-            .map(|&pair| Screw::new(&all[pair], all[pair].on.link, ground))
-            .collect(),
+        Step::Newton(_) => Vec::new(),
         Step::Dyad(_) => {
             let in_body = |link: Option<usize>, k: usize| link.is_some_and(|l| bodies[k].has(l));
             let touches = |pair: usize, k: usize| {
@@ -208,7 +207,7 @@ fn group_of(
         known: Vec::new(),
         inner,
         screws,
-        couplings: Vec::new(),
+        ties: Vec::new(),
         dyad: matches!(step, Step::Dyad(_)),
         parallel: match step {
             Step::Dyad(dyad) => matches!(dyad.form, Form::Prp | Form::Rpp),
@@ -220,12 +219,16 @@ fn group_of(
     }
 }
 
-/// Couplings made ready, these having been checked.
-fn coupled(linkage: &LinkageSpec, couplings: &[usize], ground: usize) -> Vec<PreparedCoupling> {
-    let ready = |&coupling: &usize| {
-        PreparedCoupling::new(&linkage.couplings[coupling], &linkage.pairs, ground)
-    };
-    couplings.iter().filter_map(ready).collect()
+/// Pairs and couplings made ready, these having been checked.
+fn ties_of(linkage: &LinkageSpec, [pairs, couplings]: [&[usize]; 2], ground: usize) -> Vec<TiedBodies> {
+    let all = &linkage.pairs;
+    let pairs = pairs
+        .iter()
+        .map(|&pair| TiedBodies::of_pair(&all[pair], ground));
+    let couplings = couplings
+        .iter()
+        .filter_map(|&own| TiedBodies::of_coupling(&linkage.couplings[own], all, ground));
+    pairs.chain(couplings).collect()
 }
 
 /// Whether a force or an output asks for continuous angles.
@@ -253,12 +256,8 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
     for (group, step) in groups.iter_mut().zip(&plan.steps) {
         let links: Vec<usize> = step.bodies().iter().flat_map(Body::links).collect();
         let sides = group.screws.iter().flat_map(|screw| screw.sides);
-        let sides = sides.chain(
-            group
-                .couplings
-                .iter()
-                .flat_map(|coupling| coupling.bodies),
-        );
+        let tied = group.ties.iter().flat_map(|tie| tie.bodies());
+        let sides = sides.chain(tied.copied());
         let outside: Vec<usize> = sides.filter(|side| !links.contains(side)).collect();
         let own = group.inner.as_ref().map(|inner| inner.input);
         let active = |&input: &usize| {

@@ -19,7 +19,7 @@
 mod columns;
 mod compile;
 mod constraint;
-mod coupled;
+mod tied;
 mod dynamics;
 mod forces;
 mod joints;

@@ -1,4 +1,4 @@
-//! The couplings of a group that is solved by iteration: one equation each.
+//! The joints of a group that is solved by iteration.
 //!
 //! Unlike pairs, wheels need angles over whole turns, not directions: a wheel that turns half as fast
 //! is elsewhere after every other turn. Of what is placed already the angle nearest to that expected
@@ -12,7 +12,7 @@ use crate::kinematics::linkage::state::{Scratch, State};
 use crate::kinematics::linkage::vector::Vector;
 use crate::math::series::Series;
 
-/// A coupling made ready.
+/// A joint made ready.
 #[derive(Clone, Debug)]
 pub(in crate::kinematics::linkage) struct Tied {
     joint: Joint,
@@ -28,8 +28,20 @@ struct Placed<'a> {
 }
 
 impl Tied {
-    /// Of a coupling that has been checked; `own`: on what a link is.
-    pub(in crate::kinematics::linkage) fn new(
+    /// A pair; `own`: on what a link is.
+    pub(in crate::kinematics::linkage) fn of_pair(
+        pair: &PairSpec,
+        own: impl Fn(&Element) -> Side,
+    ) -> Self {
+        let [on, link] = [pair.on.link, pair.link.link].map(|link| own(&Element::of_link(link)));
+        Self {
+            joint: Joint::of_pair(pair),
+            links: [on, link, on],
+        }
+    }
+
+    /// A coupling that has been checked; `own`: on what a link is.
+    pub(in crate::kinematics::linkage) fn of_coupling(
         coupling: &CouplingSpec,
         pairs: &[PairSpec],
         own: impl Fn(&Element) -> Side,
@@ -40,36 +52,56 @@ impl Tied {
         })
     }
 
-    /// Its closing error: rad, or a length over the size.
-    pub(super) fn error<const N: usize>(
+    /// Number of its equations.
+    pub(in crate::kinematics::linkage) fn rows(&self) -> usize {
+        self.joint.measures().len()
+    }
+
+    /// Sets its closing errors: rad, or lengths over the size.
+    #[inline]
+    pub(super) fn errors<const N: usize>(
         &self,
         state: &State,
         scratch: &Scratch,
         size: f64,
-    ) -> Series<N> {
-        let error = self.joint.error::<N>(&self.placed(state, scratch));
-        error.scale(self.joint.measure().unit(size))
+        mut set: impl FnMut(usize, Series<N>),
+    ) {
+        let measures = self.joint.measures();
+        self.joint.errors::<N>(&self.placed(state, scratch), |row, error| {
+            set(row, error.scale(measures[row].unit(size)));
+        });
     }
 
-    /// Its row: derivatives of the error by the unknowns (x, y, θ) of the group's bodies.
+    /// Adds its rows: derivatives of the errors by the unknowns (x, y, θ) of the group's bodies.
+    #[inline]
     pub(super) fn derivatives(
         &self,
         state: &State,
         scratch: &Scratch,
         size: f64,
-        mut add: impl FnMut(usize, [f64; 3]),
+        mut add: impl FnMut(usize, usize, [f64; 3]),
     ) {
-        let measure = self.joint.measure();
+        let measures = self.joint.measures();
         let placed = self.placed(state, scratch);
-        self.joint.row::<1, f64>(&placed, |link, wrench| {
+        self.joint.rows::<1, f64>(&placed, |row, link, wrench| {
             let Side::Own { body, .. } = self.links[link] else {
                 return;
             };
             let origin = [0, 1].map(|axis| scratch.unknowns[3 * body + axis][0]);
             let about = wrench.about(Vector::constant(origin));
-            let [turned, x, y] = measure.entries(about, size).map(|entry| entry.value());
-            add(body, [x, y, turned]);
+            let entries = measures[row].entries(about, size);
+            let [turned, x, y] = entries.map(|entry| entry.value());
+            add(row, body, [x, y, turned]);
         });
+    }
+
+    /// Whether its links lie to each other as they are meant.
+    pub(in crate::kinematics::linkage) fn is_proper(
+        &self,
+        state: &State,
+        scratch: &Scratch,
+    ) -> bool {
+        self.joint.is_proper(&self.placed(state, scratch))
     }
 
     /// True where angles count over whole turns.

@@ -122,7 +122,7 @@ impl Kind for Box<CamPairSpec> {
     }
 
     fn ready(&self, _coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Option<Joint> {
-        Some(Joint::Cam(Ready {
+        Some(Joint::Cam(RollerOnCam {
             points: [self.centre, self.roller],
             hollow: self.surface == Surface::Hollow,
             curve: Box::new(PitchCurve::new(self).ok()?),
@@ -178,27 +178,28 @@ impl Kind for Box<CamPairSpec> {
 
 /// A cam made ready.
 #[derive(Clone, Debug)]
-pub(in crate::kinematics::linkage) struct Ready {
+pub(in crate::kinematics::linkage) struct RollerOnCam {
     /// The points about which the pitch curve is polar and of the roller's centre (m).
     points: [[f64; 2]; 2],
     hollow: bool,
     curve: Box<PitchCurve>,
 }
 
-impl Constraint for Ready {
-    const MEASURE: Measure = Measure::Length;
+impl Constraint for RollerOnCam {
+    const ROWS: &'static [Measure] = &[Measure::Length];
+    const LINKS: usize = 2;
 
-    fn error<const K: usize>(&self, links: &impl Turns<K>) -> Series<K> {
+    fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let (cam, roller) = (links.frame(0), links.frame(1));
         let gap = roller.place(self.points[1]) - cam.place(self.points[0]);
-        self.curve.error(cam.direction.mirrored().turn(gap))
+        set(0, self.curve.error(cam.direction.mirrored().turn(gap)));
     }
 
     #[inline(always)]
-    fn row<const K: usize, T: Number>(
+    fn rows<const K: usize, T: Number>(
         &self,
         links: &impl Frames<K, T>,
-        mut add: impl FnMut(usize, Wrench<K, T>),
+        mut add: impl FnMut(usize, usize, Wrench<K, T>),
     ) {
         let (cam, roller) = (links.frame(0), links.frame(1));
         let at = roller.place(self.points[1]);
@@ -207,8 +208,8 @@ impl Constraint for Ready {
             .mirrored()
             .turn(at - cam.place(self.points[0]));
         let force = cam.direction.turn(self.curve.gradient(seen));
-        add(0, Wrench::Force { at, force: -force });
-        add(1, Wrench::Force { at, force });
+        add(0, 0, Wrench::Force { at, force: -force });
+        add(0, 1, Wrench::Force { at, force });
     }
 
     /// Away from a disc, into a hollow cam.

@@ -1,10 +1,10 @@
-//! The couplings of larger groups: one equation each, linear in the velocities of their bodies.
+//! The joints of larger groups: equations that are linear in the velocities of their bodies.
 //!
-//! It is w·t = 0, with the row w of the joint and the velocities t of its bodies; accelerations follow
+//! Each is w·t = 0, with a row w of the joint and the velocities t of its bodies; accelerations follow
 //! w·a + ẇ·t = 0. The derivatives of w in time are the coefficients of the same row over power series
 //! in time.
 
-use super::twist::{Motion, Parts, PartsMoved, Pose, Twist, at};
+use super::twist::{Motion, Parts, Pose, Twist, at};
 use crate::kinematics::linkage::elements::Frame;
 use crate::kinematics::linkage::joints::{CouplingSpec, Frames, Joint};
 use crate::kinematics::linkage::spec::PairSpec;
@@ -12,12 +12,12 @@ use crate::kinematics::linkage::vector::Vector;
 use crate::math::number::Number;
 use crate::math::series::Series;
 
-/// A coupling made ready.
+/// A joint made ready.
 #[derive(Clone, Debug)]
-pub(super) struct PreparedCoupling {
+pub(super) struct TiedBodies {
     joint: Joint,
-    /// The bodies that it ties, some of them perhaps twice.
-    pub(super) bodies: [usize; 3],
+    /// The bodies of its links.
+    bodies: [usize; 3],
 }
 
 /// Bodies with their velocities and accelerations over time.
@@ -27,80 +27,97 @@ struct Moving<'a, N, M> {
     motion: M,
 }
 
-impl PreparedCoupling {
-    /// Of a coupling that has been checked; `ground`: index of the ground.
-    pub(super) fn new(coupling: &CouplingSpec, pairs: &[PairSpec], ground: usize) -> Option<Self> {
+impl TiedBodies {
+    /// A pair; `ground`: index of the ground.
+    pub(super) fn of_pair(pair: &PairSpec, ground: usize) -> Self {
+        let [on, link] = [pair.on.link, pair.link.link].map(|link| link.unwrap_or(ground));
+        Self {
+            joint: Joint::of_pair(pair),
+            bodies: [on, link, on],
+        }
+    }
+
+    /// A coupling that has been checked; `ground`: index of the ground.
+    pub(super) fn of_coupling(coupling: &CouplingSpec, pairs: &[PairSpec], ground: usize) -> Option<Self> {
         Some(Self {
             joint: coupling.ready(pairs)?,
             bodies: coupling.links().map(|link| link.unwrap_or(ground)),
         })
     }
 
-    /// Its equation at a position.
-    pub(super) fn parts<N: Number>(&self, poses: &[Pose<N>], size: f64) -> Parts<N> {
+    /// The bodies that it ties.
+    pub(super) fn bodies(&self) -> &[usize] {
+        &self.bodies[..self.joint.links()]
+    }
+
+    /// Number of its equations.
+    pub(super) fn rows(&self) -> usize {
+        self.joint.measures().len()
+    }
+
+    /// Its equations at a position.
+    pub(super) fn parts<N: Number>(&self, poses: &[Pose<N>], size: f64, parts: &mut [Parts<N>]) {
         let none = [N::from(0.0); 3];
-        let mut parts = self.bodies.map(|body| (body, none));
+        parts.fill([none; 3]);
         let still = |_| (none, none);
-        self.row::<1, N>(poses, still, size, |link, entries| {
-            for (part, entry) in parts[link].1.iter_mut().zip(entries) {
+        self.each::<1, N>(poses, still, size, |row, link, entries| {
+            for (part, entry) in parts[row][link].iter_mut().zip(entries) {
                 *part += entry.0[0];
             }
         });
-        parts
     }
 
-    /// What the change of its equation makes of the velocities: the accelerations follow the same
-    /// equation with that added to it.
+    /// What the change of its equations makes of the velocities: the accelerations follow the same
+    /// equations with that added to them.
     pub(super) fn drift<N: Number>(
         &self,
         poses: &[Pose<N>],
         velocity: &[Twist<N>],
         size: f64,
-    ) -> N {
+    ) -> [N; 3] {
         let none = [N::from(0.0); 3];
-        let mut drift = N::from(0.0);
+        let mut drift = none;
         let moving = |body: usize| (velocity[body], none);
-        self.row::<2, N>(poses, moving, size, |link, [turned, x, y]| {
+        self.each::<2, N>(poses, moving, size, |row, link, [turned, x, y]| {
             let [turning, u, v] = velocity[self.bodies[link]];
-            drift += turned.0[1] * turning + (x.0[1] * u + y.0[1] * v).scale(size.recip());
+            drift[row] += turned.0[1] * turning + (x.0[1] * u + y.0[1] * v).scale(size.recip());
         });
         drift
     }
 
-    /// First and second derivative in time of [`Self::parts`], the bodies moving so.
+    /// First and second derivative in time of [`Self::parts`], the bodies moving so: row, body, and
+    /// both for each part.
     pub(super) fn parts_moved(
         &self,
         poses: &[Pose<f64>],
         motion: Motion<'_>,
         size: f64,
-    ) -> PartsMoved {
-        let mut parts = self.bodies.map(|body| (body, [[0.0; 2]; 3]));
-        self.row::<3, f64>(poses, motion, size, |link, entries| {
-            for (part, entry) in parts[link].1.iter_mut().zip(entries) {
-                part[0] += entry.0[1];
-                part[1] += 2.0 * entry.0[2];
-            }
+        mut add: impl FnMut(usize, usize, [[f64; 2]; 3]),
+    ) {
+        self.each::<3, f64>(poses, motion, size, |row, link, entries| {
+            let moved = entries.map(|entry| [entry.0[1], 2.0 * entry.0[2]]);
+            add(row, self.bodies[link], moved);
         });
-        parts
     }
 
-    /// Adds what velocities (ω, v over the size) of its links contribute to its equation, over time.
+    /// Adds what velocities (ω, v over the size) of its links contribute to its equations, over time.
     #[inline(always)]
-    fn row<const K: usize, N: Number>(
+    fn each<const K: usize, N: Number>(
         &self,
         poses: &[Pose<N>],
         motion: impl Fn(usize) -> (Twist<N>, Twist<N>),
         size: f64,
-        mut add: impl FnMut(usize, [Series<K, N>; 3]),
+        mut add: impl FnMut(usize, usize, [Series<K, N>; 3]),
     ) {
         let moving = Moving {
             bodies: &self.bodies,
             poses,
             motion,
         };
-        let measure = self.joint.measure();
-        self.joint.row::<K, N>(&moving, |link, wrench| {
-            add(link, measure.entries(wrench.about_origin(), size));
+        let measures = self.joint.measures();
+        self.joint.rows::<K, N>(&moving, |row, link, wrench| {
+            let entries = measures[row].entries(wrench.about_origin(), size);
+            add(row, link, entries);
         });
     }
 }

@@ -1,0 +1,39 @@
+//! A pin: both points lie in one place.
+
+use super::constraint::{Constraint, Frames, Measure, Turns, Wrench};
+use crate::kinematics::linkage::elements::Element;
+use crate::kinematics::linkage::vector::Vector;
+use crate::math::number::Number;
+use crate::math::series::Series;
+
+/// A pin made ready: its points on both links.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::kinematics::linkage) struct PinInHole(pub(super) [Element; 2]);
+
+impl Constraint for PinInHole {
+    const ROWS: &'static [Measure] = &[Measure::Length; 2];
+    const LINKS: usize = 2;
+
+    #[inline]
+    fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
+        let [on, link] = &self.0;
+        let gap = links.frame(1).place(link.point) - links.frame(0).place(on.point);
+        set(0, gap.x);
+        set(1, gap.y);
+    }
+
+    #[inline(always)]
+    fn rows<const K: usize, T: Number>(
+        &self,
+        links: &impl Frames<K, T>,
+        mut add: impl FnMut(usize, usize, Wrench<K, T>),
+    ) {
+        for (link, sign) in [(0, -1.0), (1, 1.0)] {
+            let at = links.frame(link).place(self.0[link].point);
+            for (row, unit) in [[sign, 0.0], [0.0, sign]].into_iter().enumerate() {
+                let force = Vector::fixed(unit);
+                add(row, link, Wrench::Force { at, force });
+            }
+        }
+    }
+}
