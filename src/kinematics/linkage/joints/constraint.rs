@@ -20,14 +20,8 @@ pub(in crate::kinematics::linkage) trait Turns<const K: usize>: Frames<K, f64> {
 
 /// The mechanics of a joint made ready: equations, error = 0.
 pub(in crate::kinematics::linkage) trait Constraint {
-    /// Quantities of its closing errors, one an equation.
-    const ROWS: &'static [Measure];
-
-    /// Number of links that the equations look at.
-    const LINKS: usize;
-
-    /// Links whose angles count over whole turns.
-    const TURNING: &'static [usize] = &[];
+    /// What is fixed of its equations.
+    const SHAPE: Shape;
 
     /// Sets the closing error of each row (rad or m).
     fn errors<const K: usize>(&self, links: &impl Turns<K>, set: impl FnMut(usize, Series<K>));
@@ -63,6 +57,17 @@ pub(in crate::kinematics::linkage) trait Constraint {
     fn is_proper(&self, _links: &impl Frames<1, f64>) -> bool {
         true
     }
+}
+
+/// What is fixed of the equations of a kind of joint.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::kinematics::linkage) struct Shape {
+    /// Quantities of its closing errors, one an equation.
+    pub(in crate::kinematics::linkage) rows: &'static [Measure],
+    /// Number of links that the equations look at.
+    pub(in crate::kinematics::linkage) links: usize,
+    /// Links whose angles count over whole turns.
+    pub(in crate::kinematics::linkage) turning: &'static [usize],
 }
 
 /// Quantity of a closing error.

@@ -1,6 +1,6 @@
 //! A guide and its block: no turning against it, no distance across it.
 
-use super::constraint::{Constraint, Frames, Measure, Turns, Wrench};
+use super::constraint::{Constraint, Frames, Measure, Shape, Turns, Wrench};
 use crate::kinematics::linkage::elements::Element;
 use crate::math::number::Number;
 use crate::math::series::Series;
@@ -10,8 +10,11 @@ use crate::math::series::Series;
 pub(in crate::kinematics::linkage) struct BlockOnGuide(pub(super) [Element; 2]);
 
 impl Constraint for BlockOnGuide {
-    const ROWS: &'static [Measure] = &[Measure::Angle, Measure::Length];
-    const LINKS: usize = 2;
+    const SHAPE: Shape = Shape {
+        rows: &[Measure::Angle, Measure::Length],
+        links: 2,
+        turning: &[],
+    };
 
     /// The sine of the angle between both, and the distance of the block's point.
     #[inline]

@@ -33,7 +33,7 @@ mod wheels;
 
 pub(super) use carrier::Mismatch;
 pub(crate) use carrier::carriers;
-pub(super) use constraint::{Act, Constraint, Frames, Measure, Turns, Wrench};
+pub(super) use constraint::{Act, Constraint, Frames, Shape, Turns, Wrench};
 pub(crate) use outline::Outline;
 pub(crate) use reader::{Carried, Domain, JointReader, Lacks, Sizes};
 
@@ -187,26 +187,11 @@ macro_rules! each_joint {
         }
 
         impl Joint {
-            /// Quantities of its closing errors, one an equation.
+            /// What is fixed of its equations.
             #[inline]
-            pub(super) fn measures(&self) -> &'static [Measure] {
+            pub(super) fn shape(&self) -> Shape {
                 match self {
-                    $(Self::$Kind(_) => <$Ready as Constraint>::ROWS),*
-                }
-            }
-
-            /// Number of links that its equations look at.
-            #[inline]
-            pub(super) fn links(&self) -> usize {
-                match self {
-                    $(Self::$Kind(_) => <$Ready as Constraint>::LINKS),*
-                }
-            }
-
-            /// Which of its links have angles that count over whole turns.
-            pub(super) fn turning(&self) -> &'static [usize] {
-                match self {
-                    $(Self::$Kind(_) => <$Ready as Constraint>::TURNING),*
+                    $(Self::$Kind(_) => <$Ready as Constraint>::SHAPE),*
                 }
             }
 

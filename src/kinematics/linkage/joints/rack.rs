@@ -4,7 +4,7 @@
 //! gear, both seen from the carrier. Teeth press at the pitch point along the guide.
 
 use super::carrier::{Mismatch, axis, distinct, guide};
-use super::constraint::{Act, Constraint, Frames, Measure, Turns, Wrench};
+use super::constraint::{Act, Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
 use super::reader::{Domain, JointReader, Lacks};
 use super::wheels::{WORDS, check_ratio, circle};
@@ -143,9 +143,11 @@ impl GearOnRack {
 }
 
 impl Constraint for GearOnRack {
-    const ROWS: &'static [Measure] = &[Measure::Length];
-    const LINKS: usize = 3;
-    const TURNING: &'static [usize] = &[0, 2];
+    const SHAPE: Shape = Shape {
+        rows: &[Measure::Length],
+        links: 3,
+        turning: &[0, 2],
+    };
 
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let [on, block] = self.sides.map(|link| links.frame(link));

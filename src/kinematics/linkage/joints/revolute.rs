@@ -1,6 +1,6 @@
 //! A pin: both points lie in one place.
 
-use super::constraint::{Constraint, Frames, Measure, Turns, Wrench};
+use super::constraint::{Constraint, Frames, Measure, Shape, Turns, Wrench};
 use crate::kinematics::linkage::elements::Element;
 use crate::kinematics::linkage::vector::Vector;
 use crate::math::number::Number;
@@ -11,8 +11,11 @@ use crate::math::series::Series;
 pub(in crate::kinematics::linkage) struct PinInHole(pub(super) [Element; 2]);
 
 impl Constraint for PinInHole {
-    const ROWS: &'static [Measure] = &[Measure::Length; 2];
-    const LINKS: usize = 2;
+    const SHAPE: Shape = Shape {
+        rows: &[Measure::Length; 2],
+        links: 2,
+        turning: &[],
+    };
 
     #[inline]
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {

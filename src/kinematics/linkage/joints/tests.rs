@@ -136,7 +136,7 @@ fn all() -> Vec<(&'static str, Joint)> {
 
 /// Of each row the derivatives by x, y and θ of each link: wrenches about the origin of its frame.
 fn gradients<const K: usize>(joint: &Joint, links: &Links<K>) -> Vec<[[Series<K>; 3]; 3]> {
-    let mut found = vec![[[Series::constant(0.0); 3]; 3]; joint.measures().len()];
+    let mut found = vec![[[Series::constant(0.0); 3]; 3]; joint.shape().rows.len()];
     joint.rows(links, |row, link, wrench| {
         let [moment, x, y] = wrench.about(links.frame(link).at);
         for (sum, part) in found[row][link].iter_mut().zip([x, y, moment]) {
@@ -147,7 +147,7 @@ fn gradients<const K: usize>(joint: &Joint, links: &Links<K>) -> Vec<[[Series<K>
 }
 
 fn errors<const K: usize>(joint: &Joint, links: &Links<K>) -> Vec<Series<K>> {
-    let mut found = vec![Series::constant(f64::NAN); joint.measures().len()];
+    let mut found = vec![Series::constant(f64::NAN); joint.shape().rows.len()];
     joint.errors(links, |row, error| found[row] = error);
     found
 }

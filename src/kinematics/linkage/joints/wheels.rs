@@ -1,7 +1,7 @@
 //! Two wheels on a carrier that turn at a constant ratio, as gears and belts make them.
 
 use super::carrier::{Mismatch, axes, axis};
-use super::constraint::{Act, Constraint, Frames, Measure, Turns, Wrench};
+use super::constraint::{Act, Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
 use super::reader::Lacks;
 use super::{CouplingSpec, Words};
@@ -66,9 +66,11 @@ impl TwoWheels {
 }
 
 impl Constraint for TwoWheels {
-    const ROWS: &'static [Measure] = &[Measure::Angle];
-    const LINKS: usize = 3;
-    const TURNING: &'static [usize] = &[0, 1, 2];
+    const SHAPE: Shape = Shape {
+        rows: &[Measure::Angle],
+        links: 3,
+        turning: &[0, 1, 2],
+    };
 
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let [one, other, carrier] = [0, 1, 2].map(|link| links.angle(link));

@@ -9,9 +9,9 @@ use super::spec::{InputCoordinate, MultiSpec};
 use super::welded::Welded;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::compile;
-use crate::kinematics::linkage::decompose::{Decomposition, Tie, decompose};
+use crate::kinematics::linkage::decompose::{Decomposition, decompose};
 use crate::kinematics::linkage::dyad::Form;
-use crate::kinematics::linkage::elements::{Body, Element, elements};
+use crate::kinematics::linkage::elements::Body;
 use crate::kinematics::linkage::plan::{Plan, Step, size};
 use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, OutputKind, OutputSpec};
 use crate::kinematics::linkage::structure::{self, GroupKind};
@@ -25,54 +25,31 @@ pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Grou
     let linkage = &spec.linkage;
     let bodies = bodies(welded, &joints);
     let driving: Vec<usize> = input_pairs(spec).collect();
-    let others: Vec<usize> = (0..linkage.pairs.len())
-        .filter(|pair| !driving.contains(pair))
-        .collect();
-    let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
-    let mut ties: Vec<Tie> = others
-        .iter()
-        .map(|&pair| Tie::pair(elements(&linkage.pairs[pair]).each_ref().map(of)))
-        .collect();
-    ties.extend(compile::couplings(linkage, &bodies));
+    let others = other_pairs(welded);
+    let ties = compile::ties(linkage, &bodies, &others);
     let groups = match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(groups) => groups,
         Decomposition::Unfit { held, free } => {
-            return Err(misfit(spec, &bodies, &others, &held, &free));
+            return Err(misfit(spec, &bodies, &others, (&held, &free)));
         }
     };
     let mut listed = vec![driving_group(spec, &joints, &driving)];
     let mut steps = Vec::new();
     let mut found = Vec::new();
-    for group in &groups {
-        let own = |tie: &Tie| tie.belongs_to(group, &groups);
-        let (pairs, couplings) = compile::members(&ties, &others, own);
-        let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
-            ([one, other], [_, _, _]) => {
-                compile::dyad(linkage, &bodies, [*one, *other], &pairs, &mut faults)
-            }
-            _ => compile::larger_group(linkage, &bodies, group, &pairs, &couplings),
-        };
-        let mut links: Vec<usize> = group
-            .iter()
-            .flat_map(|&body| bodies.list[body].links())
-            .collect();
-        links.sort_unstable();
+    let handed = (ties.as_slice(), others.as_slice());
+    for (step, group) in
+        compile::solved_groups(linkage, &bodies, handed, &groups, true, &mut faults)
+    {
         if let Some(step) = step {
-            let inner = inner_of(spec, &joints, &links, &mut faults);
-            let mut ready = group_of(spec, &step, &pairs, inner, joints.bodies);
+            let inner = inner_of(spec, &joints, &group.links, &mut faults);
+            let mut ready = group_of(spec, &step, &group.pairs, inner, joints.bodies);
             if !ready.dyad {
-                ready.ties = ties_of(linkage, [&pairs, &couplings], joints.bodies);
+                ready.ties = ties_of(linkage, &group, joints.bodies);
             }
             found.push(ready);
             steps.push(step);
         }
-        listed.push(structure::Group {
-            kind,
-            links,
-            pairs,
-            couplings,
-            branch: None,
-        });
+        listed.push(welded.skeleton.without_hidden(group));
     }
     faults.check()?;
     let first = driving.first().copied().unwrap_or(0);
@@ -83,7 +60,7 @@ pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Grou
     let plan = Plan {
         driver,
         steps,
-        attached: welded.attached.clone(),
+        attached: welded.skeleton.attached.clone(),
         links: joints.bodies,
         size: size(linkage),
     };
@@ -104,24 +81,23 @@ pub(super) fn is_overconstrained(welded: &Welded) -> bool {
     }
     let spec = &welded.spec;
     let bodies = bodies(welded, &joints);
-    let driving: Vec<usize> = input_pairs(spec).collect();
-    let pairs = (spec.linkage.pairs.iter().enumerate())
-        .filter(|(pair, _)| !driving.contains(pair))
-        .map(|(_, pair)| {
-            let body = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
-            Tie::pair(elements(pair).each_ref().map(body))
-        });
-    let ties: Vec<Tie> = pairs
-        .chain(compile::couplings(&spec.linkage, &bodies))
-        .collect();
+    let ties = compile::ties(&spec.linkage, &bodies, &other_pairs(welded));
     match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(_) => false,
         Decomposition::Unfit { held, .. } => !held.is_empty(),
     }
 }
 
+/// The pairs that are no inputs, without what is left out.
+fn other_pairs(welded: &Welded) -> Vec<usize> {
+    let driving: Vec<usize> = input_pairs(&welded.spec).collect();
+    let all = 0..welded.spec.linkage.pairs.len();
+    all.filter(|pair| !driving.contains(pair) && welded.skeleton.solves(*pair))
+        .collect()
+}
+
 /// The pairs that are inputs.
-fn input_pairs(spec: &MultiSpec) -> impl Iterator<Item = usize> + '_ {
+pub(super) fn input_pairs(spec: &MultiSpec) -> impl Iterator<Item = usize> + '_ {
     spec.inputs
         .iter()
         .filter_map(|input| match input.coordinate {
@@ -219,14 +195,13 @@ fn group_of(
     }
 }
 
-/// Pairs and couplings made ready, these having been checked.
-fn ties_of(linkage: &LinkageSpec, [pairs, couplings]: [&[usize]; 2], ground: usize) -> Vec<TiedBodies> {
+/// Joints of a group made ready, these having been checked.
+fn ties_of(linkage: &LinkageSpec, group: &structure::Group, ground: usize) -> Vec<TiedBodies> {
     let all = &linkage.pairs;
-    let pairs = pairs
-        .iter()
-        .map(|&pair| TiedBodies::of_pair(&all[pair], ground));
+    let pairs = group.pairs.iter();
+    let pairs = pairs.map(|&pair| TiedBodies::of_pair(&all[pair], ground));
+    let couplings = group.couplings.iter();
     let couplings = couplings
-        .iter()
         .filter_map(|&own| TiedBodies::of_coupling(&linkage.couplings[own], all, ground));
     pairs.chain(couplings).collect()
 }

@@ -51,8 +51,11 @@ pub use singular::{SingularCurve, singular_curves};
 
 use super::assemble;
 use super::couplings;
+use super::plan::Step;
+use super::redundant;
 use super::spec::OutputSpec;
-use super::structure::{GroupKind, Structure};
+use super::state::State;
+use super::structure::{Group, GroupKind, Structure};
 use super::workspace::Pose;
 use crate::fault::Fault;
 use crate::math::quantity::Quantity;
@@ -92,8 +95,26 @@ impl MultiLinkage {
     pub fn new(spec: MultiSpec) -> Result<Self, Vec<Fault>> {
         wrong::check(&spec)?;
         let welded = Welded::of(&spec);
-        let (plan, mut groups) =
-            compile::compile(&welded).map_err(|faults| proposal::hinted(&spec, faults))?;
+        match compile::compile(&welded) {
+            Ok(found) => Self::built(spec, welded, found),
+            Err(faults) => redundant::find_movable(&spec, &welded.skeleton, &Self::with_known)
+                .ok_or_else(|| proposal::hinted(&spec, faults)),
+        }
+    }
+
+    /// Of a linkage whose redundant constraints are known, its numbers being right.
+    fn with_known(spec: MultiSpec) -> Option<Self> {
+        let welded = Welded::of(&spec);
+        let found = compile::compile(&welded).ok()?;
+        Self::built(spec, welded, found).ok()
+    }
+
+    /// Puts it together.
+    fn built(
+        spec: MultiSpec,
+        welded: Welded,
+        (plan, mut groups): (MultiPlan, Vec<Group>),
+    ) -> Result<Self, Vec<Fault>> {
         let mut state = plan.plan.state();
         let inputs: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         place::outwards(&plan, &inputs, &mut state);
@@ -112,13 +133,14 @@ impl MultiLinkage {
                 place::inside(&plan, at, &inputs, state);
             },
         )?;
+        redundant::holds_at_start(&spec.linkage, &state, plan.plan.size)?;
         let mut signs = Vec::new();
         for (at, group) in groups[1..].iter_mut().enumerate() {
             let two_ways = matches!(group.kind, GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr);
             group.branch = two_ways.then_some(branches[at].sign);
-            signs.push(match group.kind {
-                GroupKind::Newton { .. } => state.margins[at].value.signum(),
-                _ => branches[at].sign,
+            signs.push(match &plan.plan.steps[at] {
+                Step::Newton(_) => state.margins[at].value.signum(),
+                Step::Dyad(_) => branches[at].sign,
             });
         }
         let mut start = StartPosition::new(state, inputs.clone(), plan.turning);
@@ -305,6 +327,11 @@ impl<N: Quantity> MultiWorkspace<N> {
     /// Kinetic energy and potential energy (J) at what was solved last.
     pub(crate) fn energies(&self) -> [N; 2] {
         self.surroundings().energies()
+    }
+
+    /// Where everything is at what was solved last.
+    pub(super) fn state(&self) -> &State {
+        &self.known.state
     }
 
     fn surroundings(&self) -> Surroundings<'_, N> {

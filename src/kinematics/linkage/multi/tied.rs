@@ -47,12 +47,12 @@ impl TiedBodies {
 
     /// The bodies that it ties.
     pub(super) fn bodies(&self) -> &[usize] {
-        &self.bodies[..self.joint.links()]
+        &self.bodies[..self.joint.shape().links]
     }
 
     /// Number of its equations.
     pub(super) fn rows(&self) -> usize {
-        self.joint.measures().len()
+        self.joint.shape().rows.len()
     }
 
     /// Its equations at a position.
@@ -114,7 +114,7 @@ impl TiedBodies {
             poses,
             motion,
         };
-        let measures = self.joint.measures();
+        let measures = self.joint.shape().rows;
         self.joint.rows::<K, N>(&moving, |row, link, wrench| {
             let entries = measures[row].entries(wrench.about_origin(), size);
             add(row, link, entries);

@@ -54,7 +54,7 @@ impl Tied {
 
     /// Number of its equations.
     pub(in crate::kinematics::linkage) fn rows(&self) -> usize {
-        self.joint.measures().len()
+        self.joint.shape().rows.len()
     }
 
     /// Sets its closing errors: rad, or lengths over the size.
@@ -66,7 +66,7 @@ impl Tied {
         size: f64,
         mut set: impl FnMut(usize, Series<N>),
     ) {
-        let measures = self.joint.measures();
+        let measures = self.joint.shape().rows;
         self.joint.errors::<N>(&self.placed(state, scratch), |row, error| {
             set(row, error.scale(measures[row].unit(size)));
         });
@@ -81,7 +81,7 @@ impl Tied {
         size: f64,
         mut add: impl FnMut(usize, usize, [f64; 3]),
     ) {
-        let measures = self.joint.measures();
+        let measures = self.joint.shape().rows;
         let placed = self.placed(state, scratch);
         self.joint.rows::<1, f64>(&placed, |row, link, wrench| {
             let Side::Own { body, .. } = self.links[link] else {
@@ -106,12 +106,12 @@ impl Tied {
 
     /// True where angles count over whole turns.
     pub(in crate::kinematics::linkage) fn turns(&self) -> bool {
-        !self.joint.turning().is_empty()
+        !self.joint.shape().turning.is_empty()
     }
 
     /// The links placed before whose angles it needs.
     pub(in crate::kinematics::linkage) fn known_links(&self) -> impl Iterator<Item = usize> {
-        let sides = self.joint.turning().iter().map(|&link| self.links[link]);
+        let sides = self.joint.shape().turning.iter().map(|&link| self.links[link]);
         sides.filter_map(|side| match side {
             Side::Known(element) => element.link,
             Side::Own { .. } => None,

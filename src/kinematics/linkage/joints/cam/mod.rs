@@ -16,7 +16,7 @@ mod pitch;
 pub(in crate::kinematics::linkage) use pitch::PitchCurve;
 
 use super::carrier::Mismatch;
-use super::constraint::{Constraint, Frames, Measure, Turns, Wrench};
+use super::constraint::{Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
 use super::reader::{Domain, JointReader};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
@@ -186,8 +186,11 @@ pub(in crate::kinematics::linkage) struct RollerOnCam {
 }
 
 impl Constraint for RollerOnCam {
-    const ROWS: &'static [Measure] = &[Measure::Length];
-    const LINKS: usize = 2;
+    const SHAPE: Shape = Shape {
+        rows: &[Measure::Length],
+        links: 2,
+        turning: &[],
+    };
 
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let (cam, roller) = (links.frame(0), links.frame(1));
