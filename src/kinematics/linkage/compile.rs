@@ -48,7 +48,14 @@ pub(super) fn compile(
     faults.check()?;
     let mut steps = Vec::new();
     let mut listed = vec![driver_group(spec)];
-    let made = solved_groups(spec, &bodies, (&ties, &others), &groups, closed_forms, &mut faults);
+    let made = solved_groups(
+        spec,
+        &bodies,
+        (&ties, &others),
+        &groups,
+        closed_forms,
+        &mut faults,
+    );
     for (step, group) in made {
         steps.extend(step);
         listed.push(skeleton.without_hidden(group));
@@ -123,11 +130,7 @@ pub(super) fn solved_groups(
 
 /// The pairs of a group, and its couplings, the ties being those of the pairs in `others` and
 /// then those of all couplings.
-fn members(
-    ties: &[Tie],
-    others: &[usize],
-    own: impl Fn(&Tie) -> bool,
-) -> (Vec<usize>, Vec<usize>) {
+fn members(ties: &[Tie], others: &[usize], own: impl Fn(&Tie) -> bool) -> (Vec<usize>, Vec<usize>) {
     let (pairs, couplings) = ties.split_at(others.len());
     let pairs = others.iter().zip(pairs).filter(|(_, tie)| own(tie));
     let couplings = couplings.iter().enumerate().filter(|(_, tie)| own(tie));

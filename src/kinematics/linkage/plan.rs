@@ -24,13 +24,13 @@ impl Driver {
     pub(super) fn new(pair: &PairSpec) -> Self {
         let [on, link] = elements(pair);
         let sliding = match pair.kind {
-            PairKind::Revolute { .. } => None,
             PairKind::Sliding {
                 direction, angle, ..
             } => {
                 let (sin, cos) = (direction + angle).sin_cos();
                 Some([cos, sin])
             }
+            _ => None,
         };
         Self { on, link, sliding }
     }

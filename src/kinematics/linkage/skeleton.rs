@@ -105,7 +105,7 @@ impl Skeleton {
         };
         let hidden = self.hidden_link(link);
         let block = std::mem::replace(&mut self.spec.pairs[pair].link, origin(hidden));
-        let kind = PairKind::Revolute { diameter: 0.0 };
+        let kind = PairKind::PIN;
         self.hidden_pair(block, hidden, kind);
     }
 

@@ -55,9 +55,7 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
     let open = &study.indeterminate.couplings;
     let couplings = study.linkage.couplings.iter().enumerate();
     let couplings = couplings
-        .filter(|(index, spec)| {
-            spec.kind.words().is_one_force && open.get(*index) != Some(&true)
-        })
+        .filter(|(index, spec)| spec.kind.words().is_one_force && open.get(*index) != Some(&true))
         .map(|(index, spec)| {
             arrow(named(&spec.name), &|forces| {
                 let own = &forces.couplings[index];

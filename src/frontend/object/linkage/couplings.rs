@@ -8,8 +8,8 @@ use crate::dynamics::model::Coordinate::{Sliding, Turning};
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::cam::Surface;
 use crate::kinematics::linkage::joints::{
-    COUPLINGS, Carried, DECLARATIONS, Declaration, Domain, JointReader, Lacks, OFFSET, Sizes, WHEELS,
-    carriers,
+    COUPLINGS, Carried, DECLARATIONS, Declaration, Domain, JointReader, Lacks, OFFSET, Sizes,
+    WHEELS, carriers,
 };
 use crate::kinematics::linkage::spec::{CouplingSpec, PairSpec, PointOf};
 use crate::kinematics::position::PositionSpec;
@@ -50,7 +50,9 @@ fn coupling(slot: Slot<'_>, name: &str, known: CouplingContext<'_>) -> Option<Co
     slot.record(|fields| {
         let mut kind = fields.one_of("what couples the links");
         for declared in DECLARATIONS {
-            kind.case(declared.key, declared.doc, |slot| of_kind(slot, declared, known));
+            kind.case(declared.key, declared.doc, |slot| {
+                of_kind(slot, declared, known)
+            });
         }
         let coupling = kind.finish()?;
         Some(CouplingSpec {
@@ -190,7 +192,10 @@ fn the_carrier(
             "name two links".to_owned(),
         ),
         [] => {
-            let message = lacks.message.replace("{one}", one).replace("{other}", other);
+            let message = lacks
+                .message
+                .replace("{one}", one)
+                .replace("{other}", other);
             (message, lacks.hint.to_owned())
         }
         several => {

@@ -75,7 +75,9 @@ pub(in crate::kinematics::linkage) fn held_and_free(
         let bodies = list.iter().map(|&body| &bodies.list[body]);
         let mut links: Vec<usize> = bodies.flat_map(Body::links).collect();
         links.sort_unstable();
-        let names = links.iter().map(|&link| format!("`{}`", spec.links[link].name));
+        let names = links
+            .iter()
+            .map(|&link| format!("`{}`", spec.links[link].name));
         names.collect::<Vec<_>>().join(", ")
     };
     for (list, ties) in held {
@@ -95,17 +97,17 @@ pub(in crate::kinematics::linkage) fn held_and_free(
     }
     if let Some(&first) = free.first() {
         let name = &spec.links[bodies.list[first].base].name;
-        let message = format!("{} free to move while {}", is_or_are(&links(free)), words.still);
+        let message = format!(
+            "{} free to move while {}",
+            is_or_are(&links(free)),
+            words.still
+        );
         faults.add(format!("links.{name}"), message, words.free_hint);
     }
 }
 
 /// Where a tie stands in the description, and its name: the pairs in `others`, then the couplings.
-fn tie_named<'a>(
-    spec: &'a LinkageSpec,
-    others: &[usize],
-    tie: usize,
-) -> [&'a str; 2] {
+fn tie_named<'a>(spec: &'a LinkageSpec, others: &[usize], tie: usize) -> [&'a str; 2] {
     match others.get(tie) {
         Some(&pair) => ["pairs", &spec.pairs[pair].name],
         None => ["couplings", &spec.couplings[tie - others.len()].name],

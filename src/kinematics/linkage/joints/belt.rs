@@ -68,7 +68,9 @@ impl Kind for Belt {
             return Vec::new();
         };
         let strands = strands(axes, self.radii).map(|ends| Outline::Line(coupling.carrier, ends));
-        circles(coupling, pairs, self.radii).chain(strands).collect()
+        circles(coupling, pairs, self.radii)
+            .chain(strands)
+            .collect()
     }
 
     /// Both strands together are no single force.

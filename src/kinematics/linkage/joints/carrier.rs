@@ -59,10 +59,7 @@ pub(super) fn distinct(coupling: &CouplingSpec) -> Result<(), Mismatch> {
 }
 
 /// The axes of both wheels in the frame of the carrier (m), which do not coincide.
-pub(super) fn axes(
-    coupling: &CouplingSpec,
-    pairs: &[PairSpec],
-) -> Result<[[f64; 2]; 2], Mismatch> {
+pub(super) fn axes(coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<[[f64; 2]; 2], Mismatch> {
     distinct(coupling)?;
     let [one, other, carrier] = coupling.links();
     let axis = |wheel| axis(pairs, carrier, wheel).ok_or(Mismatch::no_axis(wheel));

@@ -13,7 +13,9 @@ pub(in crate::kinematics::linkage) trait Frames<const K: usize, T: Number> {
 }
 
 /// The same with angles over whole turns.
-pub(in crate::kinematics::linkage) trait Turns<const K: usize>: Frames<K, f64> {
+pub(in crate::kinematics::linkage) trait Turns<const K: usize>:
+    Frames<K, f64>
+{
     /// The angle of a link (rad).
     fn angle(&self, link: usize) -> Series<K>;
 }
@@ -150,25 +152,51 @@ impl<const K: usize, T: Number> Wrench<K, T> {
     }
 }
 
-/// What a unit of a joint's force does to one of its links.
+/// A force at a point and a couple, such as what a unit of a joint's force does to one of its links.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::kinematics::linkage) struct Act {
     /// Where the force acts (m).
     pub(in crate::kinematics::linkage) at: [f64; 2],
     /// The force.
     pub(in crate::kinematics::linkage) force: [f64; 2],
-    /// The couple (m).
+    /// The couple.
     pub(in crate::kinematics::linkage) couple: f64,
 }
 
 impl Act {
-    /// A force on the second link at a point, its reaction on the first.
-    pub(in crate::kinematics::linkage) fn opposite(at: [f64; 2], [x, y]: [f64; 2]) -> [Self; 2] {
-        let on = |force| Self {
+    /// A force at a point.
+    pub(in crate::kinematics::linkage) fn force(at: [f64; 2], force: [f64; 2]) -> Self {
+        Self {
             at,
             force,
             couple: 0.0,
-        };
-        [on([-x, -y]), on([x, y])]
+        }
+    }
+
+    /// So many times of it.
+    #[inline(always)]
+    pub(in crate::kinematics::linkage) fn times(&self, factor: f64) -> Self {
+        Self {
+            at: self.at,
+            force: self.force.map(|part| factor * part),
+            couple: factor * self.couple,
+        }
+    }
+
+    /// Its force, and its moment about a point.
+    #[inline(always)]
+    pub(in crate::kinematics::linkage) fn about(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        let [fx, fy] = self.force;
+        [
+            fx,
+            fy,
+            (self.at[0] - x) * fy - (self.at[1] - y) * fx + self.couple,
+        ]
+    }
+
+    /// A force on the second link at a point, its reaction on the first.
+    pub(in crate::kinematics::linkage) fn opposite(at: [f64; 2], force: [f64; 2]) -> [Self; 2] {
+        let second = Self::force(at, force);
+        [second.times(-1.0), second]
     }
 }

@@ -265,7 +265,7 @@ kinds! {
     /// A belt or chain over two pulleys.
     Belt: belt, belt::Belt, wheels::TwoWheels;
     /// A gear and a rack on a guide of the carrier.
-    Rack: rack, rack::Rack, rack::GearOnRack;
+    Rack: rack, rack::Rack, rack::RackAndWheel;
     /// A cam on which a roller or a point of another link runs.
     Cam: cam, Box<cam::CamPairSpec>, cam::RollerOnCam;
 }

@@ -74,7 +74,7 @@ impl Kind for Rack {
         let (axis, guide) = place(coupling, pairs).ok()?;
         let [on, block] = elements(guide);
         let of_carrier = on.link == coupling.carrier;
-        Some(Joint::Rack(GearOnRack {
+        Some(Joint::Rack(RackAndWheel {
             radius: self.radius,
             offset: coupling.offset,
             axis,
@@ -120,7 +120,7 @@ fn pitch_line(axis: [f64; 2], radius: f64, along: [f64; 2]) -> [[f64; 2]; 2] {
 
 /// A gear and a rack made ready.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::kinematics::linkage) struct GearOnRack {
+pub(in crate::kinematics::linkage) struct RackAndWheel {
     /// ρ (m).
     radius: f64,
     /// Displacement of the rack where the gear's angle is zero (m).
@@ -135,14 +135,14 @@ pub(in crate::kinematics::linkage) struct GearOnRack {
     sides: [usize; 2],
 }
 
-impl GearOnRack {
+impl RackAndWheel {
     /// +1 where the guide is on the carrier.
     fn sign(&self) -> f64 {
         if self.sides[0] == 2 { 1.0 } else { -1.0 }
     }
 }
 
-impl Constraint for GearOnRack {
+impl Constraint for RackAndWheel {
     const SHAPE: Shape = Shape {
         rows: &[Measure::Length],
         links: 3,

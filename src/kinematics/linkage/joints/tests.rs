@@ -74,8 +74,14 @@ fn joints() -> Vec<(&'static str, Joint)> {
         pair((2, [0.1, 0.0]), (0, [0.0; 2]), pin),
         pair((1, [0.0; 2]), (2, [0.5, 0.1]), pin),
     ];
-    let forwards = [wheels[0].clone(), pair((2, [0.2, 0.1]), (1, [0.05, 0.1]), guide)];
-    let backwards = [wheels[0].clone(), pair((1, [0.2, 0.1]), (2, [0.05, 0.1]), guide)];
+    let forwards = [
+        wheels[0].clone(),
+        pair((2, [0.2, 0.1]), (1, [0.05, 0.1]), guide),
+    ];
+    let backwards = [
+        wheels[0].clone(),
+        pair((1, [0.2, 0.1]), (2, [0.05, 0.1]), guide),
+    ];
     let lift = PositionSpec::Sine {
         amplitude: 0.03,
         harmonic: 2.0,
@@ -161,8 +167,7 @@ fn the_rows_of_every_joint_are_the_gradients_of_its_errors() {
             assert!(row.iter().flatten().any(|entry| entry.value() != 0.0));
             for link in 0..3 {
                 for unknown in 0..3 {
-                    let error =
-                        |by: f64| errors(&joint, &moved(link, unknown, by))[index].value();
+                    let error = |by: f64| errors(&joint, &moved(link, unknown, by))[index].value();
                     let slope = (error(step) - error(-step)) / (2.0 * step);
                     let found = row[link][unknown].value();
                     assert!((found - slope).abs() < 1e-8, "{name}: {found}, {slope}");

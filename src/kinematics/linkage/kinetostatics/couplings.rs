@@ -66,13 +66,7 @@ impl Kinetostatics {
         mut add: impl FnMut(usize, f64),
     ) {
         for (link, act) in self.acts(coupling, links) {
-            let Some(link) = link else { continue };
-            let ([fx, fy], [cx, cy]) = (act.force, centres[link].place);
-            let arm = [act.at[0] - cx, act.at[1] - cy];
-            let moment = arm[0] * fy - arm[1] * fx + act.couple;
-            add(3 * link, fx);
-            add(3 * link + 1, fy);
-            add(3 * link + 2, moment / self.length);
+            self.each_row_on(link, &act, centres, &mut add);
         }
     }
 
@@ -83,10 +77,7 @@ impl Kinetostatics {
             let size = self.coupling_size(coupling, w);
             let acts = self.acts(coupling, &w.links);
             for (_, act) in acts.iter().filter(|(link, _)| link.is_none()) {
-                let ([x, y], [fx, fy]) = (act.at, act.force);
-                sum[0] += size * fx;
-                sum[1] += size * fy;
-                sum[2] += size * (x * fy - y * fx + act.couple);
+                add_on_frame(act, size, sum);
             }
         }
     }
@@ -97,6 +88,13 @@ impl Kinetostatics {
         let of = spec.links();
         let acts = self.coupled[coupling].acts(&Placed { of, links });
         [0, 1].map(|side| (spec.wheels[side], acts[side]))
+    }
+}
+
+/// Adds so many times of what acts on the ground: force, and moment about its origin.
+pub(super) fn add_on_frame(act: &Act, times: f64, sum: &mut [f64; 3]) {
+    for (sum, part) in sum.iter_mut().zip(act.about([0.0; 2])) {
+        *sum += times * part;
     }
 }
 

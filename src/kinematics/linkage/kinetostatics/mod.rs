@@ -214,10 +214,7 @@ impl Kinetostatics {
     /// Force or moment of a unit of a driver's unknown.
     fn unit_of(&self, driver: InputCoordinate) -> f64 {
         match driver {
-            InputCoordinate::Pair(pair) => match self.spec.pairs[pair].kind {
-                PairKind::Revolute { .. } => self.length,
-                PairKind::Sliding { .. } => 1.0,
-            },
+            InputCoordinate::Pair(pair) => unit(&self.spec.pairs[pair], self.length),
             InputCoordinate::X(_) | InputCoordinate::Y(_) => 1.0,
             InputCoordinate::Angle(_) => self.length,
         }
@@ -226,18 +223,12 @@ impl Kinetostatics {
 
 /// Length that a unit of a pair's coordinate stands for.
 fn unit(pair: &PairSpec, length: f64) -> f64 {
-    match pair.kind {
-        PairKind::Revolute { .. } => length,
-        PairKind::Sliding { .. } => 1.0,
-    }
+    if pair.slides() { 1.0 } else { length }
 }
 
 /// Cosine and sine of a guide's direction in its link.
 fn direction(pair: &PairSpec) -> [f64; 2] {
-    match pair.kind {
-        PairKind::Revolute { .. } => [1.0, 0.0],
-        PairKind::Sliding { direction, .. } => [direction.cos(), direction.sin()],
-    }
+    pair.direction().unwrap_or([1.0, 0.0])
 }
 
 /// A block's corners; of one without friction they may be left open, and any

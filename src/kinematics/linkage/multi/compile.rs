@@ -1,11 +1,11 @@
 //! From the plain numbers of a linkage of several inputs to the plan of its solution, or
 //! to what is wrong with its inputs and its structure.
 
-use super::tied::TiedBodies;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
 use super::spec::{InputCoordinate, MultiSpec};
+use super::tied::TiedBodies;
 use super::welded::Welded;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::compile;
@@ -201,8 +201,8 @@ fn ties_of(linkage: &LinkageSpec, group: &structure::Group, ground: usize) -> Ve
     let pairs = group.pairs.iter();
     let pairs = pairs.map(|&pair| TiedBodies::of_pair(&all[pair], ground));
     let couplings = group.couplings.iter();
-    let couplings = couplings
-        .filter_map(|&own| TiedBodies::of_coupling(&linkage.couplings[own], all, ground));
+    let couplings =
+        couplings.filter_map(|&own| TiedBodies::of_coupling(&linkage.couplings[own], all, ground));
     pairs.chain(couplings).collect()
 }
 

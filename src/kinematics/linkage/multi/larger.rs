@@ -1,8 +1,8 @@
 //! Velocities and accelerations of larger groups, by the matrix of their closing equations.
 
 use super::columns::Columns;
-use super::tied::TiedBodies;
 use super::plan::{Group, MultiPlan};
+use super::tied::TiedBodies;
 use super::twist::{Twist, dot};
 use crate::math::linear::dense;
 use crate::math::number::Number;

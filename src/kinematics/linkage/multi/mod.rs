@@ -19,7 +19,6 @@
 mod columns;
 mod compile;
 mod constraint;
-mod tied;
 mod dynamics;
 mod forces;
 mod joints;
@@ -36,6 +35,7 @@ mod singular;
 pub mod spec;
 #[cfg(test)]
 mod tests;
+mod tied;
 mod twist;
 mod welded;
 mod wrong;

@@ -38,7 +38,11 @@ impl TiedBodies {
     }
 
     /// A coupling that has been checked; `ground`: index of the ground.
-    pub(super) fn of_coupling(coupling: &CouplingSpec, pairs: &[PairSpec], ground: usize) -> Option<Self> {
+    pub(super) fn of_coupling(
+        coupling: &CouplingSpec,
+        pairs: &[PairSpec],
+        ground: usize,
+    ) -> Option<Self> {
         Some(Self {
             joint: coupling.ready(pairs)?,
             bodies: coupling.links().map(|link| link.unwrap_or(ground)),

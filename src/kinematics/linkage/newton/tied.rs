@@ -67,9 +67,10 @@ impl Tied {
         mut set: impl FnMut(usize, Series<N>),
     ) {
         let measures = self.joint.shape().rows;
-        self.joint.errors::<N>(&self.placed(state, scratch), |row, error| {
-            set(row, error.scale(measures[row].unit(size)));
-        });
+        self.joint
+            .errors::<N>(&self.placed(state, scratch), |row, error| {
+                set(row, error.scale(measures[row].unit(size)));
+            });
     }
 
     /// Adds its rows: derivatives of the errors by the unknowns (x, y, θ) of the group's bodies.
@@ -111,7 +112,12 @@ impl Tied {
 
     /// The links placed before whose angles it needs.
     pub(in crate::kinematics::linkage) fn known_links(&self) -> impl Iterator<Item = usize> {
-        let sides = self.joint.shape().turning.iter().map(|&link| self.links[link]);
+        let sides = self
+            .joint
+            .shape()
+            .turning
+            .iter()
+            .map(|&link| self.links[link]);
         sides.filter_map(|side| match side {
             Side::Known(element) => element.link,
             Side::Own { .. } => None,

@@ -27,7 +27,7 @@ pub struct PairSpec {
 impl PairSpec {
     /// True for a block on a guide.
     pub fn slides(&self) -> bool {
-        matches!(self.kind, PairKind::Sliding { .. })
+        self.kind.slides()
     }
 
     /// Direction of the guide in the frame of link i, (cos ψ, sin ψ); `None` of a pin.
@@ -60,4 +60,22 @@ pub enum PairKind {
         /// Half the height c ≥ 0 of the block (m).
         half_height: f64,
     },
+}
+
+impl PairKind {
+    /// A pin of which no diameter is said.
+    pub(crate) const PIN: Self = Self::Revolute { diameter: 0.0 };
+
+    /// True for a block on a guide.
+    pub fn slides(&self) -> bool {
+        matches!(self, Self::Sliding { .. })
+    }
+
+    /// Diameter of a pin (m).
+    pub(crate) fn diameter(&self) -> Option<f64> {
+        match *self {
+            Self::Revolute { diameter } => Some(diameter),
+            Self::Sliding { .. } => None,
+        }
+    }
 }

@@ -20,7 +20,12 @@ fn five_bar(ratio: f64) -> Builder {
         .pin((rod, [0.7, 0.0]), (coupler, [0.8, 0.0]))
         .pin((second, [0.15, 0.0]), (coupler, [0.0; 2]))
         .pin((second, [0.0; 2]), (GROUND, [0.6, 0.0]))
-        .couple([CRANK, second], GROUND, CouplingKind::Gear(Gear { ratio }), 0.4)
+        .couple(
+            [CRANK, second],
+            GROUND,
+            CouplingKind::Gear(Gear { ratio }),
+            0.4,
+        )
 }
 
 #[test]
@@ -69,7 +74,12 @@ fn rolling(ratio: f64) -> Builder {
     Builder::new(&["arm", "planet"])
         .pin((GROUND, [0.1, 0.2]), (arm, [0.0; 2]))
         .pin((arm, [0.3, 0.0]), (planet, [0.0; 2]))
-        .couple([GROUND, planet], arm, CouplingKind::Gear(Gear { ratio }), 0.0)
+        .couple(
+            [GROUND, planet],
+            arm,
+            CouplingKind::Gear(Gear { ratio }),
+            0.0,
+        )
 }
 
 #[test]
@@ -240,7 +250,12 @@ fn belt(second: f64) -> Builder {
     Builder::new(&["arm", "pulley"])
         .pin((GROUND, [0.0; 2]), (arm, [0.0; 2]))
         .pin((arm, [0.5, 0.1]), (pulley, [0.0; 2]))
-        .couple([GROUND, pulley], arm, CouplingKind::Belt(Belt { radii }), 0.2)
+        .couple(
+            [GROUND, pulley],
+            arm,
+            CouplingKind::Belt(Belt { radii }),
+            0.2,
+        )
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 use super::examples::Builder;
 use crate::kinematics::cam::Surface;
-use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
 use crate::kinematics::linkage::joints::{belt::Belt, gear::Gear};
+use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
 use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, LinkageSpec, PairKind, PointOf};
 use crate::kinematics::linkage::{Linkage, Reach, Workspace};
 use crate::kinematics::position::{Position, PositionSpec};

@@ -118,10 +118,7 @@ impl PitchCurve {
     /// normal of the curve that goes through p. Over a path of p three coefficients at most, R being
     /// known to its third derivative.
     #[inline(always)]
-    pub(super) fn gradient<const K: usize, T: Number>(
-        &self,
-        p: Vector<K, T>,
-    ) -> Vector<K, T> {
+    pub(super) fn gradient<const K: usize, T: Number>(&self, p: Vector<K, T>) -> Vector<K, T> {
         let far = p.square().sqrt().reciprocal();
         let angle = p.angle();
         let radius = self.radius(angle.0[0].value());

@@ -2,8 +2,8 @@
 
 use super::MultiLinkage;
 use super::examples::{GROUND, bar, guide, input, odd, output, pin};
-use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
 use crate::kinematics::linkage::joints::{belt::Belt, gear::Gear, rack::Rack};
+use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
 use crate::kinematics::linkage::spec::{
     AssemblyChoice, AssemblySpec, CouplingKind, CouplingSpec, LinkageSpec, OutputKind,
 };
@@ -104,7 +104,9 @@ pub(super) fn rack() -> MultiSpec {
                     "belt",
                     [crank, pulley],
                     rod,
-                    CouplingKind::Belt(Belt { radii: [0.05, -0.08] }),
+                    CouplingKind::Belt(Belt {
+                        radii: [0.05, -0.08],
+                    }),
                 ),
             ],
             assembly: vec![AssemblySpec {

@@ -151,7 +151,10 @@ fn drives_obey_lagrange_and_reactions_of_the_cranks_stay_open() {
 fn a_crank_of_another_length_holds_the_frame() {
     let faults = MultiLinkage::new(frame(CRANK * 1.001)).unwrap_err();
     let message = &faults[0].message;
-    assert!(message.starts_with("2 inputs, and 5 moving links"), "{message}");
+    assert!(
+        message.starts_with("2 inputs, and 5 moving links"),
+        "{message}"
+    );
 }
 
 #[test]
