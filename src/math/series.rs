@@ -26,8 +26,11 @@ impl<const N: usize, T: Number> Series<N, T> {
 
     /// The series times a constant.
     #[inline(always)]
-    pub(crate) fn scale(self, factor: f64) -> Self {
-        Self(self.0.map(|c| c.scale(factor)))
+    pub(crate) fn scale(mut self, factor: f64) -> Self {
+        for k in 0..N {
+            self.0[k] = self.0[k].scale(factor);
+        }
+        self
     }
 
     /// Square of the series.
@@ -229,8 +232,11 @@ impl<const N: usize, T: Number> Sub for Series<N, T> {
 impl<const N: usize, T: Number> Neg for Series<N, T> {
     type Output = Self;
     #[inline(always)]
-    fn neg(self) -> Self {
-        Self(self.0.map(|c| -c))
+    fn neg(mut self) -> Self {
+        for k in 0..N {
+            self.0[k] = -self.0[k];
+        }
+        self
     }
 }
 

@@ -191,9 +191,9 @@ impl NewtonGroup {
         let mut top = 0;
         for tie in &self.ties {
             tie.derivatives(state, scratch, size, |row, body, entries| {
-                let own = &mut matrix[(top + row) * n + 3 * body..][..3];
-                for (sum, entry) in own.iter_mut().zip(entries) {
-                    *sum += entry;
+                let place = (top + row) * n + 3 * body;
+                for k in 0..3 {
+                    matrix[place + k] += entries[k];
                 }
             });
             top += tie.rows();

@@ -142,11 +142,7 @@ impl<const K: usize, T: Number> Wrench<K, T> {
     #[inline(always)]
     pub(in crate::kinematics::linkage) fn about(self, point: Vector<K, T>) -> [Series<K, T>; 3] {
         match self {
-            Self::Force { at, force } => Self::Force {
-                at: at - point,
-                force,
-            }
-            .about_origin(),
+            Self::Force { at, force } => [(at - point).cross(force), force.x, force.y],
             Self::Couple(_) => self.about_origin(),
         }
     }

@@ -1,13 +1,13 @@
 //! A guide and its block: no turning against it, no distance across it.
 
+use super::super::elements::Element;
 use super::constraint::{Constraint, Frames, Measure, Shape, Turns, Wrench};
-use crate::kinematics::linkage::elements::Element;
 use crate::math::number::Number;
 use crate::math::series::Series;
 
 /// A guide and its block made ready.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::kinematics::linkage) struct BlockOnGuide(pub(super) [Element; 2]);
+pub(crate) struct BlockOnGuide(pub(super) [Element; 2]);
 
 impl Constraint for BlockOnGuide {
     const SHAPE: Shape = Shape {
@@ -17,9 +17,10 @@ impl Constraint for BlockOnGuide {
     };
 
     /// The sine of the angle between both, and the distance of the block's point.
-    #[inline]
+    #[inline(always)]
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
-        let ([on, block], [i, j]) = (&self.0, [0, 1].map(|link| links.frame(link)));
+        let [on, block] = &self.0;
+        let (i, j) = (links.frame(0), links.frame(1));
         let along = i.direction.turn_constant(on.along);
         set(0, along.cross(j.direction.turn_constant(block.along)));
         set(1, along.cross(j.place(block.point) - i.place(on.point)));
@@ -31,7 +32,8 @@ impl Constraint for BlockOnGuide {
         links: &impl Frames<K, T>,
         mut add: impl FnMut(usize, usize, Wrench<K, T>),
     ) {
-        let ([on, block], [i, j]) = (&self.0, [0, 1].map(|link| links.frame(link)));
+        let [on, block] = &self.0;
+        let (i, j) = (links.frame(0), links.frame(1));
         let along = i.direction.turn_constant(on.along);
         let turned = along.dot(j.direction.turn_constant(block.along));
         add(0, 0, Wrench::Couple(-turned));

@@ -188,7 +188,7 @@ macro_rules! each_joint {
 
         impl Joint {
             /// What is fixed of its equations.
-            #[inline]
+            #[inline(always)]
             pub(super) fn shape(&self) -> Shape {
                 match self {
                     $(Self::$Kind(_) => <$Ready as Constraint>::SHAPE),*
@@ -196,7 +196,7 @@ macro_rules! each_joint {
             }
 
             /// Its closing errors (rad or m).
-            #[inline]
+            #[inline(always)]
             pub(super) fn errors<const K: usize>(
                 &self,
                 links: &impl Turns<K>,
@@ -208,7 +208,7 @@ macro_rules! each_joint {
             }
 
             /// Its rows: the power of these wrenches is the rate of the closing error.
-            #[inline]
+            #[inline(always)]
             pub(super) fn rows<const K: usize, T: Number>(
                 &self,
                 links: &impl Frames<K, T>,

@@ -149,8 +149,9 @@ impl Constraint for RackAndWheel {
         turning: &[0, 2],
     };
 
+    #[inline(always)]
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
-        let [on, block] = self.sides.map(|link| links.frame(link));
+        let (on, block) = (links.frame(self.sides[0]), links.frame(self.sides[1]));
         let along = on.direction.turn_constant(self.along);
         let gap = block.place(self.points[1]) - on.place(self.points[0]);
         let slid = along.dot(gap).scale(self.sign());
@@ -164,7 +165,7 @@ impl Constraint for RackAndWheel {
         links: &impl Frames<K, T>,
         mut add: impl FnMut(usize, usize, Wrench<K, T>),
     ) {
-        let [on, block] = self.sides.map(|link| links.frame(link));
+        let (on, block) = (links.frame(self.sides[0]), links.frame(self.sides[1]));
         let force = on.direction.turn_constant(self.along);
         let at = block.place(self.points[1]);
         add(0, 0, Wrench::couple(-self.radius));

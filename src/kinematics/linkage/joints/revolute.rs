@@ -1,14 +1,14 @@
 //! A pin: both points lie in one place.
 
+use super::super::elements::Element;
+use super::super::vector::Vector;
 use super::constraint::{Constraint, Frames, Measure, Shape, Turns, Wrench};
-use crate::kinematics::linkage::elements::Element;
-use crate::kinematics::linkage::vector::Vector;
 use crate::math::number::Number;
 use crate::math::series::Series;
 
 /// A pin made ready: its points on both links.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::kinematics::linkage) struct PinInHole(pub(super) [Element; 2]);
+pub(crate) struct PinInHole(pub(super) [Element; 2]);
 
 impl Constraint for PinInHole {
     const SHAPE: Shape = Shape {
@@ -17,7 +17,7 @@ impl Constraint for PinInHole {
         turning: &[],
     };
 
-    #[inline]
+    #[inline(always)]
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let [on, link] = &self.0;
         let gap = links.frame(1).place(link.point) - links.frame(0).place(on.point);
@@ -33,10 +33,10 @@ impl Constraint for PinInHole {
     ) {
         for (link, sign) in [(0, -1.0), (1, 1.0)] {
             let at = links.frame(link).place(self.0[link].point);
-            for (row, unit) in [[sign, 0.0], [0.0, sign]].into_iter().enumerate() {
-                let force = Vector::fixed(unit);
-                add(row, link, Wrench::Force { at, force });
-            }
+            let force = Vector::fixed([sign, 0.0]);
+            add(0, link, Wrench::Force { at, force });
+            let force = Vector::fixed([0.0, sign]);
+            add(1, link, Wrench::Force { at, force });
         }
     }
 }

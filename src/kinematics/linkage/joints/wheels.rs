@@ -72,8 +72,9 @@ impl Constraint for TwoWheels {
         turning: &[0, 1, 2],
     };
 
+    #[inline(always)]
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
-        let [one, other, carrier] = [0, 1, 2].map(|link| links.angle(link));
+        let (one, other, carrier) = (links.angle(0), links.angle(1), links.angle(2));
         let error = other - carrier - (one - carrier).scale(self.ratio);
         set(0, error.shift(-self.offset));
     }

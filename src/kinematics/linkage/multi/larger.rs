@@ -47,18 +47,20 @@ impl<N: Number> Columns<N> {
     fn closing(&self, index: usize, group: &Group, matrix: &mut [N]) {
         let n = 3 * group.bases.len();
         matrix.fill(N::from(0.0));
-        let mut rows = self.rows[index].iter().zip(matrix.chunks_exact_mut(n));
+        let mut top = 0;
         for tie in &group.ties {
-            for (parts, row) in rows.by_ref().take(tie.rows()) {
-                for (&body, parts) in tie.bodies().iter().zip(parts) {
-                    let Some(body) = group.body_of(body) else {
-                        continue;
-                    };
-                    for (entry, &part) in row[3 * body..].iter_mut().zip(parts) {
-                        *entry += part;
+            for (link, &body) in tie.bodies().iter().enumerate() {
+                let Some(body) = group.body_of(body) else {
+                    continue;
+                };
+                for row in top..top + tie.rows() {
+                    let (place, parts) = (row * n + 3 * body, &self.rows[index][row][link]);
+                    for k in 0..3 {
+                        matrix[place + k] += parts[k];
                     }
                 }
             }
+            top += tie.rows();
         }
     }
 
@@ -81,13 +83,12 @@ impl<N: Number> Columns<N> {
                     continue;
                 };
                 let given = [turning, x.scale(scale), y.scale(scale)];
-                let rows = &self.rows[index][top..top + tie.rows()];
-                for (sum, parts) in sums.iter_mut().zip(rows) {
-                    *sum += dot(&parts[link], &given);
+                for row in 0..tie.rows() {
+                    sums[row] += dot(&self.rows[index][top + row][link], &given);
                 }
             }
-            for (right, sum) in self.right[top..top + tie.rows()].iter_mut().zip(sums) {
-                *right = -sum;
+            for row in 0..tie.rows() {
+                self.right[top + row] = -sums[row];
             }
             top += tie.rows();
         }

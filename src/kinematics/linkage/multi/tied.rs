@@ -65,8 +65,9 @@ impl TiedBodies {
         parts.fill([none; 3]);
         let still = |_| (none, none);
         self.each::<1, N>(poses, still, size, |row, link, entries| {
-            for (part, entry) in parts[row][link].iter_mut().zip(entries) {
-                *part += entry.0[0];
+            let part = &mut parts[row][link];
+            for k in 0..3 {
+                part[k] += entries[k].0[0];
             }
         });
     }
@@ -133,28 +134,40 @@ where
     #[inline(always)]
     fn frame(&self, link: usize) -> Frame<K, N> {
         let body = self.bodies[link];
-        let (pose, (velocity, acceleration)) = (&self.poses[body], (self.motion)(body));
-        let place = [pose.x, pose.y];
-        let [vx, vy] = at(&velocity, place);
-        let [ax, ay] = at(&acceleration, place);
-        let (turning, square) = (velocity[0], velocity[0] * velocity[0]);
-        let bend = [ax - turning * vy, ay + turning * vx];
-        let (along, across) = ([pose.cos, pose.sin], [-pose.sin, pose.cos]);
-        let twice = [0, 1].map(|k| acceleration[0] * across[k] - square * along[k]);
+        let pose = &self.poses[body];
+        let (cos, sin, zero) = (pose.cos, pose.sin, N::from(0.0));
+        let (mut rate, mut twice) = ([zero; 4], [zero; 4]);
+        if K > 1 {
+            let (velocity, acceleration) = (self.motion)(body);
+            let (turning, bend) = (velocity[0], acceleration[0]);
+            let [vx, vy] = at(&velocity, [pose.x, pose.y]);
+            rate = [vx, vy, -turning * sin, turning * cos];
+            if K > 2 {
+                let [ax, ay] = at(&acceleration, [pose.x, pose.y]);
+                let square = turning * turning;
+                twice = [
+                    ax - turning * vy,
+                    ay + turning * vx,
+                    -bend * sin - square * cos,
+                    bend * cos - square * sin,
+                ];
+            }
+        }
+        let over = |k: usize, value: N| course([value, rate[k], twice[k]]);
         Frame {
-            at: course([place, [vx, vy], bend]),
-            direction: course([along, across.map(|part| turning * part), twice]),
+            at: Vector::new(over(0, pose.x), over(1, pose.y)),
+            direction: Vector::new(over(2, cos), over(3, sin)),
         }
     }
 }
 
-/// A vector over time, by its value and derivatives.
+/// A number over time, by its value and derivatives.
 #[inline(always)]
-fn course<const K: usize, N: Number>(derivatives: [[N; 2]; 3]) -> Vector<K, N> {
-    let [x, y] = [0, 1].map(|k| {
-        let [value, rate, bend] = derivatives.map(|vector| vector[k]);
-        let taylor = [value, rate, bend.scale(0.5)];
-        Series(std::array::from_fn(|order| taylor[order]))
-    });
-    Vector::new(x, y)
+fn course<const K: usize, N: Number>([value, rate, bend]: [N; 3]) -> Series<K, N> {
+    let taylor = [value, rate, bend.scale(0.5)];
+    let mut series = Series::fixed(0.0);
+    for k in 0..K {
+        series.0[k] = taylor[k];
+    }
+    series
 }

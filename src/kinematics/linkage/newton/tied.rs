@@ -88,11 +88,13 @@ impl Tied {
             let Side::Own { body, .. } = self.links[link] else {
                 return;
             };
-            let origin = [0, 1].map(|axis| scratch.unknowns[3 * body + axis][0]);
+            let origin = [
+                scratch.unknowns[3 * body][0],
+                scratch.unknowns[3 * body + 1][0],
+            ];
             let about = wrench.about(Vector::constant(origin));
-            let entries = measures[row].entries(about, size);
-            let [turned, x, y] = entries.map(|entry| entry.value());
-            add(row, body, [x, y, turned]);
+            let [turned, x, y] = measures[row].entries(about, size);
+            add(row, body, [x.value(), y.value(), turned.value()]);
         });
     }
 

@@ -192,6 +192,7 @@ impl Constraint for RollerOnCam {
         turning: &[],
     };
 
+    #[inline(always)]
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let (cam, roller) = (links.frame(0), links.frame(1));
         let gap = roller.place(self.points[1]) - cam.place(self.points[0]);
