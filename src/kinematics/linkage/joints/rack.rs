@@ -52,8 +52,8 @@ fn place<'a>(
     pairs: &'a [PairSpec],
 ) -> Result<([f64; 2], &'a PairSpec), Mismatch> {
     distinct(coupling)?;
-    let [gear, rack, carrier] = coupling.links();
-    let axis = axis(pairs, carrier, gear).ok_or(Mismatch::no_axis(gear))?;
+    let [wheel, rack, carrier] = coupling.links();
+    let axis = axis(pairs, carrier, wheel).ok_or(Mismatch::no_axis(wheel))?;
     let lacking = Mismatch::Apart(rack, |rack, carrier| {
         let message = format!("no guide joins the rack {rack} to {carrier}");
         [message, "join them by a sliding pair".to_owned()]
