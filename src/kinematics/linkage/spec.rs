@@ -23,7 +23,8 @@ pub struct LinkageSpec {
     /// Links that are welded together.
     pub welds: Vec<WeldSpec>,
     /// Constraints that hold what is held already, and are left out where positions are solved for.
-    /// [`Linkage::new`](super::Linkage::new) finds them where none is given, of a linkage of one input.
+    /// [`Linkage::new`](super::Linkage::new) and [`MultiLinkage::new`](super::multi::MultiLinkage::new)
+    /// find them where none is given.
     pub redundant: Vec<Redundant>,
     /// The pair whose relative motion is the input coordinate, index into
     /// [`Self::pairs`].

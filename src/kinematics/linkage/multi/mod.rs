@@ -7,6 +7,8 @@
 //! moves with which input, and how fast, is linear: velocities by every input, accelerations,
 //! and the equations of motion M(q)·q̈ = Q(q, q̇) on all inputs.
 //!
+//! Constraints that hold what is held already are left out as behind one input.
+//!
 //! On which side of its singular positions a group is stays as at the start: these
 //! positions are where its determinant vanishes, surfaces in the space of the inputs, and
 //! nothing is solved on them or beyond.
@@ -327,6 +329,28 @@ impl<N: Quantity> MultiWorkspace<N> {
     /// Kinetic energy and potential energy (J) at what was solved last.
     pub(crate) fn energies(&self) -> [N; 2] {
         self.surroundings().energies()
+    }
+
+    /// Whether what was left out as redundant holds at what was solved last.
+    ///
+    /// # Errors
+    /// It does not: the group that has it.
+    fn holds_redundant(&self) -> Result<(), NotAssembled> {
+        let Core {
+            spec, structure, ..
+        } = &*self.core;
+        let Some(first) = spec.linkage.redundant.first() else {
+            return Ok(());
+        };
+        let size = self.core.plan.plan.size;
+        if redundant::holds_at_start(&spec.linkage, self.state(), size).is_ok() {
+            return Ok(());
+        }
+        let mut groups = structure.groups.iter();
+        let group = groups.position(|group| group.pairs.contains(&first.pair));
+        Err(NotAssembled {
+            group: group.unwrap_or(1),
+        })
     }
 
     /// Where everything is at what was solved last.

@@ -148,6 +148,23 @@ fn drives_obey_lagrange_and_reactions_of_the_cranks_stay_open() {
 }
 
 #[test]
+fn the_other_assembly_behind_a_change_point_is_not_reached() {
+    let linkage = MultiLinkage::new(frame(CRANK)).unwrap();
+    let mut motion = MultiMotion::new(&linkage);
+    let mut reached = |swing: f64| {
+        let inputs = [0.3, swing].map(|value| Jet {
+            value,
+            ..Jet::default()
+        });
+        motion.set_inputs(&inputs).is_ok()
+    };
+    // The first two pins of the coupler come in line with their cranks at atan(0.05/0.3) = 9.46 deg.
+    assert!(reached(0.2));
+    assert!(!reached(0.1));
+    assert!(reached(1.1));
+}
+
+#[test]
 fn a_crank_of_another_length_holds_the_frame() {
     let faults = MultiLinkage::new(frame(CRANK * 1.001)).unwrap_err();
     let message = &faults[0].message;
