@@ -57,7 +57,7 @@ fn system() -> System {
         closure: Closure::Force,
         gap: 0.0,
         opens: 1.0,
-        law: DampingLaw::KelvinVoigt,
+        form: ContactForm::default(),
     };
     for m in 0..MASSES {
         model.nodes.push(Node {

@@ -182,4 +182,14 @@ class Scene:
     def compare_laws(
         self, at: str, laws: list[str], by: str, lift_off: bool, progress: _Progress | None
     ) -> Answer: ...
+    def find(
+        self,
+        vary: str,
+        subject: list[str],
+        maximize: str | None,
+        minimize: str | None,
+        threads: int | None,
+        progress: _Progress | None,
+    ) -> tuple[Answer, bool]: ...
+    def verify(self, progress: _Progress | None = None) -> tuple[Answer, bool, str]: ...
     def reduce(self, progress: _Progress | None = None) -> tuple[Answer, Scene, bool]: ...

@@ -23,6 +23,7 @@ __all__ = [
     "Figure",
     "Figures",
     "Forces",
+    "FoundValue",
     "Json",
     "Kinematics",
     "Law",
@@ -31,6 +32,7 @@ __all__ = [
     "Methods",
     "Record",
     "Reduction",
+    "Requirements",
     "Run",
     "Steady",
     "Stroke",
@@ -615,6 +617,54 @@ class Stroke(Answer):
     """A stroke of run-up, uniform section and run-out: figures, samples."""
 
     _over_first = True
+
+
+class FoundValue(Answer):
+    """The best value of a parameter under conditions."""
+
+    def __init__(self, answer: _dam.Answer, answered: bool) -> None:
+        super().__init__(answer)
+        self._answered = answered
+
+    @property
+    def answered(self) -> bool:
+        """Whether there is an answer, and nothing that is unknown could change it."""
+        return self._answered
+
+    @property
+    def value(self) -> float | None:
+        """The best value of the parameter, in the unit in which its range is written; `None`:
+        no value meets the conditions, or nothing was to be best."""
+        best = self.document["best"]
+        return None if best is None else float(best["value"])
+
+    @property
+    def ranges(self) -> list[tuple[float, float]]:
+        """The ranges in which all conditions hold, in the unit of the parameter."""
+        ends = [(one["from"]["sample"], one["to"]["sample"]) for one in self.document["ranges"]]
+        return [(float(first["value"]), float(last["value"])) for first, last in ends]
+
+
+class Requirements(Answer):
+    """What a scene expects, judged."""
+
+    def __init__(self, answer: _dam.Answer, hold: bool, junit: str) -> None:
+        super().__init__(answer)
+        self._hold = hold
+        self._junit = junit
+
+    @property
+    def hold(self) -> bool:
+        """Whether all requirements hold."""
+        return self._hold
+
+    @property
+    def junit(self) -> str:
+        """The same as JUnit XML, as continuous integration reads it."""
+        return self._junit
+
+    def __iter__(self) -> Iterator[dict[str, Json]]:
+        return iter(self.document["scenes"][0]["requirements"])
 
 
 class Reduction(Answer):

@@ -2412,7 +2412,8 @@ class Pair(Tree):
         Gap η of a form-closed pair (angle in rad, deg, mrad or rev; or length in m, mm, cm,
         µm, in or ft) Default: 0.0.
     law
-        Law of the contact force. Default: "kelvin_voigt".
+        Law of the contact force: `kelvin_voigt` c·p + b·ṗ, `hunt_crossley` c·p·(1 + κ·ṗ); c
+        and b of link 1. Default: "kelvin_voigt".
     opens
         Side to which a force-closed pair lifts off. Default: "+".
     """
@@ -2460,8 +2461,9 @@ class PairContact(Tree):
         before it (a pure number)
     stiffness
         Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N
-        m/rad^(3/2); none of `restitution` (rotational stiffness in N m/rad, N m, kN m/rad,
-        N m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm or lbf/in)
+        m/rad^(3/2) where the exponent is 3/2; none of `restitution` (rotational stiffness
+        in N m/rad, N m, kN m/rad, N m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm
+        or lbf/in)
     """
 
     __slots__ = ()
@@ -3934,8 +3936,9 @@ class StopContact(Tree):
         before it (a pure number)
     stiffness
         Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N
-        m/rad^(3/2); none of `restitution` (rotational stiffness in N m/rad, N m, kN m/rad,
-        N m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm or lbf/in)
+        m/rad^(3/2) where the exponent is 3/2; none of `restitution` (rotational stiffness
+        in N m/rad, N m, kN m/rad, N m/deg or lbf ft/rad; or stiffness in N/m, N/mm, kN/mm
+        or lbf/in)
     """
 
     __slots__ = ()

@@ -374,6 +374,35 @@ class Scene:
         found = self._core.compare_laws(at, list(laws), by, wanted, _told(progress))
         return answers.LawComparison(found)
 
+    def find(
+        self,
+        vary: str,
+        *,
+        subject: str | Sequence[str] = (),
+        maximize: str | None = None,
+        minimize: str | None = None,
+        threads: int | None = None,
+        progress: Progress | None = None,
+    ) -> answers.FoundValue:
+        """The value of a parameter that meets conditions best.
+
+        `vary`: the parameter and its range, `"camshaft.motion.speed=800:1600 rpm"`; with
+        `:65` behind it another number of values that are looked at first, with `:log` equal
+        ratios between them. `subject`: conditions, `"valve.pair.margin >= 50 N"`.
+        `maximize` or `minimize`: the parameter itself, or a figure; without either the ranges
+        in which the conditions hold are found. Results do not depend on `threads`."""
+        if maximize is not None and minimize is not None:
+            raise TypeError("one of maximize and minimize is given")
+        conditions = [subject] if isinstance(subject, str) else list(subject)
+        found, answered = self._core.find(
+            vary, conditions, maximize, minimize, threads, _told(progress)
+        )
+        return answers.FoundValue(found, answered)
+
+    def verify(self, *, progress: Progress | None = None) -> answers.Requirements:
+        """Everything that the scene expects (`expect`), judged by every study that it takes."""
+        return answers.Requirements(*self._core.verify(_told(progress)))
+
     def reduce(self, *, progress: Progress | None = None) -> answers.Reduction:
         """The smallest scene that gives figures within their accuracy: those of
         `run.accuracy`, else those that the scene expects."""

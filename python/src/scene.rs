@@ -2,10 +2,10 @@
 
 use crate::answer::Answer;
 use crate::fault;
-use crate::studies::{cam, compare, law, linkages, map, methods, reduce, run, steady};
+use crate::studies::{cam, compare, find, law, linkages, map, methods, reduce, run, steady};
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
-use dam::ask::{CamQuestion, Judging, StrokeQuestion};
+use dam::ask::{CamQuestion, FindQuestion, Judging, StrokeQuestion};
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::motion::stroke::{Criterion, Skewness};
 use dam::object::law::read_argument;
@@ -14,6 +14,7 @@ use dam::scene::{Document, Folder, schema as schema_of_kinds, schema_text};
 use dam::studies::Control;
 use dam::studies::axis::Axis;
 use dam::studies::cam::Reserve;
+use dam::studies::find::Aim;
 use dam::studies::kinematics::{Over, Question};
 use dam::studies::methods::all_methods;
 use dam::units::quantities as q;
@@ -491,6 +492,49 @@ impl Scene {
         Ok(Answer::with_columns(found, columns))
     }
 
+    #[pyo3(signature = (vary, subject, maximize, minimize, threads, progress))]
+    #[allow(clippy::too_many_arguments)]
+    fn find(
+        &self,
+        py: Python<'_>,
+        vary: String,
+        subject: Vec<String>,
+        maximize: Option<String>,
+        minimize: Option<String>,
+        threads: Option<usize>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Answer, bool)> {
+        sound_threads(threads)?;
+        let goal = maximize.map(|of| (Aim::Maximize, of));
+        let question = FindQuestion {
+            vary,
+            subject,
+            goal: goal.or(minimize.map(|of| (Aim::Minimize, of))),
+            threads,
+        };
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            find::ask(scene, &question, watch)
+        })?;
+        let (columns, answered) = (found.columns(), found.is_answered());
+        Ok((Answer::with_columns(found, columns), answered))
+    }
+
+    #[pyo3(signature = (progress=None))]
+    fn verify(
+        &self,
+        py: Python<'_>,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<(Answer, bool, String)> {
+        let scene = self.asked();
+        let found = compute(py, progress.as_ref(), move |watch| {
+            find::verify(&scene, watch)
+        })?;
+        let (hold, junit) = (found.hold(), found.junit());
+        let columns = crate::answer::Columns::default();
+        Ok((Answer::with_columns(found, columns), hold, junit))
+    }
+
     #[pyo3(signature = (progress=None))]
     fn reduce(
         &self,
@@ -507,6 +551,14 @@ impl Scene {
     }
 }
 
+fn sound_threads(threads: Option<usize>) -> PyResult<()> {
+    if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
+        let message = format!("between 1 and {MOST_THREADS} threads work on a question");
+        return Err(PyValueError::new_err(message));
+    }
+    Ok(())
+}
+
 /// What is asked of a map.
 fn wanted(
     py: Python<'_>,
@@ -517,10 +569,7 @@ fn wanted(
     threads: Option<usize>,
 ) -> PyResult<map::Wanted> {
     let axis = |text: &str| Axis::parse(text).map_err(|what| fault::scene_error(py, &wrong(what)));
-    if threads.is_some_and(|threads| threads == 0 || threads > MOST_THREADS) {
-        let message = format!("between 1 and {MOST_THREADS} threads work on a map");
-        return Err(PyValueError::new_err(message));
-    }
+    sound_threads(threads)?;
     Ok(map::Wanted {
         x: axis(x)?,
         y: y.map(axis).transpose()?,

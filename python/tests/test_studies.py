@@ -247,6 +247,35 @@ def test_a_stroke_is_worked_out() -> None:
         dam.stroke("sine", stroke="1", span="1", uniform_stroke=0, skewness=1, least_torque=1)
 
 
+def test_the_best_value_meets_its_condition(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "rocker/two_masses.json")
+    found = scene.find(
+        "rocker.inertia=0.05:0.4",
+        subject="rocker.delta_abs <= 20 mrad",
+        maximize="rocker.inertia",
+    )
+    assert found.answered and found.value is not None
+    inside, beyond = (
+        float(scene.set("rocker.inertia", found.value * part).run().figures["rocker.delta_abs"])
+        for part in (1.0, 1.0 + 1e-6)
+    )
+    assert inside <= 0.02 < beyond
+    assert found.ranges == [(0.05, found.value)]
+    with pytest.raises(TypeError):
+        scene.find("rocker.inertia=0.05:0.4", maximize="a", minimize="b")
+    with pytest.raises(dam.SceneError):
+        scene.find("rocker.inertia=0.05:0.4", subject="rocker.delta <= 1")
+
+
+def test_requirements_are_judged(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "steady/engine.json")
+    found = scene.verify()
+    assert found.hold
+    assert {one["study"] for one in found} == {"steady"}
+    assert found.junit.count("<testcase ") == len(list(found))
+    assert not scene.set("crank.motor.inertia", "0.03 kg m^2").verify().hold
+
+
 def test_a_reduced_scene_keeps_its_figures(scenarios: Path) -> None:
     scene = dam.load(scenarios / "rocker" / "ten_masses_closed.json")
     found = scene.set("run.accuracy", "1 %").reduce()

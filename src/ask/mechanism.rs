@@ -8,12 +8,12 @@ use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Reading, TypedScene};
-use crate::studies::expectations::unknown_figures;
+use crate::studies::expectations::{Requirement, unknown_figures};
 use crate::studies::order::{Certificate, choose};
 use crate::studies::run::{RunResult, run};
 use crate::studies::steady::{Answer, steady_motion_within};
 use crate::studies::studied::wrong_units;
-use crate::studies::{Control, RunSettings, clock, defined, lookup, plausible};
+use crate::studies::{Control, RunSettings, clock, defined, lookup, plausible, requirements};
 
 /// A scene that was checked, lowered and frozen: it is asked without being read again.
 #[derive(Debug)]
@@ -106,6 +106,24 @@ impl Mechanism {
         self.attach(&mut found.figures, named, control)?;
         found.figures.warnings.extend(self.shortfalls());
         Ok(found)
+    }
+
+    /// Judges everything that the scene expects, in its order, by the run and the studies that it
+    /// takes; ended from outside.
+    ///
+    /// # Errors
+    /// It was ended before everything was judged.
+    pub fn verify_within(&self, control: &Control<'_>) -> Result<Vec<Requirement>, Error> {
+        let all = requirements::judged(lookup::Subject {
+            scene: self.scene(),
+            system: &self.system,
+            settings: &self.settings,
+            control,
+        });
+        match control.is_spent() {
+            true => Err(Error::question("the judging was interrupted")),
+            false => Ok(all),
+        }
     }
 
     /// What is wrong with each figure that does not hold the accuracy that the scene asks for.

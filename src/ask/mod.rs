@@ -9,6 +9,8 @@
 //! | [`run`](Scene::run) | how does it move | [`RunResult`] |
 //! | [`compare`](Scene::compare) | what does a parameter change | [`Comparison`](crate::studies::compare::Comparison) |
 //! | [`map`](Scene::map) | in which range does it work | [`Map`] |
+//! | [`find`](Scene::find) | which value of a parameter is best under conditions | [`FoundValue`](crate::studies::find::FoundValue) |
+//! | [`verify`](Scene::verify) | does it meet what is expected of it | [`Requirement`](crate::studies::expectations::Requirement) |
 //! | [`reduce`](Scene::reduce) | how little of it is needed | [`Reduction`](crate::studies::reduce::Reduction) |
 //! | [`kinematics`](Scene::kinematics) | how does a linkage move | [`Kinematics`](crate::studies::kinematics::Kinematics) |
 //! | [`forces`](Scene::forces) | which forces do its pairs carry | [`ForceStudy`](crate::studies::forces::ForceStudy) |
@@ -25,6 +27,7 @@
 
 mod cam;
 mod ended;
+mod find;
 mod law_comparison;
 mod laws;
 mod linkages;
@@ -38,6 +41,8 @@ mod synthesis;
 
 pub(crate) use cam::lift_off_by_runs;
 pub use cam::{CamQuestion, FoundCam};
+pub use find::FindQuestion;
+pub(crate) use find::find;
 pub(crate) use law_comparison::compare as compare_laws;
 pub use law_comparison::{LawComparison, LawQuestion};
 pub use laws::FollowedCycle;

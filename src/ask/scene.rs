@@ -1,6 +1,6 @@
 //! Scenes as the library's user holds them.
 
-use super::{Judging, Mechanism};
+use super::{FindQuestion, Judging, Mechanism};
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
 use crate::frontend::object::{Kind, Registry};
@@ -10,6 +10,8 @@ use crate::frontend::scene::{
 };
 use crate::studies::Control;
 use crate::studies::compare::{Comparison, compare};
+use crate::studies::expectations::Requirement;
+use crate::studies::find::FoundValue;
 use crate::studies::forces::ForceStudy;
 use crate::studies::kinematics::{Kinematics, Question};
 use crate::studies::run::RunResult;
@@ -294,6 +296,61 @@ impl Scene {
             let value = values.next().unwrap_or_else(|| label.into());
             self.clone().set(address, value).run()
         })
+    }
+
+    /// The value of a parameter that meets conditions best: the highest speed at which a pair
+    /// keeps its force, the least preload, the smallest base circle.
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// use dam::ask::FindQuestion;
+    /// use dam::studies::Control;
+    /// use dam::studies::find::Aim;
+    ///
+    /// let scene = Scene::read("scenarios/rocker/two_masses.json")?;
+    /// let question = FindQuestion {
+    ///     vary: "rocker.inertia=0.05:0.4:9".to_owned(),
+    ///     subject: vec!["rocker.delta_abs <= 20 mrad".to_owned()],
+    ///     goal: Some((Aim::Maximize, "rocker.inertia".to_owned())),
+    ///     ..FindQuestion::default()
+    /// };
+    /// let found = scene.find(&question, &Control::default())?;
+    /// assert!(found.is_answered());
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The scene is wrong at every value that is tried; there is no such parameter or figure; a
+    /// value has another unit than its figure.
+    pub fn find(
+        &self,
+        question: &FindQuestion,
+        control: &Control<'_>,
+    ) -> Result<FoundValue, Error> {
+        let prepare = |settings: &[String]| {
+            self.with_arguments(settings)
+                .prepare_judging(Judging::Needed, control)
+        };
+        super::find::find(question, &prepare, control, &|_| {})
+    }
+
+    /// Judges everything that the scene expects, in its order, by the run and the studies that
+    /// it takes.
+    ///
+    /// ```
+    /// # use dam::prelude::*;
+    /// let scene = Scene::read("scenarios/rocker/two_masses.json")?;
+    /// let requirements = scene.verify()?;
+    /// assert!(!requirements.is_empty());
+    /// assert!(requirements.iter().all(|one| one.holds()));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Everything that is wrong with the scene. What a study cannot answer is said at the
+    /// requirement.
+    pub fn verify(&self) -> Result<Vec<Requirement>, Error> {
+        self.prepare()?.verify_within(&Control::default())
     }
 
     /// How a linkage of the scene moves.

@@ -2,22 +2,27 @@
 
 mod cam;
 mod course;
+mod find;
 mod forces;
 mod kinematics;
 mod methods;
 mod reduce;
 pub(crate) mod scene;
+mod verify;
 
 pub(crate) use cam::{CamArgs, CamForm};
 pub(crate) use course::CourseArgs;
+pub(crate) use find::FindArgs;
 pub(crate) use forces::{ConventionName, Direction, ForcesArgs};
 pub(crate) use kinematics::KinematicsArgs;
 pub(crate) use methods::MethodsArgs;
 pub(crate) use reduce::ReduceArgs;
+pub(crate) use verify::{VerifyArgs, VerifyForm};
 
 use super::law::args::LawCommand;
 use super::steady::args::SteadyArgs;
 use crate::frontend::scene::Template;
+use crate::report::display_units::{DisplayUnits, SIGNIFICANT};
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scene::{OutArgs, SceneArgs};
@@ -31,6 +36,14 @@ pub(crate) struct Cli {
     /// End after this much wall-clock time, keeping what was computed (seconds)
     #[arg(long, value_name = "SECONDS", value_parser = positive_seconds, global = true)]
     pub(crate) time_limit: Option<f64>,
+    /// Units in which texts and pages show results, one for a quantity: mm,deg,rpm,kN; si for those
+    /// of the SI [default: those that the scene uses]
+    #[arg(long, value_name = "LIST", value_parser = units, global = true)]
+    pub(crate) units: Option<DisplayUnits>,
+    /// Significant digits of results in texts and on pages
+    #[arg(long, value_name = "COUNT", default_value_t = SIGNIFICANT as u8,
+          value_parser = clap::value_parser!(u8).range(1..=17), global = true)]
+    pub(crate) significant: u8,
     /// What to do.
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -51,10 +64,15 @@ pub(crate) enum Command {
     Completions(CompletionsArgs),
     /// Print the manual page of the program, or of a command: dam manual run | man -l -
     Manual(ManualArgs),
+    /// Judge everything that scenes expect, by every study that it takes: a table, JUnit, the status
+    Verify(VerifyArgs),
     /// Show the scene's object graph, its dynamic model and its equations
     Show(ShowArgs),
     /// Run a scene for several values of a parameter and compare the figures
     Compare(CompareArgs),
+    /// Find the best value of a parameter under conditions on figures: the highest speed, the least
+    /// preload, the smallest base circle
+    Find(FindArgs),
     /// Find the smallest scene that gives figures within their accuracy, and say what was left out
     Reduce(ReduceArgs),
     /// Laws of motion: list, show, synthesize, cycle, compare
@@ -88,10 +106,12 @@ impl Command {
             | Self::Studio(_) => false,
             Self::Law(args) => args.json(),
             Self::Steady(args) => args.json,
+            Self::Verify(args) => args.json,
             Self::Run(RunArgs { scene, .. })
             | Self::Check(CheckArgs { scene })
             | Self::Show(ShowArgs { scene, .. })
             | Self::Compare(CompareArgs { scene, .. })
+            | Self::Find(FindArgs { scene, .. })
             | Self::Reduce(ReduceArgs { scene, .. })
             | Self::Cam(CamArgs { scene, .. })
             | Self::Map(MapArgs { scene, .. })
@@ -119,6 +139,10 @@ pub(crate) struct RunArgs {
     /// Columns of the record, in place of what the scene says: `all` adds every mass and link
     #[arg(long, value_enum, value_name = "COLUMNS")]
     pub(crate) record: Option<Columns>,
+    /// What charts and record.csv are over: time, angle (of the first drive that turns, counted on),
+    /// turns (over each other, 0 to 360 deg), last-turn; of another drive: angle:shaft
+    #[arg(long, value_name = "time|angle|turns|last-turn")]
+    pub(crate) abscissa: Option<String>,
     /// Also run with loads changed by one part in 10¹⁰ and show how far each figure moves
     #[arg(long)]
     pub(crate) spread: bool,
@@ -244,6 +268,9 @@ pub(crate) struct CompareArgs {
     /// cam.follower.least_radius, kinematics.press.ram.speed.greatest
     #[arg(long, value_name = "FIGURE")]
     pub(crate) figure: Vec<String>,
+    /// What charts and records are over, as of `dam run`: time, angle, turns, last-turn
+    #[arg(long, value_name = "time|angle|turns|last-turn")]
+    pub(crate) abscissa: Option<String>,
     #[command(flatten)]
     pub(crate) out: OutArgs,
 }
@@ -292,6 +319,10 @@ pub(crate) struct MapArgs {
     /// Put the map together of the outputs of --cells, all other arguments being the same
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "resume")]
     pub(crate) merge: Vec<PathBuf>,
+}
+
+fn units(text: &str) -> Result<DisplayUnits, String> {
+    DisplayUnits::listed(text)
 }
 
 pub(crate) fn positive_seconds(text: &str) -> Result<f64, String> {

@@ -7,13 +7,14 @@ use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::interrupt;
 use super::output::OutputFolder;
-use super::run::run_with_progress;
+use super::run::{abscissa, run_with_progress};
 use super::status::Status;
 use crate::ask::Judging;
 use crate::dynamics::integrate::Stop;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Quantity;
 use crate::fault::Fault;
+use crate::report::abscissa::Abscissa;
 use crate::report::compare::{chart, document, findings};
 use crate::report::csv::{record_csv, table_csv};
 use crate::report::diagram::Diagram;
@@ -74,10 +75,11 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     };
     let mut warnings: Vec<String> = comparison.runs.iter().flat_map(named).collect();
     warnings.extend(no_limit(&over.path, &ready, &comparison));
+    let over_what = abscissa(args.abscissa.as_deref(), model, folder.is_some())?;
     let (diagram, hash) = (Diagram::of(model), &ready[0].scene().hash);
     let source = Source::scene(input.text(), hash);
     let files = match folder {
-        Some(_) => files(model, &comparison)?,
+        Some(_) => files(model, (&comparison, &over_what))?,
         None => Vec::new(),
     };
     let label = Rigid::label(model, &["dam run"]);
@@ -90,7 +92,13 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     };
     warnings.extend(label.as_ref().map(|label| label.words(&what)));
     let told = warnings.clone();
-    let mut shown = findings(&scene, &comparison, &diagram, warnings, source);
+    let mut shown = findings(
+        &scene,
+        (&comparison, &over_what),
+        &diagram,
+        warnings,
+        source,
+    );
     shown.label(label.as_ref(), &what);
     let answer = Answer {
         command: "compare",
@@ -243,7 +251,7 @@ fn prepare_folder(
 /// The files: figures, page, samples, curves over each other.
 fn files<'a>(
     model: &'a Model,
-    comparison: &'a Comparison,
+    (comparison, over): (&'a Comparison, &'a Abscissa),
 ) -> Result<Vec<(String, Content<'a>)>, Failure> {
     let mut files = vec![
         (FILES[0].to_owned(), Content::Document),
@@ -254,12 +262,12 @@ fn files<'a>(
         (FILES[2].to_owned(), Content::Page),
     ];
     for (index, run) in comparison.runs.iter().enumerate() {
-        let text = record_csv(&run.result.record)?;
+        let text = record_csv(&run.result.record, over)?;
         files.push((record_name(index), Content::made(move || text.clone())));
     }
     for object in &model.objects {
         for quantity in DRAWN {
-            if let Some(chart) = chart(comparison, &object.id, quantity) {
+            if let Some(chart) = chart((comparison, over), &object.id, quantity) {
                 let name = chart_name(&object.id, quantity);
                 files.push((name, Content::made(move || chart.svg(900.0, 420.0))));
             }

@@ -24,6 +24,14 @@ impl Failure {
         }
     }
 
+    /// What is wrong, in a line.
+    pub(crate) fn message(&self) -> String {
+        match self {
+            Self::Scene(diagnostics) => diagnostics.lines().join("; "),
+            Self::Other(message) | Self::Output(message) => message.clone(),
+        }
+    }
+
     /// For programs.
     pub(crate) fn json(&self) -> Value {
         let one = |code: &str, message: &str| {

@@ -2,6 +2,7 @@
 
 use super::failure::Failure;
 use super::interrupt::{self, Stage};
+use super::shown;
 use crate::ask::Judging;
 use crate::budget::Budget;
 use crate::cli::args::scene::SceneArgs;
@@ -39,7 +40,7 @@ impl<'a> Input<'a> {
 
     /// Reads and parses the scene: a file, or standard input for `-`.
     pub(crate) fn load(args: &SceneArgs) -> Result<Self, Failure> {
-        let (shown, read) = match args.scene.as_os_str() == STANDARD_INPUT {
+        let (name, read) = match args.scene.as_os_str() == STANDARD_INPUT {
             true => (
                 "standard input".to_owned(),
                 read_bounded(std::io::stdin().lock()),
@@ -49,9 +50,11 @@ impl<'a> Input<'a> {
                 fs::File::open(&args.scene).and_then(read_bounded),
             ),
         };
-        let bytes = read.map_err(|error| format!("cannot read the scene `{shown}`: {error}"))?;
+        let bytes = read.map_err(|error| format!("cannot read the scene `{name}`: {error}"))?;
+        let document = Document::parse(&name, &bytes)?;
+        shown::follow(document.text());
         Ok(Self {
-            document: Document::parse(&shown, &bytes)?,
+            document,
             folder: Box::new(Folder::beside(&args.scene)),
             overrides: Overrides::new(args.set.clone()),
             budget: *interrupt::budget(),

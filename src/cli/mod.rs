@@ -17,6 +17,7 @@ mod compare;
 mod console;
 mod expected;
 mod failure;
+mod find;
 mod forces;
 mod input;
 mod interrupt;
@@ -34,9 +35,11 @@ pub(crate) mod questions;
 mod reduce;
 mod run;
 mod show;
+mod shown;
 mod status;
 mod steady;
 mod studio;
+mod verify;
 
 use args::{Cli, Command};
 use asker::Terminal;
@@ -60,6 +63,7 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     };
     let json = cli.command.json();
     interrupt::start(cli.time_limit.map(Duration::from_secs_f64), json);
+    shown::start(cli.units, usize::from(cli.significant));
     match run(&cli.command) {
         Ok(status) => status.code(),
         Err(failure) => {
@@ -77,8 +81,10 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::New(args) => new::command(args),
         Command::Completions(args) => manual::completions(args),
         Command::Manual(args) => manual::page(args),
+        Command::Verify(args) => verify::command(args),
         Command::Show(args) => show::command(args),
         Command::Compare(args) => compare::command(args),
+        Command::Find(args) => find::command(args),
         Command::Reduce(args) => reduce::command(args, &Terminal),
         Command::Law(args) => law::command(args, &Terminal),
         Command::Cam(args) => cam::command(args, &Terminal),

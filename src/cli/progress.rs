@@ -110,3 +110,44 @@ impl Sink for Progress<'_> {
         false
     }
 }
+
+/// Counts what is done of work whose end nobody knows.
+pub(crate) struct Count {
+    bar: Option<ProgressBar>,
+    begun: Instant,
+}
+
+impl Count {
+    /// A count of `what`; silent when `quiet` or when standard error is no terminal.
+    pub(crate) fn new(label: &str, what: &str, quiet: bool) -> Self {
+        let visible = !quiet && std::io::stderr().is_terminal();
+        let bar = visible.then(|| {
+            let bar = ProgressBar::hidden();
+            let template = format!("{{prefix}} {{pos}} {what}, {{elapsed}}");
+            let style = ProgressStyle::with_template(&template);
+            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+            bar.set_prefix(printable(label));
+            bar
+        });
+        Self {
+            bar,
+            begun: Instant::now(),
+        }
+    }
+
+    /// So much is done; called from any thread.
+    pub(crate) fn set(&self, done: usize) {
+        let Some(bar) = &self.bar else { return };
+        if bar.is_hidden() && self.begun.elapsed() > PATIENCE {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        bar.set_position(done as u64);
+    }
+
+    /// Takes it away.
+    pub(crate) fn finish(&self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}

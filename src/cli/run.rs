@@ -16,6 +16,7 @@ use crate::dynamics::integrate::{Sink, Stop};
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Figures;
 use crate::frontend::scene::Expected;
+use crate::report::abscissa::Abscissa;
 use crate::report::accuracy;
 use crate::report::csv::record_csv;
 use crate::report::diagram::Diagram;
@@ -99,6 +100,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let begun = Instant::now();
     let mut settings = ready.settings.clone();
     let files = folder.is_some() || asker.wants_files();
+    let over = abscissa(args.abscissa.as_deref(), ready.system.model(), files)?;
     if let Some(columns) = args.record {
         unused(columns, files, ready.system.model())?;
         settings.masses = columns == Columns::All;
@@ -146,13 +148,14 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         machine: Some(Machine { model, cams: &cams }),
         certificate,
         spread: spread.as_ref(),
+        over: &over,
     };
     let timing = || {
         let timing = serde_json::json!({ "dam": 1, "scene": ready.scene().name, "run_s": seconds });
         format!("{timing:#}\n")
     };
     let record = match files {
-        true => record_csv(&result.record)?,
+        true => record_csv(&result.record, &over)?,
         false => String::new(),
     };
     let contents = [
@@ -184,6 +187,22 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
             (status, _) => status,
         },
     )
+}
+
+/// What charts and the record are drawn over.
+pub(super) fn abscissa(
+    asked: Option<&str>,
+    model: &Model,
+    files: bool,
+) -> Result<Abscissa, Failure> {
+    match asked {
+        None => Ok(Abscissa::Time),
+        Some(_) if !files => Err(Failure::Other(
+            "--abscissa has no effect: charts and records are files of --out".to_owned(),
+        )),
+        Some(text) => Abscissa::parse(text, model)
+            .map_err(|what| Failure::Other(format!("--abscissa: {what}"))),
+    }
 }
 
 /// Refuses columns that no record has.

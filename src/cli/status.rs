@@ -12,6 +12,8 @@ pub(crate) enum Status {
     Answered,
     /// Stopped early, not to be trusted, or an expectation failed.
     NotTrusted,
+    /// Of several scenes one is wrong, the others were asked.
+    WrongScene,
     /// Ended by a signal with what was computed until then.
     Interrupted,
 }
@@ -22,6 +24,7 @@ impl Status {
         match self {
             Self::Answered => 0,
             Self::NotTrusted => 1,
+            Self::WrongScene => 2,
             Self::Interrupted => CODE.load(Ordering::Relaxed),
         }
     }

@@ -29,9 +29,10 @@ use crate::kinematics::position::Position;
 use serde::Serialize;
 use std::sync::Arc;
 
+pub use super::laws::contact::{ContactForm, ContactLaw, Loss};
 pub(crate) use condition::NAMES as CONDITION_NAMES;
 pub use condition::{Condition, UNTIL};
-pub use contact::{ContactElement, ContactLaw};
+pub use contact::ContactElement;
 pub use loads::{LinearLoad, LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
 pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, SUM, owner_of};
 pub use pressing::Pressing;
@@ -230,8 +231,8 @@ pub struct Pair {
     pub gap: f64,
     /// +1: force closure lifts off towards x > 0; −1: towards x < 0.
     pub opens: f64,
-    /// Law of the contact force.
-    pub law: DampingLaw,
+    /// Form of the contact force.
+    pub form: ContactForm,
 }
 
 impl Default for Pair {
@@ -240,7 +241,7 @@ impl Default for Pair {
             closure: Closure::Bilateral,
             gap: 0.0,
             opens: 1.0,
-            law: DampingLaw::KelvinVoigt,
+            form: ContactForm::default(),
         }
     }
 }
@@ -256,34 +257,6 @@ pub enum Closure {
     Force,
     /// Two flanks with a gap between them.
     Form,
-}
-
-/// Law of the contact force over penetration p and its rate.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum DampingLaw {
-    /// N = c·p + b·ṗ, cut off at zero.
-    #[default]
-    KelvinVoigt,
-    /// N = c·p·max(0, 1 + κ·ṗ).
-    HuntCrossley {
-        /// κ (seconds per unit of p); `None`: b₁/(c₁·p*), p* the static penetration.
-        kappa: Option<f64>,
-    },
-    /// N = K·q^{3/2}·max(0, 1 + χ·ṗ), K the link's stiffness (N/m^{3/2}, N·m/rad^{3/2}):
-    /// contact in a point, by Hertz. Of a contact element alone.
-    Hertz {
-        /// χ ≥ 0 (seconds per unit of p).
-        dissipation: f64,
-        /// Compliance ≥ 0 of the undamped link behind the contact, in series with it:
-        /// p = q + compliance·N. With dissipation it is 0.
-        compliance: f64,
-    },
-    /// Rigid, ṗ⁺ = −e·ṗ⁻ at an impact. Of a contact element of a rigid body, and of a
-    /// stop.
-    Restitution {
-        /// e, from 0 to 1.
-        coefficient: f64,
-    },
 }
 
 /// A rigid planar linkage on a node whose displacement is its input coordinate

@@ -30,10 +30,16 @@ const MOST: u32 = 200;
 /// Inverse quadratic interpolation where it is safe, otherwise bisection
 /// (T. R. Chandrupatla, Advances in Engineering Software 28, 1997): the bracket
 /// shrinks in every step.
-pub(crate) fn bracketed(
+pub(crate) fn bracketed(f: &mut dyn FnMut(f64) -> f64, ends: [f64; 2], tolerance: f64) -> Root {
+    bracketed_within(f, ends, tolerance, 0.0)
+}
+
+/// As [`bracketed`], and no further than until the bracket is this narrow.
+pub(crate) fn bracketed_within(
     f: &mut dyn FnMut(f64) -> f64,
     [mut a, mut b]: [f64; 2],
     tolerance: f64,
+    narrow: f64,
 ) -> Root {
     let (mut at_a, mut at_b) = (f(a), f(b));
     let mut iterations = 2;
@@ -46,7 +52,7 @@ pub(crate) fn bracketed(
             (b, at_b)
         };
         let width = (b - a).abs();
-        let resolution = 2.0 * f64::EPSILON * best.abs() + f64::MIN_POSITIVE;
+        let resolution = (2.0 * f64::EPSILON * best.abs() + f64::MIN_POSITIVE).max(narrow);
         // Written so that a number that is none ends the search.
         let goes_on = miss.abs() > tolerance && width > resolution && iterations < MOST;
         if !goes_on {

@@ -2,13 +2,14 @@
 
 use crate::dynamics::record::Figures;
 use crate::dynamics::record::Quantity;
+use crate::report::abscissa::Abscissa;
 use crate::report::diagram::Diagram;
 use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{significant, units};
+use crate::report::quantity::{counted, significant, units};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
@@ -51,7 +52,7 @@ const WORDS: [(&str, &str); 14] = [
 /// The runs side by side: how many are enough, verdicts, curves, figures with their errors.
 pub fn findings<'a>(
     scene: &str,
-    comparison: &'a Comparison,
+    (comparison, over): (&'a Comparison, &'a Abscissa),
     diagram: &'a Diagram,
     warnings: Vec<String>,
     mut source: Source<'a>,
@@ -63,6 +64,11 @@ pub fn findings<'a>(
     let against = match comparison.table.against_limit {
         true => format!("the limit of finer models, where there is one, else {last}"),
         false => last,
+    };
+    // Another machine is no error of this one.
+    let shares = match is_refinement(&comparison.over) {
+        true => "errors against",
+        false => "percentages are differences from",
     };
     let of = |run: &ComparedRun| {
         let (figures, run_of) = (&run.result.figures, &run.result.figures.run);
@@ -91,7 +97,7 @@ pub fn findings<'a>(
         let (id, kind) = (one.id.clone(), one.kind.replace('_', " "));
         sections.push(
             Section::default()
-                .drawing(move |plots| runs::section(plots, &series(comparison), &id, &kind)),
+                .drawing(move |plots| runs::section(plots, &series(comparison, over), &id, &kind)),
         );
         sections.push(figures(&comparison.table, &one.id));
     }
@@ -103,12 +109,19 @@ pub fn findings<'a>(
     sections.retain(|section| !section.is_empty());
     Findings {
         title: scene.to_owned(),
-        subtitle: format!("{} runs compared; errors against {against}", all.len()),
+        subtitle: format!("{} runs compared; {shares} {against}", all.len()),
         answer: Some(answer(all)),
         warnings,
         sections,
         source,
     }
+}
+
+/// Whether a parameter refines the model or its computation: the finest is the nearest to the
+/// truth.
+fn is_refinement(over: &str) -> bool {
+    let name = over.rsplit('.').next().unwrap_or_default();
+    matches!(name, "masses" | "modes" | "tolerance" | "step")
 }
 
 fn label(comparison: &Comparison, run: &ComparedRun) -> String {
@@ -199,9 +212,23 @@ fn verdicts(comparison: &Comparison) -> Table {
 pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'a> {
     let own = |row: &TableRow| {
         let name = row.figure.strip_prefix(id)?.strip_prefix('.')?;
-        // A row of zeros says nothing.
-        let says = row.values.iter().flatten().any(|value| *value != 0.0);
-        says.then(|| cells(name, row, table.against_limit))
+        differs(row).then(|| cells(name, row, table.against_limit))
+    };
+    let same = |row: &&TableRow| {
+        let name = row
+            .figure
+            .strip_prefix(id)
+            .and_then(|name| name.strip_prefix('.'));
+        let zero = row.values.iter().flatten().all(|value| *value == 0.0);
+        name.is_some() && !zero && !differs(row)
+    };
+    let same = table.rows.iter().filter(same).count();
+    let left_out = match same {
+        0 => String::new(),
+        _ => format!(
+            "Left out: {} that are the same in all runs.",
+            counted(same, "figure")
+        ),
     };
     let values = table.labels.iter().map(|label| format!(">{label}"));
     let limit = [">limit", ">order"].map(str::to_owned);
@@ -210,7 +237,20 @@ pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'
     let heads = heads.iter().map(String::as_str);
     let heading = format!("Figures of {id} over {}", table.over);
     let rows = table.rows.iter().filter_map(own);
-    Section::new(heading).table(Table::new(std::iter::once("figure").chain(heads)).rows(rows))
+    let table = Table::new(std::iter::once("figure").chain(heads)).rows(rows);
+    Section::new(heading).table(table).words(left_out)
+}
+
+/// Whether the runs differ in a figure by more than rounding; a limit of it is worth its row.
+fn differs(row: &TableRow) -> bool {
+    let first = row.values.first().copied().flatten();
+    let same = |value: &Option<f64>| match (first, value) {
+        (Some(first), Some(value)) => (first - value).abs() <= 1e-12 * first.abs(),
+        (None, None) => true,
+        (Some(_), None) | (None, Some(_)) => false,
+    };
+    let zero = row.values.iter().flatten().all(|value| *value == 0.0);
+    !row.values.iter().all(same) || (row.limit.is_some() && !zero)
 }
 
 fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
@@ -251,16 +291,21 @@ pub fn percent(share: f64) -> String {
 
 /// The curves of one quantity of one object over each other; `None` when no run
 /// has it. With a single run its open intervals are shaded.
-pub fn chart(comparison: &Comparison, object: &str, quantity: Quantity) -> Option<Plot> {
+pub fn chart(
+    (comparison, over): (&Comparison, &Abscissa),
+    object: &str,
+    quantity: Quantity,
+) -> Option<Plot> {
     let name = QUANTITIES.iter().find(|(key, _)| *key == quantity)?.1;
     let title = format!("{name} of {object}");
-    runs::chart(&series(comparison), object, quantity, &title)
+    runs::chart(&series(comparison, over), object, quantity, &title)
 }
 
-fn series(comparison: &Comparison) -> Vec<RunSeries<'_>> {
+fn series<'a>(comparison: &'a Comparison, over: &'a Abscissa) -> Vec<RunSeries<'a>> {
     let runs = comparison.runs.iter().map(|run| RunSeries {
         label: label(comparison, run),
         record: &run.result.record,
+        over,
     });
     runs.collect()
 }
@@ -269,6 +314,7 @@ fn series(comparison: &Comparison) -> Vec<RunSeries<'_>> {
 mod tests {
     use super::{chart, findings, percent};
     use crate::dynamics::record::Quantity;
+    use crate::report::abscissa::Abscissa;
     use crate::report::diagram::Diagram;
     use crate::report::findings::Source;
     use crate::report::fitted::fitted;
@@ -300,7 +346,7 @@ mod tests {
         let source = Source::scene(include_str!("fixture/scene.json"), "");
         let found = findings(
             "The paper's <figures>",
-            &comparison,
+            (&comparison, &Abscissa::Time),
             &diagram,
             Vec::new(),
             source,
@@ -315,8 +361,8 @@ mod tests {
             "{text}"
         );
         assert!(text.matches("\n  delta_abs ").count() > 1, "{text}");
-        let curves = chart(&comparison, "rocker", Quantity::Delta).unwrap();
+        let curves = chart((&comparison, &Abscissa::Time), "rocker", Quantity::Delta).unwrap();
         assert_eq!((curves.series.len(), curves.y.unit.as_str()), (3, "rad"));
-        assert!(chart(&comparison, "nobody", Quantity::Delta).is_none());
+        assert!(chart((&comparison, &Abscissa::Time), "nobody", Quantity::Delta).is_none());
     }
 }

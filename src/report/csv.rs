@@ -1,5 +1,6 @@
 //! Tables for other programs, as CSV.
 
+use super::abscissa::Abscissa;
 use crate::dynamics::record::Record;
 use crate::studies::compare::FigureTable;
 use std::fmt::Write as _;
@@ -98,7 +99,7 @@ fn line<'f>(fields: impl Iterator<Item = &'f str>) -> String {
 ///
 /// # Errors
 /// The columns are not all as long as the times.
-pub fn record_csv(record: &Record) -> Result<String, String> {
+pub fn record_csv(record: &Record, over: &Abscissa) -> Result<String, String> {
     let header = record
         .columns
         .iter()
@@ -108,10 +109,19 @@ pub fn record_csv(record: &Record) -> Result<String, String> {
         let (name, found) = (&column.object, column.values.len());
         return Err(format!("{name}: {found} values at {count} instants"));
     }
-    let header = std::iter::once("time [s]".to_owned()).chain(header);
+    let angles = over.angles(record);
+    let first = angles.map(|_| "machine_angle [rad]".to_owned());
+    let header = first
+        .into_iter()
+        .chain(["time [s]".to_owned()])
+        .chain(header);
     let mut out = line(header.collect::<Vec<_>>().iter().map(String::as_str));
     // There may be hundreds of thousands of rows. What is not finite is shown as well.
     for (row, &time) in record.times.iter().enumerate() {
+        if let Some(angles) = angles {
+            push_number(&mut out, angles[row]);
+            out.push(',');
+        }
         push_number(&mut out, time);
         for column in &record.columns {
             out.push(',');
@@ -212,6 +222,7 @@ fn push_number(out: &mut String, value: f64) {
 
 #[cfg(test)]
 mod tests {
+    use super::Abscissa;
     use super::{number, record_csv, switches_csv, table_csv};
     use crate::dynamics::record::{Column, Record, SwitchRow};
     use crate::studies::compare::{FigureTable, TableRow};
@@ -231,7 +242,11 @@ mod tests {
 
     #[test]
     fn header_and_rows_read_back_exactly() {
-        let text = record_csv(&record(vec![-6.00249690245187e-5, 1.0 / 3.0])).unwrap();
+        let text = record_csv(
+            &record(vec![-6.00249690245187e-5, 1.0 / 3.0]),
+            &Abscissa::Time,
+        )
+        .unwrap();
         let mut lines = text.lines();
         assert_eq!(lines.next(), Some("time [s],rocker.displacement [rad]"));
         let last: Vec<f64> = lines
@@ -304,7 +319,7 @@ mod tests {
 
     #[test]
     fn a_short_column_is_an_error_and_no_shifted_table() {
-        assert!(record_csv(&record(vec![1.0])).is_err());
+        assert!(record_csv(&record(vec![1.0]), &Abscissa::Time).is_err());
     }
 
     #[test]

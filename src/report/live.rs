@@ -5,6 +5,7 @@
 //! go to the window, as bytes; `plot.js` and `player.js`, the scripts of the pages, draw them
 //! anew (`live.update`, `machine.player`).
 
+use super::abscissa::Abscissa;
 use super::compare;
 use super::diagram::Diagram;
 use super::findings::{Findings, Layout, Section, WIDE};
@@ -111,6 +112,7 @@ pub(crate) fn run(
         .map(|(label, record)| RunSeries {
             label: label.to_owned(),
             record,
+            over: &Abscissa::Time,
         })
         .collect();
     let over = beside.over.and_then(|signals| over(&series, signals));

@@ -1,5 +1,7 @@
 //! Numbers for reading: significant digits, SI prefixes, escaped text.
 
+use super::display_units;
+pub use super::display_units::Scale;
 use crate::dynamics::record::{Figures, Units};
 use crate::units::shown;
 
@@ -25,15 +27,6 @@ pub(in crate::report) const TAKE_SMALL: [&str; 3] = ["s", "m", "rad"];
 /// Least power of ten that a scale is divided by.
 const LEAST_POWER: i32 = -300;
 
-/// A scale for showing values of one unit: shown = value / `factor`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scale {
-    /// Divisor that leads from the SI unit to the one shown.
-    pub factor: f64,
-    /// Unit of the result: `mrad`, `10⁻¹⁵ rad`, `kN m`.
-    pub unit: String,
-}
-
 /// Units of an object; SI turning units when the document names none.
 pub(in crate::report) fn units(figures: &Figures, id: &str) -> Units {
     figures.units.get(id).copied().unwrap_or(Units {
@@ -45,6 +38,9 @@ pub(in crate::report) fn units(figures: &Figures, id: &str) -> Units {
 /// The scale in which numbers up to `magnitude` in `unit` (SI) read best:
 /// 1 … 1000 of it. Beyond the prefixes powers of ten are used.
 pub fn scale(magnitude: f64, unit: &str) -> Scale {
+    if let Some(chosen) = display_units::scale(magnitude, unit) {
+        return chosen;
+    }
     let plain = Scale {
         factor: 1.0,
         unit: unit.to_owned(),
@@ -93,7 +89,8 @@ impl Prefixes {
     fn of(unit: &str) -> Self {
         let first = unit.split([' ', '/']).next().unwrap_or(unit);
         match first {
-            "kg" => Self::OfGram,
+            // (Grams times square metres are no unit of the field.)
+            "kg" if unit == first => Self::OfGram,
             first if TAKE_SMALL.contains(&first) => Self::Small,
             first if TAKE_ALL.contains(&first) => Self::All,
             _ => Self::None,
@@ -124,7 +121,7 @@ impl Prefixes {
 /// A value with its unit, to `digits` significant digits: `7.50086 mrad`.
 pub fn with_unit(value: f64, unit: &str, digits: usize) -> String {
     let scale = scale(value, unit);
-    let number = significant(value / scale.factor, digits);
+    let number = significant(value / scale.factor, display_units::digits(digits));
     if scale.unit.is_empty() || scale.unit == "1" {
         number
     } else if scale.unit.starts_with("10") {
@@ -175,6 +172,11 @@ pub fn raised(text: &str) -> String {
     out
 }
 
+/// A result in a unit of its own, to as many digits as are shown of it.
+pub(in crate::report) fn result(value: f64, digits: usize) -> String {
+    significant(value, display_units::digits(digits))
+}
+
 /// An integer in superscript digits: −6 → ⁻⁶.
 pub fn superscript(number: i32) -> String {
     translate(
@@ -216,6 +218,20 @@ pub fn escape(text: &str) -> String {
     out
 }
 
+/// What stands between backticks in a text that was made safe, as code.
+pub(in crate::report) fn coded(text: &str) -> String {
+    let parts: Vec<&str> = text.split('`').collect();
+    // One alone is a character as any other.
+    if parts.len() % 2 == 0 {
+        return text.to_owned();
+    }
+    let part = |(at, part): (usize, &&str)| match at % 2 {
+        0 => (*part).to_owned(),
+        _ => format!("<code>{part}</code>"),
+    };
+    parts.iter().enumerate().map(part).collect()
+}
+
 /// The text shortened to `length` characters, an ellipsis in the middle so that
 /// both ends of an id stay readable.
 pub fn shortened(text: &str, length: usize) -> String {
@@ -250,8 +266,9 @@ mod tests {
         assert_eq!(with_unit(4e6, "rad/s²", 3), "4·10⁶ rad/s²");
         assert_eq!(with_unit(4e3, "rad/s²", 3), "4000 rad/s²");
         assert_eq!(with_unit(0.05, "kg", 3), "50 g");
-        assert_eq!(with_unit(0.05, "kg m²", 3), "50 g m²");
-        assert_eq!(with_unit(2e-6, "kg m²", 3), "2 mg m²");
+        assert_eq!(with_unit(0.05, "kg m²", 3), "0.05 kg m²");
+        assert_eq!(with_unit(2e-6, "kg m²", 3), "2·10⁻⁶ kg m²");
+        assert_eq!(with_unit(0.05, "kg", 3), "50 g");
         assert_eq!(with_unit(2500.0, "kg m²", 3), "2500 kg m²");
         assert_eq!(with_unit(2e-3, "m²", 3), "0.002 m²");
         assert_eq!(with_unit(2e-6, "m²", 3), "2·10⁻⁶ m²");

@@ -5,7 +5,7 @@ use super::plausible::may_creep;
 use super::settings::RunSettings;
 use super::warning::Warning;
 use crate::dynamics::integrate::{Outcome, Stop};
-use crate::dynamics::model::{Closure, Coordinate, DampingLaw, LinkBase, Model, ObjectPart};
+use crate::dynamics::model::{Closure, Coordinate, LinkBase, Model, ObjectPart};
 use crate::dynamics::record::{
     CreepFigures, EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures,
     ObjectFigures, PairFigures, PressingFigures, Recorded, RunSummary, StopFigures, Units,
@@ -305,12 +305,7 @@ fn is_undamped(model: &Model, part: &ObjectPart) -> bool {
     part.links.iter().copied().chain(contact).all(|link| {
         let link = &model.links[link];
         let lossy_contact = matches!(&link.base,
-        LinkBase::Law { pair } if match pair.law {
-            DampingLaw::KelvinVoigt => false,
-            DampingLaw::HuntCrossley { .. } => true,
-            DampingLaw::Hertz { dissipation, .. } => dissipation > 0.0,
-            DampingLaw::Restitution { coefficient } => coefficient < 1.0,
-        });
+            LinkBase::Law { pair } if !pair.form.is_lossless());
         link.damping == 0.0 && !lossy_contact
     })
 }

@@ -38,6 +38,29 @@ pub struct Verdict {
 }
 
 impl Verdict {
+    /// On an expectation that was not judged, and why.
+    pub(crate) fn not_judged(expectation: &Expectation, why: &str) -> Self {
+        let open = match &expectation.what {
+            Expected::Figure { figure, allowed } => Self::open(figure.clone(), allowed),
+            Expected::Stops {
+                reason,
+                time,
+                within,
+            } => {
+                let allowed = Allowed::Near {
+                    value: *time,
+                    within: *within,
+                };
+                Self::open(format!("stops: {reason}"), &allowed)
+            }
+        };
+        Self {
+            message: format!("{} is not judged: {why}", open.what),
+            source: expectation.source.clone(),
+            ..open
+        }
+    }
+
     /// Not judged yet.
     fn open(what: String, allowed: &Allowed) -> Self {
         let (at_least, at_most) = match *allowed {
@@ -61,6 +84,28 @@ impl Verdict {
             message: String::new(),
             source: None,
         }
+    }
+}
+
+/// An expectation with its verdict, whatever study judges it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Requirement {
+    /// The command whose study was asked: `run`, `steady`, `kinematics`, `forces`.
+    pub study: &'static str,
+    /// SI unit of the figure; empty of plain numbers, counts and answers.
+    pub unit: String,
+    /// The verdict; where the study has no answer, the value found is null.
+    #[serde(flatten)]
+    pub verdict: Verdict,
+    /// Why it was not judged: the study has no answer, or none that is to be trusted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub not_judged: Option<String>,
+}
+
+impl Requirement {
+    /// Whether it was judged, and holds.
+    pub fn holds(&self) -> bool {
+        self.verdict.holds && self.not_judged.is_none()
     }
 }
 

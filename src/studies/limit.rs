@@ -9,7 +9,7 @@
 //! The force of a rigid contact has none either: in an impact it is an impulse.
 
 use crate::dynamics::builder::spec::BodySpec;
-use crate::dynamics::model::{Closure, DampingLaw, Model, ObjectPart};
+use crate::dynamics::model::{Closure, Model, ObjectPart};
 use crate::dynamics::record::Figures;
 use crate::frontend::scene::TypedScene;
 
@@ -80,9 +80,9 @@ fn cause(scene: &TypedScene, model: &Model, object: usize) -> Option<Cause> {
 /// True when the contact force of an object grows with its number of masses: it can open,
 /// its link 1 is the contact too, and is damped. (Explicit lists are their own truth.)
 fn grows(scene: &TypedScene, model: &Model, part: &ObjectPart) -> bool {
-    let opens = model.elastic_pair(part).is_some_and(|pair| {
-        pair.closure != Closure::Bilateral && pair.law == DampingLaw::KelvinVoigt
-    });
+    let opens = model
+        .elastic_pair(part)
+        .is_some_and(|pair| pair.closure != Closure::Bilateral && pair.form.is_linear());
     let damped = (part.links.first()).is_some_and(|&link| model.links[link].damping > 0.0);
     let object = scene.objects.get(&part.id).map(|entry| &entry.object);
     let chain = object.and_then(|object| object.chain());

@@ -26,6 +26,9 @@ use std::f64::consts::TAU;
 /// Share of the opening force that is left in contact; no result here depends on it.
 const RESERVE: f64 = 0.2;
 
+/// Code of the fault of a study that gave numbers that are not to be trusted.
+pub const NOT_TRUSTED: &str = "not-trusted";
+
 /// A scene and what was made of it.
 #[derive(Clone, Copy)]
 pub struct Subject<'s> {
@@ -242,14 +245,16 @@ fn steady_motion(subject: Subject<'_>) -> Result<Answer, Vec<Fault>> {
         ..
     } = subject;
     let found = steady_motion_within(system, settings, &spec, control)?;
-    match &found {
-        Answer::Rigid(answer) if !answer.is_trusted() => {
-            let message = "the steady motion is not to be trusted: its checks disagree";
-            let hint = "`dam steady` shows them";
-            Err(vec![Fault::new("steady", message, hint)])
-        }
-        Answer::Rigid(_) | Answer::Periodic(_) => Ok(found),
+    if found.is_trusted() {
+        return Ok(found);
     }
+    let message = "the steady motion is not to be trusted: its checks disagree";
+    let hint = "`dam steady` shows them";
+    let fault = Fault::new("steady", message, hint);
+    Err(vec![Fault {
+        code: NOT_TRUSTED,
+        ..fault
+    }])
 }
 
 /// Judges what is expected of the cam of an object, in its order.

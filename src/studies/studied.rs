@@ -198,23 +198,28 @@ pub fn wrong_units(measured: &[Measured], model: &Model) -> Vec<Fault> {
     measured.iter().filter_map(wrong).collect()
 }
 
-/// Why a number has another unit than one that is wanted; `None`: it has not.
-fn wrong_unit(one: &Measured, unit: &str) -> Option<Fault> {
-    let si = if unit.is_empty() { "1" } else { unit };
-    let dimension = match si {
-        "1" => NUMBER.dimension,
-        unit => parse(&format!("1 {unit}")).ok()?.dimension,
+/// The quantity that is measured in an SI unit; empty of plain numbers.
+pub(super) fn quantity_of(unit: &str) -> Quantity {
+    let dimension = match unit {
+        "" | "1" => NUMBER.dimension,
+        unit => parse(&format!("1 {unit}")).map_or(NUMBER.dimension, |one| one.dimension),
     };
     let known = ALL.iter().find(|known| known.dimension == dimension);
-    let quantity = known.copied().unwrap_or(Quantity {
+    known.copied().unwrap_or(Quantity {
         name: "quantity",
         dimension,
         angle_may_be_left_out: true,
         units: &[],
-    });
-    let words = match known {
-        Some(known) => QuantityChoice::from(*known).words(),
-        None => format!("in {si}"),
+    })
+}
+
+/// Why a number has another unit than one that is wanted; `None`: it has not.
+fn wrong_unit(one: &Measured, unit: &str) -> Option<Fault> {
+    let si = if unit.is_empty() { "1" } else { unit };
+    let quantity = quantity_of(unit);
+    let words = match quantity.units {
+        [] => format!("in {si}"),
+        _ => QuantityChoice::from(quantity).words(),
     };
     let mismatch = match quantity.accept(one.measure) {
         // Turns a minute: the number was read as a frequency before it was known.

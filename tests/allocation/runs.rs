@@ -89,7 +89,7 @@ fn model() -> Model {
             closure: Closure::Form,
             gap: 1e-4,
             opens: 1.0,
-            law: DampingLaw::HuntCrossley { kappa: Some(0.1) },
+            form: ContactForm::Proportional(Loss::Factor(0.1)),
         };
         model.links.push(Link {
             mass,
@@ -209,7 +209,7 @@ fn quiet_model() -> Model {
     for link in &mut model.links {
         if let LinkBase::Law { pair } = &mut link.base {
             pair.closure = Closure::Bilateral;
-            pair.law = DampingLaw::KelvinVoigt;
+            pair.form = ContactForm::default();
             pair.gap = 0.0;
         }
     }

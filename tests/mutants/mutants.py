@@ -45,7 +45,7 @@ src/kinematics/position/table.rs src/kinematics/position/cam.rs src/kinematics/b
 src/dynamics/builder/pieces.rs src/dynamics/builder/written.rs
 src/dynamics/system/pairs.rs src/dynamics/system/impacts.rs src/dynamics/system/stops.rs
 src/dynamics/system/switches.rs src/dynamics/system/loads.rs src/dynamics/laws/friction.rs src/dynamics/laws/kloss.rs
-src/dynamics/laws/speed_table.rs src/dynamics/system/hertz.rs
+src/dynamics/laws/speed_table.rs src/dynamics/laws/contact/power.rs
 src/dynamics/restitution.rs src/dynamics/integrate/locate.rs src/math/polynomial/roots.rs
 """.split()
 

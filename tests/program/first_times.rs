@@ -128,7 +128,7 @@ fn conditions_of_all_signals_have_first_times() {
         assert!(text.contains(line), "{text}");
     }
     assert!(
-        text.contains("10.4719755 ms") && text.contains("never"),
+        text.contains("10.47 ms") && text.contains("never"),
         "{text}"
     );
 }

@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// Kinds, by what names them in code: words within names of items and keys, or paths. Sentences
-/// for readers do not count.
+/// Kinds, by what names them in code: words within names of items and keys (sentences for readers
+/// do not count); or paths and constants, or their keys as texts.
 const KINDS: &[(&str, &[&str])] = &[
     (
         "joint",
@@ -28,11 +28,19 @@ const KINDS: &[(&str, &[&str])] = &[
     (
         "contact law",
         &[
-            "ContactLaw::Elastic",
-            "ContactLaw::KelvinVoigt",
-            "ContactLaw::HuntCrossley",
-            "ContactLaw::Hertz",
-            "ContactLaw::Restitution",
+            "ELASTIC",
+            "KELVIN_VOIGT",
+            "HUNT_CROSSLEY",
+            "HERTZ",
+            "RESTITUTION",
+        ],
+    ),
+    (
+        "contact form",
+        &[
+            "ContactForm::Proportional",
+            "ContactForm::Power",
+            "ContactForm::Rigid",
         ],
     ),
     (
@@ -232,8 +240,10 @@ fn kinds(sources: &BTreeMap<String, String>) -> BTreeMap<String, usize> {
     let mut found = BTreeMap::new();
     for (group, kinds) in KINDS {
         for kind in *kinds {
-            let files = match kind.contains("::") {
-                true => sources.values().filter(|code| has_path(code, kind)).count(),
+            let key = format!("\"{}\"", kind.to_lowercase());
+            let names = |code: &&String| has_path(code, kind) || code.contains(&key);
+            let files = match kind.contains("::") || kind.contains(char::is_uppercase) {
+                true => sources.values().filter(names).count(),
                 false => named(kind, sources.keys().zip(&words)),
             };
             found.insert(format!("{group}\t{kind}"), files);

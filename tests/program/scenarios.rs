@@ -1,14 +1,6 @@
 //! Every scene under `scenarios/` keeps what it expects of itself.
 
-use dam::lower::lower;
-use dam::scene::{BuiltIn, Document, Overrides};
-use dam::studies::expectations::check;
-use dam::studies::lookup::unknown_figures;
-use dam::studies::run::run;
-use dam::studies::steady;
-use dam::studies::studied::check_all;
-use dam::studies::{Control, RunSettings};
-use dam::system::System;
+use dam::prelude::*;
 use std::path::{Path, PathBuf};
 
 fn root() -> PathBuf {
@@ -35,53 +27,22 @@ pub(crate) fn scenes() -> Vec<PathBuf> {
 
 /// What is wrong with a scene; nothing when it keeps its word.
 fn judge(path: &Path) -> Result<(), String> {
-    let bytes = std::fs::read(path).map_err(|error| error.to_string())?;
-    let document = Document::parse(&path.display().to_string(), &bytes)
-        .map_err(|diagnostics| diagnostics.to_string())?;
-    let reading = document
-        .scene(&BuiltIn, &Overrides::none())
-        .map_err(|diagnostics| diagnostics.to_string())?;
-    let model = lower(&reading.scene).map_err(|faults| format!("{faults:?}"))?;
-    let system = System::new(model).map_err(|faults| format!("{faults:?}"))?;
-    let settings = RunSettings::of(&reading.scene).map_err(|fault| format!("{fault:?}"))?;
-    let result = run(&system, &settings, &Control::default(), &mut [])
-        .map_err(|faults| format!("{faults:?}"))?;
-    let expect = &reading.scene.expect;
-    if expect.is_empty() {
+    let scene = Scene::read(path).map_err(|error| error.to_string())?;
+    let requirements = scene.verify().map_err(|error| error.to_string())?;
+    if requirements.is_empty() {
         return Err("expects nothing of itself".to_owned());
     }
-    let sourced = |expectation: &dam::scene::Expectation| expectation.source.is_some();
-    if !expect.iter().all(sourced) {
+    if requirements.iter().any(|one| one.verdict.source.is_none()) {
         return Err("a figure has no source".to_owned());
     }
-    if !result.is_trusted() {
-        return Err(format!("not to be trusted: {:?}", result.figures.warnings));
-    }
-    let mut verdicts = check(expect, &result);
-    let model = system.model();
-    let unknown = unknown_figures(expect, model);
-    if !unknown.is_empty() {
-        return Err(format!("{unknown:?}"));
-    }
-    verdicts.extend(check_all(expect, model, settings.duration)?);
-    if verdicts.len() < expect.len() {
-        let spec = reading.scene.steady.clone().unwrap_or_default();
-        let answer = steady::steady_motion(&system, &settings, &spec)
-            .map_err(|faults| format!("{faults:?}"))?;
-        verdicts.extend(steady::check(expect, &answer));
-    }
-    if verdicts.len() < expect.len() {
-        return Err("an expectation is judged by nobody".to_owned());
-    }
-    let failed: Vec<String> = verdicts
+    let failed: Vec<String> = requirements
         .into_iter()
-        .filter(|verdict| !verdict.holds)
-        .map(|verdict| verdict.message)
+        .filter(|one| !one.holds())
+        .map(|one| one.verdict.message)
         .collect();
-    if failed.is_empty() {
-        Ok(())
-    } else {
-        Err(failed.join("\n"))
+    match failed.is_empty() {
+        true => Ok(()),
+        false => Err(failed.join("\n")),
     }
 }
 

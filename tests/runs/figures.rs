@@ -3,7 +3,7 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use dam::integrate::Method;
 use dam::model::{
-    Closure, Coordinate, DampingLaw, ExplicitStart, Law, Link, LinkBase, Load, LoadLaw, Model,
+    Closure, ContactForm, Coordinate, ExplicitStart, Law, Link, LinkBase, Load, LoadLaw, Model,
     Node, NodeMotion, ObjectPart, Pair, PartInput, Start,
 };
 use dam::motion::DriveMotion;
@@ -25,7 +25,7 @@ fn pair(closure: Closure) -> Pair {
         closure,
         gap: 0.0,
         opens: 1.0,
-        law: DampingLaw::KelvinVoigt,
+        form: ContactForm::default(),
     }
 }
 

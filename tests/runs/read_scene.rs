@@ -1,6 +1,6 @@
 //! Correct scenes are read into the right numbers.
 
-use dam::model::{Closure, Coordinate, DampingLaw};
+use dam::model::{Closure, ContactForm, Coordinate};
 use dam::object::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, Lumping, MassChoice};
 use dam::position::PositionSpec;
 use dam::scene::{Allowed, BuiltIn, Document, Expected, Overrides, Reading, StartSpec};
@@ -34,7 +34,7 @@ fn the_two_mass_rocker_is_read() {
     let rocker = chain(&reading, "rocker");
     assert_eq!(rocker.coordinate, Coordinate::Turning);
     assert_eq!(rocker.pair.closure, Closure::Force);
-    assert_eq!(rocker.pair.law, DampingLaw::KelvinVoigt);
+    assert_eq!(rocker.pair.form, ContactForm::default());
     assert_eq!(rocker.loads[0].mass, MassChoice::Last);
     assert_eq!(rocker.loads[0].law, LoadLawSpec::Constant(-600.0));
     assert_eq!(

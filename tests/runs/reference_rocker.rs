@@ -2,7 +2,7 @@
 
 use dam::integrate::Method;
 use dam::model::{
-    Closure, Coordinate, DampingLaw, Link, LinkBase, Load, LoadLaw, Model, Node, NodeMotion,
+    Closure, ContactForm, Coordinate, Link, LinkBase, Load, LoadLaw, Model, Node, NodeMotion,
     ObjectPart, Pair, PartInput, Start,
 };
 use dam::motion::DriveMotion;
@@ -97,7 +97,7 @@ fn rocker(inputs: &Inputs) -> Model {
         },
         gap: inputs.gap_rad,
         opens: 1.0,
-        law: DampingLaw::KelvinVoigt,
+        form: ContactForm::default(),
     };
     let (inertia, stiffness) = (inputs.inertia_kg_m2, inputs.stiffness_n_m_per_rad);
     let base_frequency = (stiffness / inertia).sqrt();

@@ -5,6 +5,7 @@ use crate::answer::{Columns, Figure, Told};
 use crate::work::Watch;
 use dam::ask::Judging;
 use dam::read::Node;
+use dam::report::abscissa::Abscissa;
 use dam::report::compare::{document, findings};
 use dam::report::diagram::Diagram;
 use dam::report::findings::Findings;
@@ -81,7 +82,7 @@ impl Told for Compared {
         let warnings = warnings.collect();
         Ok(to(&findings(
             name,
-            &self.comparison,
+            (&self.comparison, &Abscissa::Time),
             &diagram,
             warnings,
             source,

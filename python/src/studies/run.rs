@@ -6,6 +6,7 @@ use crate::work::Watch;
 use dam::ask::Judging;
 use dam::integrate::{Modes, Sink, SwitchEvent};
 use dam::polynomial::Step;
+use dam::report::abscissa::Abscissa;
 use dam::report::accuracy;
 use dam::report::diagram::Diagram;
 use dam::report::findings::Findings;
@@ -141,6 +142,7 @@ impl Told for Run {
         let model = self.asked.ready.model();
         let cams = disc_cams(self.asked.ready.scene(), model);
         let report = RunReport {
+            over: &Abscissa::Time,
             figures: &self.result.figures,
             record: &self.result.record,
             diagram: &Diagram::of(model),

@@ -1,6 +1,6 @@
 //! Forces of contacts in the terms of the scene.
 
-use crate::dynamics::model::{Closure, DampingLaw, Pair};
+use crate::dynamics::model::{Closure, ContactForm, Loss, Pair};
 
 /// Halvings in the search for an indentation.
 const HALVINGS: usize = 200;
@@ -70,46 +70,44 @@ impl Contact {
 
     /// N at a depth and a rate, not cut off.
     fn normal(&self, depth: f64, rate: f64) -> f64 {
-        match self.pair.law {
-            DampingLaw::KelvinVoigt => self.stiffness * depth + self.damping * rate,
-            DampingLaw::HuntCrossley { kappa } => {
-                let kappa = kappa.unwrap_or(self.kappa);
-                self.stiffness * depth * (1.0 + kappa * rate)
-            }
-            DampingLaw::Hertz {
-                dissipation,
+        let elastic = self.stiffness * depth;
+        match self.pair.form {
+            ContactForm::Proportional(Loss::Damper) => elastic + self.damping * rate,
+            ContactForm::Proportional(Loss::Factor(chi)) => elastic * (1.0 + chi * rate),
+            ContactForm::Proportional(Loss::FactorOfDamper) => elastic * (1.0 + self.kappa * rate),
+            ContactForm::Power {
+                exponent,
+                factor,
                 compliance,
-            } => {
-                let force = |q: f64| self.stiffness * q.max(0.0).powf(1.5);
-                let mut q = depth;
-                if compliance > 0.0 && depth > 0.0 {
-                    let [mut low, mut high] = [0.0, depth];
-                    for _ in 0..HALVINGS {
-                        q = 0.5 * (low + high);
-                        if q == low || q == high {
-                            break;
-                        }
-                        match q + compliance * force(q) > depth {
-                            true => high = q,
-                            false => low = q,
-                        }
-                    }
-                }
-                force(q) * (1.0 + dissipation * rate)
-            }
-            DampingLaw::Restitution { .. } => 0.0,
+            } => self.force_of_power(depth, exponent, compliance) * (1.0 + factor * rate),
+            ContactForm::Rigid { .. } => 0.0,
         }
+    }
+
+    /// K·q^n, where depth = q + compliance·K·q^n is halved down to q.
+    fn force_of_power(&self, depth: f64, exponent: f64, compliance: f64) -> f64 {
+        let force = |q: f64| self.stiffness * q.max(0.0).powf(exponent);
+        let mut q = depth;
+        if compliance > 0.0 && depth > 0.0 {
+            let [mut low, mut high] = [0.0, depth];
+            for _ in 0..HALVINGS {
+                q = 0.5 * (low + high);
+                if q == low || q == high {
+                    break;
+                }
+                match q + compliance * force(q) > depth {
+                    true => high = q,
+                    false => low = q,
+                }
+            }
+        }
+        force(q)
     }
 
     /// What it does at a deformation and its rate.
     pub(super) fn press(&self, x: f64, rate: f64, modes: &[i64]) -> Pressed {
         let mode = self.component.map_or(1, |component| modes[component]);
-        let restitution = match self.pair.law {
-            DampingLaw::Restitution { coefficient } => Some(coefficient),
-            DampingLaw::KelvinVoigt
-            | DampingLaw::HuntCrossley { .. }
-            | DampingLaw::Hertz { .. } => None,
-        };
+        let restitution = self.pair.form.restitution();
         let mut pressed = Pressed {
             object: self.object,
             component: self.component,

@@ -1,10 +1,11 @@
 //! Chains of masses, and rigid objects.
 
 use super::driven_end::{balanced_shares, loaded};
-use super::modes::Modal;
+use super::modes::{Modal, ModalLowering};
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, Level, Lumping, PairSpec};
-use super::{Connected, ModelBuilder, Place};
-use crate::dynamics::model::{Closure, Coordinate, DampingLaw, Law, NodeIndex, Pair};
+use super::{Connected, ModelBuilder, Place, contact, driven_end, stop};
+use crate::dynamics::laws::contact::law_of_link;
+use crate::dynamics::model::{Closure, Coordinate, Law, Loss, NodeIndex, Pair};
 use crate::dynamics::stated::StatedPosition;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::position::{Position, PositionSpec};
@@ -221,8 +222,16 @@ impl ModelBuilder {
                 modes,
                 split,
             };
-            self.check_stops(at, spec);
-            return self.modal(at, law, (spec, pair), body);
+            stop::check(at, spec, &self.indices, &mut self.faults);
+            let object = ModalLowering {
+                into: self,
+                at,
+                law,
+                spec,
+                pair,
+                body,
+            };
+            return object.lower();
         }
         let nodes = match (&spec.body, &spec.pair.contact) {
             (_, Some(contact)) => self.touching(at, law, &spec.body, parameters, (pair, *contact)),
@@ -231,7 +240,7 @@ impl ModelBuilder {
             }
             _ => self.masses(at, law, parameters, pair),
         };
-        self.check_driven_end(at, spec);
+        driven_end::check(at, spec, &mut self.faults);
         let end = match spec.has_driven_end() {
             true => Some(self.driven_end(at, law, parameters.driven_end).1),
             false => None,
@@ -267,7 +276,7 @@ impl ModelBuilder {
             closure,
             gap,
             opens,
-            law,
+            form,
             contact,
         } = spec.pair;
         self.faults.not_negative(&at.path("pair.gap"), gap);
@@ -284,18 +293,19 @@ impl ModelBuilder {
             let message = format!("{opens} is no side");
             self.fault(at, "pair.opens", message, "give + or -");
         }
-        if let DampingLaw::HuntCrossley { kappa: Some(kappa) } = law {
-            let path = at.path("pair.law.hunt_crossley.kappa");
+        if let Some(loss @ Loss::Factor(kappa)) = form.loss() {
+            let key = law_of_link(loss).key;
+            let path = at.path(&format!("pair.law.{key}.kappa"));
             self.faults.not_negative(&path, kappa);
         }
         if let Some(contact) = contact {
-            self.check_contact(at, spec, &contact);
+            contact::check(at, spec, &contact, &mut self.faults);
         }
         Pair {
             closure,
             gap,
             opens,
-            law,
+            form,
         }
     }
 }

@@ -5,85 +5,93 @@
 
 use super::spec::{BodySpec, ChainSpec, ContactSpec};
 use super::{ChainParameters, ModelBuilder, Place};
+use crate::dynamics::laws::contact::keys;
 use crate::dynamics::model::{
-    Closure, ContactElement, ContactLaw, DampingLaw, Law, Link, LinkBase, Node, NodeIndex,
-    NodeMotion, Pair, Pressing,
+    Closure, ContactElement, ContactForm, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair,
+    Pressing,
 };
+use crate::fault::Faults;
 use crate::kinematics::cam::{CamGeometry, DiscCam};
 use crate::kinematics::position::Position;
 use std::sync::Arc;
 
-impl ModelBuilder {
-    /// The faults of a contact element's numbers, and of what it stands in front of.
-    pub(super) fn check_contact(&mut self, at: &Place, spec: &ChainSpec, contact: &ContactSpec) {
-        self.check_contact_numbers(at, "pair.contact", contact);
-        if spec.pair.law != DampingLaw::KelvinVoigt {
-            let message = "a contact element has a law of its own";
-            let hint = "remove `pair.law`, or `pair.contact`";
-            self.fault(at, "pair.law", message, hint);
-        }
-        let linear = matches!(
-            contact.law,
-            ContactLaw::Elastic | ContactLaw::KelvinVoigt { .. }
+/// What stands against static flexibility behind a contact, of these laws.
+pub(crate) const STATIC_BEHIND_A_CURVE: &str = "static flexibility is that of the object and of its \
+     contact in series, which needs a contact force proportional to the indentation";
+
+/// What to give in its place.
+pub(crate) fn instead_of_static() -> String {
+    let laws = keys(|law| law.is_linear(), "`", "or");
+    format!("the contact law {laws}, or `modes` in place of `flexibility`")
+}
+
+/// The faults of a contact element's numbers, and of what it stands in front of.
+pub(super) fn check(at: &Place, spec: &ChainSpec, contact: &ContactSpec, faults: &mut Faults) {
+    check_numbers(at, "pair.contact", contact, faults);
+    if !spec.pair.form.is_linear() {
+        let message = "a contact element has a law of its own";
+        let hint = "remove `pair.law`, or `pair.contact`";
+        faults.add(at.path("pair.law"), message, hint);
+    }
+    if spec.pair.closure == Closure::Bilateral && !contact.law.declaration().is_linear() {
+        let laws = keys(|law| law.is_linear(), "", "and");
+        let message = format!("a bilateral pair takes the contact laws {laws} alone");
+        let hint = "give one of them, or another closure";
+        faults.add(at.path("pair.contact.law"), message, hint);
+    }
+    let rigid = matches!(spec.body, BodySpec::Rigid { .. });
+    if contact.law.is_rigid() && !rigid {
+        let message = "before an elastic object an impact would set a single fragment going, \
+                       the more lightly the more masses there are";
+        let hint = "give `masses: 0`, or the contact a stiffness";
+        faults.add(at.path("pair.contact.restitution"), message, hint);
+    }
+    if contact.law.is_rigid() && spec.pair.closure == Closure::Form && spec.pair.gap == 0.0 {
+        let message = "without a gap a rigid pair never comes apart, and nothing strikes";
+        let hint = "give a gap, or the closure bilateral without a contact";
+        faults.add(at.path("pair.contact.restitution"), message, hint);
+    }
+    if let BodySpec::Rigid { inertia } = spec.body
+        && inertia <= 0.0
+    {
+        let message = "a body on a contact element needs an inertia: nothing else carries it";
+        faults.add(
+            at.path("inertia"),
+            message,
+            "give an inertia greater than 0",
         );
-        if spec.pair.closure == Closure::Bilateral && !linear {
-            let message = "a bilateral pair takes the contact laws elastic and kelvin_voigt alone";
-            self.fault(
-                at,
-                "pair.contact.law",
-                message,
-                "give one of them, or another closure",
-            );
-        }
-        let rigid = matches!(spec.body, BodySpec::Rigid { .. });
-        if contact.law.is_rigid() && !rigid {
-            let message = "before an elastic object an impact would set a single fragment going, \
-                           the more lightly the more masses there are";
-            let hint = "give `masses: 0`, or the contact a stiffness";
-            self.fault(at, "pair.contact.restitution", message, hint);
-        }
-        if contact.law.is_rigid() && spec.pair.closure == Closure::Form && spec.pair.gap == 0.0 {
-            let message = "without a gap a rigid pair never comes apart, and nothing strikes";
-            let hint = "give a gap, or the closure bilateral without a contact";
-            self.fault(at, "pair.contact.restitution", message, hint);
-        }
-        if let BodySpec::Rigid { inertia } = spec.body
-            && inertia <= 0.0
-        {
-            let message = "a body on a contact element needs an inertia: nothing else carries it";
-            self.fault(at, "inertia", message, "give an inertia greater than 0");
-        }
     }
+}
 
-    /// The faults of the numbers of a contact at a property.
-    pub(super) fn check_contact_numbers(
-        &mut self,
-        at: &Place,
-        property: &str,
-        contact: &ContactSpec,
-    ) {
-        let path = |name: &str| at.path(&format!("{property}.{name}"));
-        if !contact.law.is_rigid() {
-            self.faults.positive(&path("stiffness"), contact.stiffness);
-        }
-        match contact.law {
-            ContactLaw::Restitution { coefficient } => {
-                if !(0.0..=1.0).contains(&coefficient) {
-                    let message = format!("{coefficient} is no coefficient of restitution");
-                    let hint = "give a number between 0 and 1";
-                    self.fault(at, &format!("{property}.restitution"), message, hint);
-                }
-            }
-            ContactLaw::Elastic => {}
-            ContactLaw::KelvinVoigt { damping } => {
-                self.faults.not_negative(&path("damping"), damping);
-            }
-            ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation } => {
-                self.faults.not_negative(&path("dissipation"), dissipation);
-            }
-        }
+/// The faults of the numbers of a contact at a property.
+pub(super) fn check_numbers(
+    at: &Place,
+    property: &str,
+    contact: &ContactSpec,
+    faults: &mut Faults,
+) {
+    let path = |name: &str| at.path(&format!("{property}.{name}"));
+    if !contact.law.is_rigid() {
+        faults.positive(&path("stiffness"), contact.stiffness);
     }
+    for (parameter, value) in contact.law.parameters() {
+        parameter.check(faults, &path(parameter.key), value);
+    }
+}
 
+/// The fault of static flexibility behind a contact.
+pub(super) fn check_static(at: &Place, spec: &ChainSpec, faults: &mut Faults) {
+    let law = spec.pair.contact.map(|contact| contact.law);
+    if law.is_some_and(|law| !law.declaration().is_linear() && !law.is_rigid()) {
+        faults.add(
+            at.path("flexibility"),
+            STATIC_BEHIND_A_CURVE,
+            &instead_of_static(),
+        );
+    }
+}
+
+impl ModelBuilder {
     /// Tells how hard an object presses on its cam, as far as that can be built: what is
     /// wrong with it is told where cams are asked about.
     pub fn pressing(&mut self, at: &Place, spec: &ChainSpec, geometry: &CamGeometry) {
@@ -116,7 +124,7 @@ impl ModelBuilder {
         self.presses(at.object, &contact);
         let stiffness = contact.stiffness;
         let plain = |compliance| Pair {
-            law: contact.law.of_link(compliance).0,
+            form: contact.law.of_link(compliance).0,
             ..pair
         };
         let (parameters, pair) = match body {
@@ -132,9 +140,9 @@ impl ModelBuilder {
             _ if parameters.dampings[0] == 0.0 && contact.law.is_lossless() => {
                 let mut series = parameters.clone();
                 let compliance = 1.0 / parameters.stiffnesses[0];
-                series.stiffnesses[0] = match contact.law {
-                    ContactLaw::Hertz { .. } => stiffness,
-                    _ => 1.0 / (compliance + 1.0 / stiffness),
+                series.stiffnesses[0] = match contact.law.form() {
+                    ContactForm::Proportional(_) => 1.0 / (compliance + 1.0 / stiffness),
+                    ContactForm::Power { .. } | ContactForm::Rigid { .. } => stiffness,
                 };
                 (series, plain(compliance))
             }
@@ -159,7 +167,7 @@ impl ModelBuilder {
         parameters: &ChainParameters,
         (pair, contact): (Pair, ContactSpec),
     ) -> Vec<NodeIndex> {
-        let rate_dependent = !contact.law.is_linear();
+        let rate_dependent = !contact.law.form().is_linear();
         if parameters.dampings[0] == 0.0 && rate_dependent {
             let message = "behind a contact that loses energy by its indentation, an elastic \
                            object without damping leaves the speed of the contact undetermined \

@@ -12,9 +12,10 @@
 //! part of the object, `rocker.driven_end`.
 
 use super::spec::{ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, Lumping, MassChoice};
-use super::{ChainParameters, ModelBuilder, Place};
+use super::{ChainParameters, Place};
 use crate::dynamics::builder::spec::BodySpec;
-use crate::dynamics::model::{Closure, DRIVEN_END, Law, NodeIndex, Pair};
+use crate::dynamics::model::{Closure, NodeIndex};
+use crate::fault::Faults;
 
 /// What a balanced chain cannot be behind, and why.
 pub(crate) const BALANCED_BEHIND_AN_OPENING_PAIR: &str = "the inertia at the driven end would \
@@ -72,24 +73,12 @@ impl ChainParameters {
     }
 }
 
-impl ModelBuilder {
-    /// The node of the inertia at the driven end of an elastic object, behind the law
-    /// that its masses follow: the part that it is, and the node.
-    pub(super) fn driven_end(&mut self, at: &Place, law: &Law, inertia: f64) -> (usize, NodeIndex) {
-        let part = self.add_part(at, DRIVEN_END, DRIVEN_END);
-        let node = self.add_rigid(part, law.clone(), inertia, Pair::default());
-        self.model.objects[at.object].driven_end = Some(node);
-        (part, node)
-    }
-
-    /// A balanced chain stands behind a pair that cannot open.
-    pub(super) fn check_driven_end(&mut self, at: &Place, spec: &ChainSpec) {
-        if spec.has_driven_end() && spec.pair.closure != Closure::Bilateral {
-            let message = format!(
-                "`balanced` needs a pair that cannot open: {BALANCED_BEHIND_AN_OPENING_PAIR}"
-            );
-            self.fault(at, "lumping", message, INSTEAD_OF_BALANCED);
-        }
+/// The fault of a balanced chain behind a pair that can open.
+pub(super) fn check(at: &Place, spec: &ChainSpec, faults: &mut Faults) {
+    if spec.has_driven_end() && spec.pair.closure != Closure::Bilateral {
+        let message =
+            format!("`balanced` needs a pair that cannot open: {BALANCED_BEHIND_AN_OPENING_PAIR}");
+        faults.add(at.path("lumping"), message, INSTEAD_OF_BALANCED);
     }
 }
 

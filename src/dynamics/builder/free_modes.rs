@@ -11,35 +11,23 @@
 //! the same sum (`TreeObject::output`).
 
 use super::continuum::Continuum;
-use super::modes::{Modal, Shares};
-use super::spec::{ChainSpec, ContactSpec};
+use super::modal_output::{self, Shares};
+use super::modes::ModalLowering;
+use super::spec::ContactSpec;
 use super::{ChainParameters, ModelBuilder, Place};
-use crate::dynamics::model::{ContactLaw, Law, NodeIndex, Pair, PartInput, Reduced, SUM};
+use crate::dynamics::model::{NodeIndex, Pair, PartInput, Reduced, SUM};
 
-/// What stands against static flexibility behind a contact, of these laws.
-pub(crate) const STATIC_BEHIND_A_CURVE: &str = "static flexibility is that of the object and of its \
-     contact in series, which needs a contact force proportional to the indentation";
-
-/// What to give in its place.
-pub(crate) const INSTEAD_OF_STATIC: &str =
-    "the contact law `elastic` or `kelvin_voigt`, or `modes` in place of `flexibility`";
-
-impl ContactLaw {
-    /// True where the force is proportional to the indentation, as long as it is slow.
-    pub(crate) fn has_static_stiffness(self) -> bool {
-        matches!(self, Self::Elastic | Self::KelvinVoigt { .. })
-    }
-}
-
-impl ModelBuilder {
-    /// Lowers an object that is reduced to its free modes behind a contact element.
-    pub(super) fn free_modes(
-        &mut self,
-        at: &Place,
-        law: &Law,
-        (spec, pair, contact): (&ChainSpec, Pair, ContactSpec),
-        (body, continuum): (Modal<'_>, Continuum),
-    ) {
+impl ModalLowering<'_> {
+    /// Lowers the object free of its driver, behind a contact element.
+    pub(super) fn behind_contact(self, contact: ContactSpec, continuum: Continuum) {
+        let Self {
+            into,
+            at,
+            law,
+            spec,
+            pair,
+            body,
+        } = self;
         let free = continuum.free(body.modes);
         let delay = body.delay();
         let stiffnesses = free.stiffnesses.iter().map(|share| share * body.stiffness);
@@ -50,15 +38,15 @@ impl ModelBuilder {
             stiffnesses,
             driven_end: 0.0,
         };
-        let masses = self.touching(at, law, &spec.body, &parameters, (pair, contact));
+        let masses = into.touching(at, law, &spec.body, &parameters, (pair, contact));
         let shares: Shares = masses.into_iter().zip(free.shares).collect();
-        let Some(output) = self.output_of_masses(at, &shares) else {
+        let Some(output) = output_of_masses(into, at, &shares) else {
             return;
         };
         for load in &spec.loads {
-            self.modal_load(at, load, &shares, output, law.driver);
+            modal_output::load(into, at, load, &shares, [output, law.driver]);
         }
-        self.model.reduced.push(Reduced {
+        into.model.reduced.push(Reduced {
             object: at.object,
             modes: shares,
             output: Some(output),
@@ -66,27 +54,19 @@ impl ModelBuilder {
             offset: 0.0,
         });
     }
+}
 
-    /// The inner part that the output of an object is, as the sum of its masses: what hangs on
-    /// the object hangs on this.
-    fn output_of_masses(&mut self, at: &Place, shares: &Shares) -> Option<NodeIndex> {
-        let part = self.add_part(at, "output", SUM);
-        let place = Place {
-            id: at.path("output"),
-            object: part,
-            inputs: Vec::new(),
-        };
-        let output = self.summed(&place, shares, Pair::default())?;
-        self.model.objects[part].inputs = PartInput::only(Some(at.object));
-        self.outputs.insert(at.id.clone(), output);
-        Some(output)
-    }
-
-    /// What stands against static flexibility behind a contact.
-    pub(super) fn check_static_contact(&mut self, at: &Place, spec: &ChainSpec) {
-        let law = spec.pair.contact.map(|contact| contact.law);
-        if law.is_some_and(|law| !law.has_static_stiffness() && !law.is_rigid()) {
-            self.fault(at, "flexibility", STATIC_BEHIND_A_CURVE, INSTEAD_OF_STATIC);
-        }
-    }
+/// The inner part that the output of an object is, as the sum of its masses: what is driven by
+/// the object is driven by this.
+fn output_of_masses(into: &mut ModelBuilder, at: &Place, shares: &Shares) -> Option<NodeIndex> {
+    let part = into.add_part(at, "output", SUM);
+    let place = Place {
+        id: at.path("output"),
+        object: part,
+        inputs: Vec::new(),
+    };
+    let output = modal_output::sum(into, &place, shares, Pair::default())?;
+    into.model.objects[part].inputs = PartInput::only(Some(at.object));
+    into.outputs.insert(at.id.clone(), output);
+    Some(output)
 }

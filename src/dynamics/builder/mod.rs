@@ -37,8 +37,8 @@ mod stop;
 pub(crate) mod written;
 
 pub use chain::ChainParameters;
+pub(crate) use contact::{STATIC_BEHIND_A_CURVE, instead_of_static};
 pub(crate) use driven_end::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
-pub(crate) use free_modes::{INSTEAD_OF_STATIC, STATIC_BEHIND_A_CURVE};
 pub use place::{Connected, Place};
 
 use crate::dynamics::model::{Model, NodeIndex, ObjectPart, Track, TrackSource};

@@ -17,9 +17,12 @@
 //! needs is its margin.
 
 use super::continuum::{Continuum, Oscillator, Reduction};
+use super::modal_output::{self, Shares};
+use super::smooth::is_smooth;
 use super::spec::{ChainSpec, ContactSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
-use super::{ChainParameters, FREE_FALL, ModelBuilder, Place};
-use crate::dynamics::model::{Closure, Law, MODE, NodeIndex, ObjectPart, Pair, PartInput, Reduced};
+use super::{ChainParameters, FREE_FALL, ModelBuilder, Place, contact};
+use crate::dynamics::model::{Closure, Law, MODE, Pair, PartInput, Reduced};
+use crate::fault::Faults;
 use std::f64::consts::TAU;
 
 /// A uniform elastic object and how many of its modes are kept.
@@ -75,6 +78,17 @@ impl Rest {
         self
     }
 
+    /// An object with these modes and this rest.
+    fn reduced(&self, object: usize, modes: Shares) -> Reduced {
+        Reduced {
+            object,
+            modes,
+            output: None,
+            under_acceleration: self.under_acceleration,
+            offset: self.offset,
+        }
+    }
+
     /// Adds a load, of which `constant` is the force at the output.
     fn add_load(&mut self, load: &LoadSpec, constant: f64) {
         self.offset += match load.law {
@@ -87,36 +101,60 @@ impl Rest {
     }
 }
 
-/// Shares of a force at the output that inner nodes get.
-pub(super) type Shares = Vec<(NodeIndex, f64)>;
+/// An object of modes that is lowered into a model.
+pub(super) struct ModalLowering<'b> {
+    pub(super) into: &'b mut ModelBuilder,
+    pub(super) at: &'b Place,
+    pub(super) law: &'b Law,
+    pub(super) spec: &'b ChainSpec,
+    pub(super) pair: Pair,
+    pub(super) body: Modal<'b>,
+}
 
-impl ModelBuilder {
-    /// Lowers an object that is reduced to modes behind its law.
-    pub(super) fn modal(
-        &mut self,
-        at: &Place,
-        law: &Law,
-        (spec, pair): (&ChainSpec, Pair),
-        body: Modal<'_>,
-    ) {
-        let Some(continuum) = self.check_modal(at, spec, body) else {
+impl ModalLowering<'_> {
+    /// Lowers it behind its law.
+    pub(super) fn lower(mut self) {
+        let Some(continuum) = self.check() else {
             return;
         };
-        let contact = spec.pair.contact;
-        if let Some(contact) = contact.filter(|_| body.modes > 0) {
-            return self.free_modes(at, law, (spec, pair, contact), (body, continuum));
+        match self.spec.pair.contact {
+            Some(contact) if self.body.modes > 0 => self.behind_contact(contact, continuum),
+            _ => self.held(continuum),
         }
-        let still = !self.followed.contains(&at.id)
-            && spec.loads.iter().all(is_constant)
-            && self.is_smooth(law);
-        let reduction = continuum.reduce(body.modes);
-        if body.modes == 0 {
-            return self.static_flexibility(at, law, (spec, pair), (body, &reduction), still);
+    }
+
+    /// Lowers it held at its driven end.
+    fn held(self, continuum: Continuum) {
+        // Its motion and its loads are known beforehand, and nothing is driven by it.
+        let still = !self.into.followed.contains(&self.at.id)
+            && self.spec.loads.iter().all(is_constant)
+            && is_smooth(&self.into.model, self.law);
+        let reduction = continuum.reduce(self.body.modes);
+        match (self.body.modes, still) {
+            (0, true) => self.static_flexibility(&reduction),
+            (0, false) => {
+                let message = "static flexibility needs a motion that is known beforehand with a \
+                               continuous acceleration, behind prescribed drives and rigid \
+                               objects, constant loads, and no object that hangs on this one";
+                let hint = "give `modes`, or `masses`";
+                self.into.fault(self.at, "flexibility", message, hint);
+            }
+            (_, true) => self.oscillators(&reduction, None),
+            (last, false) => self.oscillators(&reduction.with_residual(), Some(last)),
         }
-        let (residual, reduction) = match still {
-            true => (None, reduction),
-            false => (Some(body.modes), reduction.with_residual()),
-        };
+    }
+
+    /// An oscillator a mode and an output that sums them. `residual`: the number of the one
+    /// that stands for the modes that are left out.
+    fn oscillators(self, reduction: &Reduction, residual: Option<usize>) {
+        let Self {
+            into,
+            at,
+            law,
+            spec,
+            pair,
+            body,
+        } = self;
         let mut inputs = Vec::new();
         let mut shares: Shares = Vec::new();
         for (number, mode) in reduction.oscillators.iter().enumerate() {
@@ -124,131 +162,101 @@ impl ModelBuilder {
                 Some(last) if last == number => "residual".to_owned(),
                 _ => format!("mode_{}", number + 1),
             };
-            let part = self.add_part(at, &name, MODE);
+            let part = into.add_part(at, &name, MODE);
             let place = Place {
                 id: at.path(&name),
                 object: part,
                 inputs: Vec::new(),
             };
-            let nodes = self.masses(&place, law, &parameters(body, mode), Pair::default());
+            let nodes = into.masses(&place, law, &parameters(body, mode), Pair::default());
             inputs.push((name, part));
             shares.extend(nodes.first().map(|&node| (node, mode.share)));
         }
-        let (part, end) = self.driven_end(at, law, reduction.driven_end * body.inertia);
+        let (part, end) = into.driven_end(at, law, reduction.driven_end * body.inertia);
         let rest = 1.0 - shares.iter().map(|(_, share)| share).sum::<f64>();
         inputs.push((crate::dynamics::model::DRIVEN_END.to_owned(), part));
         let modes = shares.clone();
         shares.push((end, rest));
-        let Some(output) = self.summed(at, &shares, pair) else {
+        let Some(output) = modal_output::sum(into, at, &shares, pair) else {
             return;
         };
         let input = |(port, driver): (String, usize)| PartInput { port, driver };
-        self.model.objects[at.object].inputs = inputs.into_iter().map(input).collect();
-        let mut rest = Rest::of(&reduction, body);
+        into.model.objects[at.object].inputs = inputs.into_iter().map(input).collect();
+        let mut rest = Rest::of(reduction, body);
         for load in &spec.loads {
-            let constant = self.modal_load(at, load, &shares, output, law.driver);
-            rest.add_load(load, constant);
+            let ends = [output, law.driver];
+            rest.add_load(load, modal_output::load(into, at, load, &shares, ends));
         }
-        self.model.reduced.push(Reduced {
-            object: at.object,
-            modes,
-            output: None,
-            under_acceleration: rest.under_acceleration,
-            offset: rest.offset,
-        });
+        into.model.reduced.push(rest.reduced(at.object, modes));
     }
 
-    /// An object without vibrations: a rigid one whose output gives way. `still`: its
-    /// motion and its loads are known beforehand, and nothing else hangs on its output.
-    fn static_flexibility(
-        &mut self,
-        at: &Place,
-        law: &Law,
-        (spec, pair): (&ChainSpec, Pair),
-        (body, reduction): (Modal<'_>, &Reduction),
-        still: bool,
-    ) {
-        if !still {
-            let message = "static flexibility needs a motion that is known beforehand with a \
-                           continuous acceleration, behind prescribed drives and rigid objects, \
-                           constant loads, and no object that hangs on this one";
-            let hint = "give `modes`, or `masses`";
-            return self.fault(at, "flexibility", message, hint);
-        }
-        let node = self.rigid(at, law.clone(), body.inertia, pair);
-        self.model.objects[at.object].driven_end = Some(node);
+    /// An object without vibrations: a rigid one whose output gives way.
+    fn static_flexibility(self, reduction: &Reduction) {
+        let Self {
+            into,
+            at,
+            law,
+            spec,
+            pair,
+            body,
+        } = self;
+        let node = into.rigid(at, law.clone(), body.inertia, pair);
+        into.model.objects[at.object].driven_end = Some(node);
         let mut rest = Rest::of(reduction, body).in_series_with(spec.pair.contact, body);
         for load in &spec.loads {
-            self.load(at, load, &[node], law.driver);
+            into.load(at, load, &[node], law.driver);
             let constant = match load.law {
                 LoadLawSpec::Constant(force) => force,
                 _ => 0.0,
             };
             rest.add_load(load, constant);
         }
-        self.model.reduced.push(Reduced {
-            object: at.object,
-            modes: Vec::new(),
-            output: None,
-            under_acceleration: rest.under_acceleration,
-            offset: rest.offset,
-        });
+        into.model.reduced.push(rest.reduced(at.object, Vec::new()));
     }
 
-    /// What stands against modes; the continuum otherwise.
-    fn check_modal(&mut self, at: &Place, spec: &ChainSpec, body: Modal<'_>) -> Option<Continuum> {
-        let before = self.faults.len();
-        self.faults.positive(&at.path("inertia"), body.inertia);
-        self.faults.positive(&at.path("stiffness"), body.stiffness);
-        let path = at.path("damping_capacity");
-        self.faults.not_negative(&path, body.damping_capacity);
+    /// Its continuum; `None`: it has faults.
+    fn check(&mut self) -> Option<Continuum> {
+        let (at, spec, body) = (self.at, self.spec, self.body);
+        let faults = &mut self.into.faults;
+        let before = faults.len();
+        faults.positive(&at.path("inertia"), body.inertia);
+        faults.positive(&at.path("stiffness"), body.stiffness);
+        faults.not_negative(&at.path("damping_capacity"), body.damping_capacity);
         let held = spec.pair.contact.is_none() || body.modes == 0;
         if held && spec.pair.closure == Closure::Form {
             let message = "modes without a contact element need a pair that stays closed: they are \
                            those of the object held at its driven end";
             let hint = "give `masses`, or closure `bilateral` or `force`";
-            self.fault(at, body.property(), message, hint);
+            faults.add(at.path(body.property()), message, hint);
         }
         if body.modes == 0 {
-            self.check_static_contact(at, spec);
+            contact::check_static(at, spec, faults);
         }
         for load in &spec.loads {
-            let weight = matches!(load.law, LoadLawSpec::Weight { .. });
-            let wanted = match weight {
-                true => MassChoice::All,
-                false => MassChoice::Last,
-            };
-            if load.mass != wanted {
-                let message = "an object of modes has no masses: weights act on all of it, other \
-                               loads on its output";
-                let hint = "leave `mass` out, or give `masses` in place of `modes`";
-                self.fault(at, &format!("loads.{}.mass", load.name), message, hint);
-            }
+            check_mass(at, load, faults);
         }
         let continuum = Continuum::of(body.split);
         if continuum.is_none() {
             let message = "shares of one's own are no continuum that has modes";
             let hint = "give the split `equal` or `cubes`";
-            self.fault(at, body.property(), message, hint);
+            faults.add(at.path(body.property()), message, hint);
         }
-        continuum.filter(|_| self.faults.len() == before)
+        continuum.filter(|_| faults.len() == before)
     }
+}
 
-    /// A part of an object, driven as the object is.
-    pub(super) fn add_part(&mut self, at: &Place, name: &str, kind: &'static str) -> usize {
-        let own = &self.model.objects[at.object];
-        let part = ObjectPart {
-            id: at.path(name),
-            kind,
-            coordinate: own.coordinate,
-            inputs: own.inputs.clone(),
-            combination: own.combination,
-            ..ObjectPart::default()
-        };
-        let index = self.model.objects.len();
-        self.indices.insert(part.id.clone(), index);
-        self.model.objects.push(part);
-        index
+/// The fault of a load on a mass of an object that has none.
+fn check_mass(at: &Place, load: &LoadSpec, faults: &mut Faults) {
+    let weight = matches!(load.law, LoadLawSpec::Weight { .. });
+    let wanted = match weight {
+        true => MassChoice::All,
+        false => MassChoice::Last,
+    };
+    if load.mass != wanted {
+        let message = "an object of modes has no masses: weights act on all of it, other loads on \
+                       its output";
+        let hint = "leave `mass` out, or give `masses` in place of `modes`";
+        faults.add(at.path(&format!("loads.{}.mass", load.name)), message, hint);
     }
 }
 

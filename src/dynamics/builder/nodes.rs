@@ -3,7 +3,8 @@
 use super::assembly_range::DEAD;
 use super::{ChainParameters, Connected, ModelBuilder, NodeEntry, Place};
 use crate::dynamics::model::{
-    Coordinate, Law, Link, LinkBase, Load, LoadLaw, Node, NodeIndex, NodeMotion, Pair, TrackSource,
+    Coordinate, DRIVEN_END, Law, Link, LinkBase, Load, LoadLaw, Node, NodeIndex, NodeMotion,
+    ObjectPart, Pair, TrackSource,
 };
 use crate::dynamics::trajectory::instant;
 use crate::kinematics::constraint::Constraint;
@@ -207,6 +208,32 @@ impl ModelBuilder {
             start: given.unwrap_or(start),
         });
         index
+    }
+
+    /// A part of an object, driven as the object is.
+    pub(super) fn add_part(&mut self, at: &Place, name: &str, kind: &'static str) -> usize {
+        let own = &self.model.objects[at.object];
+        let part = ObjectPart {
+            id: at.path(name),
+            kind,
+            coordinate: own.coordinate,
+            inputs: own.inputs.clone(),
+            combination: own.combination,
+            ..ObjectPart::default()
+        };
+        let index = self.model.objects.len();
+        self.indices.insert(part.id.clone(), index);
+        self.model.objects.push(part);
+        index
+    }
+
+    /// The node of the inertia at the driven end of an elastic object, behind the law
+    /// that its masses follow: the part that it is, and the node.
+    pub(super) fn driven_end(&mut self, at: &Place, law: &Law, inertia: f64) -> (usize, NodeIndex) {
+        let part = self.add_part(at, DRIVEN_END, DRIVEN_END);
+        let node = self.add_rigid(part, law.clone(), inertia, Pair::default());
+        self.model.objects[at.object].driven_end = Some(node);
+        (part, node)
     }
 
     /// Id and coordinate of what a node belongs to.

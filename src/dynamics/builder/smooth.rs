@@ -1,29 +1,26 @@
 //! Laws whose motion is known beforehand, with a continuous acceleration.
 
-use super::ModelBuilder;
-use crate::dynamics::model::{Law, NodeMotion};
+use crate::dynamics::model::{Law, Model, NodeMotion};
 use crate::kinematics::breaks::Breaks;
 use crate::math::jet::Jet;
 
 /// Jumps of a derivative below this share of what it is nearby are rounding.
 const JUMP: f64 = 1e-6;
 
-impl ModelBuilder {
-    /// True when what a law asks for is known beforehand, with a continuous acceleration:
-    /// rigid objects behind a prescribed drive.
-    pub(super) fn is_smooth(&self, law: &Law) -> bool {
-        let own = |segment, x| law.position.jet(segment, x);
-        smooth(&law.position.breaks(), own)
-            && match &self.model.nodes[law.driver].motion {
-                NodeMotion::Prescribed { motion, .. } => {
-                    smooth(&motion.breaks(), |segment, time| motion.jet(segment, time))
-                }
-                NodeMotion::Rigid { law } => self.is_smooth(law),
-                NodeMotion::Mass { .. }
-                | NodeMotion::Rotor { .. }
-                | NodeMotion::Constrained { .. } => false,
+/// True when what a law asks for is known beforehand, with a continuous acceleration:
+/// rigid objects behind a prescribed drive.
+pub(super) fn is_smooth(model: &Model, law: &Law) -> bool {
+    let own = |segment, x| law.position.jet(segment, x);
+    smooth(&law.position.breaks(), own)
+        && match &model.nodes[law.driver].motion {
+            NodeMotion::Prescribed { motion, .. } => {
+                smooth(&motion.breaks(), |segment, time| motion.jet(segment, time))
             }
-    }
+            NodeMotion::Rigid { law } => is_smooth(model, law),
+            NodeMotion::Mass { .. } | NodeMotion::Rotor { .. } | NodeMotion::Constrained { .. } => {
+                false
+            }
+        }
 }
 
 /// True when the second derivative is continuous where the formula changes.

@@ -8,7 +8,7 @@ pub use super::level::{InertiaSplit, Level, Lumping, Uniform};
 pub use super::written::WrittenSpec;
 pub use crate::dynamics::laws::Declared;
 use crate::dynamics::load::CustomLoad;
-use crate::dynamics::model::{Closure, ContactLaw, Coordinate, DampingLaw};
+use crate::dynamics::model::{Closure, ContactForm, ContactLaw, Coordinate};
 pub use crate::kinematics::hertzian::ContactPressure;
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
@@ -192,8 +192,8 @@ pub struct PairSpec {
     pub gap: f64,
     /// +1: a force-closed pair lifts off towards x > 0; −1: turned round.
     pub opens: f64,
-    /// Law of the contact of link 1, where there is no contact element.
-    pub law: DampingLaw,
+    /// Form of the force of link 1, where there is no contact element.
+    pub form: ContactForm,
     /// The contact element.
     pub contact: Option<ContactSpec>,
 }
@@ -201,8 +201,7 @@ pub struct PairSpec {
 /// A contact element: stiffness and law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactSpec {
-    /// k_c > 0 (N/m or N·m/rad), or K (N/m^{3/2} or N·m/rad^{3/2}) by the law of Hertz; of a
-    /// rigid contact 0.
+    /// k_c > 0 (N/m or N·m/rad), or K of a power of the indentation; of a rigid contact 0.
     pub stiffness: f64,
     /// Law of the contact force.
     pub law: ContactLaw,

@@ -1,13 +1,15 @@
 //! One-sided stops of the last mass of an object against the ground.
 
 use super::spec::{BodySpec, ChainSpec, StopSpec};
-use super::{ModelBuilder, Place};
+use super::{ModelBuilder, Place, contact};
 use crate::dynamics::model::{Load, LoadLaw, NodeIndex, PartInput, STOP, Stop, StopPart};
+use crate::fault::Faults;
+use std::collections::BTreeMap;
 
 impl ModelBuilder {
     /// Adds the stops of an object with these masses.
     pub(super) fn stops(&mut self, at: &Place, spec: &ChainSpec, masses: &[NodeIndex]) {
-        self.check_stops(at, spec);
+        check(at, spec, &self.indices, &mut self.faults);
         let Some(&node) = masses.last().filter(|_| spec.masses() > 0) else {
             return;
         };
@@ -35,52 +37,57 @@ impl ModelBuilder {
             });
         }
     }
+}
 
-    /// The faults of an object's stops.
-    pub(super) fn check_stops(&mut self, at: &Place, spec: &ChainSpec) {
-        if spec.stops.is_empty() {
-            return;
-        }
-        if let BodySpec::Modes { .. } = spec.body {
-            let message =
-                "its modes are those of the object free at its output: a stop would hold it there";
-            let hint = "give `masses` in place of `modes`";
-            self.fault(at, "stops", message, hint);
-        }
-        if spec.masses() == 0 {
-            let message = "nothing gives way between a rigid object's driver and a stop";
-            let hint = "give the object at least one mass, or its pair a `contact`";
-            self.fault(at, "stops", message, hint);
-        }
-        for own in &spec.stops {
-            self.check_stop(at, own);
-        }
-        let upper = || spec.stops.iter().filter(|stop| stop.side > 0.0);
-        for lower in spec.stops.iter().filter(|stop| stop.side < 0.0) {
-            if let Some(upper) = upper().find(|upper| upper.at <= lower.at) {
-                let message = format!(
-                    "the stop `{}` from below, at {}, stands no lower than `{}` from above, at {}: \
-                     nothing is left between them",
-                    lower.name, lower.at, upper.name, upper.at
-                );
-                let hint = "exchange their sides, or move one of them";
-                self.fault(at, &format!("stops.{}.at", lower.name), message, hint);
-            }
+/// The faults of an object's stops, beside the parts that there are.
+pub(super) fn check(
+    at: &Place,
+    spec: &ChainSpec,
+    parts: &BTreeMap<String, usize>,
+    faults: &mut Faults,
+) {
+    if spec.stops.is_empty() {
+        return;
+    }
+    if let BodySpec::Modes { .. } = spec.body {
+        let message =
+            "its modes are those of the object free at its output: a stop would hold it there";
+        let hint = "give `masses` in place of `modes`";
+        faults.add(at.path("stops"), message, hint);
+    }
+    if spec.masses() == 0 {
+        let message = "nothing gives way between a rigid object's driver and a stop";
+        let hint = "give the object at least one mass, or its pair a `contact`";
+        faults.add(at.path("stops"), message, hint);
+    }
+    for own in &spec.stops {
+        check_one(at, own, parts, faults);
+    }
+    let upper = || spec.stops.iter().filter(|stop| stop.side > 0.0);
+    for lower in spec.stops.iter().filter(|stop| stop.side < 0.0) {
+        if let Some(upper) = upper().find(|upper| upper.at <= lower.at) {
+            let message = format!(
+                "the stop `{}` from below, at {}, stands no lower than `{}` from above, at {}: \
+                 nothing is left between them",
+                lower.name, lower.at, upper.name, upper.at
+            );
+            let hint = "exchange their sides, or move one of them";
+            faults.add(at.path(&format!("stops.{}.at", lower.name)), message, hint);
         }
     }
+}
 
-    fn check_stop(&mut self, at: &Place, stop: &StopSpec) {
-        let property = format!("stops.{}", stop.name);
-        let path = |name: &str| at.path(&format!("{property}.{name}"));
-        self.faults.finite(&path("at"), stop.at);
-        if stop.side != 1.0 && stop.side != -1.0 {
-            let message = format!("{} is no side", stop.side);
-            self.fault(at, &format!("{property}.side"), message, "give + or -");
-        }
-        self.check_contact_numbers(at, &format!("{property}.contact"), &stop.contact);
-        if self.indices.contains_key(&at.path(&stop.name)) {
-            let message = format!("`{}` is the name of another part of the object", stop.name);
-            self.fault(at, &property, message, "give the stop another name");
-        }
+fn check_one(at: &Place, stop: &StopSpec, parts: &BTreeMap<String, usize>, faults: &mut Faults) {
+    let property = format!("stops.{}", stop.name);
+    let path = |name: &str| at.path(&format!("{property}.{name}"));
+    faults.finite(&path("at"), stop.at);
+    if stop.side != 1.0 && stop.side != -1.0 {
+        let message = format!("{} is no side", stop.side);
+        faults.add(at.path(&format!("{property}.side")), message, "give + or -");
+    }
+    contact::check_numbers(at, &format!("{property}.contact"), &stop.contact, faults);
+    if parts.contains_key(&at.path(&stop.name)) {
+        let message = format!("`{}` is the name of another part of the object", stop.name);
+        faults.add(at.path(&property), message, "give the stop another name");
     }
 }

@@ -1,16 +1,21 @@
-//! Force laws of the library over the motion of the mass that they act on, one file each. A law is declared
+//! Force laws of the library over the motion of the mass that they act on, one file each; those of contacts are
+//! in [`contact`]. A law is declared
 //! once: its properties, what it says in words and as a formula, and how it is calculated.
 //! Reading, schema, checks, statements and printed equations follow from the declaration.
 //!
 //! The formula is a second form of the law, in the language of expressions: the check of a run
 //! evaluates it instead of what the methods use.
 
+pub mod contact;
 mod friction;
 mod kloss;
 mod linear_motor;
+mod parameter;
 mod speed_table;
 mod spring;
 mod viscous;
+
+pub use parameter::{Domain, Measure, Parameter};
 
 use friction::FRICTION;
 use linear_motor::{LINEAR_FORCE, LINEAR_TORQUE};
@@ -46,55 +51,6 @@ pub struct ForceLaw {
     pub words: &'static str,
     /// What it is calculated by, from the numbers.
     pub law: fn(&[f64]) -> LoadLaw,
-}
-
-/// A number of a law.
-#[derive(Debug)]
-pub struct Parameter {
-    /// Its key; empty where the law is this number alone.
-    pub key: &'static str,
-    /// What it is, for the schema.
-    pub doc: &'static str,
-    /// Its letter in equations and the index of that; without one that of the load.
-    pub letter: (&'static str, &'static str),
-    /// What it is, beside the equations.
-    pub meaning: &'static str,
-    /// Its quantity.
-    pub measure: Measure,
-    /// What it may be.
-    pub domain: Domain,
-    /// What it is where it is left out; `None`: it must be given.
-    pub usual: Option<f64>,
-}
-
-/// Quantity of a number, of what turns or slides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Measure {
-    /// N m or N.
-    Force,
-    /// N m/rad or N/m.
-    Stiffness,
-    /// N m s/rad or N s/m.
-    Damping,
-    /// rad/s or m/s.
-    Speed,
-    /// A number without unit.
-    Number,
-}
-
-/// What a number may be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Domain {
-    /// Anything finite.
-    Any,
-    /// ≥ 0.
-    NotNegative,
-    /// > 0.
-    Positive,
-    /// Anything finite but 0.
-    NotZero,
-    /// > 0, at most 1.
-    UpToOne,
 }
 
 impl ForceLaw {
@@ -143,12 +99,7 @@ impl Declared {
                 "" => self.law.key.to_owned(),
                 key => format!("{}.{key}", self.law.key),
             };
-            match parameter.domain {
-                Domain::Any => faults.finite(&path, value),
-                Domain::NotNegative => faults.not_negative(&path, value),
-                Domain::Positive | Domain::UpToOne => faults.positive(&path, value),
-                Domain::NotZero => faults.not_zero(&path, value),
-            }
+            parameter.check(faults, &path, value);
         }
     }
 

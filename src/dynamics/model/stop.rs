@@ -11,7 +11,7 @@ pub struct Stop {
     pub at: f64,
     /// −1: it holds the node from going below `at`; +1: from going above.
     pub side: f64,
-    /// k (N/m or N·m/rad), or K of a contact in a point; 0 of a rigid one.
+    /// k (N/m or N·m/rad), or K of a power of the indentation; 0 of a rigid one.
     pub stiffness: f64,
     /// Law of its contact.
     pub law: ContactLaw,
@@ -20,12 +20,12 @@ pub struct Stop {
 impl Stop {
     /// It as a pair of the deformation x = φ − at, with the damping of its link.
     pub fn pair(&self) -> (Pair, f64) {
-        let (law, damping) = self.law.of_link(0.0);
+        let (form, damping) = self.law.of_link(0.0);
         let pair = Pair {
             closure: Closure::Force,
             gap: 0.0,
             opens: -self.side,
-            law,
+            form,
         };
         (pair, damping)
     }

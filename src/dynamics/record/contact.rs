@@ -91,10 +91,10 @@ fn first_positive_of_either(x: &[f64], end: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Opening;
-    use crate::dynamics::model::{Closure, DampingLaw, Pair};
+    use crate::dynamics::model::{Closure, ContactForm, Pair};
 
     fn opening(closure: Closure, gap: f64, opens: f64) -> Opening {
-        let law = DampingLaw::KelvinVoigt;
+        let form = ContactForm::default();
         Opening {
             component: 0,
             coordinate: 0,
@@ -103,7 +103,7 @@ mod tests {
                 closure,
                 gap,
                 opens,
-                law,
+                form,
             },
         }
     }

@@ -5,7 +5,7 @@
 //! request what they need (`Demand`) and get it from the same walk.
 
 use super::{FinalState, ObjectFigures, PressingFigures, greatest_magnitude};
-use crate::dynamics::model::{Closure, ContactLaw, Pair};
+use crate::dynamics::model::{Closure, Pair};
 use crate::dynamics::segment::{MAGNITUDES, Peak, Segment, SegmentSignal, Signal};
 use crate::dynamics::system::{ObjectState, System};
 
@@ -63,10 +63,7 @@ impl Indentation {
             },
             law => Self::OfForce {
                 stiffness: contact.stiffness,
-                power: match law {
-                    ContactLaw::Hertz { .. } => 1.5,
-                    _ => 1.0,
-                },
+                power: law.form().exponent(),
             },
         })
     }

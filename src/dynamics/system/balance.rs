@@ -274,9 +274,9 @@ impl Frozen {
                 miss[0] = u[0] - below;
                 continue;
             }
-            miss[m] = match chain.contact.hertz().filter(|_| m == 0) {
+            miss[m] = match chain.contact.power().filter(|_| m == 0) {
                 None => u[m] - below - carried.scale(1.0 / stiffness[m]),
-                Some(hertz) => u[m] - below - carried.lift(|force| hertz.deflection(force))[0],
+                Some(power) => u[m] - below - carried.lift(|force| power.deflection(force))[0],
             };
         }
         if rests {

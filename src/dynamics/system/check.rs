@@ -1,6 +1,6 @@
 //! Checks of a model's numbers and structure before it is frozen.
 
-use crate::dynamics::model::{DampingLaw, LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+use crate::dynamics::model::{LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
 use crate::fault::Fault;
 use crate::kinematics::position::Position;
 
@@ -211,7 +211,7 @@ fn check_links(model: &Model, faults: &mut Vec<Fault>) {
         let object = object_of(model, link.mass);
         let rigid = matches!(
             &link.base,
-            LinkBase::Law { pair } if matches!(pair.law, DampingLaw::Restitution { .. })
+            LinkBase::Law { pair } if pair.form.restitution().is_some()
         );
         if !(rigid || link.stiffness > 0.0 && link.stiffness.is_finite()) {
             faults.push(Fault::new(

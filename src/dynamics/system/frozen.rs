@@ -181,8 +181,8 @@ impl Chain {
         let flanks = self.contact.sides().iter();
         let depth = flanks.map(|&side| self.contact.penetration(side, x, 0.0).0);
         let depth = depth.fold(0.0, f64::max);
-        match self.contact.hertz() {
-            Some(hertz) => hertz.indentation(depth),
+        match self.contact.power() {
+            Some(power) => power.indentation(depth),
             // In series with link 1 only its own share.
             None if self.contact.stiffness() < stiffness => force / stiffness,
             None => depth,

@@ -1,18 +1,18 @@
-//! The constant of Hunt–Crossley pairs that leave it to the loads.
+//! The constant of pairs that leave it to the loads.
 
 use super::System;
 use super::balance::{Balance, resting_mode};
-use crate::dynamics::model::{Closure, DampingLaw, LinkBase};
+use crate::dynamics::model::{Closure, LinkBase, Loss};
 use crate::fault::Fault;
 
 impl System {
-    /// κ of Hunt–Crossley pairs that leave it open: b₁/(c₁·p*) = b₁/|F| with F
+    /// κ of pairs that leave it open: b₁/(c₁·p*) = b₁/|F| with F
     /// the static force of the pair.
     pub(super) fn find_kappas(&mut self) -> Result<(), Vec<Fault>> {
         let open = |link: &crate::dynamics::model::Link| {
             matches!(&link.base, LinkBase::Law { pair }
                 if pair.closure != Closure::Bilateral
-                    && pair.law == DampingLaw::HuntCrossley { kappa: None })
+                    && pair.form.loss() == Some(Loss::FactorOfDamper))
         };
         let links: Vec<usize> = (0..self.model.links.len())
             .filter(|&link| open(&self.model.links[link]))

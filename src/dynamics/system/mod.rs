@@ -24,7 +24,6 @@ mod friction;
 mod frozen;
 mod given;
 mod growth;
-mod hertz;
 mod impacts;
 mod kappa;
 mod linearised;

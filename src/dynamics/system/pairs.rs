@@ -5,9 +5,9 @@
 //! the force of the link is F = s·N(p, ṗ). A pair is engaged on a flank while
 //! both p > 0 and the flank presses, N > 0.
 
-use super::hertz::Hertz;
 use crate::dynamics::integrate::{EventFunction, Guard};
-use crate::dynamics::model::{Closure, DampingLaw, Pair};
+use crate::dynamics::laws::contact::PowerForce;
+use crate::dynamics::model::{Closure, Pair};
 use crate::fault::Fault;
 use crate::math::number::Number;
 use crate::math::quantity::Quantity;
@@ -26,12 +26,12 @@ pub(super) struct Contact {
     side: f64,
     /// c of link 1.
     stiffness: f64,
-    /// b of link 1 (Kelvin–Voigt).
+    /// b of link 1.
     damping: f64,
-    /// κ of Hunt–Crossley and of Hertz; `None`: Kelvin–Voigt.
+    /// κ of a force with the factor 1 + κ·ṗ; `None`: that of a damper.
     pub(super) kappa: Option<f64>,
     /// The elastic force where it is no c·p.
-    hertz: Option<Hertz>,
+    power: Option<PowerForce>,
     /// e of a rigid contact: its force is no function of p and ṗ, see [`super::impacts`].
     restitution: Option<f64>,
 }
@@ -45,7 +45,7 @@ impl Contact {
         stiffness: 0.0,
         damping: 0.0,
         kappa: None,
-        hertz: None,
+        power: None,
         restitution: None,
     };
 
@@ -71,18 +71,8 @@ impl Contact {
                 "\"+\" or \"-\"",
             ));
         }
-        let kappa = match pair.law {
-            DampingLaw::KelvinVoigt | DampingLaw::Restitution { .. } => None,
-            DampingLaw::HuntCrossley { kappa } => Some(kappa.unwrap_or(0.0)),
-            DampingLaw::Hertz { dissipation, .. } => Some(dissipation),
-        };
-        let hertz = match pair.law {
-            DampingLaw::Hertz { compliance, .. } => Some(Hertz {
-                stiffness,
-                compliance,
-            }),
-            _ => None,
-        };
+        let kappa = pair.form.factor();
+        let power = PowerForce::of(&pair.form, stiffness);
         if kappa.is_some_and(|kappa| !(kappa >= 0.0 && kappa.is_finite())) {
             return Err(Fault::new(
                 format!("{object}.pair.kappa"),
@@ -90,10 +80,7 @@ impl Contact {
                 "seconds per unit of penetration",
             ));
         }
-        let restitution = match pair.law {
-            DampingLaw::Restitution { coefficient } => Some(coefficient),
-            _ => None,
-        };
+        let restitution = pair.form.restitution();
         if restitution.is_some_and(|e| !(0.0..=1.0).contains(&e)) {
             return Err(Fault::new(
                 format!("{object}.pair.contact.restitution"),
@@ -112,7 +99,7 @@ impl Contact {
             stiffness,
             damping,
             kappa,
-            hertz,
+            power,
             restitution,
         })
     }
@@ -153,10 +140,10 @@ impl Contact {
     /// The elastic part of N at a penetration, and its derivative.
     #[inline(always)]
     pub(super) fn elastic<N: Quantity>(&self, p: N) -> [N; 2] {
-        match self.hertz {
+        match self.power {
             None => [p.scale(self.stiffness), N::from(self.stiffness)],
-            Some(hertz) => {
-                let [force, slope, _] = p.lift(|p| hertz.jet(p));
+            Some(power) => {
+                let [force, slope, _] = p.lift(|p| power.jet(p));
                 [force, slope]
             }
         }
@@ -167,18 +154,18 @@ impl Contact {
         if self.restitution.is_some() {
             return 0.0;
         }
-        match self.hertz {
+        match self.power {
             None => force / self.stiffness,
-            Some(hertz) => hertz.penetration(force),
+            Some(power) => power.penetration(force),
         }
     }
 
     /// The elastic force where it is no c·p.
-    pub(super) fn hertz(&self) -> Option<Hertz> {
-        self.hertz
+    pub(super) fn power(&self) -> Option<PowerForce> {
+        self.power
     }
 
-    /// c of the link, or K by Hertz.
+    /// c of the link, or K of a power of the indentation.
     pub(super) fn stiffness(&self) -> f64 {
         self.stiffness
     }
@@ -200,7 +187,7 @@ impl Contact {
             return N::from(0.0);
         }
         let (p, rate) = self.penetration(mode, x, v);
-        let pressed = match (self.kappa, self.hertz) {
+        let pressed = match (self.kappa, self.power) {
             (None, _) => p.scale(self.stiffness) + rate.scale(self.damping),
             (Some(kappa), None) => p.scale(self.stiffness) * (N::from(1.0) + rate.scale(kappa)),
             (Some(kappa), Some(_)) => self.elastic(p)[0] * (N::from(1.0) + rate.scale(kappa)),
@@ -210,7 +197,7 @@ impl Contact {
 
     /// The two quantities that are both positive exactly while a flank is
     /// engaged: p, and N in units that keep it of the size of p (N/c), or
-    /// 1 + κ·ṗ for Hunt–Crossley.
+    /// 1 + κ·ṗ of a force with that factor.
     pub(super) fn presses<N: Number>(&self, side: i64, x: N, v: N) -> [N; 2] {
         let (p, rate) = self.penetration(side, x, v);
         match self.kappa {
@@ -303,9 +290,9 @@ impl Contact {
                 .find(|depth| depth.value() > 0.0)
                 .unwrap_or(N::from(0.0))
         };
-        match self.hertz {
+        match self.power {
             None => (depth * depth).scale(0.5 * self.stiffness),
-            Some(hertz) => depth.lift(|p| hertz.energy(p))[0],
+            Some(power) => depth.lift(|p| power.energy(p))[0],
         }
     }
 
@@ -321,7 +308,7 @@ impl Contact {
         let (p, rate) = self.penetration(mode, x, v);
         let damped = match self.kappa {
             None => self.damping * rate * rate,
-            Some(kappa) => match self.hertz {
+            Some(kappa) => match self.power {
                 None => self.stiffness * p * kappa * rate * rate,
                 Some(_) => self.elastic(p)[0] * kappa * rate * rate,
             },

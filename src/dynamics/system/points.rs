@@ -111,9 +111,9 @@ impl Frozen {
     fn point_at_rest(&self, chain: &Chain, next: f64) -> f64 {
         let (c, _) = self.link_behind(chain);
         let contact = &chain.contact;
-        let share = |depth: f64| match contact.hertz() {
+        let share = |depth: f64| match contact.power() {
             None => depth * c / (c + contact.stiffness()),
-            Some(hertz) => hertz.before(1.0 / c).indentation(depth),
+            Some(power) => power.before(1.0 / c).indentation(depth),
         };
         if contact.closure == Closure::Bilateral {
             return share(next);
@@ -161,23 +161,23 @@ fn felt<N: Quantity>(chain: &Chain, mode: i64, z: N) -> Felt<N> {
 }
 
 impl System {
-    /// Sets the stiffness of contacts by Hertz, as scales and frequencies need one, to that
+    /// Sets the stiffness of contacts by a power of the indentation, as scales and frequencies need one, to that
     /// at the static penetration; where nothing presses, at the least deflection that counts.
     pub(super) fn find_tangents(&mut self) {
-        let nonlinear = |chain: &Chain| chain.contact.hertz().is_some();
+        let nonlinear = |chain: &Chain| chain.contact.power().is_some();
         if !self.frozen.chains.iter().any(nonlinear) {
             return;
         }
         let mut modes = self.frozen.no_modes();
         let balanced = self.frozen.settle(Balance::Static, &mut modes);
         for (index, chain) in self.frozen.chains.iter().enumerate() {
-            let Some(hertz) = chain.contact.hertz() else {
+            let Some(power) = chain.contact.power() else {
                 continue;
             };
             let force = balanced.as_ref().map_or(0.0, |own| own.reactions[index]);
-            let depth = hertz.penetration(force.abs()).max(super::scales::FLOOR);
+            let depth = power.penetration(force.abs()).max(super::scales::FLOOR);
             let first = chain.first_coordinate;
-            self.frozen.stiffness[first] = hertz.jet(depth).first;
+            self.frozen.stiffness[first] = power.jet(depth).first;
             let mut branches = self.frozen.branches.iter_mut();
             let own = |branch: &&mut super::frozen::Branch| branch.chain.first_coordinate == first;
             if let Some(branch) = branches.find(own) {

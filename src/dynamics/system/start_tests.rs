@@ -329,8 +329,11 @@ fn an_explicit_start_at_contact_is_decided_by_its_speed() {
 
 #[test]
 fn hunt_crossley_finds_its_constant_from_the_static_penetration() {
-    let law = DampingLaw::HuntCrossley { kappa: None };
-    let contact = Pair { law, ..pair(FORCE) };
+    let form = ContactForm::Proportional(Loss::FactorOfDamper);
+    let contact = Pair {
+        form,
+        ..pair(FORCE)
+    };
     let system = System::new(rocker(1, 0.4, -600.0, contact, Start::Static)).unwrap();
     let damping = rocker_body(1, 0.4, contact).dampings[0];
     let kappa = system.frozen.chains[0].contact.kappa.unwrap();

@@ -93,7 +93,7 @@ pub(super) fn pair(closure: Closure) -> Pair {
         closure,
         gap: 0.0,
         opens: 1.0,
-        law: DampingLaw::KelvinVoigt,
+        form: ContactForm::default(),
     }
 }
 

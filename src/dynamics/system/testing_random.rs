@@ -67,7 +67,7 @@ fn random_body(random: &mut Random) -> Body {
         (0..count).map(|_| random.between(low, high)).collect()
     };
     let closure = [Closure::Bilateral, Closure::Force, Closure::Form][random.below(3)];
-    let kappa = Some(random.between(0.0, 0.5));
+    let kappa = random.between(0.0, 0.5);
     Body {
         position: random_position(random),
         inertias: list(random, masses.max(1), 0.2, 2.0),
@@ -77,7 +77,10 @@ fn random_body(random: &mut Random) -> Body {
             closure,
             gap: [0.0, 0.1][random.below(2)],
             opens: [1.0, -1.0][random.below(2)],
-            law: [DampingLaw::KelvinVoigt, DampingLaw::HuntCrossley { kappa }][random.below(2)],
+            form: [
+                ContactForm::default(),
+                ContactForm::Proportional(Loss::Factor(kappa)),
+            ][random.below(2)],
         },
     }
 }

@@ -7,7 +7,7 @@ mod sums;
 use super::prescribed::{PrescribedMotion, straight};
 use super::{Holder, KeptLaws, Part, Parts, law, load};
 use crate::dynamics::model::{
-    Closure, DampingLaw, Law as ModelLaw, Model, NodeMotion, ObjectPart, Pair, STOP, TrackSource,
+    Closure, Law as ModelLaw, Model, NodeMotion, ObjectPart, Pair, STOP, TrackSource,
 };
 use crate::dynamics::system::System;
 use crate::exact::{Law, Refusal, TimeLoad, TreeMass, TreePair, TreeProblem};
@@ -339,10 +339,7 @@ fn follow<'m>(course: &PrescribedMotion, laws: &[&'m ModelLaw], law: &'m ModelLa
 
 /// The pair, and whether its force is linear while it is engaged.
 fn tree_pair(pair: &Pair) -> (TreePair, bool) {
-    let linear = matches!(
-        pair.law,
-        DampingLaw::KelvinVoigt | DampingLaw::Restitution { .. }
-    );
+    let linear = pair.form.is_linear() || pair.form.restitution().is_some();
     match pair.closure {
         Closure::Bilateral => (TreePair::Bilateral, true),
         Closure::Force => (TreePair::Force { opens: pair.opens }, linear),

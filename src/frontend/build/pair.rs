@@ -10,7 +10,8 @@ builder! {
         gap;
         /// Side towards which a force-closed pair opens: `"+"` (default) or `"-"`.
         opens;
-        /// Law of the contact force: `"kelvin_voigt"` (default), `"hunt_crossley"`.
+        /// Law of the contact force: `"kelvin_voigt"` c·p + b·ṗ (default), `"hunt_crossley"`
+        /// c·p·(1 + κ·ṗ). A contact element takes more of them.
         law;
         /// Contact element in front of link 1, with a law of its own.
         contact;
@@ -23,8 +24,10 @@ builder! {
     Contact {
         /// Stiffness k (N/m or N·m/rad), or K of Hertz (N/m^(3/2) or N·m/rad^(3/2)).
         stiffness;
-        /// `"elastic"` (default), `"kelvin_voigt"`, `"hunt_crossley"`, `"hertz"`,
-        /// `"restitution"`.
+        /// Law of the contact force over the indentation p: `"elastic"` k·p (default),
+        /// `"kelvin_voigt"` k·p + b·ṗ, `"hunt_crossley"` k·p·(1 + χ·ṗ), `"hertz"`
+        /// K·p^(3/2)·(1 + χ·ṗ), `"restitution"` rigid, with impacts. The schema lists all laws
+        /// with their numbers, which are set by their names.
         law;
         /// Damping of Kelvin–Voigt (N·s/m or N·m·s/rad).
         damping;

@@ -1,6 +1,7 @@
 //! Builders know what the schema knows.
 
 use super::*;
+use crate::dynamics::laws::contact;
 use crate::frontend::object::Registry;
 use crate::frontend::scene::schema;
 use serde_json::Value as Json;
@@ -104,12 +105,11 @@ fn every_property_of_every_kind_can_be_built() {
     );
     same(&schema, &["rocker", "pair"], Pair::PROPERTIES, &["closure"]);
     same(&schema, &["sliding_stop"], Stop::PROPERTIES, &[]);
-    same(
-        &schema,
-        &["rocker", "pair", "contact"],
-        Contact::PROPERTIES,
-        &["from"],
-    );
+    // (What a contact law declares is set by its name, with or without a method.)
+    let of_laws = contact::properties().into_iter().map(|(own, _)| own.key);
+    let of_contacts: Vec<&str> = of_laws.chain(["from"]).collect();
+    let contact = ["rocker", "pair", "contact"];
+    same(&schema, &contact, Contact::PROPERTIES, &of_contacts);
     let from = ["rocker", "pair", "contact", "from"];
     let [line, point] = ["line", "point"].map(|shape| [&from[..], &[shape]].concat());
     same(&schema, &line, LineContact::PROPERTIES, &[]);

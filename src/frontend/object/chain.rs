@@ -18,7 +18,7 @@ use super::position;
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, LoadSpec, PairSpec};
 use super::{Context, INPUT, Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use super::{cam_contact, stop};
-use crate::dynamics::model::{Closure, Coordinate, DampingLaw};
+use crate::dynamics::model::{Closure, ContactForm, Coordinate};
 use crate::frontend::read::{Bounds, Fields};
 use crate::kinematics::cam::CamGeometry;
 use crate::kinematics::position::PositionSpec;
@@ -266,7 +266,7 @@ fn read_pair(
             closure: Closure::Form,
             gap,
             opens: 1.0,
-            law: DampingLaw::KelvinVoigt,
+            form: ContactForm::default(),
             contact: None,
         };
     }

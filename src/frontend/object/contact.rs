@@ -1,77 +1,41 @@
 //! Contact elements.
 
 use super::contact_geometry::{self, Follows, Touching};
+use super::load::number;
 use super::measures::Measures;
 use super::spec::{ContactSpec, OnCamSpec};
+use crate::dynamics::laws::contact::{self as kinds, CONTACT_LAWS, ContactForceLaw};
 use crate::dynamics::model::ContactLaw;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::hertzian::ContactPressure;
 use serde_json::json;
 
-/// Names of the laws.
-#[derive(Clone, Copy, PartialEq)]
-enum Name {
-    Elastic,
-    KelvinVoigt,
-    HuntCrossley,
-    Hertz,
-    Restitution,
-}
-
-const LAWS: [(&str, Name); 5] = [
-    ("elastic", Name::Elastic),
-    ("kelvin_voigt", Name::KelvinVoigt),
-    ("hunt_crossley", Name::HuntCrossley),
-    ("hertz", Name::Hertz),
-    ("restitution", Name::Restitution),
-];
-
 /// Reads a contact element.
 pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
     slot.record(|fields| {
-        let unsaid = match fields.has("restitution") {
-            true => "restitution",
-            false => "elastic",
-        };
-        let law = fields.or(
-            "law",
-            "N over the indentation p and its rate: `elastic` k·p; `kelvin_voigt` k·p + damping·ṗ; \
-             `hunt_crossley` k·p·(1 + dissipation·ṗ); `hertz` K·p^(3/2)·(1 + dissipation·ṗ); \
-             `restitution` rigid, with impacts, which is the default where that is given.",
-            json!(unsaid),
-            |slot| slot.choice(&LAWS),
-        );
+        let law = law(fields);
         let from = fields.maybe(
             "from",
             "Geometry from which the stiffness follows, in its place.",
             |slot| contact_geometry::read(slot, own),
         );
-        let stiffness = fields.maybe(
-            "stiffness",
-            "Stiffness k of the contact; of `hertz` K, a bare number in N/m^(3/2) or N m/rad^(3/2); \
-             none of `restitution`",
-            |slot| match law {
-                // (Units have whole exponents.)
-                Some(Name::Hertz) => slot.number(Bounds::POSITIVE),
-                _ => slot.quantity(own.stiffness(), Bounds::POSITIVE),
-            },
-        );
-        let damping = fields.maybe("damping", "Damping of `kelvin_voigt`", |slot| {
-            slot.quantity(own.damping(), Bounds::NOT_NEGATIVE)
+        let of_power = law.is_some_and(ContactForceLaw::is_of_power);
+        let stiffness = fields.maybe("stiffness", &doc_of_stiffness(), |slot| match of_power {
+            // (Units have whole exponents.)
+            true => slot.number(Bounds::POSITIVE),
+            false => slot.quantity(own.stiffness(), Bounds::POSITIVE),
         });
-        let dissipation = fields.maybe(
-            "dissipation",
-            "χ of `hunt_crossley` and `hertz`, seconds per unit of indentation",
-            |slot| slot.quantity(own.time_per_displacement(), Bounds::NOT_NEGATIVE),
-        );
-        let restitution = fields.maybe(
-            "restitution",
-            "Coefficient of restitution e of a rigid contact: the speed after an impact over \
-             that before it",
-            |slot| slot.number(Bounds::between(0.0, 1.0)),
-        );
+        let mut numbers = Vec::new();
+        for (parameter, doc) in kinds::properties() {
+            let read = |slot: Slot<'_>| number(slot, parameter, own);
+            numbers.push((parameter.key, fields.maybe(parameter.key, &doc, read)));
+        }
         let stiffness = stiffness_of(fields, law?, from?, stiffness?);
-        let law = of_name(fields, law?, [damping?, dissipation?, restitution?]);
+        let numbers = numbers
+            .into_iter()
+            .map(|(key, value)| Some((key, value?)))
+            .collect::<Option<Vec<_>>>();
+        let law = with_numbers(fields, law?, &numbers?);
         let Stiffness {
             value: stiffness,
             on_cam,
@@ -86,6 +50,27 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
     })
 }
 
+/// Reads which law it is: without a name a rigid one, where its number is given.
+fn law(fields: &mut Fields<'_>) -> Option<&'static ContactForceLaw> {
+    let meant = CONTACT_LAWS
+        .iter()
+        .find(|law| law.is_rigid() && law.parameters.iter().all(|own| fields.has(own.key)));
+    let meant = meant.unwrap_or(&CONTACT_LAWS[0]).key;
+    let choices = CONTACT_LAWS.map(|law| (law.key, law));
+    fields.or("law", &kinds::doc_of_laws(), json!(meant), |slot| {
+        slot.choice(&choices)
+    })
+}
+
+fn doc_of_stiffness() -> String {
+    format!(
+        "Stiffness k of the contact; of {} K, a bare number in N/m^(3/2) or N m/rad^(3/2) where \
+         the exponent is 3/2; none of {}",
+        kinds::keys(ContactForceLaw::is_of_power, "`", "and"),
+        kinds::keys(ContactForceLaw::is_rigid, "`", "and")
+    )
+}
+
 /// A stiffness, and what follows from the same geometry.
 #[derive(Clone, Copy, Default)]
 struct Stiffness {
@@ -97,7 +82,7 @@ struct Stiffness {
 /// The stiffness as given, or from the geometry of a contact that has such a law.
 fn stiffness_of(
     fields: &mut Fields<'_>,
-    law: Name,
+    law: &ContactForceLaw,
     from: Option<Follows>,
     stiffness: Option<f64>,
 ) -> Option<Stiffness> {
@@ -108,14 +93,14 @@ fn stiffness_of(
     ) {
         return None;
     }
-    if law == Name::Restitution {
+    if law.is_rigid() {
         let mut sound = true;
         for (name, is_given) in [("stiffness", stiffness.is_some()), ("from", from.is_some())] {
             if is_given {
                 sound = false;
                 let message = format!("`{name}` has no meaning for a rigid contact");
                 let fault = fields.refuse(name, "contradiction", message);
-                let hint = format!("remove `{name}`, or `restitution`");
+                let hint = format!("remove `{name}`, or `{}`", law.key);
                 fault.hints.push(hint);
             }
         }
@@ -150,82 +135,53 @@ fn stiffness_of(
             (Touching::Line, open)
         }
     };
+    let laws = |quote| kinds::keys(ContactForceLaw::is_of_point, quote, "or");
     let (fits, message, hint) = match touching {
         Touching::Point => (
-            law == Name::Hertz,
-            "a contact in a point has the law `hertz`",
-            "set `law` to \"hertz\", or give a `line`",
+            law.is_of_point(),
+            format!("a contact in a point has the law {}", laws("`")),
+            format!("set `law` to {}, or give a `line`", laws("\"")),
         ),
         Touching::Line => (
-            law != Name::Hertz,
-            "the law `hertz` is that of a contact in a point",
-            "give a `point`, or another `law`",
+            !law.is_of_power(),
+            format!("the law `{}` is that of a contact in a point", law.key),
+            "give a `point`, or another `law`".to_owned(),
         ),
     };
     if !fits {
         let fault = fields.refuse("from", "contradiction", message);
-        fault.hints.push(hint.to_owned());
+        fault.hints.push(hint);
         return None;
     }
     Some(found)
 }
 
-/// The law with its loss; each takes only one sort.
-fn of_name(
+/// The law with its numbers; each takes only its own.
+fn with_numbers(
     fields: &mut Fields<'_>,
-    law: Name,
-    [damping, dissipation, restitution]: [Option<f64>; 3],
+    law: &'static ContactForceLaw,
+    numbers: &[(&'static str, Option<f64>)],
 ) -> Option<ContactLaw> {
-    let named = LAWS.iter().find(|(_, name)| *name == law);
-    let named = named.map_or("", |(name, _)| name);
     let mut sound = true;
-    let wanted = [
-        ("damping", damping, law == Name::KelvinVoigt, "kelvin_voigt"),
-        (
-            "dissipation",
-            dissipation,
-            matches!(law, Name::HuntCrossley | Name::Hertz),
-            "hunt_crossley",
-        ),
-        (
-            "restitution",
-            restitution,
-            law == Name::Restitution,
-            "restitution",
-        ),
-    ];
-    for (name, value, taken, other) in wanted {
-        if value.is_some() && !taken {
-            sound = false;
-            let message = format!("`{name}` has no meaning for the contact law `{named}`");
-            let fault = fields.refuse(name, "contradiction", message);
-            let hint = format!("set `law` to \"{other}\", or remove `{name}`");
+    let has = |law: &ContactForceLaw, key| law.parameters.iter().any(|own| own.key == key);
+    let strange = |(key, value): &&(&'static str, Option<f64>)| value.is_some() && !has(law, *key);
+    for &(key, _) in numbers.iter().filter(strange) {
+        sound = false;
+        let message = format!("`{key}` has no meaning for the contact law `{}`", law.key);
+        let fault = fields.refuse(key, "contradiction", message);
+        if let Some(other) = CONTACT_LAWS.iter().find(|law| has(law, key)) {
+            let hint = format!("set `law` to \"{}\", or remove `{key}`", other.key);
             fault.hints.push(hint);
         }
     }
-    let needed = match law {
-        Name::KelvinVoigt if damping.is_none() => Some("damping"),
-        Name::HuntCrossley if dissipation.is_none() => Some("dissipation"),
-        Name::Restitution if restitution.is_none() => Some("restitution"),
-        _ => None,
-    };
-    if let Some(needed) = needed {
-        fields.lack(needed, Some(format!("the law `{named}` needs it")));
-        return None;
+    let mut values = Vec::new();
+    for own in law.parameters {
+        let given = numbers.iter().find(|(key, _)| *key == own.key);
+        let Some(value) = given.and_then(|(_, value)| *value).or(own.usual) else {
+            fields.lack(own.key, Some(format!("the law `{}` needs it", law.key)));
+            return None;
+        };
+        values.push(value);
     }
-    sound.then(|| match law {
-        Name::Elastic => ContactLaw::Elastic,
-        Name::KelvinVoigt => ContactLaw::KelvinVoigt {
-            damping: damping.unwrap_or(0.0),
-        },
-        Name::HuntCrossley => ContactLaw::HuntCrossley {
-            dissipation: dissipation.unwrap_or(0.0),
-        },
-        Name::Hertz => ContactLaw::Hertz {
-            dissipation: dissipation.unwrap_or(0.0),
-        },
-        Name::Restitution => ContactLaw::Restitution {
-            coefficient: restitution.unwrap_or(0.0),
-        },
-    })
+    sound.then(|| ContactLaw::new(law, values))
 }

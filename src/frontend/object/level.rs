@@ -2,7 +2,7 @@
 
 use super::spec::{BodySpec, ChainSpec, ContactSpec, LoadLawSpec, Lumping, MassChoice};
 use crate::dynamics::builder::{
-    BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED, INSTEAD_OF_STATIC, STATIC_BEHIND_A_CURVE,
+    BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED, STATIC_BEHIND_A_CURVE, instead_of_static,
 };
 use crate::dynamics::model::Closure;
 use crate::frontend::read::Fields;
@@ -102,12 +102,12 @@ impl Lumped {
 /// Refuses what does not go with the driving pair. `None`: refused.
 pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
     let curved =
-        |contact: ContactSpec| !contact.law.is_rigid() && !contact.law.has_static_stiffness();
+        |contact: ContactSpec| !contact.law.is_rigid() && !contact.law.declaration().is_linear();
     if matches!(chain.body, BodySpec::Modes { modes: 0, .. })
         && chain.pair.contact.is_some_and(curved)
     {
         let fault = fields.refuse("flexibility", "contradiction", STATIC_BEHIND_A_CURVE);
-        fault.hints.push(INSTEAD_OF_STATIC.to_owned());
+        fault.hints.push(instead_of_static());
         return None;
     }
     let rigid = chain

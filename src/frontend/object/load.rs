@@ -292,25 +292,30 @@ fn weight(slot: Slot<'_>) -> Option<LoadLawSpec> {
     })
 }
 
+/// Reads a number of a law that the library declares.
+pub(super) fn number(slot: Slot<'_>, parameter: &Parameter, own: Measures) -> Option<f64> {
+    let bounds = match parameter.domain {
+        Domain::Any => Bounds::ANY,
+        Domain::NotNegative => Bounds::NOT_NEGATIVE,
+        Domain::Positive => Bounds::POSITIVE,
+        Domain::NotZero => Bounds::NOT_ZERO,
+        Domain::UpToOne => Bounds::up_to(1.0),
+        Domain::Between(from, to) => Bounds::between(from, to),
+    };
+    let wanted = match parameter.measure {
+        Measure::Force => own.force(),
+        Measure::Stiffness => own.stiffness(),
+        Measure::Damping => own.damping(),
+        Measure::Speed => own.speed(),
+        Measure::TimePerDisplacement => own.time_per_displacement(),
+        Measure::Number => return slot.number(bounds),
+    };
+    slot.quantity(wanted, bounds)
+}
+
 /// Reads the numbers of a law that the library declares.
 pub(super) fn declared(slot: Slot<'_>, law: &'static ForceLaw, own: Measures) -> Option<Declared> {
-    let number = |slot: Slot<'_>, parameter: &Parameter| {
-        let bounds = match parameter.domain {
-            Domain::Any => Bounds::ANY,
-            Domain::NotNegative => Bounds::NOT_NEGATIVE,
-            Domain::Positive => Bounds::POSITIVE,
-            Domain::NotZero => Bounds::NOT_ZERO,
-            Domain::UpToOne => Bounds::up_to(1.0),
-        };
-        let wanted = match parameter.measure {
-            Measure::Force => own.force(),
-            Measure::Stiffness => own.stiffness(),
-            Measure::Damping => own.damping(),
-            Measure::Speed => own.speed(),
-            Measure::Number => return slot.number(bounds),
-        };
-        slot.quantity(wanted, bounds)
-    };
+    let number = |slot: Slot<'_>, parameter: &Parameter| number(slot, parameter, own);
     let values = match law.parameters {
         [alone] if alone.key.is_empty() => vec![number(slot, alone)?],
         several => slot.record(|fields| {

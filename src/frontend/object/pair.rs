@@ -3,7 +3,8 @@
 use super::contact;
 use super::measures::Measures;
 use super::spec::{ContactSpec, PairSpec};
-use crate::dynamics::model::{Closure, ContactLaw, DampingLaw};
+use crate::dynamics::laws::contact::{CONTACT_LAWS, ContactForceLaw, keys, law_of_link};
+use crate::dynamics::model::{Closure, ContactForm, Loss};
 use crate::frontend::read::{Bounds, Fields, Slot};
 use serde_json::json;
 
@@ -40,7 +41,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
             json!("+"),
             |slot| slot.choice(&[("+", 1.0), ("-", -1.0)]),
         );
-        let law = fields.or("law", "Law of the contact force.", json!("kelvin_voigt"), |slot| {
+        let law = fields.or("law", "Law of the contact force: `kelvin_voigt` c·p + b·ṗ, `hunt_crossley` c·p·(1 + κ·ṗ); c and b of link 1.", json!(law_of_link(Loss::Damper).key), |slot| {
             law(slot, own)
         });
         let contact = fields.maybe(
@@ -57,30 +58,27 @@ pub(super) fn read(slot: Slot<'_>, own: Measures, default: Closure) -> Option<Pa
             closure,
             gap: gap?,
             opens: opens?,
-            law,
+            form: ContactForm::Proportional(law),
             contact,
         };
         check(fields, &pair)
     })
 }
 
-fn law(slot: Slot<'_>, own: Measures) -> Option<DampingLaw> {
-    let names = [
-        ("kelvin_voigt", DampingLaw::KelvinVoigt),
-        ("hunt_crossley", DampingLaw::HuntCrossley { kappa: None }),
-    ];
+fn law(slot: Slot<'_>, own: Measures) -> Option<Loss> {
+    let of_link = |law: &&ContactForceLaw| Some((law.key, law.pair_loss?));
+    let names: Vec<_> = CONTACT_LAWS.iter().filter_map(of_link).collect();
+    let with_factor = law_of_link(Loss::FactorOfDamper).key;
     slot.object_or(
         |slot| {
             slot.record(|fields| {
-                fields.need("hunt_crossley", "N = c·p·max(0, 1 + κ·ṗ)", |slot| {
+                fields.need(with_factor, "N = c·p·max(0, 1 + κ·ṗ)", |slot| {
                     slot.record(|fields| {
                         let kappa =
                             fields.need("kappa", "κ, seconds per unit of penetration", |slot| {
                                 slot.quantity(own.time_per_displacement(), Bounds::NOT_NEGATIVE)
                             });
-                        Some(DampingLaw::HuntCrossley {
-                            kappa: Some(kappa?),
-                        })
+                        Some(Loss::Factor(kappa?))
                     })
                 })
             })
@@ -107,16 +105,14 @@ fn check(fields: &mut Fields<'_>, pair: &PairSpec) -> Option<PairSpec> {
     if pair.opens < 0.0 && pair.closure != Closure::Force {
         refuse("opens", "\"force\"");
     }
-    if pair.law != DampingLaw::KelvinVoigt && pair.closure == Closure::Bilateral {
+    if !pair.form.is_linear() && pair.closure == Closure::Bilateral {
         refuse("law", "\"force\" or \"form\"");
     }
-    let nonlinear = |contact: &ContactSpec| {
-        let law = contact.law;
-        !matches!(law, ContactLaw::Elastic | ContactLaw::KelvinVoigt { .. })
-    };
+    let nonlinear = |contact: &ContactSpec| !contact.law.declaration().is_linear();
     if pair.contact.as_ref().is_some_and(nonlinear) && pair.closure == Closure::Bilateral {
         sound = false;
-        let message = "a bilateral pair takes the contact laws `elastic` and `kelvin_voigt` alone";
+        let laws = keys(|law| law.is_linear(), "`", "and");
+        let message = format!("a bilateral pair takes the contact laws {laws} alone");
         let fault = fields.refuse("contact", "contradiction", message);
         let hint = "set `closure` to \"force\" or \"form\", or give another law";
         fault.hints.push(hint.to_owned());

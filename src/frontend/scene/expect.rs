@@ -191,6 +191,8 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
     let most = fields.maybe("at_most", doc, number);
     let doc = "Least value that the figure may have, in place of `value`";
     let least = fields.maybe("at_least", doc, number);
+    let doc = "Least and greatest value that the figure may have: both ends of a range in one";
+    let between = fields.maybe("between", doc, |slot| slot.pair(number, number));
     let within = fields.maybe(
         "within",
         "Greatest difference to `value` or `time`, which need it: a number, or a text such as \"0.1 %\" of the value",
@@ -205,11 +207,27 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
     );
     let source = fields.maybe("source", "Where the figure comes from.", |slot| slot.text());
     let (about, value, time, within) = (about?, value?, time?, within?);
-    let (least, most) = (least?, most?);
-    let bounded = [("at_least", least), ("at_most", most)];
-    let bounded = bounded
-        .into_iter()
-        .find_map(|(name, end)| end.map(|_| name));
+    let (least, most, between) = (least?, most?, between?);
+    let bounded = [
+        ("at_least", least.is_some()),
+        ("at_most", most.is_some()),
+        ("between", between.is_some()),
+    ];
+    let bounded: Vec<&str> = (bounded.iter())
+        .filter_map(|(name, given)| given.then_some(*name))
+        .collect();
+    if let (Some(_), [name, "between"] | ["at_least", name, "between"]) =
+        (between, bounded.as_slice())
+    {
+        let message = format!("`between` says both ends: `{name}` says one again");
+        fields.refuse("between", "contradiction", message);
+        return None;
+    }
+    let bounded = bounded.first().copied();
+    let (least, most) = match between {
+        Some((least, most)) => (Some(least), Some(most)),
+        None => (least, most),
+    };
     let what = match about {
         About::Figure(figure, _) if bounded.is_some() => {
             let stray = [
@@ -218,9 +236,10 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
                 ("time", time.is_some()),
             ];
             for (name, _) in stray.into_iter().filter(|(_, given)| *given) {
-                let message = format!("`{name}` does not go with `at_most` and `at_least`");
+                let message =
+                    format!("`{name}` does not go with `at_most`, `at_least` and `between`");
                 fields.refuse(name, "contradiction", message).hints.push(
-                    "write `value` and `within`, or `at_least`, `at_most` or both".to_owned(),
+                    "write `value` and `within`, or `at_least`, `at_most` or `between`".to_owned(),
                 );
             }
             if stray.iter().any(|(_, given)| *given) {
@@ -229,8 +248,17 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
             if let (Some(least), Some(most)) = (least, most)
                 && least > most
             {
-                let message = "`at_least` is greater than `at_most`: no value is both";
-                fields.refuse("at_least", "contradiction", message);
+                let (name, message) = match between {
+                    Some(_) => (
+                        "between",
+                        "the first value is greater than the second: nothing is between",
+                    ),
+                    None => (
+                        "at_least",
+                        "`at_least` is greater than `at_most`: no value is both",
+                    ),
+                };
+                fields.refuse(name, "contradiction", message);
                 return None;
             }
             Expected::Figure {
@@ -277,7 +305,8 @@ fn given(
     if let Some(stray) = stray {
         let message = format!("`{stray}` does not belong here");
         fields.refuse(stray, "contradiction", message).hints.push(
-            "`value`, `at_most` and `at_least` go with `figure`, `time` with `stops`".to_owned(),
+            "`value`, `at_most`, `at_least` and `between` go with `figure`, `time` with `stops`"
+                .to_owned(),
         );
         return None;
     }
@@ -300,7 +329,7 @@ fn needed(fields: &mut Fields<'_>, within: Option<Within>) -> Option<Within> {
         let fault = fields.refuse("within", "missing-property", message);
         fault.label = "`within` is missing".to_owned();
         fault.hints.push(
-            "say by how much it may differ; or write `at_most` or `at_least` in place of `value`"
+            "say by how much it may differ; or write `at_most`, `at_least` or `between` in place of `value`"
                 .to_owned(),
         );
     }

@@ -5,7 +5,7 @@ use crate::kinematics::cam::closing::LetsGo;
 use crate::kinematics::cam::sizing::BaseRange;
 use crate::kinematics::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
 use crate::report::findings::{Figure, Value};
-use crate::report::quantity::{DIGITS, significant, with_unit};
+use crate::report::quantity::{DIGITS, result, significant, with_unit};
 use crate::studies::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
 use crate::studies::law::LiftOff;
 use std::f64::consts::TAU;
@@ -196,11 +196,7 @@ fn ranges(answer: &Answer<Vec<BaseRange>>) -> String {
 }
 
 pub(super) fn rpm(speed: f64) -> String {
-    format!(
-        "{} rpm ({} rad/s)",
-        significant(speed * 60.0 / TAU, DIGITS),
-        significant(speed, DIGITS)
-    )
+    format!("{} rpm", result(speed * 60.0 / TAU, DIGITS))
 }
 
 fn force_rows(rows: &mut Rows, force: &ForceFigures) {

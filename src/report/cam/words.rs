@@ -1,14 +1,14 @@
 //! Places and lengths of a cam in words.
 
 use crate::kinematics::cam::At;
-use crate::report::quantity::{DIGITS, significant, with_unit};
+use crate::report::quantity::{DIGITS, result, with_unit};
 
 pub(super) fn angle_at(at: At) -> String {
     format!("{} at {}", degrees(at.value), degrees(at.phi))
 }
 
 pub(super) fn degrees(angle: f64) -> String {
-    format!("{} deg", significant(clean(angle.to_degrees()), DIGITS))
+    format!("{} deg", result(clean(angle.to_degrees()), DIGITS))
 }
 
 pub(super) fn length(value: f64) -> String {

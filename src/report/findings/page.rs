@@ -3,7 +3,7 @@
 use super::{Cell, Charts, Figure, Findings, Item, Layout, Section, Table, Value};
 use crate::report::html::{bar, fact_list, header, number, scene, shell, warnings};
 use crate::report::plot::{Plot, Plots};
-use crate::report::quantity::{escape, raised};
+use crate::report::quantity::{coded, escape, raised};
 use std::fmt::Write as _;
 
 /// Width of a chart over the whole page, of one of two beside each other, of a round one (pixels).
@@ -17,8 +17,7 @@ impl Findings<'_> {
     /// The page.
     pub fn page(&self) -> String {
         let mut plots = Plots::default();
-        let mut body = header(&self.title, &self.subtitle, self.answer.as_ref());
-        body.push_str("<main>\n");
+        let mut body = String::new();
         body.push_str(&warnings(&self.warnings));
         for section in self.sections.iter().filter(|section| !section.is_empty()) {
             body.push_str(&section.html(&mut plots));
@@ -26,8 +25,10 @@ impl Findings<'_> {
         if let Some(text) = self.source.scene {
             body.push_str(&scene(text));
         }
-        body.push_str("</main>\n");
-        body.push_str(&self.footer());
+        let (body, contents) = with_contents(&body);
+        let header = header(&self.title, &self.subtitle, self.answer.as_ref());
+        let footer = self.footer();
+        let body = format!("{header}<main>\n{contents}{body}</main>\n{footer}");
         shell(&self.title, &body, &plots.json())
     }
 
@@ -105,7 +106,31 @@ fn list(notes: &[String]) -> String {
 
 /// A sentence.
 fn prose(words: &str) -> String {
-    escape(&raised(words))
+    coded(&escape(&raised(words)))
+}
+
+/// Headings of a page from which on it has a list of them.
+const FEW: usize = 4;
+
+/// The body with names for its headings to be jumped to, and the list of these.
+fn with_contents(body: &str) -> (String, String) {
+    let mut parts = body.split("<h2>");
+    let mut named = parts.next().unwrap_or_default().to_owned();
+    let mut list = String::new();
+    let mut count = 0;
+    for part in parts {
+        count += 1;
+        let _ = write!(named, "<h2 id=\"section-{count}\">{part}");
+        let heading = part.split('<').next().unwrap_or_default().trim_end();
+        let _ = write!(list, "<a href=\"#section-{count}\">{heading}</a> ");
+    }
+    match count {
+        FEW.. => (
+            named,
+            format!("<nav class=\"contents\">{}</nav>\n", list.trim_end()),
+        ),
+        _ => (body.to_owned(), String::new()),
+    }
 }
 
 fn facts(figures: &[Figure]) -> String {

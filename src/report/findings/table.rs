@@ -1,5 +1,6 @@
 //! Values, figures and tables of findings.
 
+use crate::report::display_units;
 use crate::report::quantity::{scale, significant, with_unit};
 use crate::studies::check::Check;
 use crate::units::shown;
@@ -67,7 +68,7 @@ impl Value {
                     true => (*value, unit),
                     false => (value / scale.factor, &scale.unit),
                 };
-                format!("{} {unit}", shown(number, *digits))
+                format!("{} {unit}", shown(number, display_units::digits(*digits)))
                     .trim_end()
                     .to_owned()
             }

@@ -7,6 +7,7 @@ pub(in crate::report) mod player;
 pub mod runs;
 
 use crate::report::diagram::Diagram;
+use crate::report::display_units;
 use crate::report::mechanism;
 use crate::report::plot::{Plots, page::SCRIPT, palette};
 use crate::report::quantity::{escape, scale, significant};
@@ -147,7 +148,7 @@ pub(in crate::report) fn number(value: f64, unit: &str, digits: usize) -> String
     format!(
         "<span title=\"{value} {}\">{}{joint}<span class=\"unit\">{}</span></span>",
         escape(unit),
-        significant(value / shown.factor, digits),
+        significant(value / shown.factor, display_units::digits(digits)),
         escape(&shown.unit)
     )
 }

@@ -2,7 +2,8 @@
 
 use super::player::Coordinates;
 use crate::dynamics::record::{Column, Quantity, Record};
-use crate::report::plot::{Band, Plot, Plots, Series};
+use crate::report::abscissa::Abscissa;
+use crate::report::plot::{Axis, Band, Plot, Plots, Series};
 use crate::report::quantity::{escape, with_unit};
 
 /// Samples of a run under a label.
@@ -12,6 +13,8 @@ pub struct RunSeries<'a> {
     pub label: String,
     /// Samples of the run.
     pub record: &'a Record,
+    /// What they are drawn over.
+    pub over: &'a Abscissa,
 }
 
 /// Quantities in the order they are shown, with their names on the plots.
@@ -39,19 +42,23 @@ pub fn chart(
     let columns = columns(runs, object, quantity);
     let unit = columns.first()?.1.unit;
     let series = columns.iter().map(|&(run, column)| {
-        let points = runs[run].record.times.iter().copied();
+        let RunSeries {
+            label,
+            record,
+            over,
+        } = &runs[run];
         Series {
             style: Some(run),
-            ..Series::line(
-                &runs[run].label,
-                points.zip(column.values.iter().copied()).collect(),
-            )
+            ..Series::line(label, over.curve(record, &column.values))
         }
     });
-    let bands = runs.iter().enumerate().map(|(run, one)| Band {
-        label: String::new(),
-        spans: open(one.record, object, most_spans(runs)).spans,
-        series: (runs.len() > 1).then_some(run),
+    let bands = runs.iter().enumerate().map(|(run, one)| {
+        let band = Band {
+            label: String::new(),
+            spans: open(one.record, object, most_spans(runs)).spans,
+            series: (runs.len() > 1).then_some(run),
+        };
+        one.over.band(one.record, band)
     });
     let mut bands: Vec<Band> = bands.collect();
     if bands.iter().all(|band| band.spans.is_empty()) {
@@ -60,7 +67,8 @@ pub fn chart(
     Some(Plot {
         id: format!("{object}.{quantity}"),
         title: title.to_owned(),
-        y: crate::report::plot::Axis::of(unit),
+        x: runs.first()?.over.axis(),
+        y: Axis::of(unit),
         series: series.collect(),
         bands,
         ..Plot::default()

@@ -13,11 +13,11 @@ const numbers = (() => {
 
   // As `scale` of quantity.rs: small prefixes of a kilogram stand before the gram.
   function scaleFor(magnitude, unit) {
-    const own = preferred(unit);
+    const own = preferred(unit, magnitude);
     if (own) return own;
     if (!(magnitude > 0) || !isFinite(magnitude) || !unit || unit.startsWith("1")) return { factor: 1, unit };
     let exponent = Math.floor((Math.log10(magnitude) + 1e-9) / 3) * 3;
-    const first = unit.split(/[ /]/)[0], gram = first === "kg", all = TAKE_ALL.includes(first);
+    const first = unit.split(/[ /]/)[0], gram = unit === "kg", all = TAKE_ALL.includes(first);
     const some = all || gram || TAKE_SMALL.includes(first);
     if ((!all && exponent === 3) || (!some && exponent === -3)) exponent = 0;
     const factor = 10 ** exponent;
@@ -42,9 +42,12 @@ const numbers = (() => {
     return `${significant(value / scale.factor, digits)}${scale.unit.startsWith("10") ? "·" : " "}${scale.unit}`.trim();
   }
 
-  function ticks(low, high, count) {
+  // Parts of a turn that angles are counted in (degrees).
+  const PARTS = [10, 15, 30, 60, 90, 180, 360];
+  function ticks(low, high, count, unit) {
     const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
-    const step = ([1, 2, 5].find((f) => raw <= f * power * (1 + 1e-9)) || 10) * power;
+    const part = unit === "deg" && raw > 5 ? PARTS.find((part) => raw <= part * (1 + 1e-9)) : undefined;
+    const step = part || ([1, 2, 5].find((f) => raw <= f * power * (1 + 1e-9)) || 10) * power;
     const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
     const decimals = Math.min(17, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
     const list = [];
@@ -66,9 +69,9 @@ const numbers = (() => {
   // As `ticks` of scale.rs: [place on the axis, label, class] of every tick; places are logarithms of a log axis.
   function marksOf(axis, ends, pixels, pitch) {
     if (axis.rows.length) return axis.rows.map((name, row) => [row + 0.5, name, "gridline"]);
-    const { factor } = shown(axis, ends), count = Math.floor(Math.max(2, pixels / pitch));
+    const { factor, unit } = shown(axis, ends), count = Math.floor(Math.max(2, pixels / pitch));
     const low = Math.min(...ends), high = Math.max(...ends);
-    if (!axis.log) return ticks(low / factor, high / factor, count).map(([v, label]) => [v * factor, label, v === 0 ? "zero" : "gridline"]);
+    if (!axis.log) return ticks(low / factor, high / factor, count, unit).map(([v, label]) => [v * factor, label, v === 0 ? "zero" : "gridline"]);
     const decades = high - low;
     if (decades < 0.7) return ticks(10 ** low / factor, 10 ** high / factor, count).map(([v, label]) => [Math.log10(v * factor), label, "gridline"]);
     const every = Math.max(1, Math.ceil(decades / count)), some = 3 * decades <= 1.6 * count, list = [];

@@ -2,6 +2,7 @@
 
 use super::frame::{Frame, plane};
 use super::{Axis, LineStyle, Plot, Shape, coordinate};
+use crate::report::display_units::DisplayUnits;
 use crate::report::quantity::escape;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -182,7 +183,14 @@ impl Plots {
 
     /// The columns and the charts as JSON that cannot end the element it stands in.
     pub fn json(&self) -> String {
-        let document = json!({ "columns": self.columns, "plots": self.plots });
+        let mut document = json!({ "columns": self.columns, "plots": self.plots });
+        let units = DisplayUnits::chosen();
+        if !units.is_empty() {
+            let units = units
+                .into_iter()
+                .map(|(si, name, size)| (si.to_owned(), json!([size, name])));
+            document["units"] = units.collect::<serde_json::Map<_, _>>().into();
+        }
         document.to_string().replace('<', "\\u003c")
     }
 }

@@ -5,6 +5,11 @@
 // A page has its numbers in it; the studio brings them later, again and again (`live`);
 // numbers are written by numbers.js, which stands before.
 const page = JSON.parse((document.getElementById("data") || { textContent: '{"columns":[],"plots":[]}' }).textContent);
+// The units in which the scene states its quantities, where numbers are read easily in them.
+if (page.units) numbers.prefer((unit, magnitude) => {
+  const [factor, name] = page.units[unit] ?? [];
+  return name && (magnitude === 0 || (magnitude / factor >= 1e-3 && magnitude / factor < 1e5)) ? { factor, unit: name } : undefined;
+});
 // Words beside the pointer; none hides them.
 const pointed = (() => {
   const tip = Object.assign(document.createElement("div"), { className: "tip", hidden: true });

@@ -95,7 +95,11 @@ impl Scale {
         if self.log {
             return self.powers(low, high, count);
         }
-        let found = ticks(low / self.factor, high / self.factor, count);
+        let ends = [low / self.factor, high / self.factor];
+        let found = match self.unit.as_str() {
+            "deg" => angle_ticks(ends, count),
+            _ => ticks(ends[0], ends[1], count),
+        };
         let tick = |&value: &f64| Tick {
             share: self.share(value * self.factor),
             label: found.label(value),
@@ -195,7 +199,7 @@ pub(super) fn thinned(mut list: Vec<Tick>, pixels: f64, gap: f64) -> Vec<Tick> {
 }
 
 /// Round tick values that lie within an axis.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(in crate::report) struct Ticks {
     /// Ascending values.
     pub(in crate::report) values: Vec<f64>,
@@ -207,25 +211,38 @@ pub(in crate::report) struct Ticks {
 /// `high`, about `count` of them. Empty for an axis without extent.
 pub(in crate::report) fn ticks(low: f64, high: f64, count: usize) -> Ticks {
     let span = high - low;
-    let none = Ticks {
-        values: Vec::new(),
-        decimals: 0,
-    };
     if !(span.is_finite() && span > 0.0) {
-        return none;
+        return Ticks::default();
     }
-    let step = round_step(span / count.max(1) as f64);
+    at_steps([low, high], round_step(span / count.max(1) as f64))
+}
+
+/// Ticks at the multiples of a step.
+fn at_steps([low, high]: [f64; 2], step: f64) -> Ticks {
     let (first, last) = ((low / step - 1e-9).ceil(), (high / step + 1e-9).floor());
     // Far from zero a tiny span is below the resolution of the numbers; a short axis may have no
     // round value on it.
     if step <= 0.0 || !(0.0..=1000.0).contains(&(last - first)) {
-        return none;
+        return Ticks::default();
     }
     let values = (0..=(last - first) as usize)
         .map(|index| (first + index as f64) * step)
         .collect();
     let decimals = (-(step.log10() + 1e-9).floor()).clamp(0.0, 17.0) as usize;
     Ticks { values, decimals }
+}
+
+/// Parts of a turn that angles are counted in (degrees), where 1, 2 and 5 are too few.
+const PARTS: [f64; 7] = [10.0, 15.0, 30.0, 60.0, 90.0, 180.0, 360.0];
+
+/// Ticks of an angle in degrees: from 10 deg on they are parts of a turn.
+fn angle_ticks([low, high]: [f64; 2], count: usize) -> Ticks {
+    let raw = (high - low) / count.max(1) as f64;
+    let part = PARTS.iter().find(|part| raw <= **part * (1.0 + 1e-9));
+    match part.filter(|_| raw > 5.0) {
+        Some(&step) => at_steps([low, high], step),
+        None => ticks(low, high, count),
+    }
 }
 
 /// 1, 2 or 5 times a power of ten, at least `raw`.

@@ -5,6 +5,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 
+use super::abscissa::Abscissa;
 use super::accuracy;
 use super::diagram::{Diagram, ObjectBox};
 use super::findings::{Cell, Findings, Item, Section, Source, Table, Value};
@@ -34,6 +35,8 @@ pub struct RunReport<'a> {
     pub certificate: Option<&'a Certificate>,
     /// How far the figures move under a tiny change, where that was asked.
     pub spread: Option<&'a Spread>,
+    /// What the charts are drawn over.
+    pub over: &'a Abscissa,
 }
 
 /// The findings of one run.
@@ -62,7 +65,8 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
     }
     sections.extend(report.spread.map(spread));
     let boxes = diagram.boxes.iter();
-    sections.extend(boxes.map(|one| object(one, Rc::clone(&record))));
+    let over = report.over;
+    sections.extend(boxes.map(|one| object(one, Rc::clone(&record), over)));
     sections.push(switches(report.record, figures));
     sections.push(Section::new("Run").figures(tables::statistics(figures)));
     sections.retain(has_rows);
@@ -144,12 +148,13 @@ fn has_rows(section: &Section<'_>) -> bool {
 }
 
 /// The motion of an object.
-fn object<'a>(one: &'a ObjectBox, record: Rc<Record>) -> Section<'a> {
+fn object<'a>(one: &'a ObjectBox, record: Rc<Record>, over: &'a Abscissa) -> Section<'a> {
     Section::default().drawing(move |plots| {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
         let series = [RunSeries {
             label: String::new(),
             record: &record,
+            over,
         }];
         runs::section(plots, &series, &one.id, &kind)
     })

@@ -1,5 +1,6 @@
 use super::{RunReport, findings};
 use crate::dynamics::record::SwitchRow;
+use crate::report::abscissa::Abscissa;
 use crate::report::diagram::Diagram;
 use crate::report::findings::Source;
 use crate::report::fixture;
@@ -14,6 +15,7 @@ fn rendered(
     change(&mut figures, &mut record);
     let (diagram, model) = (Diagram::of(&fixture::rocker(2)), fixture::rocker(2));
     let report = RunReport {
+        over: &Abscissa::Time,
         figures: &figures,
         record: &record,
         diagram: &diagram,

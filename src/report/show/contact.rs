@@ -1,7 +1,7 @@
 //! Contact elements in words.
 
 use super::units;
-use crate::dynamics::model::{ContactLaw, Coordinate, ObjectPart};
+use crate::dynamics::model::{ContactForm, ContactLaw, Coordinate, ObjectPart};
 use crate::report::quantity::significant;
 
 /// Name of what the first link of an object joins.
@@ -20,35 +20,36 @@ pub(super) fn summary(object: &ObjectPart) -> String {
     summary_of(contact.law, contact.stiffness, object.coordinate)
 }
 
-/// Law and numbers of a contact.
+/// Law and numbers of a contact; of numbers with a default, those that differ from it.
 pub(super) fn summary_of(law: ContactLaw, stiffness: f64, coordinate: Coordinate) -> String {
-    let unit = units(coordinate);
-    let number = |value: f64| significant(value, 6);
-    let of_point = stiffness;
-    let stiffness = format!("k = {} {}", number(stiffness), unit.stiffness);
-    let dissipation = |chi: f64| match chi {
-        0.0 => String::new(),
-        chi => format!(", χ = {} s/{}", number(chi), unit.displacement),
+    let mut words = format!("contact, {}", law.declaration().name);
+    let mut add = |letter: &str, value: f64, unit: &str| {
+        let number = format!(", {letter} = {} {unit}", significant(value, 6));
+        words.push_str(number.trim_end());
     };
-    match law {
-        ContactLaw::Restitution { coefficient } => {
-            format!("contact, rigid, e = {}", number(coefficient))
-        }
-        ContactLaw::Elastic => format!("contact, elastic, {stiffness}"),
-        ContactLaw::KelvinVoigt { damping } => format!(
-            "contact, Kelvin–Voigt, {stiffness}, b = {} {}",
-            number(damping),
-            unit.damping
-        ),
-        ContactLaw::HuntCrossley { dissipation: chi } => {
-            format!("contact, Hunt–Crossley, {stiffness}{}", dissipation(chi))
-        }
-        ContactLaw::Hertz { dissipation: chi } => format!(
-            "contact, Hertz, k = {} {}/{}^(3/2){}",
-            number(of_point),
+    if !law.is_rigid() {
+        add("k", stiffness, &unit_of_stiffness(law.form(), coordinate));
+    }
+    for (own, value) in law
+        .parameters()
+        .filter(|(own, value)| own.usual != Some(*value))
+    {
+        add(own.letter.0, value, units(coordinate).of(own.measure));
+    }
+    words
+}
+
+/// Unit of the stiffness of a force of a form: N/m, or N/m^(3/2).
+pub(super) fn unit_of_stiffness(form: ContactForm, coordinate: Coordinate) -> String {
+    let unit = units(coordinate);
+    match form.exponent() {
+        1.0 => unit.stiffness.to_owned(),
+        1.5 => format!("{}/{}^(3/2)", unit.force, unit.displacement),
+        n => format!(
+            "{}/{}^({})",
             unit.force,
             unit.displacement,
-            dissipation(chi)
+            significant(n, 6)
         ),
     }
 }

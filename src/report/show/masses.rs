@@ -2,8 +2,9 @@
 
 use super::linkages::{linkages, multi_linkages};
 use super::{contact, equations, load_word, units};
+use crate::dynamics::laws::contact::law_of_link;
 use crate::dynamics::model::{
-    Closure, DampingLaw, LinkBase, Model, NodeMotion, OUTPUT, ObjectPart, Pair, STOP,
+    Closure, LinkBase, Loss, Model, NodeMotion, OUTPUT, ObjectPart, STOP,
 };
 use crate::report::diagram::pair;
 use crate::report::findings::Table;
@@ -170,13 +171,7 @@ fn pairs(model: &Model) -> Table {
     };
     for object in objects(model).filter(|one| !one.is_drive() && one.kind != STOP && !linkage(one))
     {
-        let bilateral = Pair {
-            closure: Closure::Bilateral,
-            gap: 0.0,
-            opens: 1.0,
-            law: DampingLaw::KelvinVoigt,
-        };
-        let pair = pair(model, object).copied().unwrap_or(bilateral);
+        let pair = pair(model, object).copied().unwrap_or_default();
         let unit = units(object.coordinate).displacement;
         let (closure, gap, opens) = match pair.closure {
             Closure::Bilateral => ("bilateral", "–".to_owned(), "never"),
@@ -191,18 +186,12 @@ fn pairs(model: &Model) -> Table {
             ),
             Closure::Form => ("form", with_unit(pair.gap, unit, 6), "in the gap"),
         };
-        let law = match (pair.law, object.links.is_empty()) {
+        let law = match pair.form.loss() {
             _ if object.contact.is_some() => contact::summary(object),
-            (_, true) => "rigid".to_owned(),
-            (DampingLaw::KelvinVoigt, _) => "Kelvin–Voigt".to_owned(),
-            (DampingLaw::HuntCrossley { kappa: Some(kappa) }, _) => {
-                format!("Hunt–Crossley, κ = {} s/{unit}", significant(kappa, 6))
+            Some(loss) if !object.links.is_empty() => {
+                format!("{}{}", law_of_link(loss).name, factor(loss, unit))
             }
-            (DampingLaw::HuntCrossley { kappa: None }, _) => {
-                "Hunt–Crossley, κ from b and the static load".to_owned()
-            }
-            (DampingLaw::Hertz { .. }, _) => "Hertz".to_owned(),
-            (DampingLaw::Restitution { .. }, _) => "rigid".to_owned(),
+            _ => "rigid".to_owned(),
         };
         table.push(vec![
             object.id.clone(),
@@ -213,6 +202,15 @@ fn pairs(model: &Model) -> Table {
         ]);
     }
     table
+}
+
+/// κ of a pair.
+fn factor(loss: Loss, unit: &str) -> String {
+    match loss {
+        Loss::Damper => String::new(),
+        Loss::Factor(kappa) => format!(", κ = {} s/{unit}", significant(kappa, 6)),
+        Loss::FactorOfDamper => ", κ from b and the static load".to_owned(),
+    }
 }
 
 fn loads(model: &Model) -> Table {

@@ -10,6 +10,7 @@ pub mod motion;
 pub mod position;
 pub(crate) mod reduced;
 
+use crate::dynamics::laws::Measure;
 use crate::dynamics::model::Coordinate;
 
 /// Units of an object's quantities, by its kind of coordinate.
@@ -27,6 +28,22 @@ pub struct QuantityUnits {
     pub stiffness: &'static str,
     /// Damping.
     pub damping: &'static str,
+    /// Time per displacement.
+    pub time_per_displacement: &'static str,
+}
+
+impl QuantityUnits {
+    /// Unit of a number of a law.
+    pub fn of(&self, measure: Measure) -> &'static str {
+        match measure {
+            Measure::Force => self.force,
+            Measure::Stiffness => self.stiffness,
+            Measure::Damping => self.damping,
+            Measure::Speed => self.speed,
+            Measure::TimePerDisplacement => self.time_per_displacement,
+            Measure::Number => "",
+        }
+    }
 }
 
 /// Units of an object's quantities.
@@ -39,6 +56,7 @@ pub fn units(coordinate: Coordinate) -> QuantityUnits {
             inertia: "kg m²",
             stiffness: "N m/rad",
             damping: "N m s/rad",
+            time_per_displacement: "s/rad",
         },
         Coordinate::Sliding => QuantityUnits {
             displacement: "m",
@@ -47,6 +65,7 @@ pub fn units(coordinate: Coordinate) -> QuantityUnits {
             inertia: "kg",
             stiffness: "N/m",
             damping: "N s/m",
+            time_per_displacement: "s/m",
         },
     }
 }

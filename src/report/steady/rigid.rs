@@ -5,7 +5,7 @@ use super::charts::{charts, wittenbauer};
 use crate::dynamics::steady::flywheel::{Approximation, Flywheel};
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
-use crate::report::quantity::significant;
+use crate::report::quantity::{result, significant};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::Verdict;
 use crate::studies::check::Check;
@@ -24,31 +24,42 @@ pub(super) fn at(name: &str, [amount, place]: [f64; 2], unit: &str) -> Figure {
 
 /// A speed, in turns a minute as well.
 pub(super) fn mean_speed(speed: f64, why: &str) -> Figure {
-    let turns = significant(speed * 60.0 / std::f64::consts::TAU, 8);
-    value("mean speed", speed, "rad/s").with(format!("= {turns} rpm ({why})"))
+    let shown = value("mean speed", speed, "rad/s");
+    if shown.value.words().ends_with("rpm") {
+        return shown.with(format!("({why})"));
+    }
+    let turns = result(speed * 60.0 / std::f64::consts::TAU, 8);
+    shown.with(format!("= {turns} rpm ({why})"))
 }
 
 /// The motion over a cycle, its flywheel, how independent ways agree.
 pub fn rigid_findings<'a>(shown: &SteadyReport<'_>, source: Source<'a>) -> Findings<'a> {
     let f = shown.figures;
-    // In SI the unit of the first is that of the second.
-    let speed = |sentence: Sentence, value: f64, unit: &str| {
-        let words = significant(value, 5) + unit;
-        sentence.worded(value, ("rad/s", 5), words)
-    };
-    let text = speed(Sentence::from("From "), f.least_speed.value, "").words(" to ");
-    let text = speed(text, f.greatest_speed.value, " rad/s").words(" about a mean of ");
-    let text = speed(text, f.mean_speed, " rad/s").words(".");
+    let text = Sentence::from("From ")
+        .quantity(f.least_speed.value, "rad/s", 5)
+        .words(" to ")
+        .quantity(f.greatest_speed.value, "rad/s", 5)
+        .words(" about a mean of ")
+        .quantity(f.mean_speed, "rad/s", 5)
+        .words(".");
     let checks = rigid_checks(f, shown.agreement);
     let failed = checks.iter().any(|check| !check.passed());
     let begun = match failed {
         true => "Not to be trusted: the speed",
         false => "The speed",
     };
-    let headline = format!(
-        "{begun} fluctuates by δ = {}.",
+    let fluctuates = format!(
+        "{begun} fluctuates by δ = {}",
         significant(f.fluctuation, 4)
     );
+    let headline = match shown.flywheel {
+        Some(wheel) if wheel.inertia > 0.0 => Sentence::from(fluctuates)
+            .words(" with a flywheel of ")
+            .quantity(wheel.inertia, "kg m²", 5)
+            .words("."),
+        Some(_) => Sentence::from(fluctuates + " without a flywheel: none is needed."),
+        None => Sentence::from(fluctuates + "."),
+    };
     let judgement = rigid_judgement(f, shown.regime, &checks);
     let flywheel = |make: fn(&Flywheel) -> Section<'static>| {
         shown.flywheel.map_or_else(Section::default, make)

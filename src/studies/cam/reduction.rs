@@ -282,7 +282,7 @@ fn pair_of(model: &Model, object: usize) -> Pair {
         closure: Closure::Bilateral,
         gap: 0.0,
         opens: 1.0,
-        law: crate::dynamics::model::DampingLaw::KelvinVoigt,
+        form: crate::dynamics::model::ContactForm::default(),
     })
 }
 

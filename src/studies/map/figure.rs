@@ -34,7 +34,7 @@ pub(super) fn no_elastic_object_message(model: &Model) -> String {
 }
 
 /// Checks that a run of a model has a figure.
-pub(super) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
+pub(in crate::studies) fn check_figure(figure: &str, model: &Model) -> Result<(), Fault> {
     if let Some(known) = lookup::check(figure, model) {
         return known;
     }
@@ -178,7 +178,7 @@ fn run_figures(model: &Model, settings: &RunSettings, found: &Motion) -> Figures
 }
 
 /// SI unit of a figure; empty for counts and answers.
-pub(super) fn unit(figure: &str, model: &Model) -> String {
+pub(in crate::studies) fn unit(figure: &str, model: &Model) -> String {
     match lookup::is_address(figure) {
         true => lookup::unit(figure, model),
         false => blank(model).unit(figure),

@@ -27,6 +27,7 @@ mod summary;
 mod verdict;
 
 pub use cell::{Cell, MOST_STEPS};
+pub(super) use figure::{check_figure, unit as figure_unit};
 pub use grid::{Listener, MapResult, Silent, map, map_cells};
 pub use panels::{MOST_PANELS, Panel, Panels};
 pub use rigid::{RigidMotion, rigid_motion};

@@ -3,7 +3,7 @@
 use super::bound::{BaseMotion, LeftOutOf, truncation_bound};
 use super::requested_figures::is_count;
 use crate::dynamics::builder::spec::{ChainSpec, Level, Lumping};
-use crate::dynamics::model::{Closure, ContactLaw, Model};
+use crate::dynamics::model::{Closure, Model};
 use crate::dynamics::record::Figures;
 use crate::dynamics::system::System;
 use crate::fault::Fault;
@@ -258,7 +258,7 @@ impl<'s> Trials<'s> {
     pub(in crate::studies) fn may_be_static(&self, id: &str) -> bool {
         self.chain(id).is_some_and(|chain| {
             let contact = chain.pair.contact.map(|contact| contact.law);
-            let linear = contact.is_none_or(ContactLaw::has_static_stiffness);
+            let linear = contact.is_none_or(|law| law.declaration().is_linear());
             linear && chain.pair.closure != Closure::Form && chain.stops.is_empty()
         })
     }
@@ -284,7 +284,7 @@ impl<'s> Trials<'s> {
         let (Some(contact), Some((body, _))) = (contact, self.elastic.objects.get(id)) else {
             return Lumping::Ends;
         };
-        let linear = !matches!(contact.law, ContactLaw::Hertz { .. });
+        let linear = contact.law.form().exponent() == 1.0;
         match linear && contact.stiffness <= SOFT * body.stiffness {
             true => Lumping::Balanced,
             false => Lumping::Ends,

@@ -59,6 +59,14 @@ pub enum Answer {
 }
 
 impl Answer {
+    /// True when all its checks are passed.
+    pub fn is_trusted(&self) -> bool {
+        match self {
+            Self::Rigid(answer) => answer.is_trusted(),
+            Self::Periodic(answer) => answer.is_trusted(),
+        }
+    }
+
     /// The label of a motion of rigid objects where some of the model are elastic.
     pub fn label(&self, model: &Model) -> Option<RigidLabel> {
         match self {

@@ -93,7 +93,7 @@ fn figures_of_comparisons_carry_their_units() {
             .unwrap_or_else(|| panic!("{figure}: {table}"))
             .to_owned()
     };
-    assert!(line("delta_abs ").contains("60 µrad"), "{table}");
+    assert!(line("delta_abs ").contains("0.003438 deg"), "{table}");
     assert!(line("peak_acceleration ").contains(" rad/s² "), "{table}");
     assert!(line("peak_reaction ").contains("N m "), "{table}");
     let document: Value = serde_json::from_str(&called(&with(&["-q", "--json"]))).unwrap();

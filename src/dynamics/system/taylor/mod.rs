@@ -146,8 +146,8 @@ impl Frozen {
 
     /// What of the motion has no power series, in words; `None`: it has one.
     pub(super) fn without_series(&self) -> Option<&'static str> {
-        let mut contacts = self.chains.iter().map(|chain| chain.contact.hertz());
-        let mut stops = self.stops.iter().map(|stop| stop.contact.hertz());
+        let mut contacts = self.chains.iter().map(|chain| chain.contact.power());
+        let mut stops = self.stops.iter().map(|stop| stop.contact.power());
         let linear = |one: &Constrained| one.constraint.is_linear();
         if !self.multi.is_empty() {
             Some("a linkage with several inputs, which couples coordinates,")
@@ -162,9 +162,13 @@ impl Frozen {
         } else if self.loads.iter().any(|load| !load.has_series) {
             Some("a load from outside the library")
         } else if contacts.any(|contact| contact.is_some()) {
-            Some("a contact by Hertz, whose force has no series where it begins,")
+            Some(
+                "a contact force that grows with a power of the indentation, such as that of Hertz,",
+            )
         } else if stops.any(|stop| stop.is_some()) {
-            Some("a stop by Hertz, whose force has no series where it begins,")
+            Some(
+                "the force of a stop that grows with a power of the indentation, such as that of Hertz,",
+            )
         } else {
             None
         }

@@ -2,7 +2,8 @@
 
 use super::super::MassPlace;
 use super::{Builder, Moved, Role, tree_pair};
-use crate::dynamics::model::{DampingLaw, LinkBase};
+use crate::dynamics::laws::contact::law_of_link;
+use crate::dynamics::model::{LinkBase, Loss};
 use crate::exact::{TreeMass, TreeObject};
 
 impl Builder<'_> {
@@ -35,16 +36,10 @@ impl Builder<'_> {
                     (mass.parent, mass.lever) = (Some(base.mass), base.ratio);
                 }
             }
-            let (mut linear, mut nonlinear) = (true, "");
+            let mut linear = true;
             if let LinkBase::Law { pair } = &link.base {
                 (mass.pair, linear) = tree_pair(pair);
-                if let DampingLaw::Restitution { coefficient } = pair.law {
-                    mass.restitution = Some(coefficient);
-                }
-                nonlinear = match pair.law {
-                    DampingLaw::Hertz { .. } => "its contact force is not linear (Hertz)",
-                    _ => "its contact force is not linear (Hunt–Crossley)",
-                };
+                mass.restitution = pair.form.restitution();
             }
             problem.masses.push(mass);
             problem.displacement.push(0.0);
@@ -61,7 +56,12 @@ impl Builder<'_> {
             });
             if !linear {
                 self.spoiled[tree] = true;
-                self.refuse(object, nonlinear);
+                let own = part.contact.map(|own| own.law.declaration());
+                let own = own.unwrap_or(law_of_link(Loss::FactorOfDamper));
+                self.refuse(
+                    object,
+                    format!("its contact force is not linear ({})", own.name),
+                );
             }
         }
         let added = &mut self.trees[tree];

@@ -6,7 +6,7 @@ mod structure;
 use super::{FREE_FALL, lower};
 use crate::dynamics::builder::spec::*;
 use crate::dynamics::model::{
-    Closure, Coordinate, DampingLaw, LinkBase, LoadLaw, Model, NodeMotion, Start, TrackSource,
+    Closure, ContactForm, Coordinate, LinkBase, LoadLaw, Model, NodeMotion, Start, TrackSource,
 };
 use crate::frontend::object::{Connection, INPUT, ModelBuilder, Object, Place, Ports};
 use crate::frontend::scene::{RunSpec, SceneObject, StartSpec, TypedScene};
@@ -135,7 +135,7 @@ fn chain(coordinate: Coordinate, position: PositionSpec, body: BodySpec) -> Chai
             closure: Closure::Force,
             gap: 0.0,
             opens: 1.0,
-            law: DampingLaw::KelvinVoigt,
+            form: ContactForm::default(),
             contact: None,
         },
         loads: Vec::new(),

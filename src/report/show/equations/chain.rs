@@ -4,7 +4,7 @@ use super::{
     LONGEST_WRITTEN_OUT, Section, contact, inertia_side, inputs, list, loads, of_mass, of_object,
     output, output_name, reflected,
 };
-use crate::dynamics::model::{Closure, DampingLaw, LinkBase, Model, NodeMotion, ObjectPart, Pair};
+use crate::dynamics::model::{Closure, LinkBase, Loss, Model, NodeMotion, ObjectPart, Pair};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::{position, units};
 
@@ -143,7 +143,7 @@ fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
         return;
     }
     section.line(symbol("F", Index::None), force, "pull of link 1");
-    if matches!(pair.law, DampingLaw::HuntCrossley { kappa: None }) {
+    if pair.form.loss() == Some(Loss::FactorOfDamper) {
         let static_penetration = symbol("p", Index::Word("static".into()));
         let ratio = of_mass("b", 1).expr();
         let ratio = ratio.over(of_mass("c", 1).expr().times(static_penetration));
@@ -155,8 +155,8 @@ fn pair_line(model: &Model, part: &ObjectPart, section: &mut Section) {
 fn contact_force(pair: &Pair, deformation: Expr, x: &Symbol) -> Expr {
     let stiffness = of_mass("c", 1).expr();
     let rate = x.clone().rate();
-    match pair.law {
-        DampingLaw::HuntCrossley { .. } if pair.closure != Closure::Bilateral => {
+    match pair.form.factor() {
+        Some(_) if pair.closure != Closure::Bilateral => {
             // On either flank the penetration grows as |x|: its rate is ẋ·sgn x.
             let kappa = symbol("κ", Index::None).expr();
             let growth = Expr::Number(1.0).plus(kappa.times(rate_of_absolute(x)));
@@ -272,12 +272,8 @@ fn legend(model: &Model, part: &ObjectPart, section: &mut Section) {
         if pair.closure == Closure::Form {
             section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
         }
-        if let DampingLaw::HuntCrossley { kappa: Some(kappa) } = pair.law {
-            let unit = if unit.displacement == "m" {
-                "s/m"
-            } else {
-                "s/rad"
-            };
+        if let Some(Loss::Factor(kappa)) = pair.form.loss() {
+            let unit = unit.time_per_displacement;
             section.entry(symbol("κ", Index::None), kappa, unit, "contact damping");
         }
     }

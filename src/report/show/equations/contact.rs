@@ -1,9 +1,8 @@
 //! Equations of a contact element in front of an object.
 
+use super::contact_force::{Force, Letters, Motion};
 use super::{Section, of_mass};
-use crate::dynamics::model::{
-    Closure, ContactElement, ContactLaw, DampingLaw, Model, ObjectPart, Pair,
-};
+use crate::dynamics::model::{Closure, ContactElement, ContactForm, Loss, Model, ObjectPart, Pair};
 use crate::report::math::{Expr, Index, Relation, Symbol, symbol};
 use crate::report::show::units;
 
@@ -20,10 +19,12 @@ pub(super) enum Shape {
 /// How the contact of an object stands in front of mass 1.
 pub(super) fn shape(model: &Model, contact: &ContactElement, pair: &Pair) -> Shape {
     let link = &model.links[contact.link];
-    match pair.law {
+    match pair.form {
         _ if contact.point.is_some() => Shape::Point,
-        DampingLaw::Hertz { compliance, .. } if compliance > 0.0 => Shape::Series(1.0 / compliance),
-        DampingLaw::KelvinVoigt if link.stiffness < contact.stiffness => {
+        ContactForm::Power { compliance, .. } if compliance > 0.0 => {
+            Shape::Series(1.0 / compliance)
+        }
+        ContactForm::Proportional(Loss::Damper) if link.stiffness < contact.stiffness => {
             Shape::Series(1.0 / (1.0 / link.stiffness - 1.0 / contact.stiffness))
         }
         _ => Shape::Alone,
@@ -46,10 +47,6 @@ pub(super) fn deformation(contact: Option<&ContactElement>) -> &'static str {
     }
 }
 
-fn stiffness() -> Expr {
-    symbol("k", Index::None).expr()
-}
-
 /// The pull of the contact at a depth d, of the sign of x.
 pub(super) fn pull(contact: &ContactElement, shape: &Shape, depth: Expr, x: &Symbol) -> Expr {
     let depth = match shape {
@@ -60,35 +57,32 @@ pub(super) fn pull(contact: &ContactElement, shape: &Shape, depth: Expr, x: &Sym
         }
         _ => depth,
     };
-    let growth = || {
-        let size = Expr::Absolute(Box::new(x.clone().expr()));
-        let change = symbol("d", Index::None).expr().times(size);
-        let rate = change.over(symbol("dt", Index::None));
-        let chi = symbol("χ", Index::None).expr();
-        let factor = Expr::Number(1.0).plus(chi.times(rate));
-        Expr::Greater(Box::new(Expr::Number(0.0)), Box::new(factor))
+    // On either flank the penetration grows as |x|: its rate is ẋ·sgn x.
+    let magnitude = Expr::Absolute(Box::new(x.clone().expr()));
+    let change = symbol("d", Index::None).expr().times(magnitude);
+    let motion = Motion {
+        size: Expr::Absolute(Box::new(depth.clone())),
+        depth,
+        rate: x.clone().rate().expr(),
+        growth: change.over(symbol("dt", Index::None)),
     };
-    match contact.law {
-        ContactLaw::Restitution { .. } => Expr::Words("what holds it on the flank".into()),
-        ContactLaw::Elastic => stiffness().times(depth),
-        ContactLaw::KelvinVoigt { .. } => Expr::sum(vec![
-            stiffness().times(depth),
-            damping().expr().times(x.clone().rate()),
-        ]),
-        ContactLaw::HuntCrossley { .. } => stiffness().times(depth).times(growth()),
-        ContactLaw::Hertz { dissipation } => {
-            let root = Expr::Root(Box::new(Expr::Absolute(Box::new(depth.clone()))));
-            let force = stiffness().times(depth).times(root);
-            match dissipation {
-                0.0 => force,
-                _ => force.times(growth()),
-            }
+    match letters().force(&contact.law, motion) {
+        Force::Plain(force) => force,
+        Force::Dissipating(force, factor) => {
+            let zero = Box::new(Expr::Number(0.0));
+            force.times(Expr::Greater(zero, Box::new(factor)))
         }
+        Force::Reaction => Expr::Words("what holds it on the flank".into()),
     }
 }
 
-fn damping() -> Symbol {
-    symbol("b", Index::Word("contact".into()))
+fn letters() -> Letters {
+    Letters {
+        stiffness: symbol("k", Index::None),
+        damping: symbol("b", Index::Word("contact".into())),
+        factor: symbol("χ", Index::None),
+        restitution: symbol("e", Index::None),
+    }
 }
 
 /// What a rigid contact does in an impact; nothing of any other.
@@ -107,8 +101,7 @@ fn after() -> Expr {
 /// −e·ẋ just before it.
 fn rebound() -> Expr {
     let before = symbol("x", Index::Word("before".into())).rate();
-    let e = symbol("e", Index::None).expr();
-    e.times(before).negative()
+    letters().restitution.expr().times(before).negative()
 }
 
 /// The balance of the massless point.
@@ -130,36 +123,9 @@ pub(super) fn legend(part: &ObjectPart, pair: &Pair, section: &mut Section) {
     let Some(contact) = part.contact else {
         return;
     };
+    let of_contact = (contact.law, contact.stiffness);
+    letters().entries(of_contact, ("contact", part.coordinate), section);
     let unit = units(part.coordinate);
-    let sliding = unit.displacement == "m";
-    let of_point = if sliding {
-        "N/m^(3/2)"
-    } else {
-        "N m/rad^(3/2)"
-    };
-    let of_rate = if sliding { "s/m" } else { "s/rad" };
-    let k = symbol("k", Index::None);
-    let meaning = "stiffness of the contact";
-    match contact.law {
-        ContactLaw::Restitution { coefficient } => {
-            let e = symbol("e", Index::None);
-            section.entry(e, coefficient, "", "coefficient of restitution");
-        }
-        ContactLaw::Hertz { .. } => section.entry(k, contact.stiffness, of_point, meaning),
-        _ => section.entry(k, contact.stiffness, unit.stiffness, meaning),
-    }
-    match contact.law {
-        ContactLaw::KelvinVoigt { damping: b } => {
-            section.entry(damping(), b, unit.damping, "damping of the contact");
-        }
-        ContactLaw::HuntCrossley { dissipation } | ContactLaw::Hertz { dissipation }
-            if dissipation > 0.0 =>
-        {
-            let chi = symbol("χ", Index::None);
-            section.entry(chi, dissipation, of_rate, "dissipation of the contact");
-        }
-        _ => {}
-    }
     if pair.closure == Closure::Form {
         section.entry(symbol("η", Index::None), pair.gap, unit.displacement, "gap");
     }

@@ -98,7 +98,7 @@ fn entry(entry: &Entry) -> String {
     format!(
         "${name}$ & {} {} & {} \\\\\n",
         values.join(", "),
-        latex_text(entry.unit),
+        latex_text(&entry.unit),
         entry.meaning
     )
 }

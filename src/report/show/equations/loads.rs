@@ -1,10 +1,11 @@
 //! Loads in the equations of motion.
 
+use super::contact_force::{Force, Letters, Motion};
 use super::{Section, of_mass, of_object};
 use crate::dynamics::laws::{Declared, Measure};
 use crate::dynamics::model::{
-    ContactLaw, Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop,
-    TrackSource, WrittenLoad,
+    Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop, TrackSource,
+    WrittenLoad,
 };
 use crate::report::math::{Expr, Index, Relation, Symbol, of_program, symbol};
 use crate::report::quantity::{significant, with_unit};
@@ -157,59 +158,37 @@ impl OneLoad<'_> {
     /// A stop: its indentation, and what it pushes with.
     fn stop(&self, stop: Stop, phi: Symbol, section: &mut Section) {
         let unit = units(self.part().coordinate);
-        let (p, at, k) = (self.letter("p"), self.letter("a"), self.letter("k"));
-        let own = unit.displacement;
-        section.entry(at.clone(), stop.at, own, "place of the stop");
-        let sliding = own == "m";
-        let of_contact = match (stop.law, sliding) {
-            (ContactLaw::Hertz { .. }, true) => "N/m^(3/2)",
-            (ContactLaw::Hertz { .. }, false) => "N m/rad^(3/2)",
-            _ => unit.stiffness,
-        };
-        if !stop.law.is_rigid() {
-            section.entry(
-                k.clone(),
-                stop.stiffness,
-                of_contact,
-                "stiffness of the stop",
-            );
-        }
+        let (p, at) = (self.letter("p"), self.letter("a"));
+        section.entry(at.clone(), stop.at, unit.displacement, "place of the stop");
         let depth = match stop.side > 0.0 {
             true => phi.expr().minus(at),
             false => at.expr().minus(phi),
         };
         section.line(p.clone(), depth, "indentation of the stop");
-        let linear = k.clone().expr().times(p.clone());
-        let growth = |section: &mut Section, dissipation: f64, force: Expr| {
-            if dissipation == 0.0 {
-                return force;
-            }
-            let (chi, rate) = (self.letter("χ"), p.clone().rate());
-            let of_rate = if sliding { "s/m" } else { "s/rad" };
-            section.entry(chi.clone(), dissipation, of_rate, "dissipation of the stop");
-            force.times(Expr::Number(1.0).plus(chi.expr().times(rate)))
+        let letters = Letters {
+            stiffness: self.letter("k"),
+            damping: self.letter("b"),
+            factor: self.letter("χ"),
+            restitution: self.letter("e"),
         };
-        let force = match stop.law {
-            ContactLaw::Restitution { coefficient } => {
-                let e = self.letter("e");
-                section.entry(e.clone(), coefficient, "", "coefficient of restitution");
+        let motion = Motion {
+            depth: p.clone().expr(),
+            size: p.clone().expr(),
+            rate: p.clone().rate().expr(),
+            growth: p.clone().rate().expr(),
+        };
+        let force = match letters.force(&stop.law, motion) {
+            Force::Plain(force) => force,
+            Force::Dissipating(force, factor) => force.times(factor),
+            Force::Reaction => {
                 let speed = |word: &str| symbol("p", Index::Word(word.into())).rate();
-                let rebound = e.expr().times(speed("before")).negative();
-                section.line(speed("after"), rebound, "at an impact");
+                let rebound = letters.restitution.clone().expr().times(speed("before"));
+                section.line(speed("after"), rebound.negative(), "at an impact");
                 Expr::Words("what holds it on the stop".into())
             }
-            ContactLaw::Elastic => linear,
-            ContactLaw::KelvinVoigt { damping } => {
-                let b = self.letter("b");
-                section.entry(b.clone(), damping, unit.damping, "damping of the stop");
-                linear.plus(b.expr().times(p.clone().rate()))
-            }
-            ContactLaw::HuntCrossley { dissipation } => growth(section, dissipation, linear),
-            ContactLaw::Hertz { dissipation } => {
-                let root = Expr::Root(Box::new(p.clone().expr()));
-                growth(section, dissipation, linear.times(root))
-            }
         };
+        let own = (stop.law, stop.stiffness);
+        letters.entries(own, ("stop", self.part().coordinate), section);
         let pushes = Expr::Greater(Box::new(Expr::Number(0.0)), Box::new(force));
         let pushes = match stop.side > 0.0 {
             true => pushes.negative(),
@@ -233,7 +212,7 @@ impl OneLoad<'_> {
                 (letter, "0") => symbol(letter, Index::Mass(0)),
                 (letter, index) => symbol(letter, Index::Word(index.into())),
             };
-            let unit = unit_of(parameter.measure, self.part().coordinate);
+            let unit = units(self.part().coordinate).of(parameter.measure);
             section.entry(symbol.clone(), value, unit, parameter.meaning);
             symbols.push(symbol);
         }
@@ -354,23 +333,11 @@ fn words(declared: &Declared, coordinate: Coordinate) -> String {
         let key = declared.law.name_of(parameter);
         let shown = match parameter.measure {
             Measure::Number => significant(value, 4),
-            measure => with_unit(value, unit_of(measure, coordinate), 6),
+            measure => with_unit(value, units(coordinate).of(measure), 6),
         };
         words = words.replace(&format!("{{{key}}}"), &shown);
     }
     words
-}
-
-/// Unit of a number of a law.
-fn unit_of(measure: Measure, coordinate: Coordinate) -> &'static str {
-    let unit = units(coordinate);
-    match measure {
-        Measure::Force => unit.force,
-        Measure::Stiffness => unit.stiffness,
-        Measure::Damping => unit.damping,
-        Measure::Speed => unit.speed,
-        Measure::Number => "",
-    }
 }
 
 /// What a stop holds: `φ ≥ 0 m`.

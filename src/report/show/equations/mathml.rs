@@ -51,6 +51,6 @@ fn entry(entry: &Entry) -> String {
     format!(
         "<tr><th><math>{name}</math></th><td>{}</td><td>{}</td></tr>\n",
         escape(format!("{} {}", text::values(&entry.values), entry.unit).trim()),
-        escape(entry.meaning)
+        escape(&entry.meaning)
     )
 }

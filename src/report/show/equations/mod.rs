@@ -7,6 +7,7 @@
 
 mod chain;
 mod contact;
+mod contact_force;
 mod inputs;
 mod latex;
 mod linkage;
@@ -28,6 +29,7 @@ pub use text::text;
 use crate::dynamics::model::{LinkageBody, Model, NodeIndex, NodeMotion, OUTPUT, STOP};
 use crate::report::math::{Expr, Index, Symbol, symbol};
 use crate::report::order::drivers_first;
+use std::borrow::Cow;
 
 /// Chains with more masses than this are abbreviated.
 const LONGEST_WRITTEN_OUT: usize = 4;
@@ -80,9 +82,9 @@ pub struct Entry {
     /// The values: one, or one each.
     pub values: Vec<f64>,
     /// Unit of the values.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// Meaning of the letter.
-    pub meaning: &'static str,
+    pub meaning: Cow<'static, str>,
 }
 
 impl Entry {
@@ -108,13 +110,19 @@ impl Section {
         });
     }
 
-    fn entry(&mut self, letter: Symbol, value: f64, unit: &'static str, meaning: &'static str) {
+    fn entry(
+        &mut self,
+        letter: Symbol,
+        value: f64,
+        unit: impl Into<Cow<'static, str>>,
+        meaning: impl Into<Cow<'static, str>>,
+    ) {
         self.legend.push(Entry {
             symbol: letter.expr(),
             until: None,
             values: vec![value],
-            unit,
-            meaning,
+            unit: unit.into(),
+            meaning: meaning.into(),
         });
     }
 }
@@ -315,8 +323,8 @@ fn list(
         symbol: of_mass(letter, 1).expr(),
         until: Some(of_mass(letter, count).expr()),
         values: if equal { values[..1].to_vec() } else { values },
-        unit,
-        meaning,
+        unit: unit.into(),
+        meaning: meaning.into(),
     });
 }
 

@@ -1,0 +1,36 @@
+//! Arguments of `dam find`.
+
+use crate::cli::args::scene::{OutArgs, SceneArgs};
+use clap::Args;
+
+/// Arguments of `dam find`.
+#[derive(Debug, Args)]
+pub(crate) struct FindArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArgs,
+    /// The parameter and its range: shaft.motion.speed=100:900 rpm; with :PLACES for another number
+    /// of values that are looked at first (33), with :log for equal ratios between them
+    #[arg(long, value_name = "PATH=FROM:TO")]
+    pub(crate) vary: String,
+    /// A condition on a figure of the run or of another study, in any unit: "valve.pair.margin >= 50
+    /// N", "steady.fluctuation <= 2 %", "cam.follower.least_radius >= 12 mm" (may be repeated); with =
+    /// the values at which the figure is met
+    #[arg(long, value_name = "CONDITION")]
+    pub(crate) subject: Vec<String>,
+    /// Find the greatest: the parameter itself, or a figure
+    #[arg(
+        long,
+        value_name = "PATH",
+        visible_alias = "maximise",
+        conflicts_with = "minimize"
+    )]
+    pub(crate) maximize: Option<String>,
+    /// Find the least: the parameter itself, or a figure
+    #[arg(long, value_name = "PATH", visible_alias = "minimise")]
+    pub(crate) minimize: Option<String>,
+    /// Threads; one for every processor core if not given
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+    #[command(flatten)]
+    pub(crate) out: OutArgs,
+}

@@ -1,0 +1,27 @@
+//! The units in which this command shows results: those that were asked for, else those of its scene.
+
+use crate::report::display_units::DisplayUnits;
+use std::cell::Cell;
+
+thread_local! {
+    /// Digits that are shown where the units follow the scene; `None`: the units were asked for.
+    static OF_SCENE: Cell<Option<usize>> = const { Cell::new(None) };
+}
+
+/// Takes what the arguments say.
+pub(crate) fn start(asked: Option<DisplayUnits>, digits: usize) {
+    OF_SCENE.set(asked.is_none().then_some(digits));
+    asked.unwrap_or_default().with_digits(digits).choose();
+}
+
+/// Takes the units of a scene's text, unless others were asked for.
+pub(crate) fn follow(scene: &str) {
+    if let Some(digits) = OF_SCENE.get() {
+        DisplayUnits::of_scene(scene).with_digits(digits).choose();
+    }
+}
+
+/// Takes SI units with all digits: of results that several scenes have in common.
+pub(crate) fn in_si_units() {
+    DisplayUnits::NONE.choose();
+}

@@ -1,0 +1,127 @@
+//! `dam verify` as a program: tables, JUnit, the status.
+
+use serde_json::Value;
+use std::process::{Command, Output};
+
+fn dam(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+        .arg("verify")
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap()
+}
+
+const ROCKER: &str = "scenarios/rocker/two_masses.json";
+/// Expects figures of kinematics and of forces.
+const CRANK: &str = "scenarios/kinetostatics/slider_crank.json";
+/// Expects figures of the steady motion.
+const ENGINE: &str = "scenarios/steady/engine.json";
+
+#[test]
+fn every_study_is_asked_and_the_forms_agree() {
+    let scenes = [ROCKER, CRANK, ENGINE];
+    let json = dam(&[&scenes[..], &["--json"]].concat());
+    assert_eq!(
+        json.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&json.stderr)
+    );
+    let found: Value = serde_json::from_slice(&json.stdout).unwrap();
+    assert_eq!(found["holds"], true);
+    let all: Vec<&Value> = (found["scenes"].as_array().unwrap().iter())
+        .flat_map(|scene| scene["requirements"].as_array().unwrap())
+        .collect();
+    let studies: std::collections::BTreeSet<&str> = all
+        .iter()
+        .map(|one| one["study"].as_str().unwrap())
+        .collect();
+    assert!(
+        studies.contains("run") && studies.contains("steady"),
+        "{studies:?}"
+    );
+    assert!(
+        studies.contains("kinematics") || studies.contains("forces"),
+        "{studies:?}"
+    );
+    let junit = dam(&[&scenes[..], &["--form", "junit"]].concat());
+    let junit = String::from_utf8(junit.stdout).unwrap();
+    assert!(junit.starts_with("<?xml"), "{junit}");
+    assert_eq!(junit.matches("<testcase ").count(), all.len());
+    assert!(junit.contains(&format!(
+        "<testsuites name=\"dam\" tests=\"{}\" failures=\"0\" errors=\"0\">",
+        all.len()
+    )));
+    let text = String::from_utf8(dam(&scenes).stdout).unwrap();
+    assert_eq!(
+        text.matches("requirements hold.").count(),
+        scenes.len(),
+        "{text}"
+    );
+}
+
+#[test]
+fn what_fails_and_what_is_wrong_have_a_status_each() {
+    let folder = tempfile::tempdir().unwrap();
+    let failing = dam(&[ROCKER, "--set", "rocker.inertia=0.3", "--form", "junit"]);
+    assert_eq!(failing.status.code(), Some(1));
+    let text = String::from_utf8(failing.stdout).unwrap();
+    assert!(text.contains("<failure "), "{text}");
+    let wrong = folder.path().join("wrong.json");
+    std::fs::write(
+        &wrong,
+        r#"{ "dam": 1, "objects": { "a": { "kind": "roker" } } }"#,
+    )
+    .unwrap();
+    let several = dam(&[ROCKER, wrong.to_str().unwrap(), "--form", "junit"]);
+    assert_eq!(several.status.code(), Some(2));
+    let text = String::from_utf8(several.stdout).unwrap();
+    assert!(
+        text.contains("<error ") && text.contains("rocker.delta_max"),
+        "{text}"
+    );
+    let silent = folder.path().join("silent.json");
+    let scene = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/",
+        "scenarios/rocker/two_masses.json"
+    ));
+    let mut scene: Value = serde_json::from_str(&scene.unwrap()).unwrap();
+    scene.as_object_mut().unwrap().remove("expect");
+    std::fs::write(&silent, scene.to_string()).unwrap();
+    let silent = dam(&[silent.to_str().unwrap()]);
+    assert_eq!(silent.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&silent.stderr).contains("expects"));
+}
+
+#[test]
+fn a_range_is_one_requirement() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/",
+        "scenarios/rocker/two_masses.json"
+    ));
+    let with = |expect: &str| {
+        let mut scene: Value = serde_json::from_str(scene.as_ref().unwrap()).unwrap();
+        scene["expect"] = serde_json::from_str(expect).unwrap();
+        let path = folder.path().join("scene.json");
+        std::fs::write(&path, scene.to_string()).unwrap();
+        dam(&[path.to_str().unwrap()])
+    };
+    let range = with(r#"[{ "figure": "rocker.delta_abs", "between": ["7 mrad", "8 mrad"] }]"#);
+    assert_eq!(range.status.code(), Some(0));
+    let text = String::from_utf8(range.stdout).unwrap();
+    assert!(text.contains("between 0.4011 deg and 0.4584 deg"), "{text}");
+    let outside = with(r#"[{ "figure": "rocker.delta_abs", "between": ["8 mrad", "9 mrad"] }]"#);
+    assert_eq!(outside.status.code(), Some(1));
+    for wrong in [
+        r#"[{ "figure": "rocker.delta_abs", "between": ["9 mrad", "8 mrad"] }]"#,
+        r#"[{ "figure": "rocker.delta_abs", "between": ["7 mrad", "8 mrad"], "at_most": 1 }]"#,
+        r#"[{ "figure": "rocker.delta_abs", "between": ["7 mm", "8 mm"] }]"#,
+        r#"[{ "figure": "rocker.delta_abs", "between": ["7 mrad"] }]"#,
+    ] {
+        assert_eq!(with(wrong).status.code(), Some(2), "{wrong}");
+    }
+}
