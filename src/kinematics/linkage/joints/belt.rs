@@ -3,6 +3,7 @@
 //! The difference of the forces of both strands acts, each in its own direction. The pretension is
 //! not counted, since the linkage does not tell it.
 
+use super::super::spec::pair::PairSpec;
 use super::carrier::{Mismatch, axes};
 use super::constraint::Act;
 use super::outline::Outline;
@@ -10,7 +11,6 @@ use super::reader::{JointReader, Sizes};
 use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
-use crate::kinematics::linkage::spec::pair::PairSpec;
 use crate::units::shown;
 
 /// A belt in plain numbers.

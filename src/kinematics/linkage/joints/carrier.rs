@@ -1,7 +1,7 @@
 //! Where the axes of coupled wheels lie on their carrier.
 
+use super::super::spec::pair::PairSpec;
 use super::CouplingSpec;
-use crate::kinematics::linkage::spec::pair::PairSpec;
 
 /// Pins of a link this far apart, over the greatest coordinate of all pairs, lie in one place.
 const SAME_PLACE: f64 = 1e-9;

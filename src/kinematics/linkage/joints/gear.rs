@@ -4,6 +4,7 @@
 //! both gears alike is not counted, since the linkage does not tell it: the separating force of the
 //! pressure angle.
 
+use super::super::spec::pair::PairSpec;
 use super::carrier::{Mismatch, axes};
 use super::constraint::Act;
 use super::outline::Outline;
@@ -11,7 +12,6 @@ use super::reader::{JointReader, Sizes};
 use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
-use crate::kinematics::linkage::spec::pair::PairSpec;
 
 /// Two gears in plain numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 //!
 //! The file of a coupling holds all that is said of it: its numbers and how they are read, what can
 //! be wrong with them, its closing error, the row of the closing equations, the forces on its links,
-//! what is drawn, and its words. [`kinds`] lists the kinds; nothing else asks for the kind.
+//! what is drawn, and its words. `kinds!` lists the kinds; nothing else asks for the kind.
 //!
 //! A row is a set of wrenches on the links ([`Wrench`]): the closing error grows by their power
 //! over the velocities of the links. So the same row is the derivative in Newton's method, the

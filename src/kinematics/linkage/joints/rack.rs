@@ -3,6 +3,8 @@
 //! The closing error is the displacement of the rack along its guide less ρ times the angle of the
 //! gear, both seen from the carrier. Teeth press at the pitch point along the guide.
 
+use super::super::elements::elements;
+use super::super::spec::pair::PairSpec;
 use super::carrier::{Mismatch, axis, distinct, guide};
 use super::constraint::{Act, Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
@@ -10,8 +12,6 @@ use super::reader::{Domain, JointReader, Lacks};
 use super::wheels::{WORDS, check_ratio, circle};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
-use crate::kinematics::linkage::elements::elements;
-use crate::kinematics::linkage::spec::pair::PairSpec;
 use crate::math::number::Number;
 use crate::math::series::Series;
 
@@ -120,7 +120,7 @@ fn pitch_line(axis: [f64; 2], radius: f64, along: [f64; 2]) -> [[f64; 2]; 2] {
 
 /// A gear and a rack made ready.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::kinematics::linkage) struct RackAndWheel {
+pub(crate) struct RackAndWheel {
     /// ρ (m).
     radius: f64,
     /// Displacement of the rack where the gear's angle is zero (m).

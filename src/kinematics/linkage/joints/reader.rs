@@ -1,8 +1,8 @@
 //! What reads the numbers of a joint, from a scene or for its schema.
 
+use super::super::spec::pair::PointOf;
 use super::CouplingSpec;
 use crate::kinematics::cam::Surface;
-use crate::kinematics::linkage::spec::pair::PointOf;
 use crate::kinematics::position::spec::PositionSpec;
 
 /// Reads the properties of a joint, in the order of the calls.
