@@ -23,7 +23,7 @@ mod study_address;
 mod template;
 mod variation;
 
-pub use catalogue::{BuiltIn, Catalogue, Layered};
+pub use catalogue::{BuiltIn, Catalogue, Layered, NamedBytes};
 pub use document::{Document, Places, Reading};
 pub(crate) use expect::STEADY_FIGURES;
 #[cfg(feature = "studio")]
