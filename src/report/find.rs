@@ -94,7 +94,10 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
             (headline, why_no_better(answer, best))
         }
         (None, Some(_)) | (_, None) if found.ranges.is_empty() => (
-            format!("No value of {path} in the range meets the conditions."),
+            match found.complete {
+                true => format!("No value of {path} in the range meets the conditions."),
+                false => format!("No value of {path} that was looked at meets the conditions."),
+            },
             String::new(),
         ),
         (None, Some(goal)) => (

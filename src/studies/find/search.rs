@@ -24,8 +24,9 @@ const AROUND: [f64; 4] = [-0.05, -0.01, 0.01, 0.05];
 /// Most rounds in which what is found about the answer may change it.
 const SETTLING: u32 = 5;
 
-/// Evaluation of the scene at shares of the range, in their order; `None`: ended from outside.
-pub type Evaluate<'e> = dyn Fn(&[f64]) -> Option<Vec<Sample>> + 'e;
+/// Evaluation of the scene at shares of the range; fewer samples than shares where it was ended from
+/// outside.
+pub type Evaluate<'e> = dyn Fn(&[f64]) -> Vec<Sample> + 'e;
 
 /// Searches a range for the places that meet conditions, and for the best of them.
 pub fn search(
@@ -87,13 +88,10 @@ impl RangeSearch<'_> {
         if shares.is_empty() || !self.complete {
             return;
         }
-        match (self.evaluate)(&shares) {
-            Some(found) => {
-                self.samples.extend(found);
-                self.samples.sort_by(|a, b| a.share.total_cmp(&b.share));
-            }
-            None => self.complete = false,
-        }
+        let found = (self.evaluate)(&shares);
+        self.complete = found.len() == shares.len();
+        self.samples.extend(found);
+        self.samples.sort_by(|a, b| a.share.total_cmp(&b.share));
     }
 
     fn known(&self, share: f64) -> Option<&Sample> {

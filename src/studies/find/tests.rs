@@ -55,7 +55,7 @@ fn find(
         }
     };
     let wanted = aim.map(|(aim, of)| goal(aim, of.is_none()));
-    let all = |shares: &[f64]| Some(shares.iter().map(at).collect());
+    let all = |shares: &[f64]| shares.iter().map(at).collect();
     let found = search(&span, conditions, wanted.as_ref(), &all);
     (found, looked.get())
 }
@@ -166,6 +166,19 @@ fn nothing_is_found_where_nothing_holds() {
 fn an_end_from_outside_keeps_what_is_known() {
     let span = Span::parse("a.b=0:10").unwrap();
     let goal = goal(Aim::Maximize, true);
-    let found = search(&span, &[], Some(&goal), &|_| None);
+    let some = |shares: &[f64]| {
+        let at = |&share: &f64| Sample {
+            share,
+            value: span.value(share),
+            goal: Some(span.value(share)),
+            figures: Vec::new(),
+            state: State::Computed,
+        };
+        shares.iter().take(5).map(at).collect()
+    };
+    let found = search(&span, &[], Some(&goal), &some);
+    assert!(!found.complete && found.samples.len() == 5);
+    assert_eq!(found.best.unwrap().sample.value, 1.25);
+    let found = search(&span, &[], Some(&goal), &|_| Vec::new());
     assert!(!found.complete && found.best.is_none());
 }
