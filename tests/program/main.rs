@@ -20,6 +20,7 @@ mod page;
 mod prices;
 mod public;
 mod reduce;
+mod reference;
 mod scenarios;
 mod schema;
 mod shown;
