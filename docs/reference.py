@@ -495,7 +495,7 @@ def shown_option(lines: list[str]) -> tuple[str, str]:
     text = choices[0]
     if len(choices) > 1:
         rest, _, default = choices[1].partition("[default: ")
-        text += " One of: " + "; ".join(one.strip() for one in re.split(r"(?:^|\s)- (?=[\w-]+:?)", rest) if one.strip()) + "."
+        text = text.rstrip(".") + ". One of: " + "; ".join(one.strip() for one in re.split(r"(?:^|\s)- (?=[\w-]+:?)", re.sub(r" +", " ", rest)) if one.strip()) + "."
         text += f" [default: {default}" if default else ""
     found = re.search(r"\s*\[default: (.*)\]", text)
     return (text[: found.start()] + text[found.end() :], found[1]) if found else (text, "")

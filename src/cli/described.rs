@@ -3,8 +3,7 @@
 use super::args::Described;
 use crate::frontend::diagnostics::CODES;
 use crate::frontend::scene;
-use crate::studies::forces;
-use crate::studies::kinematics::{self, DescribedFigure, ends};
+use crate::studies::studied;
 use crate::units::{Quantity, known_units, parse, quantities};
 use serde_json::{Value, json};
 
@@ -21,17 +20,18 @@ pub(super) fn document(of: Described) -> Option<Value> {
 
 fn results() -> Value {
     let mut all = scene::described();
-    all["kinematics"] = of_linkage("kinematics", &kinematics::described());
-    all["forces"] = of_linkage("forces", &forces::described());
-    all["ends"] = (ends().iter())
+    for (study, figures) in studied::described() {
+        all[study] = of_study(study, &figures);
+    }
+    all["ends"] = (studied::ends().iter())
         .map(|(name, meaning)| json!({ "name": name, "meaning": meaning }))
         .collect();
     all["dam"] = json!(1);
     all
 }
 
-fn of_linkage(study: &str, figures: &[DescribedFigure]) -> Value {
-    let one = |figure: &DescribedFigure| {
+fn of_study(study: &str, figures: &[studied::DescribedFigure]) -> Value {
+    let one = |figure: &studied::DescribedFigure| {
         json!({
             "address": format!("{study}.OBJECT.{}", figure.address),
             "units": figure.units,

@@ -34,7 +34,7 @@ const COUNTERWEIGHT: [Sum; 6] = [
 const DRIVE: &[&str] = &["N m", "N"];
 /// Extremes of the columns that are results, with their units and meaning.
 #[rustfmt::skip]
-const EXTREMES: [(&str, &[&str], &str); 18] = [
+const EXTREMES: [(&str, &[&str], &str); 17] = [
     ("drive", DRIVE, "Driving moment or force, positive in the direction of the input."),
     ("drive.INPUT", DRIVE, "The same of one of several inputs."),
     ("power.INPUT", &["W"], "Power of the driver of one of several inputs, positive where it puts energy in."),
@@ -43,9 +43,8 @@ const EXTREMES: [(&str, &[&str], &str); 18] = [
     ("PAIR.force", &["N"], "Size of the joint reaction, friction included, ≥ 0."),
     ("PAIR.n1", &["N"], "Normal force at the first corner of a block, ≥ 0."),
     ("PAIR.n2", &["N"], "Normal force at the second corner of a block, ≥ 0."),
-    ("WELD.couple", &["N m"], "Couple of a weld on its second link, counterclockwise."),
-    ("WELD.force", &["N"], "Size of the force of a weld, ≥ 0."),
-    ("COUPLING.force", &["N"], "Circumferential force of a gear, belt or rack; of a cam the force on the roller, positive: it presses."),
+    ("PAIR.couple", &["N m"], "Couple of a rigid joint on its second link, counterclockwise."),
+    ("COUPLING.force", &["N"], "Circumferential force of a coupling of two links; of a cam the force on the roller, positive: it presses."),
     ("power.drive", &["W"], "Power of all drivers, positive where they put energy in."),
     ("power.loss", &["W"], "Power lost to friction, ≥ 0."),
     ("efficiency", &["1"], "Efficiency at an instant: 1 less the loss over the power that flows in."),

@@ -134,6 +134,14 @@ impl Quantity {
         }
     }
 
+    /// SI units of the quantity itself, of something whose own units are these.
+    pub(super) fn own_units<'a>(self, own: &'a [&'a str]) -> &'a [&'a str] {
+        match self {
+            Self::GuideDirection => &["rad"],
+            _ => own,
+        }
+    }
+
     /// Meaning in a few words, with the sign.
     #[rustfmt::skip]
     pub(super) fn meaning(self) -> &'static str {

@@ -56,10 +56,7 @@ fn extremes(owner: &str, quantity: Quantity, own: &[&str], by: &str) -> Describe
 pub fn described() -> Vec<DescribedFigure> {
     let mut all = Vec::new();
     let mut add = |owner: &str, quantities: &[Quantity], own: &[&str], by: &str| {
-        let one = |quantity: &Quantity| match quantity {
-            Quantity::GuideDirection => extremes(owner, *quantity, &["rad"], by),
-            _ => extremes(owner, *quantity, own, by),
-        };
+        let one = |quantity: &Quantity| extremes(owner, *quantity, quantity.own_units(own), by);
         all.extend(quantities.iter().map(one));
     };
     add("input", &OUTPUT[..3], BOTH, "");
