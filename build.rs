@@ -1,5 +1,5 @@
 //! Writes the lists of files that are built in: the catalogue (`objects/*/*.json`), and for the
-//! studio the scenarios (`scenarios/*/*.json`).
+//! studio the scenarios (`scenarios/*/*.json`) with their tables (`scenarios/*/*.csv`).
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -7,20 +7,21 @@ use std::{env, fs, io};
 
 fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=build.rs");
-    write("objects", "catalogue.rs", "BUILT_IN", "definition")?;
+    write("objects", "json", "catalogue.rs", "BUILT_IN", "definition")?;
     if env::var_os("CARGO_FEATURE_STUDIO").is_some() {
-        write("scenarios", "scenarios.rs", "SCENARIOS", "scenario")?;
+        write("scenarios", "json", "scenarios.rs", "SCENARIOS", "scenario")?;
+        write("scenarios", "csv", "tables.rs", "TABLE_FILES", "table")?;
     }
     Ok(())
 }
 
-/// Writes the list of the files in the folders of a folder.
-fn write(folder: &str, list: &str, constant: &str, what: &str) -> io::Result<()> {
+/// Writes the list of the files in the folders of a folder whose names end alike.
+fn write(folder: &str, end: &str, list: &str, constant: &str, what: &str) -> io::Result<()> {
     let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap_or_default());
     let folder = root.join(folder);
     println!("cargo::rerun-if-changed={}", folder.display());
     let mut files = Vec::new();
-    collect(&folder, &mut files)?;
+    collect(&folder, end, &mut files)?;
     // What stands beside the folders is no file of theirs.
     files.retain(|path| path.parent() != Some(&folder));
     let mut names: Vec<(String, &PathBuf)> = files
@@ -41,18 +42,15 @@ fn write(folder: &str, list: &str, constant: &str, what: &str) -> io::Result<()>
     fs::write(out.join(list), text)
 }
 
-fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+fn collect(folder: &Path, end: &str, files: &mut Vec<PathBuf>) -> io::Result<()> {
     if !folder.is_dir() {
         return Ok(());
     }
     for entry in fs::read_dir(folder)? {
         let path = entry?.path();
         if path.is_dir() {
-            collect(&path, files)?;
-        } else if path
-            .extension()
-            .is_some_and(|extension| extension == "json")
-        {
+            collect(&path, end, files)?;
+        } else if path.extension().is_some_and(|extension| extension == end) {
             files.push(path);
         }
     }

@@ -74,7 +74,7 @@ fn the_schema_refuses_plain_slips() {
                 .remove("position");
         }),
         ("no number", |scene| {
-            scene["objects"]["rocker"]["inertia"] = "much".into()
+            scene["objects"]["rocker"]["inertia"] = "~0.1".into()
         }),
         ("negative", |scene| {
             scene["objects"]["rocker"]["stiffness"] = (-1).into()

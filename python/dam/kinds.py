@@ -100,6 +100,7 @@ __all__ = [
     "StopContact",
     "Strut",
     "Table",
+    "TableFile",
     "Teeth",
     "Torque",
     "TorqueLinear",
@@ -237,6 +238,8 @@ class CamFollower(Tree):
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
         of compliance is kept, which needs a pair that cannot open, or a contact element,
         behind which the first cell is of the former kind. Default `ends`.
+    mass
+        Another name of `inertia`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
@@ -245,6 +248,8 @@ class CamFollower(Tree):
         `masses`: the lowest, of the object held at its driven end; what the others give way
         by under slow forces stays. Needs a pair that stays closed, or a contact element,
         behind which they are the modes of the free object.
+    moment_of_inertia
+        Another name of `inertia`.
     motion
         Whether the follower turns or slides.
     pair
@@ -282,8 +287,10 @@ class CamFollower(Tree):
         lever_ratio: Quantity | None = None,
         loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
         lumping: Literal['ends', 'balanced'] | None = None,
-        masses: int | Literal['auto'] | None = None,
-        modes: int | None = None,
+        mass: Quantity | None = None,
+        masses: int | str | Literal['auto'] | None = None,
+        modes: int | str | None = None,
+        moment_of_inertia: Quantity | None = None,
         motion: Literal['turning', 'sliding'] | None = None,
         pair: Pair | Mapping[str, Value] | None = None,
         position: Position | Mapping[str, Value] | Own | None = None,
@@ -309,8 +316,10 @@ class CamFollower(Tree):
             ("lever_ratio", lever_ratio),
             ("loads", loads),
             ("lumping", lumping),
+            ("mass", mass),
             ("masses", masses),
             ("modes", modes),
+            ("moment_of_inertia", moment_of_inertia),
             ("motion", motion),
             ("pair", pair),
             ("position", position),
@@ -458,7 +467,7 @@ class CoupleTable(Tree):
         self,
         *,
         link: str,
-        points: Sequence[Sequence[Quantity]],
+        points: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value],
         period: Quantity | None = None,
     ) -> None:
         super().__init__(
@@ -516,6 +525,8 @@ class Crank(Tree):
         `masses`: the lowest, of the object held at its driven end; what the others give way
         by under slow forces stays. Needs a pair that stays closed, or a contact element,
         behind which they are the modes of the free object.
+    moment_of_inertia
+        Another name of `inertia`.
     pair
         The driving pair. Default: {}.
     position
@@ -549,8 +560,9 @@ class Crank(Tree):
         lever_ratio: Quantity | None = None,
         loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
         lumping: Literal['ends', 'balanced'] | None = None,
-        masses: int | Literal['auto'] | None = None,
-        modes: int | None = None,
+        masses: int | str | Literal['auto'] | None = None,
+        modes: int | str | None = None,
+        moment_of_inertia: Quantity | None = None,
         pair: Pair | Mapping[str, Value] | None = None,
         position: Position | Mapping[str, Value] | Own | None = None,
         split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
@@ -575,6 +587,7 @@ class Crank(Tree):
             ("lumping", lumping),
             ("masses", masses),
             ("modes", modes),
+            ("moment_of_inertia", moment_of_inertia),
             ("pair", pair),
             ("position", position),
             ("split", split),
@@ -668,6 +681,8 @@ class Differential(Tree):
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
         of compliance is kept, which needs a pair that cannot open, or a contact element,
         behind which the first cell is of the former kind. Default `ends`.
+    mass
+        Another name of `inertia`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
@@ -676,6 +691,8 @@ class Differential(Tree):
         `masses`: the lowest, of the object held at its driven end; what the others give way
         by under slow forces stays. Needs a pair that stays closed, or a contact element,
         behind which they are the modes of the free object.
+    moment_of_inertia
+        Another name of `inertia`.
     offset
         Output where every input is at zero; default 0 (angle in rad, deg, mrad or rev; or
         length in m, mm, cm, µm, in or ft)
@@ -714,8 +731,10 @@ class Differential(Tree):
         lever: Lever | Mapping[str, Value] | None = None,
         loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
         lumping: Literal['ends', 'balanced'] | None = None,
-        masses: int | Literal['auto'] | None = None,
-        modes: int | None = None,
+        mass: Quantity | None = None,
+        masses: int | str | Literal['auto'] | None = None,
+        modes: int | str | None = None,
+        moment_of_inertia: Quantity | None = None,
         offset: Quantity | None = None,
         pair: Pair | Mapping[str, Value] | None = None,
         planetary: Planetary | Mapping[str, Value] | None = None,
@@ -741,8 +760,10 @@ class Differential(Tree):
             ("lever", lever),
             ("loads", loads),
             ("lumping", lumping),
+            ("mass", mass),
             ("masses", masses),
             ("modes", modes),
+            ("moment_of_inertia", moment_of_inertia),
             ("offset", offset),
             ("pair", pair),
             ("planetary", planetary),
@@ -986,7 +1007,7 @@ class Force(Tree):
         expression: str | None = None,
         linear: Linear | Mapping[str, Value] | None = None,
         over: str | None = None,
-        table: Sequence[Sequence[Quantity]] | None = None,
+        table: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value] | None = None,
         unit: str | None = None,
     ) -> None:
         super().__init__(
@@ -1129,7 +1150,7 @@ class Gear(Tree):
         diameters: Sequence[Quantity] | None = None,
         internal: bool | None = None,
         offset: Quantity | None = None,
-        teeth: Sequence[int] | None = None,
+        teeth: Sequence[int | str] | None = None,
     ) -> None:
         super().__init__(
             ("wheels", wheels),
@@ -1295,7 +1316,7 @@ class Indicator(Tree):
         self,
         *,
         area: Quantity,
-        points: Sequence[Sequence[Quantity]],
+        points: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value],
         ambient: Quantity | None = None,
         period: Quantity | None = None,
     ) -> None:
@@ -1380,7 +1401,7 @@ class LawOf(Tree):
         polynomial: Polynomial | Mapping[str, Value] | None = None,
         scca: Scca | Mapping[str, Value] | None = None,
         sections: Sections | Mapping[str, Value] | None = None,
-        table: Sequence[Sequence[Quantity]] | None = None,
+        table: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value] | None = None,
     ) -> None:
         super().__init__(
             ("polynomial", polynomial),
@@ -1925,7 +1946,7 @@ class LinkageForceTable(Tree):
         self,
         *,
         point: str,
-        points: Sequence[Sequence[Quantity]],
+        points: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value],
         direction: Quantity | None = None,
         period: Quantity | None = None,
     ) -> None:
@@ -2016,6 +2037,8 @@ class LinkageLink(Tree):
     moment
         Moment of inertia about the centre of mass; default 0 (moment of inertia in kg m^2,
         kg cm^2, g mm^2, lb ft^2 or lb in^2)
+    moment_of_inertia
+        Another name of `moment`.
     points
         Points by name, each [x, y] in the frame of the link; `origin` is always there.
         Default: {}.
@@ -2030,6 +2053,7 @@ class LinkageLink(Tree):
         geometry: LinkageLinkGeometry | Mapping[str, Value] | None = None,
         mass: Quantity | None = None,
         moment: Quantity | None = None,
+        moment_of_inertia: Quantity | None = None,
         points: Mapping[str, Sequence[Quantity]] | None = None,
     ) -> None:
         super().__init__(
@@ -2037,6 +2061,7 @@ class LinkageLink(Tree):
             ("geometry", geometry),
             ("mass", mass),
             ("moment", moment),
+            ("moment_of_inertia", moment_of_inertia),
             ("points", points),
         )
 
@@ -2216,11 +2241,11 @@ class Load(Tree):
         friction: Friction | Mapping[str, Value] | None = None,
         harmonic: Harmonic | Mapping[str, Value] | None = None,
         indicator: Indicator | Mapping[str, Value] | None = None,
-        mass: int | Literal['last', 'first', 'all'] | None = None,
+        mass: int | str | Literal['last', 'first', 'all'] | None = None,
         over: str | None = None,
         position_table: PositionTable | Mapping[str, Value] | Own | None = None,
         spring: Spring | Mapping[str, Value] | None = None,
-        time_table: Sequence[Sequence[Quantity]] | None = None,
+        time_table: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value] | None = None,
         unit: str | None = None,
         viscous: Quantity | None = None,
         weight: Weight | Mapping[str, Value] | None = None,
@@ -2334,7 +2359,7 @@ class Motion(Tree):
         run_up: RunUp | Mapping[str, Value] | None = None,
         speed: Quantity | None = None,
         start_speed: Quantity | None = None,
-        table: Sequence[Sequence[Quantity]] | None = None,
+        table: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value] | None = None,
         unit: str | None = None,
     ) -> None:
         super().__init__(
@@ -2357,10 +2382,6 @@ class Motor(Tree):
 
     Parameters
     ----------
-    inertia
-        Inertia of the rotor, or mass of a linear motor; 0 when what follows it rigidly has
-        inertia enough (moment of inertia in kg m^2, kg cm^2, g mm^2, lb ft^2 or lb in^2; or
-        mass in kg, g, t or lb)
     angle
         Angle at t = 0 of a drive that turns (angle in rad, deg, mrad or rev; or length in
         m, mm, cm, µm, in or ft) Default: 0.0.
@@ -2369,6 +2390,14 @@ class Motor(Tree):
         length in m, mm, cm, µm, in or ft) Default: 0.0.
     force
         Driving force over speed.
+    inertia
+        Inertia of the rotor, or mass of a linear motor; 0 when what follows it rigidly has
+        inertia enough (moment of inertia in kg m^2, kg cm^2, g mm^2, lb ft^2 or lb in^2; or
+        mass in kg, g, t or lb)
+    mass
+        Another name of `inertia`.
+    moment_of_inertia
+        Another name of `inertia`.
     speed
         Speed at t = 0 (angular speed in rad/s, rev/s, rpm, 1/min or deg/s; or speed in m/s,
         mm/s, m/min, in/s or ft/s) Default: 0.0.
@@ -2381,18 +2410,22 @@ class Motor(Tree):
     def __init__(
         self,
         *,
-        inertia: Quantity,
         angle: Quantity | None = None,
         displacement: Quantity | None = None,
         force: Force | Mapping[str, Value] | None = None,
+        inertia: Quantity | None = None,
+        mass: Quantity | None = None,
+        moment_of_inertia: Quantity | None = None,
         speed: Quantity | None = None,
         torque: Torque | Mapping[str, Value] | None = None,
     ) -> None:
         super().__init__(
-            ("inertia", inertia),
             ("angle", angle),
             ("displacement", displacement),
             ("force", force),
+            ("inertia", inertia),
+            ("mass", mass),
+            ("moment_of_inertia", moment_of_inertia),
             ("speed", speed),
             ("torque", torque),
         )
@@ -2574,7 +2607,7 @@ class PlannedMotion(Tree):
         polynomial: Polynomial | Mapping[str, Value] | None = None,
         scca: Scca | Mapping[str, Value] | None = None,
         sections: Sections | Mapping[str, Value] | None = None,
-        table: Sequence[Sequence[Quantity]] | None = None,
+        table: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value] | None = None,
     ) -> None:
         super().__init__(
             ("polynomial", polynomial),
@@ -2837,7 +2870,7 @@ class PositionTable(Tree):
     def __init__(
         self,
         *,
-        points: Sequence[Sequence[Quantity]],
+        points: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value],
         period: Quantity | None = None,
     ) -> None:
         super().__init__(
@@ -2962,6 +2995,8 @@ class Rocker(Tree):
         `masses`: the lowest, of the object held at its driven end; what the others give way
         by under slow forces stays. Needs a pair that stays closed, or a contact element,
         behind which they are the modes of the free object.
+    moment_of_inertia
+        Another name of `inertia`.
     pair
         The driving pair. Default: {}.
     position
@@ -2996,8 +3031,9 @@ class Rocker(Tree):
         lever_ratio: Quantity | None = None,
         loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
         lumping: Literal['ends', 'balanced'] | None = None,
-        masses: int | Literal['auto'] | None = None,
-        modes: int | None = None,
+        masses: int | str | Literal['auto'] | None = None,
+        modes: int | str | None = None,
+        moment_of_inertia: Quantity | None = None,
         pair: Pair | Mapping[str, Value] | None = None,
         position: Position | Mapping[str, Value] | Own | None = None,
         split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
@@ -3023,6 +3059,7 @@ class Rocker(Tree):
             ("lumping", lumping),
             ("masses", masses),
             ("modes", modes),
+            ("moment_of_inertia", moment_of_inertia),
             ("pair", pair),
             ("position", position),
             ("split", split),
@@ -3121,10 +3158,10 @@ class Run(Tree):
         duration: Quantity,
         accuracy: Quantity | Mapping[str, Quantity] | None = None,
         first_times: Mapping[str, FirstTimes | Mapping[str, Value]] | None = None,
-        max_switches: int | None = None,
+        max_switches: int | str | None = None,
         method: Literal['auto', 'exact', 'rk4', 'dopri5', 'dop853', 'taylor', 'rodas5p', 'radau', 'bdf', 'tr_bdf2', 'esdirk34'] | None = None,
         record: Literal['objects', 'all'] | None = None,
-        samples: int | None = None,
+        samples: int | str | None = None,
         start: Literal['kinetostatic', 'static', 'on_law'] | Mapping[str, Start | Mapping[str, Value]] | None = None,
         step: Quantity | None = None,
         switch_rows: bool | None = None,
@@ -3170,7 +3207,7 @@ class RunLaw(Tree):
         self,
         *,
         polynomial: Polynomial | Mapping[str, Value] | None = None,
-        table: Sequence[Sequence[Quantity]] | None = None,
+        table: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value] | None = None,
         trapezoid: Trapezoid | Mapping[str, Value] | None = None,
     ) -> None:
         super().__init__(
@@ -3329,6 +3366,8 @@ class Shaft(Tree):
         `masses`: the lowest, of the object held at its driven end; what the others give way
         by under slow forces stays. Needs a pair that stays closed, or a contact element,
         behind which they are the modes of the free object.
+    moment_of_inertia
+        Another name of `inertia`.
     pair
         The driving pair. Default: {}.
     position
@@ -3364,8 +3403,9 @@ class Shaft(Tree):
         lever_ratio: Quantity | None = None,
         loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
         lumping: Literal['ends', 'balanced'] | None = None,
-        masses: int | Literal['auto'] | None = None,
-        modes: int | None = None,
+        masses: int | str | Literal['auto'] | None = None,
+        modes: int | str | None = None,
+        moment_of_inertia: Quantity | None = None,
         pair: Pair | Mapping[str, Value] | None = None,
         position: Position | Mapping[str, Value] | Own | None = None,
         split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
@@ -3391,6 +3431,7 @@ class Shaft(Tree):
             ("lumping", lumping),
             ("masses", masses),
             ("modes", modes),
+            ("moment_of_inertia", moment_of_inertia),
             ("pair", pair),
             ("position", position),
             ("split", split),
@@ -3517,6 +3558,8 @@ class Slider(Tree):
         at the far end of the cell; or `balanced`, at both its ends so that its first moment
         of compliance is kept, which needs a pair that cannot open, or a contact element,
         behind which the first cell is of the former kind. Default `ends`.
+    mass
+        Another name of `inertia`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
@@ -3558,8 +3601,9 @@ class Slider(Tree):
         lever_ratio: Quantity | None = None,
         loads: Mapping[str, Load | Mapping[str, Value] | Own] | None = None,
         lumping: Literal['ends', 'balanced'] | None = None,
-        masses: int | Literal['auto'] | None = None,
-        modes: int | None = None,
+        mass: Quantity | None = None,
+        masses: int | str | Literal['auto'] | None = None,
+        modes: int | str | None = None,
         pair: Pair | Mapping[str, Value] | None = None,
         position: Position | Mapping[str, Value] | Own | None = None,
         split: Literal['cubes', 'equal'] | Sequence[Quantity] | None = None,
@@ -3583,6 +3627,7 @@ class Slider(Tree):
             ("lever_ratio", lever_ratio),
             ("loads", loads),
             ("lumping", lumping),
+            ("mass", mass),
             ("masses", masses),
             ("modes", modes),
             ("pair", pair),
@@ -3814,7 +3859,7 @@ class Stations(Tree):
         at: Quantity,
         displacement: Quantity,
         acceleration: Quantity | None = None,
-        match: int | None = None,
+        match: int | str | None = None,
         motion: Literal['dwell', 'uniform', 'smooth', 'parabolic', 'harmonic', 'cycloidal', 'modified_trapezoid', 'modified_sine', 'modified_constant_velocity', '3-4-5', '4-5-6-7'] | PlannedMotion | Mapping[str, Value] | None = None,
         speed: Quantity | None = None,
     ) -> None:
@@ -3868,7 +3913,7 @@ class Steady(Tree):
         fluctuation: Quantity | None = None,
         mean: Literal['time', 'angle', 'midrange'] | None = None,
         mean_speed: Quantity | None = None,
-        periods: int | None = None,
+        periods: int | str | None = None,
         tolerance: Quantity | None = None,
     ) -> None:
         super().__init__(
@@ -4026,7 +4071,7 @@ class Table(Tree):
     def __init__(
         self,
         *,
-        points: Sequence[Sequence[Quantity]],
+        points: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value],
         end_slopes: Sequence[Quantity] | None = None,
         periodic: bool | None = None,
     ) -> None:
@@ -4034,6 +4079,32 @@ class Table(Tree):
             ("points", points),
             ("end_slopes", end_slopes),
             ("periodic", periodic),
+        )
+
+
+class TableFile(Tree):
+    """What `table_file` is made of.
+
+    Parameters
+    ----------
+    file
+        CSV file in the folder of the scene. Its first line names the columns with their
+        units: angle [deg], lift [mm].
+    columns
+        Names of the two columns that are meant; needed where there are more.
+    """
+
+    __slots__ = ()
+
+    def __init__(
+        self,
+        *,
+        file: str,
+        columns: Sequence[str] | None = None,
+    ) -> None:
+        super().__init__(
+            ("file", file),
+            ("columns", columns),
         )
 
 
@@ -4053,8 +4124,8 @@ class Teeth(Tree):
     def __init__(
         self,
         *,
-        ring: int,
-        sun: int,
+        ring: int | str,
+        sun: int | str,
     ) -> None:
         super().__init__(
             ("ring", ring),
@@ -4096,7 +4167,7 @@ class Torque(Tree):
         kloss: Kloss | Mapping[str, Value] | None = None,
         linear: TorqueLinear | Mapping[str, Value] | None = None,
         over: str | None = None,
-        table: Sequence[Sequence[Quantity]] | None = None,
+        table: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value] | None = None,
         unit: str | None = None,
     ) -> None:
         super().__init__(

@@ -94,14 +94,14 @@ impl Scene {
         directly(py, || dam::Scene::read(path)).map(Self::of)
     }
 
-    /// Reads a text. `folder` holds the catalogue.
+    /// Reads a text. `folder` holds the catalogue, and lies beside the tables of the scene.
     #[staticmethod]
     #[pyo3(signature = (text, name, folder=None))]
     fn parse(py: Python<'_>, text: &str, name: &str, folder: Option<PathBuf>) -> PyResult<Self> {
         directly(py, || {
             let scene = dam::Scene::of(Document::parse(name, text.as_bytes())?);
             Ok(match folder {
-                Some(path) => scene.with_catalogue(Folder::new(path)),
+                Some(path) => scene.with_catalogue(Folder::beside(&path)),
                 None => scene,
             })
         })

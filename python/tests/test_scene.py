@@ -105,3 +105,18 @@ def test_kinds_read_back() -> None:
     assert pair == kinds.Pair(gap="50 um", closure="form")
     assert pair["gap"] == "50 um"
     assert "gap='50 um'" in repr(pair)
+
+
+def test_parameters_and_tables_in_files_are_kept(scenarios: Path) -> None:
+    scene = dam.load(scenarios / "cams" / "measured_lift.json")
+    assert '"preload": "2*rate*lift"' in scene.json
+    assert '"file": "measured_lift.csv"' in scene.json
+    faster = scene.set("parameters.n", "600 rpm")
+    figure = "follower.peak_speed"
+    assert faster.run().figures[figure] == pytest.approx(2 * scene.run().figures[figure])
+    again = pickle.loads(pickle.dumps(faster))
+    assert again.hash == faster.hash
+    # A text has no folder in which a file could be.
+    with pytest.raises(dam.SceneError) as told:
+        dam.loads(scene.json).run()
+    assert [fault.code for fault in told.value.faults] == ["no-folder"]

@@ -56,7 +56,7 @@ impl Scene {
     }
 
     /// Reads a scene's file. Objects are copied (`from`) out of the folder `objects`
-    /// beside it, then out of what is built in.
+    /// beside it, then out of what is built in. Its tables may be files beside it.
     ///
     /// # Errors
     /// The file cannot be read, or is not strict JSON. What is wrong with the scene
@@ -117,6 +117,16 @@ impl Scene {
             self.faults
                 .push(fault.hint("give each object an id of its own"));
         }
+        self
+    }
+
+    /// Names a parameter, to which every number and every expression may refer:
+    /// `.parameter("r", "50 mm")`, then `"2*r + 5 mm"`.
+    #[must_use]
+    pub fn parameter(mut self, name: &str, value: impl Into<Node>) -> Self {
+        let value = value.into();
+        self.document
+            .edit(|root| root.property("parameters").put(name, value));
         self
     }
 

@@ -55,7 +55,11 @@ impl<'a> Input<'a> {
         shown::follow(document.text());
         Ok(Self {
             document,
-            folder: Box::new(Folder::beside(&args.scene)),
+            // What comes from standard input has no folder of its own.
+            folder: Box::new(match args.scene.as_os_str() == STANDARD_INPUT {
+                true => Folder::new("objects"),
+                false => Folder::beside(&args.scene),
+            }),
             overrides: Overrides::new(args.set.clone()),
             budget: *interrupt::budget(),
         })

@@ -71,6 +71,46 @@ const LONGEST: usize = 2000;
 /// Variables by name, each with the index of its value: several names may mean one.
 pub(crate) type Names<'a> = [(&'a str, usize)];
 
+/// What a name in a text stands for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Symbol {
+    /// A variable, by the index of its value.
+    Variable(usize),
+    Number(f64),
+}
+
+/// The names that a text may use, and the numbers with units, where it may have any.
+pub(crate) trait Symbols {
+    fn symbol(&mut self, name: &str) -> Option<Symbol>;
+
+    /// The number with a unit that a text begins with: its length, and what it stands for.
+    fn quantity(&mut self, _text: &str) -> Option<(usize, Symbol)> {
+        None
+    }
+
+    /// Length of a name at the start of a text that has more than letters and digits.
+    fn long_name(&self, _text: &str) -> Option<usize> {
+        None
+    }
+
+    /// The names, as a message lists them.
+    fn names(&self) -> Vec<String>;
+}
+
+/// Variables alone.
+struct Variables<'a>(&'a Names<'a>);
+
+impl Symbols for Variables<'_> {
+    fn symbol(&mut self, name: &str) -> Option<Symbol> {
+        let found = self.0.iter().find(|(known, _)| *known == name);
+        found.map(|(_, index)| Symbol::Variable(*index))
+    }
+
+    fn names(&self) -> Vec<String> {
+        self.0.iter().map(|(name, _)| (*name).to_owned()).collect()
+    }
+}
+
 /// A function of named variables, written as an expression.
 #[derive(Clone, Debug)]
 pub struct Expression {
@@ -116,6 +156,14 @@ impl Expression {
     /// # Errors
     /// As [`Self::new`].
     pub(crate) fn over(text: &str, names: &Names<'_>) -> Result<Self, Mistake> {
+        Self::with(text, &mut Variables(names))
+    }
+
+    /// Reads `text`, an expression over whatever its names stand for.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub(crate) fn with(text: &str, symbols: &mut dyn Symbols) -> Result<Self, Mistake> {
         if text.len() > LONGEST {
             let mut start = LONGEST;
             while !text.is_char_boundary(start) {
@@ -127,7 +175,8 @@ impl Expression {
                 place: start..text.len(),
             });
         }
-        let found = read::read(text, names).map_err(|error| mistake(text, names, &error))?;
+        let found = read::read(text, symbols);
+        let found = found.map_err(|error| mistake(text, &symbols.names(), &error))?;
         Ok(Self {
             text: text.to_owned(),
             program: Arc::new(found.program),
@@ -200,11 +249,10 @@ fn asks_if(text: &str) -> bool {
     words.any(|word| word.eq_ignore_ascii_case("if"))
 }
 
-fn mistake(text: &str, names: &Names<'_>, (wrong, place): &read::Error) -> Mistake {
+fn mistake(text: &str, known: &[String], (wrong, place): &read::Error) -> Mistake {
     let words = text.get(place.clone()).unwrap_or_default();
     let (what, hint) = match wrong {
         Wrong::Variable => {
-            let known: Vec<&str> = names.iter().map(|(name, _)| *name).collect();
             let hint = match known.is_empty() {
                 true => "known are the constants pi, tau, e".to_owned(),
                 false => format!(

@@ -16,6 +16,23 @@ use std::ops::{Add, Mul, Neg, Sub};
 pub(crate) struct Series<const N: usize, T = f64>(pub(crate) [T; N]);
 
 impl<const N: usize, T: Number> Series<N, T> {
+    /// A constant, of any kind of number.
+    #[inline(always)]
+    pub(crate) fn fixed(value: f64) -> Self {
+        let mut coefficients = [T::from(0.0); N];
+        coefficients[0] = T::from(value);
+        Self(coefficients)
+    }
+
+    /// The series times a constant.
+    #[inline(always)]
+    pub(crate) fn scale(mut self, factor: f64) -> Self {
+        for k in 0..N {
+            self.0[k] = self.0[k].scale(factor);
+        }
+        self
+    }
+
     /// Square of the series.
     #[inline(always)]
     pub(crate) fn square(self) -> Self {
@@ -82,9 +99,7 @@ impl<const N: usize> Series<N> {
     /// A constant.
     #[inline(always)]
     pub(crate) fn constant(value: f64) -> Self {
-        let mut coefficients = [0.0; N];
-        coefficients[0] = value;
-        Self(coefficients)
+        Self::fixed(value)
     }
 
     /// The variable itself, at `value`.
@@ -123,12 +138,6 @@ impl<const N: usize> Series<N> {
     #[inline(always)]
     pub(crate) fn is_zero(&self) -> bool {
         self.0 == [0.0; N]
-    }
-
-    /// The series times a constant.
-    #[inline(always)]
-    pub(crate) fn scale(self, factor: f64) -> Self {
-        Self(self.0.map(|c| c * factor))
     }
 
     /// The series plus a constant.
@@ -223,8 +232,11 @@ impl<const N: usize, T: Number> Sub for Series<N, T> {
 impl<const N: usize, T: Number> Neg for Series<N, T> {
     type Output = Self;
     #[inline(always)]
-    fn neg(self) -> Self {
-        Self(self.0.map(|c| -c))
+    fn neg(mut self) -> Self {
+        for k in 0..N {
+            self.0[k] = -self.0[k];
+        }
+        self
     }
 }
 

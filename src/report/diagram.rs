@@ -21,7 +21,7 @@ pub struct ObjectBox {
     pub id: String,
     /// Kind in the scene.
     pub kind: String,
-    /// `rigid`, `2 masses`, `modes`, `20π rad/s`, `motor`.
+    /// `rigid`, `2 masses`, `modes`, `62.83 rad/s`, `motor`.
     pub detail: String,
     /// Inputs with what drives them, in their order; empty for a drive.
     pub inputs: Vec<BoxInput>,

@@ -212,8 +212,11 @@ fn parameter_unit(path: &str, model: &Model) -> &'static str {
         return "m";
     }
     match rest.rsplit('.').next().unwrap_or(rest) {
+        // A named parameter may measure anything.
+        _ if id == "parameters" => "",
         "inertia" => either("kg m²", "kg"),
         "mass" => "kg",
+        "moment_of_inertia" => "kg m²",
         "moment" => "kg m²",
         "stiffness" | "rate" => either("N m/rad", "N/m"),
         "damping" => either("N m s/rad", "N s/m"),

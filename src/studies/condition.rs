@@ -155,11 +155,11 @@ impl WrittenUnit {
             name => quantity(&format!("1 {name}"), unit).ok(),
         };
         match size {
-            Some(size) if name != "%" => Self {
+            Some(size) => Self {
                 name: name.to_owned(),
                 size,
             },
-            _ => Self {
+            None => Self {
                 name: unit.to_owned(),
                 size: 1.0,
             },

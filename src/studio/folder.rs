@@ -1,7 +1,8 @@
 //! The folder that is open: everything read or written lies below it, links resolved.
 
 use super::limits::BODY;
-use crate::frontend::scene::{Catalogue, Folder as Objects};
+use crate::frontend::diagnostics::Diagnostic;
+use crate::frontend::scene::{Catalogue, Folder as Objects, NamedBytes};
 use std::borrow::Cow;
 use std::fs;
 use std::path::{Component, Path, PathBuf};
@@ -200,6 +201,12 @@ impl Catalogue for Shelf {
             false => Vec::new(),
         }
     }
+
+    fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        // The page need not know where the folder lies.
+        let (_, bytes) = self.objects.table(name)?;
+        Ok((name.to_owned(), bytes))
+    }
 }
 
 #[cfg(all(test, unix))]
@@ -269,6 +276,19 @@ mod tests {
         assert_eq!(folder.scenes(), ["a.json", "deep/b.json"]);
         let shelf = folder.catalogue(&folder.file("a.json").unwrap());
         assert!(shelf.lookup("o").is_none() && shelf.names().is_empty());
+        let table = "angle [deg],lift [mm]\n0,0\n";
+        fs::write(other.join("lift.csv"), table).unwrap();
+        fs::write(root.join("lift.csv"), table).unwrap();
+        symlink(other.join("lift.csv"), root.join("link.csv")).unwrap();
+        assert_eq!(shelf.table("lift.csv").unwrap().0, "lift.csv");
+        for name in [
+            "../other/lift.csv",
+            "link.csv",
+            "away/lift.csv",
+            "/etc/passwd",
+        ] {
+            assert!(shelf.table(name).is_err(), "{name}");
+        }
         let (of_scene, name) = Folder::open(Some(&root.join("link.json"))).unwrap();
         assert_eq!(
             (of_scene.name().as_str(), name.as_deref()),

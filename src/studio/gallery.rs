@@ -2,10 +2,14 @@
 //! to begin with.
 
 use super::messages::Beginning;
-use crate::frontend::scene::Template;
+use crate::frontend::diagnostics::Diagnostic;
+use crate::frontend::read::file_names;
+use crate::frontend::scene::{BuiltIn, Catalogue, Document, NamedBytes, Overrides, Template};
 use serde::Serialize;
+use std::borrow::Cow;
 
 include!(concat!(env!("OUT_DIR"), "/scenarios.rs"));
+include!(concat!(env!("OUT_DIR"), "/tables.rs"));
 
 /// The tables of the scenarios: what each asks, and what those of a folder ask.
 const TABLES: &str = include_str!("../../scenarios/README.md");
@@ -65,7 +69,10 @@ pub(super) fn beginning(of: &Beginning) -> Result<String, String> {
             let found = Template::ALL.into_iter().find(|one| one.name() == name);
             found.map(|one| one.text().to_owned())
         }
-        Beginning::Scenario(name) => scenario(name).map(without_schema),
+        Beginning::Scenario(name) => scenario(name).map(|text| {
+            let text = without_schema(text);
+            with_tables(name, &text).unwrap_or(text)
+        }),
     };
     found.ok_or_else(|| "there is no such scene to begin with".to_owned())
 }
@@ -81,6 +88,38 @@ fn without_schema(text: &str) -> String {
     lines
         .filter(|line| !line.trim_start().starts_with("\"$schema\":"))
         .collect()
+}
+
+/// The tables beside a scenario.
+struct Tables<'n>(&'n str);
+
+impl Catalogue for Tables<'_> {
+    fn lookup(&self, name: &str) -> Option<(String, Cow<'_, str>)> {
+        BuiltIn.lookup(name)
+    }
+
+    fn names(&self) -> Vec<String> {
+        BuiltIn.names()
+    }
+
+    fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        let folder = self.0.split('/').next().unwrap_or_default();
+        let wanted = format!("{folder}/{}", name.trim_end_matches(".csv"));
+        match TABLE_FILES.iter().find(|(own, _)| *own == wanted) {
+            Some((_, text)) => Ok((name.to_owned(), text.as_bytes().to_vec())),
+            None => BuiltIn.table(name),
+        }
+    }
+}
+
+/// A scenario that names files, with their tables in it: it is to be right wherever it lies.
+fn with_tables(name: &str, text: &str) -> Option<String> {
+    let document = Document::parse(name, text.as_bytes()).ok()?;
+    if file_names(document.root()).is_empty() {
+        return None;
+    }
+    let reading = document.scene(&Tables(name), &Overrides::none()).ok()?;
+    Some(document.decoded(&reading.places).text().to_owned())
 }
 
 /// The cells of a row of a table.

@@ -55,6 +55,13 @@ impl Dimension {
     pub fn without_angle(self) -> Self {
         Self { angle: 0, ..self }
     }
+
+    /// True of dimensions with a mass or a length that differ by the angle alone. (Without
+    /// these a speed of turning would be a frequency.)
+    pub(crate) fn agrees_but_for_angle(self, other: Self) -> bool {
+        let mechanical = self.mass != 0 || self.length != 0;
+        mechanical && self.without_angle() == other.without_angle()
+    }
 }
 
 impl Mul for Dimension {

@@ -8,6 +8,7 @@
 //! stiffness) the quantity takes both.
 
 mod dimension;
+mod formula;
 mod list;
 mod parse;
 mod quantity;
@@ -15,6 +16,7 @@ mod shown;
 mod table;
 
 pub use dimension::Dimension;
+pub(crate) use formula::{Scope, formula, hidden};
 pub use list::{number_and_unit, with_common_unit};
 pub use parse::{Measure, UnitError, parse};
 pub use quantity::{Mismatch, Quantity, quantities};

@@ -15,6 +15,22 @@ pub struct Measure {
     /// True when the whole unit is `1/min` (or `min^-1`): a frequency, or by custom
     /// revolutions per minute.
     pub per_minute: bool,
+    /// True of a product or quotient of quantities, in which a radian more or less means
+    /// nothing: n·r is a speed.
+    pub composed: bool,
+}
+
+impl Measure {
+    /// A number without a unit.
+    pub(crate) const fn bare(value: f64) -> Self {
+        Self {
+            value,
+            dimension: Dimension::NONE,
+            bare: true,
+            per_minute: false,
+            composed: false,
+        }
+    }
 }
 
 /// Why a text is no number with a unit.
@@ -93,6 +109,7 @@ pub fn parse(text: &str) -> Result<Measure, UnitError> {
         dimension: units.dimension,
         bare,
         per_minute: is_per_minute(unit),
+        composed: false,
     })
 }
 

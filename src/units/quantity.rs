@@ -53,7 +53,8 @@ impl Quantity {
         let bare_angle = self.angle_may_be_left_out
             && measure.dimension.angle == 0
             && measure.dimension == self.dimension.without_angle();
-        if bare_angle {
+        let composed = measure.composed && measure.dimension.agrees_but_for_angle(self.dimension);
+        if bare_angle || composed {
             return Ok(measure.value);
         }
         let per_second = Dimension::new(0, 0, -1, 0);

@@ -5,8 +5,8 @@
 //! before they are committed. `NAME.set` beside `NAME.json` holds overrides,
 //! one a line.
 
-use dam::diagnostics::Diagnostics;
-use dam::scene::{Catalogue, Document, Overrides};
+use dam::diagnostics::{Diagnostic, Diagnostics};
+use dam::scene::{BuiltIn, Catalogue, Document, NamedBytes, Overrides};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -34,6 +34,33 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("rocker/broken", "{ \"kind\": \"rocker\", }\n"),
 ];
 
+/// Tables beside the scenes.
+const TABLES: &[(&str, &[u8])] = &[
+    ("empty.csv", b"\n\n"),
+    ("headless.csv", b"0,1\n1,2\n"),
+    ("ragged.csv", b"angle [deg],lift [mm]\n0,0\n10\n20,2,5\n"),
+    (
+        "words.csv",
+        b"angle [deg],lift [mm]\n0,zero\n10,NaN\n20,\n30,1e999\n40,1 mm\n",
+    ),
+    ("commas.csv", b"angle [deg];lift [mm]\n0;0,5\n10;1.000,5\n"),
+    ("quoted.csv", b"angle [deg],lift [mm]\n0,\"0,5\"\n"),
+    ("units.csv", b"angle [deg],lift [kg]\n0,0\n"),
+    ("strange.csv", b"angle [deg],lift [furlong]\n0,0\n"),
+    ("open.csv", b"angle [deg,lift\n0,0\n"),
+    (
+        "three.csv",
+        b"angle [deg]\tlift [mm]\tforce [N]\n0\t0\t1\n1\t0\t2\n2\t1\t1\n",
+    ),
+    ("twice.csv", b"lift [mm],angle [deg],lift [mm]\n0,0,0\n"),
+    ("short.csv", b"angle [deg],lift [mm]\n0,0\n1,1\n"),
+    (
+        "descending.csv",
+        b"# measured\nangle [deg],lift [mm]\n0,0\n2,1\n1,2\n",
+    ),
+    ("latin.csv", b"angle [\xb0],lift [mm]\n0,0\n"),
+];
+
 impl Catalogue for TestCatalogue {
     fn lookup(&self, name: &str) -> Option<(String, Cow<'_, str>)> {
         let found = CATALOGUE.iter().find(|entry| entry.0 == name)?;
@@ -42,6 +69,13 @@ impl Catalogue for TestCatalogue {
 
     fn names(&self) -> Vec<String> {
         CATALOGUE.iter().map(|entry| entry.0.to_owned()).collect()
+    }
+
+    fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        match TABLES.iter().find(|table| table.0 == name) {
+            Some((name, text)) => Ok(((*name).to_owned(), text.to_vec())),
+            None => BuiltIn.table(name),
+        }
     }
 }
 

@@ -7,7 +7,7 @@
 
 use dam::lower::lower;
 use dam::record::Figures;
-use dam::scene::{BuiltIn, Document, Overrides};
+use dam::scene::{BuiltIn, Document, Folder, Layered, Overrides};
 use dam::studies::run::run;
 use dam::studies::{Control, RunSettings};
 use dam::system::System;
@@ -32,7 +32,10 @@ fn figures(path: &Path) -> Figures {
     let bytes = std::fs::read(path).expect("a scene");
     let document = Document::parse(&path.display().to_string(), &bytes).expect("a document");
     let reading = document
-        .scene(&BuiltIn, &Overrides::none())
+        .scene(
+            &Layered(&Folder::beside(path), &BuiltIn),
+            &Overrides::none(),
+        )
         .expect("a scene");
     let system = System::new(lower(&reading.scene).expect("a model")).expect("a system");
     let settings = RunSettings::of(&reading.scene).expect("settings");

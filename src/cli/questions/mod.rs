@@ -15,7 +15,8 @@ use super::input::Input;
 use super::output::OutputFolder;
 use super::{cam, forces, kinematics, law, methods, reduce, run, steady};
 use crate::budget::Budget;
-use crate::frontend::scene::Catalogue;
+use crate::frontend::diagnostics::Diagnostic;
+use crate::frontend::scene::{Catalogue, NamedBytes};
 use crate::report::live;
 use crate::studio::commands::{CommandScene, Commands, Question};
 use clap::Parser;
@@ -207,6 +208,10 @@ impl Catalogue for Lent<'_> {
 
     fn names(&self) -> Vec<String> {
         self.0.names()
+    }
+
+    fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        self.0.table(name)
     }
 }
 

@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::Kinetostatics;
 use crate::kinematics::linkage::multi::proposal;
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, InputSpec, MultiSpec};
-use crate::kinematics::linkage::spec::{LinkageSpec, PairKind, PairSpec};
+use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
 use crate::kinematics::linkage::{Cause, Linkage, Reach};
 use crate::kinematics::position::{LinkageOutput, Position, linkage_reach};
 use std::sync::Arc;
@@ -174,7 +174,7 @@ fn ends_in_words(linkage: &Linkage) -> String {
 
 /// A pin with a coefficient of friction that acts on no radius.
 fn is_bare(pair: &PairSpec) -> bool {
-    matches!(pair.kind, PairKind::Revolute { diameter } if diameter == 0.0) && pair.friction > 0.0
+    pair.kind.diameter() == Some(0.0) && pair.friction > 0.0
 }
 
 /// Adds to what is said of a mobility above one the inputs that the linkage could have.

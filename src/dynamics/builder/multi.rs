@@ -60,7 +60,11 @@ impl ModelBuilder {
         let friction = match spec.joint_friction {
             true => {
                 let made = Kinetostatics::of_inputs(linkage.spec());
-                self.kinetostatics_with_friction(at, &spec.linkage.linkage, made)
+                let rubbing = self.kinetostatics_with_friction(at, &spec.linkage.linkage, made);
+                let open = rubbing.as_ref();
+                let open = open.and_then(|own| own.friction_of_inputs_left_open(&linkage));
+                self.faults(at, "", open.into_iter().collect());
+                rubbing
             }
             false => None,
         };

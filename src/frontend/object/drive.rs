@@ -1,7 +1,7 @@
 //! Drives: where motion comes from.
 
 use super::law::run_law;
-use super::load::{On, points, read_all};
+use super::load::{On, read_all};
 use super::measures::Measures;
 use super::motor;
 use super::plan;
@@ -9,7 +9,7 @@ use super::spec::{DriveMotionSpec, DriveSpec};
 use super::written;
 use super::{Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, Node, Slot};
+use crate::frontend::read::{Bounds, Fields, Node, Slot, points};
 use crate::units::quantities as q;
 use serde_json::json;
 
@@ -140,7 +140,7 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
             "table",
             "List of [time, displacement], at least three: a smooth spline through the points.",
             |slot| {
-                let points = points(slot, q::TIME.into(), own.displacement(), 3)?;
+                let points = points(slot, q::TIME, own.displacement(), 3)?;
                 Some(DriveMotionSpec::Table { points })
             },
         );

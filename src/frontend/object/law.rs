@@ -1,9 +1,8 @@
 //! Laws of motion in scenes and in arguments of commands.
 
-use super::load::points;
 use crate::fault::Fault;
 use crate::frontend::diagnostics::{Diagnostics, Place, Source, Sources};
-use crate::frontend::read::{Bounds, Fields, Node, Reader, Slot, Value, parse_fragment};
+use crate::frontend::read::{Bounds, Fields, Node, Reader, Slot, Value, parse_fragment, points};
 use crate::kinematics::motion::law::{MOST_CONDITIONS, PolynomialSpec, SectionsSpec, TABLE_POINTS};
 use crate::kinematics::motion::{Law, LawName, LawSpec, RunLawName, RunLawSpec};
 use crate::units::quantities as q;
@@ -168,8 +167,7 @@ fn polynomial(slot: Slot<'_>) -> Option<PolynomialSpec> {
 
 fn table(mut slot: Slot<'_>) -> Option<Vec<(f64, f64)>> {
     let least = *TABLE_POINTS.start();
-    let found =
-        slot.read_in_place(|slot| points(slot, q::NUMBER.into(), q::NUMBER.into(), least))?;
+    let found = slot.read_in_place(|slot| points(slot, q::NUMBER, q::NUMBER, least))?;
     if found.len() > *TABLE_POINTS.end() {
         let message = format!("a law takes at most {} points", TABLE_POINTS.end());
         slot.refuse("wrong-length", message);

@@ -20,19 +20,16 @@ pub(super) enum Masses {
 /// Reads `masses`.
 pub(super) fn masses(mut slot: Slot<'_>, most: u64) -> Option<Masses> {
     let text = slot.node().and_then(|node| node.text());
-    if let Some(text) = text.filter(|text| *text != "auto") {
+    if let Some(text) = text.filter(|text| *text != "auto" && !slot.is_formula()) {
         let message = format!("`masses` must be a whole number or \"auto\", found {text:?}");
         slot.refuse("wrong-type", message).label =
             "expected a whole number, or \"auto\"".to_owned();
         return None;
     }
-    slot.text_or(
-        |slot| slot.choice(&[("auto", Masses::Auto)]),
-        |slot| {
-            slot.count(0..=most)
-                .map(|count| Masses::Count(count as usize))
-        },
-    )
+    slot.choice_or(&[("auto", Masses::Auto)], |slot| {
+        slot.count(0..=most)
+            .map(|count| Masses::Count(count as usize))
+    })
 }
 
 /// Most modes of one object.

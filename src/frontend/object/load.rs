@@ -7,13 +7,10 @@ use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::written;
 use crate::dynamics::laws::{self, Declared, Domain, ForceLaw, Measure, Parameter};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, points};
 use crate::units::quantities as q;
 use serde_json::json;
 use std::f64::consts::TAU;
-
-/// Most points of a table.
-const MOST_POINTS: usize = 100_000;
 
 /// Owner of loads: where they act.
 #[derive(Clone, Copy, Debug)]
@@ -96,20 +93,17 @@ fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
         ("first", MassChoice::First),
         ("all", MassChoice::All),
     ];
-    slot.text_or(
-        |slot| slot.choice(&names),
-        |slot| {
-            let most = masses.map_or(super::body::MOST_MASSES, |count| count as u64);
-            if most == 0 {
-                let mut slot = slot;
-                slot.refuse("out-of-range", "a rigid object has no numbered masses")
-                    .hints
-                    .push("leave out `mass`".to_owned());
-                return None;
-            }
-            Some(MassChoice::Number(slot.count(1..=most)? as usize))
-        },
-    )
+    slot.choice_or(&names, |slot| {
+        let most = masses.map_or(super::body::MOST_MASSES, |count| count as u64);
+        if most == 0 {
+            let mut slot = slot;
+            slot.refuse("out-of-range", "a rigid object has no numbered masses")
+                .hints
+                .push("leave out `mass`".to_owned());
+            return None;
+        }
+        Some(MassChoice::Number(slot.count(1..=most)? as usize))
+    })
 }
 
 fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
@@ -127,7 +121,7 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
     law.case(
         "time_table",
         "List of [time, force]: linear between the points, constant outside.",
-        |slot| points(slot, q::TIME.into(), force, 1).map(LoadLawSpec::TimeTable),
+        |slot| points(slot, q::TIME, force, 1).map(LoadLawSpec::TimeTable),
     );
     if let On::Chain { driver, .. } | On::Output { driver, .. } = on {
         law.case(
@@ -164,36 +158,6 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
             Some(LoadLawSpec::Written(spec))
         }
         (law, _, _) => Some(law),
-    }
-}
-
-/// Reads `[[x, y], …]` with x strictly ascending.
-pub(super) fn points(
-    mut slot: Slot<'_>,
-    x: QuantityChoice,
-    y: QuantityChoice,
-    least: usize,
-) -> Option<Vec<(f64, f64)>> {
-    let points = slot.read_in_place(|slot| {
-        slot.list(least..=MOST_POINTS, |slot| {
-            slot.pair(
-                |slot| slot.quantity(x, Bounds::ANY),
-                |slot| slot.quantity(y, Bounds::ANY),
-            )
-        })
-    })?;
-    let wrong = (1..points.len()).find(|&at| points[at].0 <= points[at - 1].0);
-    match wrong {
-        None => Some(points),
-        Some(at) => {
-            let message = format!(
-                "the first values must ascend: {} follows {}",
-                points[at].0,
-                points[at - 1].0
-            );
-            slot.refuse_item(at, "not-ascending", message);
-            None
-        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which quantities the properties of an object have.
 
 use crate::dynamics::model::Coordinate::{self, Sliding, Turning};
-use crate::frontend::read::{Bounds, QuantityChoice, Slot};
+use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot};
 use crate::units::quantities as q;
 use crate::units::{Dimension, Quantity};
 
@@ -46,6 +46,16 @@ impl Measures {
     /// Moment of inertia or mass.
     pub fn inertia(self) -> QuantityChoice {
         self.pick(q::INERTIA, q::MASS)
+    }
+
+    /// Lets `inertia` be written as `mass` of what slides, as `moment_of_inertia` of what
+    /// turns.
+    pub(super) fn name_inertia(self, fields: &mut Fields<'_>) {
+        for (coordinate, name) in [(Sliding, "mass"), (Turning, "moment_of_inertia")] {
+            if self.0.is_none_or(|own| own == coordinate) {
+                fields.synonym("inertia", name);
+            }
+        }
     }
 
     /// Rotational or linear stiffness.

@@ -1,18 +1,19 @@
 //! The motor of a drive: turning, or linear.
 
-use super::load::{declared, points};
+use super::load::declared;
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, MotorSpec, WrittenSpec};
 use super::written;
 use crate::dynamics::builder::written as builder;
 use crate::dynamics::laws::{self, ForceLaw};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::read::{Bounds, Fields, Slot};
+use crate::frontend::read::{Bounds, Fields, Slot, points};
 use serde_json::json;
 
 pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<MotorSpec> {
     slot.record(|fields| {
         let doc = "Inertia of the rotor, or mass of a linear motor; 0 when what follows it rigidly has inertia enough";
+        own.name_inertia(fields);
         let inertia = fields.need("inertia", doc, |slot| {
             slot.quantity(own.inertia(), Bounds::NOT_NEGATIVE)
         });

@@ -3,13 +3,12 @@
 mod linkages;
 
 use super::cam;
-use super::load::points;
 use super::measures::Measures;
 use super::measures::PositionMeasures;
 use super::measures::any;
 use super::plan;
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
-use crate::frontend::read::{Bounds, Fields, Slot};
+use crate::frontend::read::{Bounds, Fields, Slot, points};
 use crate::kinematics::position::{CustomPosition, PositionSpec, SlottedDriver, SlottedOutput};
 use crate::units::quantities as q;
 use linkages::{four_bar, slider_crank, slotted_link};

@@ -7,10 +7,13 @@ use crate::math::expression::{Expression, Mistake};
 /// Reads an expression whose kinks and jumps can be located.
 pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
     let text = slot.read_in_place(|slot| slot.text())?;
-    let read = Expression::over(&text, names);
-    let sound = read.and_then(|expression| expression.switches().map(|()| expression));
-    match sound {
-        Ok(expression) => Some(expression),
+    let read = slot.expression(&text, names);
+    let located = |found: Option<Expression>| match &found {
+        Some(expression) => expression.switches().map(|()| found),
+        None => Ok(None),
+    };
+    match read.and_then(located) {
+        Ok(expression) => expression,
         Err(mistake) => {
             refuse(&mut slot, mistake);
             None
@@ -22,8 +25,8 @@ pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression
 pub(in crate::frontend) fn condition(mut slot: Slot<'_>, names: &Names) -> Option<Expression> {
     let read = slot.read_in_place(|slot| expression(slot, names))?;
     // What is no comparison changes without a jump, and says so where it has to decide.
-    let deciding = Expression::over(&format!("({}) ? 1 : 0", read.text()), names);
-    if deciding.is_ok_and(|deciding| deciding.switches().is_ok()) {
+    let deciding = slot.expression(&format!("({}) ? 1 : 0", read.text()), names);
+    if deciding.is_ok_and(|deciding| deciding.is_some_and(|one| one.switches().is_ok())) {
         return Some(read);
     }
     let message = format!("\"{}\" compares nothing: it is no condition", read.text());
@@ -52,7 +55,18 @@ fn refuse(slot: &mut Slot<'_>, mistake: Mistake) {
 /// Reads `unit`, what the value of an expression is in: the factor to SI units.
 pub(super) fn unit(fields: &mut Fields<'_>, wanted: QuantityChoice) -> Option<Option<f64>> {
     let doc = "Unit of the value of `expression`; default SI";
-    fields.maybe("unit", doc, |slot| slot.unit(wanted))
+    let factor = fields.maybe("unit", doc, |slot| slot.unit(wanted));
+    let name = fields.quantity_in("expression").map(str::to_owned);
+    if let (Some(Some(factor)), Some(name)) = (factor, name)
+        && factor != 1.0
+    {
+        let message =
+            format!("the parameter `{name}` is in SI units in the expression, its value is not");
+        let warning = fields.warn("unit", "implausible", message);
+        let hint = "leave `unit` out, or give the parameter without a unit";
+        warning.hints.push(hint.to_owned());
+    }
+    factor
 }
 
 /// Reads `over`, the object whose motion an expression looks at besides.

@@ -221,6 +221,20 @@ impl Slot<'_> {
         self.fork(|value| matches!(value, Value::Text(_)), text, other)
     }
 
+    /// Reads one of several names, or anything else, a formula too, another way.
+    pub fn choice_or<T: Clone>(
+        self,
+        choices: &[(&'static str, T)],
+        other: impl FnOnce(Slot<'_>) -> Option<T>,
+    ) -> Option<T> {
+        let text = self.node.and_then(Node::text);
+        let named = choices.iter().any(|choice| Some(choice.0) == text);
+        match self.is_formula() && !named {
+            true => other(self),
+            false => self.text_or(|slot| slot.choice(choices), other),
+        }
+    }
+
     /// Reads `true` or `false` one way and anything else another way.
     pub fn flag_or<T>(
         self,

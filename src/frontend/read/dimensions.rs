@@ -1,14 +1,15 @@
 //! Named numbers: an object that gives `dimensions` can refer to them by name
-//! wherever it takes a number: `"rod"`, `"-rod"`, `"rod/2"`, `"rod*0.4"`.
+//! wherever it takes a number: `"rod"`, `"-rod"`, `"rod/2"`, `"2*rod + 5 mm"`.
 
-use super::dimension::{Dimensions, Entry, ParsedNumber};
+use super::dimension::{Dimensions, Entry};
 use super::fields::Fields;
-use super::number::{NUMBER_PATTERN, shorten};
+use super::formulas::FORMULA_PATTERN;
+use super::parameters;
 use super::slot::Slot;
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use super::wanted::QuantityChoice;
-use crate::units::parse;
+use crate::units::Measure;
 use serde_json::json;
 
 impl Fields<'_> {
@@ -31,10 +32,22 @@ impl Fields<'_> {
                 value.map(drop)
             })
         });
-        self.reader.dimensions = Dimensions {
-            described: self.describing(),
-            entries,
-        };
+        self.reader.dimensions = Dimensions { entries };
+    }
+
+    /// Reads `parameters` of the scene, to which all numbers asked for from here on may refer.
+    pub fn parameters(&mut self, doc: &str) -> Option<()> {
+        self.maybe("parameters", doc, parameters::read).map(drop)
+    }
+
+    /// A parameter with a unit that the text of a property refers to.
+    pub(crate) fn quantity_in(&self, property: &str) -> Option<&str> {
+        let text = self.member(property)?.value.text()?;
+        let mut words = text.split(|c: char| !(c.is_alphanumeric() || c == '_'));
+        words.find(|word| {
+            let found = self.reader.parameters.get(word).flatten();
+            found.is_some_and(|found| !found.bare)
+        })
     }
 
     /// Ends the scope of the named numbers; false when some were not used.
@@ -98,114 +111,22 @@ fn holds(node: &Node, asked: &dyn Fn(&Node) -> bool) -> bool {
 }
 
 /// Reads one named number.
-fn dimension(mut slot: Slot<'_>) -> Option<ParsedNumber> {
+fn dimension(mut slot: Slot<'_>) -> Option<Measure> {
     if slot.describing() {
         slot.describe(json!({
             "description": "A number in SI units, or a text with a unit.",
-            "anyOf": [{ "type": "number" }, { "type": "string", "pattern": NUMBER_PATTERN }],
+            "anyOf": [{ "type": "number" }, { "type": "string", "pattern": FORMULA_PATTERN }],
         }));
         return None;
     }
-    match &slot.node()?.value {
-        Value::Number(value) if value.is_finite() => {
-            let value = *value;
-            *slot.out = json!(value);
-            Some(ParsedNumber::Plain(value))
-        }
-        Value::Text(text) => match parse(text) {
-            Ok(measure) => {
-                *slot.out = json!(measure.value);
-                Some(match measure.bare {
-                    true => ParsedNumber::Plain(measure.value),
-                    false => ParsedNumber::Measured(measure),
-                })
-            }
-            Err(error) => {
-                slot.unit_fault(text, error, &QuantityChoice::anything());
-                None
-            }
-        },
+    let found = match &slot.node()?.value {
+        Value::Number(value) if value.is_finite() => Some(Measure::bare(*value)),
+        Value::Text(text) => slot.stated(text, &QuantityChoice::anything()),
         _ => {
             slot.wrong_type("a number");
             None
         }
-    }
-}
-
-/// `-name*factor` taken apart: sign, name, factor.
-fn split_signed_factor(text: &str) -> Option<(&str, f64)> {
-    let text = text.trim();
-    let (sign, rest) = match text.strip_prefix('-') {
-        Some(rest) => (-1.0, rest.trim_start()),
-        None => (1.0, text),
     };
-    let (name, factor) = match rest.split_once(['*', '/']) {
-        None => (rest, 1.0),
-        Some((name, number)) => {
-            let number: f64 = number.trim().parse().ok().filter(|n: &f64| n.is_finite())?;
-            let divided = rest.as_bytes().get(name.len()) == Some(&b'/');
-            (name.trim_end(), if divided { 1.0 / number } else { number })
-        }
-    };
-    (super::is_name(name) && factor.is_finite()).then_some((name, sign * factor))
-}
-
-impl Slot<'_> {
-    /// What a text that refers to a named number stands for; `None`: it is a
-    /// number of its own. The inner `None`: it is faulty, which has been said.
-    pub(super) fn reference(&mut self, text: &str, wanted: &QuantityChoice) -> Option<Option<f64>> {
-        let dimensions = &mut self.reader.dimensions;
-        let bare = text.trim_start().trim_start_matches('-').trim_start();
-        let named = bare.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_');
-        if dimensions.entries.is_empty() || !named {
-            return None;
-        }
-        let Some((name, factor)) = split_signed_factor(text) else {
-            let message = format!("`{}` is no dimension", shorten(text));
-            let hint = "write a name, -name, name/2 or name*0.4, or a number with a unit";
-            self.refuse("unknown-dimension", message)
-                .hints
-                .push(hint.to_owned());
-            return Some(None);
-        };
-        let found = dimensions.entries.iter_mut().find(|e| e.name == name);
-        let Some(entry) = found else {
-            let names: Vec<String> = dimensions.entries.iter().map(|e| e.name.clone()).collect();
-            let names = || names.iter().map(String::as_str);
-            let hint = did_you_mean(name, names())
-                .unwrap_or_else(|| format!("the dimensions are {}", quoted_list(names(), "and")));
-            self.refuse("unknown-dimension", format!("unknown dimension `{name}`"))
-                .hints
-                .push(hint);
-            return Some(None);
-        };
-        entry.used = true;
-        Some(match entry.value {
-            None => None,
-            Some(ParsedNumber::Plain(value)) => Some(factor * value),
-            Some(ParsedNumber::Measured(measure)) => match wanted.accept(measure) {
-                Ok(value) => Some(factor * value),
-                Err(mismatch) => {
-                    self.mismatch(text, measure, mismatch, wanted);
-                    None
-                }
-            },
-        })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::split_signed_factor;
-
-    #[test]
-    fn references_have_a_sign_a_name_and_a_factor() {
-        assert_eq!(split_signed_factor("rod"), Some(("rod", 1.0)));
-        assert_eq!(split_signed_factor(" - rod "), Some(("rod", -1.0)));
-        assert_eq!(split_signed_factor("rod/2"), Some(("rod", 0.5)));
-        assert_eq!(split_signed_factor("-rod * 0.4"), Some(("rod", -0.4)));
-        for wrong in ["rod crank", "rod/0", "rod*x", "rod + 1", "rod*1/2", ""] {
-            assert_eq!(split_signed_factor(wrong), None, "{wrong}");
-        }
-    }
+    *slot.out = json!(found.map(|found| found.value));
+    found
 }

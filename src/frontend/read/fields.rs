@@ -17,7 +17,9 @@ pub struct Fields<'a> {
     path: String,
     /// Place to point at when something is missing.
     place: Place,
-    known: Vec<&'static str>,
+    pub(super) known: Vec<&'static str>,
+    /// Other names of properties: `inertia`, `mass`.
+    synonyms: Vec<(&'static str, &'static str)>,
     /// Groups of names of which one is missing.
     missing: Vec<Missing>,
     out: Map<String, Json>,
@@ -57,6 +59,7 @@ impl<'a> Fields<'a> {
             path: slot.path.clone(),
             place,
             known: Vec::new(),
+            synonyms: Vec::new(),
             missing: Vec::new(),
             out: Map::new(),
             required: Vec::new(),
@@ -81,9 +84,27 @@ impl<'a> Fields<'a> {
         self.reader.describing
     }
 
-    /// The property as written; `None` when absent.
+    /// The property as written, under any of its names; `None` when absent.
     pub fn member(&self, name: &str) -> Option<&'a Member> {
-        self.node?.member(name)
+        let node = self.node?;
+        let other = || self.others(name).find_map(|other| node.member(other));
+        node.member(name).or_else(other)
+    }
+
+    /// Gives a property another name, under which it may be written instead.
+    pub fn synonym(&mut self, name: &'static str, other: &'static str) {
+        let both = [name, other].iter().all(|one| self.has(one));
+        if both {
+            self.clash(name, other, "they are two names of one property");
+        }
+        self.known.push(other);
+        self.synonyms.push((name, other));
+    }
+
+    /// The other names of a property.
+    pub(super) fn others<'n>(&'n self, name: &'n str) -> impl Iterator<Item = &'static str> + 'n {
+        let own = self.synonyms.iter().filter(move |one| one.0 == name);
+        own.map(|one| one.1)
     }
 
     /// True when the property is written.
@@ -158,13 +179,19 @@ impl<'a> Fields<'a> {
         if self.describing() {
             let mut schema = self.child(name, None, read);
             add_description(&mut schema, doc);
+            for other in self.others(name).collect::<Vec<_>>() {
+                let mut same = schema.clone();
+                same["description"] = json!(format!("Another name of `{name}`."));
+                self.out.insert(other.to_owned(), same);
+            }
             self.out.insert(name.to_owned(), schema);
             return Presence::Described;
         }
         let Some(member) = self.member(name) else {
             return Presence::Absent;
         };
-        let out = self.child(name, Some((&member.value, &member.name_place)), read);
+        let written = Some((&member.value, &member.name_place));
+        let out = self.child(&member.name, written, read);
         self.out.insert(name.to_owned(), out);
         Presence::Written
     }
@@ -264,9 +291,9 @@ impl<'a> Fields<'a> {
     ) -> &mut Diagnostic {
         let fault = Diagnostic::error(code, message)
             .at(self.value_place(name))
-            .path(match self.has(name) {
-                true => join(&self.path, name),
-                false => self.path.clone(),
+            .path(match self.member(name) {
+                Some(member) => join(&self.path, &member.name),
+                None => self.path.clone(),
             });
         push(&mut self.reader.diagnostics, fault)
     }
@@ -295,7 +322,7 @@ impl<'a> Fields<'a> {
         let (early, late) = if rank(a) <= rank(b) { (a, b) } else { (b, a) };
         let fault = Diagnostic::error(
             "two-ways",
-            format!("`{one}` and `{other}` cannot both be given: {why}"),
+            format!("`{}` and `{}` cannot both be given: {why}", a.name, b.name),
         )
         .at(late.name_place.clone())
         .path(join(&self.path, &late.name))
@@ -334,7 +361,8 @@ impl<'a> Fields<'a> {
         for missing in std::mem::take(&mut self.missing) {
             complete = false;
             // A misspelled name has already been reported.
-            let misspelled = |name: &&'static str| suggestions.contains(&Some(*name));
+            let meant = |name: &str| suggestions.iter().flatten().any(|found| *found == name);
+            let misspelled = |name: &&'static str| meant(name) || self.others(name).any(meant);
             if !missing.names.iter().any(misspelled) {
                 self.report_missing(&missing);
             }

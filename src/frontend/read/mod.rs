@@ -12,28 +12,38 @@
 
 mod bounds;
 mod compound;
+mod csv;
 mod dimension;
 mod dimensions;
 mod fields;
+mod formulas;
 mod given;
 mod number;
 mod one_of;
 mod own;
+mod parameter;
+mod parameters;
 mod parse;
+mod points;
 mod slot;
 mod suggest;
+mod synonym;
 mod text;
 mod tree;
 mod wanted;
 
 pub use bounds::Bounds;
+pub use csv::{Files, MOST_BYTES, TableFile, file_names, no_folder, put_in};
 pub use fields::Fields;
 pub(crate) use number::UnitFault;
 pub use one_of::OneOf;
 pub use own::{OWN, Own};
+pub use parameter::Parameters;
 pub use parse::{parse, parse_fragment};
+pub use points::points;
 pub use slot::{Declared, Reader, Slot};
 pub use suggest::{closest, did_you_mean, quoted_list};
+pub use synonym::synonyms;
 pub use text::{MAX_DEPTH, MAX_SIZE};
 pub use tree::{Member, Node, Value};
 pub use wanted::QuantityChoice;

@@ -2,18 +2,16 @@
 
 use super::bounds::Bounds;
 use super::bounds::plain;
+use super::formulas::FORMULA_PATTERN;
 use super::slot::{Slot, last_name};
 use super::suggest::did_you_mean;
 use super::tree::Value;
 use super::wanted::QuantityChoice;
-use crate::units::quantities::NUMBER;
-use crate::units::{Measure, Mismatch, UnitError, known_units, parse, shown};
+use crate::frontend::diagnostics::Diagnostic;
+use crate::units::quantities::{self, NUMBER};
+use crate::units::{Measure, Mismatch, Quantity, UnitError, known_units, parse, shown};
 use serde_json::{Map, json};
 use std::ops::RangeInclusive;
-
-/// Texts that begin with a number.
-pub(super) const NUMBER_PATTERN: &str =
-    r"^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?\s*(\S.*)?$";
 
 /// Why a text with a unit is refused.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,6 +73,13 @@ impl UnitFault {
     }
 }
 
+/// What machines have in SI units, and the unit in which people think of it.
+const USUAL: [(Quantity, [f64; 2], &str); 3] = [
+    (quantities::LENGTH, [0.0, 50.0], "mm"),
+    (quantities::DENSITY, [100.0, 3e4], "g/cm^3"),
+    (quantities::MODULUS, [1e5, 1e13], "GPa"),
+];
+
 impl Slot<'_> {
     /// Reads a number in SI units, or a text with a unit.
     pub fn quantity(mut self, wanted: impl Into<QuantityChoice>, bounds: Bounds) -> Option<f64> {
@@ -83,15 +88,9 @@ impl Slot<'_> {
             let mut number = Map::new();
             number.insert("type".into(), json!("number"));
             bounds.describe(&mut number);
-            let mut forms = vec![
-                json!(number),
-                json!({ "type": "string", "pattern": NUMBER_PATTERN }),
-            ];
-            let named = self.reader.dimensions.pattern();
-            forms.extend(named.map(|pattern| json!({ "type": "string", "pattern": pattern })));
             *self.out = json!({
                 "description": format!("({})", wanted.words()),
-                "anyOf": forms,
+                "anyOf": [number, { "type": "string", "pattern": FORMULA_PATTERN }],
             });
             if wanted.first.units != NUMBER.units {
                 self.out["examples"] = json!(wanted.examples());
@@ -100,7 +99,10 @@ impl Slot<'_> {
         }
         self.declare(Some(wanted), bounds);
         let value = match &self.node?.value {
-            Value::Number(value) => *value,
+            Value::Number(value) => {
+                self.doubt(*value, &wanted);
+                *value
+            }
             Value::Text(text) => self.measure(text, &wanted)?,
             _ => {
                 let hint = wanted.words();
@@ -119,18 +121,23 @@ impl Slot<'_> {
     /// Reads a whole number.
     pub fn count(mut self, range: RangeInclusive<u64>) -> Option<u64> {
         if self.describing() {
-            *self.out = json!({
-                "type": "integer", "minimum": range.start(), "maximum": range.end(),
-            });
+            *self.out = json!({ "anyOf": [
+                { "type": "integer", "minimum": range.start(), "maximum": range.end() },
+                { "type": "string", "pattern": FORMULA_PATTERN },
+            ] });
             return None;
         }
         self.declare(
             None,
             Bounds::between(*range.start() as f64, *range.end() as f64),
         );
-        let Value::Number(value) = self.node?.value else {
-            self.wrong_type("a whole number");
-            return None;
+        let value = match &self.node?.value {
+            Value::Number(value) => *value,
+            Value::Text(text) if self.is_formula() => self.measure(text, &NUMBER.into())?,
+            _ => {
+                self.wrong_type("a whole number");
+                return None;
+            }
         };
         let whole = value.fract() == 0.0 && (0.0..=9e15).contains(&value);
         if !whole || !range.contains(&(value as u64)) {
@@ -179,6 +186,29 @@ impl Slot<'_> {
         value
     }
 
+    /// Warns of a number without a unit that is likely meant in another one than SI.
+    fn doubt(&mut self, value: f64, wanted: &QuantityChoice) {
+        let usual = USUAL.iter().find(|one| one.0 == wanted.first);
+        let Some((quantity, [least, most], unit)) = usual.filter(|_| wanted.second.is_none())
+        else {
+            return;
+        };
+        let size = value.abs();
+        let listed = self.path.contains('[') || self.path.starts_with("expect");
+        if size == 0.0 || (*least..=*most).contains(&size) || listed {
+            return;
+        }
+        let (name, si, value) = (last_name(&self.path), quantity.si(), plain(value));
+        let message = format!("{name} is {value} {si}: a number without a unit is in SI units");
+        let warning = Diagnostic::warning("implausible", message)
+            .at(self.place())
+            .path(self.path.clone())
+            .hint(format!(
+                "write \"{value} {unit}\", or \"{value} {si}\" if it is meant"
+            ));
+        self.reader.diagnostics.push(warning);
+    }
+
     fn within(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
         let name = last_name(&self.path);
         if !value.is_finite() {
@@ -212,15 +242,14 @@ impl Slot<'_> {
 
     /// A text with a unit, as a value in SI units.
     fn measure(&mut self, text: &str, wanted: &QuantityChoice) -> Option<f64> {
-        if let Some(found) = self.reference(text, wanted) {
-            return found;
+        let measure = self.stated(text, wanted)?;
+        // A named number without a unit is in the SI unit of whatever is wanted.
+        if measure.bare && parse(text).is_err() {
+            return Some(measure.value);
         }
-        match parse(text) {
-            Err(error) => self.unit_fault(text, error, wanted),
-            Ok(measure) => match wanted.accept(measure) {
-                Ok(value) => return Some(value),
-                Err(mismatch) => self.mismatch(text, measure, mismatch, wanted),
-            },
+        match wanted.accept(measure) {
+            Ok(value) => return Some(value),
+            Err(mismatch) => self.mismatch(text, measure, mismatch, wanted),
         }
         None
     }

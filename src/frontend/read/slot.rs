@@ -1,12 +1,15 @@
 //! The place of one value, and what can be read there.
 
 use super::bounds::Bounds;
+use super::csv::Files;
 use super::dimension::Dimensions;
+use super::parameter::{Parameters, unused};
 use super::suggest::{did_you_mean, quoted_list};
 use super::tree::{Node, Value};
 use super::wanted::QuantityChoice;
 use crate::frontend::diagnostics::{Diagnostic, Place, SourceId};
 use serde_json::{Map, Value as Json, json};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// Collects what reading finds, or describes what it would accept.
@@ -17,6 +20,12 @@ pub struct Reader {
     pub(super) describing: bool,
     pub(super) definitions: Map<String, Json>,
     pub(super) dimensions: Dimensions,
+    /// The parameters of the scene.
+    pub parameters: Parameters,
+    /// The files that the scene names.
+    pub files: Files,
+    /// The parameters to which something has referred.
+    pub(super) used: BTreeSet<String>,
     /// Sources of values that were set from the command line.
     pub overrides: Range<SourceId>,
     /// Numbers met on the way, where they are asked for.
@@ -42,6 +51,15 @@ impl Reader {
         Self::default()
     }
 
+    /// A reader of parts of a scene with these parameters and files.
+    pub fn of_parts(parameters: &Parameters, files: &Files) -> Self {
+        Self {
+            parameters: parameters.clone(),
+            files: files.clone(),
+            ..Self::default()
+        }
+    }
+
     /// A reader of trees that keeps what is declared of every number it meets.
     pub fn of_numbers() -> Self {
         Self {
@@ -53,6 +71,17 @@ impl Reader {
     /// The numbers met, faulty ones too, in the order of reading.
     pub fn numbers(self) -> Vec<Declared> {
         self.numbers.unwrap_or_default()
+    }
+
+    /// Warnings of parameters that nothing refers to. What refers to them may have been
+    /// set to another value from the command line: then those alone that are set there.
+    pub fn unused_parameters(&self) -> Vec<Diagnostic> {
+        let found = self.parameters.unused(|name| self.used.contains(name));
+        let set = |place: &Place| self.overrides.contains(&place.source);
+        let found: Vec<_> = found
+            .filter(|(_, _, value)| self.overrides.is_empty() || set(value))
+            .collect();
+        unused(&found)
     }
 
     /// A reader that writes the JSON Schema of whatever it is made to read.
@@ -179,6 +208,18 @@ impl<'a> Slot<'a> {
             wanted,
             bounds,
         });
+    }
+
+    /// The same of a number inside this value, which may lie anywhere.
+    pub(super) fn declare_at(&mut self, name: &str, node: &Node, wanted: QuantityChoice) {
+        if let Some(numbers) = self.reader.numbers.as_mut() {
+            numbers.push(Declared {
+                path: join(&self.path, name),
+                place: node.place.clone(),
+                wanted: Some(wanted),
+                bounds: Bounds::ANY,
+            });
+        }
     }
 
     /// Another reading of the same value, when the first was only a look.

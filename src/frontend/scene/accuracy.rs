@@ -27,7 +27,7 @@ fn one(mut slot: Slot<'_>, address: &str, known: &ObjectTable) -> Option<Accurac
         true => slot.number(Bounds::POSITIVE).map(Accuracy::Share),
         false => {
             if wanted == QuantityChoice::anything() {
-                known.keep_measure(address, &slot);
+                known.keep_measure(address, &mut slot);
             }
             slot.quantity(wanted, Bounds::NOT_NEGATIVE)
                 .map(Accuracy::Bound)

@@ -2,11 +2,12 @@
 //! `cam.position.table.points[3]` or `cam.position.table.points.3`.
 
 use crate::frontend::diagnostics::Place;
-use crate::frontend::read::{Node, Value};
+use crate::frontend::read::{Member, Node, Value, synonyms};
 use std::ops::Range;
 
 /// Names that address the scene itself and cannot be ids.
-pub(super) const RESERVED: [&str; 8] = [
+pub(super) const RESERVED: [&str; 9] = [
+    "parameters",
     "run",
     "steady",
     "kinematics",
@@ -90,7 +91,7 @@ pub(super) fn locate(root: &Node, address: &str) -> Place {
     };
     for part in &parts {
         let next = match (&part.step, &node.value) {
-            (Step::Name(name), Value::Object(_)) => node.member(name).map(|member| {
+            (Step::Name(name), Value::Object(_)) => member(node, name).map(|member| {
                 let small = !matches!(member.value.value, Value::Object(_) | Value::List(_));
                 let shown = if small {
                     &member.value.place
@@ -111,6 +112,12 @@ pub(super) fn locate(root: &Node, address: &str) -> Place {
         }
     }
     place
+}
+
+/// A property under any of its names.
+fn member<'n>(node: &'n Node, name: &str) -> Option<&'n Member> {
+    let other = || synonyms(name).find_map(|other| node.member(other));
+    node.member(name).or_else(other)
 }
 
 #[cfg(test)]

@@ -1,16 +1,30 @@
 //! Catalogues of object definitions that scenes copy with `from`.
 
+use crate::frontend::diagnostics::Diagnostic;
+use crate::frontend::read::no_folder;
 use std::borrow::Cow;
 
 include!(concat!(env!("OUT_DIR"), "/catalogue.rs"));
 
-/// A catalogue of object definitions, in which `from` looks.
+/// A file that a scene names: what it is called in messages, and its bytes.
+pub type NamedBytes = (String, Vec<u8>);
+
+/// A catalogue of object definitions, in which `from` looks; with the folder of a scene also
+/// the tables beside it.
 pub trait Catalogue {
     /// Name of the file and its text, for `rocker/steel-lever-205mm`.
     fn lookup(&self, name: &str) -> Option<(String, Cow<'_, str>)>;
 
     /// All names, ascending.
     fn names(&self) -> Vec<String>;
+
+    /// A file in the folder of the scene, by the name that a table of the scene has for it.
+    ///
+    /// # Errors
+    /// There is no such file, or no folder; the file lies outside or is too large.
+    fn table(&self, _name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        Err(Box::new(no_folder()))
+    }
 }
 
 /// The definitions built into the library.
@@ -43,5 +57,9 @@ impl<A: Catalogue + ?Sized, B: Catalogue + ?Sized> Catalogue for Layered<'_, A, 
         names.sort();
         names.dedup();
         names
+    }
+
+    fn table(&self, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
+        self.0.table(name)
     }
 }

@@ -6,10 +6,13 @@ use super::objects::ObjectTable;
 use super::overrides::{self, Overrides};
 use super::{Catalogue, Levels, TypedScene, address, root};
 use crate::fault::Fault;
-use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Place, Source, Sources};
+use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Place, Severity, Source, Sources};
 use crate::frontend::object::Registry;
-use crate::frontend::read::{self, Declared, Member, Node, Reader, Value, did_you_mean};
+use crate::frontend::read::{
+    self, Declared, Files, Member, Node, Parameters, Reader, TableFile, Value, did_you_mean,
+};
 use hash::hash;
+use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 /// A scene's text as a tree, and the kinds of objects that it may name.
@@ -35,6 +38,8 @@ pub struct Reading {
     pub canonical: serde_json::Value,
     /// Places of the properties in the text.
     pub places: Places,
+    /// Its named parameters.
+    pub(super) parameters: Parameters,
 }
 
 /// Places of a scene's properties in its text.
@@ -42,6 +47,7 @@ pub struct Reading {
 pub struct Places {
     sources: Sources,
     root: Node,
+    files: Files,
 }
 
 impl Document {
@@ -89,12 +95,15 @@ impl Document {
         self.rewritten = Some(OnceLock::new());
     }
 
-    /// The document as it was decoded: catalogue objects copied in, properties overridden.
+    /// The document as it was decoded: catalogue objects and tables of files copied in,
+    /// properties overridden.
     #[must_use]
     pub fn decoded(&self, places: &Places) -> Self {
+        let mut root = places.root.clone();
+        read::put_in(&mut root, &places.files);
         Self {
             sources: places.sources.clone(),
-            root: places.root.clone(),
+            root,
             registry: self.registry.clone(),
             levels: self.levels.clone(),
             rewritten: Some(OnceLock::new()),
@@ -170,8 +179,17 @@ impl Document {
         let tree = self.tree(catalogue, overrides, &mut sources, &mut faults);
         let mut reader = Reader::new();
         reader.overrides = first..first + overrides.arguments().len();
+        reader.files = files(&tree, catalogue, &mut sources);
         let known = ObjectTable::new(&self.registry);
         let (read, canonical) = reader.read(Some(&tree), "", |slot| root::read(slot, known));
+        let unused = reader.unused_parameters();
+        let wrong = reader
+            .diagnostics
+            .iter()
+            .any(|one| one.severity == Severity::Error);
+        reader
+            .diagnostics
+            .extend(unused.into_iter().filter(|_| !wrong));
         for mut fault in reader.diagnostics {
             // As it is addressed everywhere else: `rocker.pair.gap`.
             if let Some(address) = fault.path.strip_prefix("objects.") {
@@ -199,7 +217,9 @@ impl Document {
                     places: Places {
                         sources,
                         root: tree,
+                        files: reader.files,
                     },
+                    parameters: reader.parameters,
                 })
             }
             _ => Err(diagnostics),
@@ -259,6 +279,64 @@ impl Document {
         }
         tree
     }
+}
+
+/// Most files that a scene may name, and how large they may be together (bytes).
+const MOST_FILES: usize = 100;
+const MOST_OF_FILES: usize = 200_000_000;
+
+/// Reads the files that a tree names.
+fn files(tree: &Node, catalogue: &dyn Catalogue, sources: &mut Sources) -> Files {
+    let (mut files, mut size) = (BTreeMap::new(), 0usize);
+    for name in read::file_names(tree) {
+        if files.contains_key(name) {
+            continue;
+        }
+        let found = match files.len() < MOST_FILES && size <= MOST_OF_FILES {
+            true => table_file(name, catalogue, sources, &mut size).map_err(|fault| *fault),
+            false => {
+                let message = format!(
+                    "a scene takes at most {MOST_FILES} files, of {} MB together",
+                    MOST_OF_FILES / 1_000_000
+                );
+                Err(Diagnostic::error("too-large", message))
+            }
+        };
+        files.insert(name.to_owned(), found);
+        // What comes after so many is wrong already.
+        if files.len() > MOST_FILES {
+            break;
+        }
+    }
+    Arc::new(files)
+}
+
+fn table_file(
+    name: &str,
+    catalogue: &dyn Catalogue,
+    sources: &mut Sources,
+    size: &mut usize,
+) -> Result<TableFile, Box<Diagnostic>> {
+    let (name, bytes) = catalogue.table(name)?;
+    *size += bytes.len();
+    let wrong = |error: std::string::FromUtf8Error| {
+        let at = error.utf8_error().valid_up_to();
+        let line = error.as_bytes()[..at]
+            .iter()
+            .filter(|&&b| b == b'\n')
+            .count()
+            + 1;
+        let message = format!("`{name}` is not UTF-8: line {line}");
+        Box::new(Diagnostic::error("not-utf8", message).hint("save it as UTF-8"))
+    };
+    let mut text = String::from_utf8(bytes).map_err(wrong)?;
+    // A byte-order mark is no part of the first name.
+    if text.starts_with('\u{feff}') {
+        text.drain(..'\u{feff}'.len_utf8());
+    }
+    let source = Arc::new(Source { name, text });
+    let id = sources.add(source.clone());
+    Ok(TableFile::new(source, id))
 }
 
 /// Replaces every `from` by what it names.
@@ -361,6 +439,11 @@ fn catalogue_members(
 }
 
 impl Places {
+    /// The files that it names.
+    pub(super) fn files(&self) -> &Files {
+        &self.files
+    }
+
     /// The tree that was decoded.
     pub(super) fn into_root(self) -> Node {
         self.root

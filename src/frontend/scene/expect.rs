@@ -56,13 +56,13 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
         }
         _ => None,
     };
-    let keep = |slot: &Slot<'_>| {
+    let keep = |slot: &mut Slot<'_>| {
         if let Some(figure) = &figure {
             known.keep_measure(figure, slot);
         }
     };
-    let number = |slot: Slot<'_>| {
-        keep(&slot);
+    let number = |mut slot: Slot<'_>| {
+        keep(&mut slot);
         slot.quantity(wanted, Bounds::ANY)
     };
     let value = fields.maybe(
@@ -82,10 +82,10 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
     let within = fields.maybe(
         "within",
         "Greatest difference to `value` or `time`, which need it: a number, or a text such as \"0.1 %\" of the value",
-        |slot| match is_share(&slot) {
+        |mut slot| match is_share(&slot) {
             true => slot.number(Bounds::NOT_NEGATIVE).map(Within::Share),
             false => {
-                keep(&slot);
+                keep(&mut slot);
                 let bound = slot.quantity(wanted, Bounds::NOT_NEGATIVE);
                 bound.map(Within::Absolute)
             }

@@ -24,7 +24,7 @@ mod study_address;
 mod template;
 mod variation;
 
-pub use catalogue::{BuiltIn, Catalogue, Layered};
+pub use catalogue::{BuiltIn, Catalogue, Layered, NamedBytes};
 pub use document::{Document, Places, Reading};
 #[cfg(feature = "studio")]
 pub(crate) use figures::is_expectable;

@@ -2,7 +2,7 @@
 
 use super::{Catalogue, Document};
 use crate::frontend::read::{Bounds, Declared, QuantityChoice};
-use crate::units::{number_and_unit, parse};
+use crate::units::{UnitError, number_and_unit, parse};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -38,8 +38,7 @@ pub struct Number {
 
 impl Document {
     /// The numbers that stand in its text and that are parameters: all but those that it
-    /// expects of a run. Numbers copied from a catalogue and references to named numbers
-    /// stand elsewhere. In the order of the text; of a faulty scene as far as it can be read.
+    /// expects of a run. Numbers copied from a catalogue stand elsewhere; formulas are none. In the order of the text; of a faulty scene as far as it can be read.
     pub fn numbers(&self, catalogue: &dyn Catalogue) -> Vec<Number> {
         let text = self.text();
         let own = self.declared(catalogue).into_iter();
@@ -64,6 +63,11 @@ fn number(declared: &Declared, text: &str) -> Option<Number> {
         None => (raw, "", 0),
         Some(inner) => {
             let inner = inner.strip_suffix('"').filter(|one| !one.contains('\\'))?;
+            // What is calculated is no number that could be moved.
+            let known = parse(inner).map(drop);
+            if !matches!(known, Ok(()) | Err(UnitError::UnknownUnit { .. })) {
+                return None;
+            }
             let (number, unit) = number_and_unit(inner)?;
             (number, unit, 1 + inner.len() - inner.trim_start().len())
         }

@@ -7,7 +7,6 @@ use crate::frontend::diagnostics::{Diagnostic, Related};
 use crate::frontend::graph::MechanismGraph;
 use crate::frontend::object::{Context, Inputs, Kind, KnownObject, Object, OwnObject, Registry};
 use crate::frontend::read::{Fields, Node, Slot, Value, is_name};
-use crate::units::parse;
 use serde_json::{Value as Json, json};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -60,10 +59,10 @@ impl ObjectTable {
     }
 
     /// Keeps a number that was written with a unit, until it is known what the figure measures.
-    pub(super) fn keep_measure(&self, figure: &str, slot: &Slot<'_>) {
+    pub(super) fn keep_measure(&self, figure: &str, slot: &mut Slot<'_>) {
         let text = slot.node().and_then(Node::text);
         if let Some(text) = text
-            && let Ok(measure) = parse(text)
+            && let Some(measure) = slot.quantity_of(text)
         {
             self.measured.borrow_mut().push(Measured {
                 figure: figure.to_owned(),

@@ -2,7 +2,7 @@
 
 use super::address::{self, RESERVED, Step};
 use crate::frontend::diagnostics::{Diagnostic, Place, Source, SourceId, Sources};
-use crate::frontend::read::{Member, Node, Value, did_you_mean, parse_fragment};
+use crate::frontend::read::{Member, Node, Value, did_you_mean, parse_fragment, synonyms};
 use std::sync::Arc;
 
 /// Properties to be changed before a scene is read, in order.
@@ -127,6 +127,9 @@ pub(super) fn apply(root: &mut Node, change: &Override) -> Result<(), Box<Diagno
         let hint = "override properties of objects or of `run`";
         return Err(Box::new(fault.hint(hint)));
     }
+    if let (PARAMETERS, Some(name)) = (first.as_str(), change.parts.get(1)) {
+        known_parameter(root, change, &name.step)?;
+    }
     if RESERVED.contains(&first.as_str()) {
         return descend(root, change, 0);
     }
@@ -155,6 +158,31 @@ pub(super) fn apply(root: &mut Node, change: &Override) -> Result<(), Box<Diagno
     descend(&mut objects.value, change, 0)
 }
 
+const PARAMETERS: &str = "parameters";
+
+/// Refuses to set a parameter that the scene does not have.
+fn known_parameter(root: &Node, change: &Override, step: &Step) -> Result<(), Box<Diagnostic>> {
+    let parameters = root.get(PARAMETERS);
+    let Step::Name(name) = step else {
+        return Ok(());
+    };
+    if parameters.is_some_and(|all| all.get(name).is_some()) {
+        return Ok(());
+    }
+    let members = parameters.map_or(&[][..], Node::members);
+    let names = || members.iter().take(1000).map(|one| one.name.as_str());
+    let message = format!("there is no parameter `{name}`");
+    let fault = Diagnostic::error("unknown-parameter", message).at(change.place(1));
+    Err(Box::new(match (did_you_mean(name, names()), members) {
+        (Some(guess), _) => fault.hint(guess),
+        (None, []) => fault.hint("the scene has no `parameters`"),
+        (None, _) => fault.hint(format!(
+            "the parameters are {}",
+            crate::frontend::read::quoted_list(names().take(20), "and")
+        )),
+    }))
+}
+
 fn member_mut<'a>(node: &'a mut Node, name: &str) -> Option<&'a mut Member> {
     match &mut node.value {
         Value::Object(members) => members.iter_mut().find(|member| member.name == name),
@@ -168,7 +196,10 @@ fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Box<Di
     let last = part + 1 == change.parts.len();
     let child = match (&change.parts[part].step, &mut node.value) {
         (Step::Name(name), Value::Object(members)) => {
-            let at = members.iter().position(|member| member.name == *name);
+            let place = |name: &str| members.iter().position(|member| member.name == name);
+            // What is written under another name of the property is replaced.
+            let other = || synonyms(name).find_map(place);
+            let at = place(name).or_else(other);
             let at = at.unwrap_or_else(|| {
                 members.push(Member {
                     name: name.clone(),
@@ -182,6 +213,7 @@ fn descend(node: &mut Node, change: &Override, part: usize) -> Result<(), Box<Di
             });
             if last {
                 members[at].name_place = change.place(part);
+                members[at].name.clone_from(name);
             }
             Some(&mut members[at].value)
         }

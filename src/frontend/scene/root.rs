@@ -23,6 +23,9 @@ pub(super) fn read(slot: Slot<'_>, mut known: ObjectTable) -> Option<Root> {
         let version = fields.need("dam", "Version of the format: 1.", |slot| slot.count(1..=1));
         let name = fields.need("name", "Name of the scene.", |slot| slot.text());
         fields.remark("description", "Remarks for people.");
+        let doc = "Named parameters: numbers, texts with a unit, or formulas of other parameters. \
+                   Every number and every expression of the scene may refer to them.";
+        let parameters = fields.parameters(doc);
         let objects = fields.need("objects", "The objects of the mechanism by id.", |slot| {
             objects::read(slot, &mut known)
         });
@@ -38,6 +41,7 @@ pub(super) fn read(slot: Slot<'_>, mut known: ObjectTable) -> Option<Root> {
             |slot| expect::read(slot, &known),
         );
         version?;
+        parameters?;
         Some(Root {
             name: name?,
             objects: objects?,

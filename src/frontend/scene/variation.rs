@@ -6,7 +6,7 @@ use super::objects::{self, ObjectTable};
 use super::{Catalogue, Document, Levels, Overrides, StartSpec, TypedScene, overrides, run};
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Severity, Sources};
 use crate::frontend::object::numbers;
-use crate::frontend::read::{Node, Reader};
+use crate::frontend::read::{Files, Node, Parameters, Reader};
 
 /// A scene with some properties set that are to be set again. Its scenes have
 /// no hash: that of the values in force is not worked out.
@@ -21,6 +21,8 @@ pub struct Variation {
     levels: Levels,
     /// See [`Self::laws`].
     laws: u64,
+    parameters: Parameters,
+    files: Files,
 }
 
 impl Variation {
@@ -37,12 +39,14 @@ impl Variation {
     ) -> Result<Self, Diagnostics> {
         let all = fixed.iter().chain(settings).cloned();
         let reading = document.scene(catalogue, &Overrides::new(all))?;
+        let files = reading.places.files().clone();
         let root = reading.places.into_root();
         let mut scene = reading.scene;
         scene.hash.clear();
         // What objects know of each other is not kept by a reading.
         let mut known = ObjectTable::new(document.kinds());
-        Reader::new().read(root.get("objects"), "objects", |slot| {
+        let parameters = reading.parameters;
+        Reader::of_parts(&parameters, &files).read(root.get("objects"), "objects", |slot| {
             objects::read(slot, &mut known)
         });
         Ok(Self {
@@ -52,6 +56,8 @@ impl Variation {
             settings: settings.to_vec(),
             levels: document.levels().clone(),
             laws: 0,
+            parameters,
+            files,
         })
     }
 
@@ -128,7 +134,7 @@ impl Variation {
 
     fn read_run(&mut self) -> Option<()> {
         let (node, known) = (self.root.get("run")?, &self.known);
-        let mut reader = Reader::new();
+        let mut reader = Reader::of_parts(&self.parameters, &self.files);
         let (found, _) = reader.read(Some(node), "run", |slot| run::read(slot, known));
         self.scene.run = sound(&reader, found)?;
         Some(())
@@ -137,7 +143,8 @@ impl Variation {
     fn read_object(&mut self, id: &str) -> Option<()> {
         let node = self.root.get("objects")?.get(id)?;
         let before = *self.known.objects.get(id)?;
-        let (known, mut reader) = (&mut self.known, Reader::new());
+        let mut reader = Reader::of_parts(&self.parameters, &self.files);
+        let known = &mut self.known;
         let (found, _) = reader.read(Some(node), id, |slot| objects::object(slot, id, known));
         // The start has been read for the masses that there were.
         let after = known.objects.insert(id.to_owned(), before);

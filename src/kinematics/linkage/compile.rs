@@ -2,12 +2,11 @@
 //! solution, or to what is wrong with its structure.
 
 mod misfit;
-mod tied;
 
 use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
-use super::newton::{GroupPair, NewtonGroup, Side};
+use super::newton::{NewtonGroup, Side, Tied};
 use super::plan::{Driver, Plan, Step, size};
 use super::skeleton::Skeleton;
 use super::spec::LinkageSpec;
@@ -15,8 +14,7 @@ use super::structure::{Group, GroupKind};
 use super::vector::Arm;
 use crate::fault::{Fault, Faults};
 use misfit::misfit;
-pub(super) use misfit::{is_or_are, tie_named};
-use tied::tied;
+pub(super) use misfit::{MisfitWords, held_and_free};
 
 /// The bodies that the driver does not place, and the body of every link.
 pub(super) struct Bodies {
@@ -34,49 +32,33 @@ pub(super) fn compile(
     let mut faults = Faults::default();
     let driver = Driver::new(&spec.pairs[spec.driver]);
     let bodies = bodies(skeleton, &driver);
-    let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
     let others: Vec<usize> = (0..spec.pairs.len())
         .filter(|&p| p != spec.driver && skeleton.solves(p))
         .collect();
-    let mut ties: Vec<Tie> = others
-        .iter()
-        .map(|&pair| Tie::pair(elements(&spec.pairs[pair]).each_ref().map(of)))
-        .collect();
-    ties.extend(couplings(spec, &bodies));
+    let ties = ties(spec, &bodies, &others);
     sliding_loops(skeleton, &mut faults);
     let found = decompose(bodies.list.len(), &ties);
     let groups = match found {
         Decomposition::Groups(groups) => groups,
         Decomposition::Unfit { held, free } => {
-            misfit(spec, &bodies, &others, &held, &free, &mut faults);
+            misfit(spec, &bodies, &others, (&held, &free), &mut faults);
             Vec::new()
         }
     };
     faults.check()?;
     let mut steps = Vec::new();
     let mut listed = vec![driver_group(spec)];
-    for group in &groups {
-        let own = |tie: &Tie| tie.belongs_to(group, &groups);
-        let (pairs, geared) = members(&ties, &others, own);
-        let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
-            ([one, other], [_, _, _]) if closed_forms => {
-                dyad(spec, &bodies, [*one, *other], &pairs, &mut faults)
-            }
-            _ => larger_group(spec, &bodies, group, &pairs, &geared),
-        };
-        let mut links: Vec<usize> = group
-            .iter()
-            .flat_map(|&body| bodies.list[body].links())
-            .collect();
-        links.sort_unstable();
+    let made = solved_groups(
+        spec,
+        &bodies,
+        (&ties, &others),
+        &groups,
+        closed_forms,
+        &mut faults,
+    );
+    for (step, group) in made {
         steps.extend(step);
-        listed.push(skeleton.without_hidden(Group {
-            kind,
-            links,
-            pairs,
-            couplings: geared,
-            branch: None,
-        }));
+        listed.push(skeleton.without_hidden(group));
     }
     faults.check()?;
     let plan = Plan {
@@ -100,24 +82,55 @@ fn driver_group(spec: &LinkageSpec) -> Group {
     }
 }
 
-/// The couplings as ties between the bodies.
-pub(super) fn couplings<'a>(
-    spec: &'a LinkageSpec,
-    bodies: &'a Bodies,
-) -> impl Iterator<Item = Tie> + 'a {
-    spec.couplings.iter().map(|coupling| {
-        let body = |link: Option<usize>| link.and_then(|link| bodies.of_link[link]);
-        Tie::coupling(coupling.links().map(body))
-    })
+/// The pairs in `others`, then all couplings, as ties between the bodies.
+pub(super) fn ties(spec: &LinkageSpec, bodies: &Bodies, others: &[usize]) -> Vec<Tie> {
+    let body = |link: Option<usize>| link.and_then(|link| bodies.of_link[link]);
+    let pairs = others.iter().map(|&pair| &spec.pairs[pair]);
+    let pairs = pairs.map(|pair| Tie::pair([pair.on.link, pair.link.link].map(body)));
+    let couplings = spec.couplings.iter();
+    let couplings = couplings.map(|coupling| Tie::coupling(coupling.links().map(body)));
+    pairs.chain(couplings).collect()
+}
+
+/// How each of the groups is solved, and what it is; dyads by iteration like larger groups when
+/// `closed_forms` is false. The ties are those of the pairs in `others`, then all couplings.
+pub(super) fn solved_groups(
+    spec: &LinkageSpec,
+    bodies: &Bodies,
+    (ties, others): (&[Tie], &[usize]),
+    groups: &[Vec<usize>],
+    closed_forms: bool,
+    faults: &mut Faults,
+) -> Vec<(Option<Step>, Group)> {
+    let solved = groups.iter().map(|group| {
+        let own = |tie: &Tie| tie.belongs_to(group, groups);
+        let (pairs, couplings) = members(ties, others, own);
+        let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
+            ([one, other], [_, _, _]) if closed_forms => {
+                dyad(spec, bodies, [*one, *other], &pairs, faults)
+            }
+            _ => larger_group(spec, bodies, group, &pairs, &couplings),
+        };
+        let mut links: Vec<usize> = group
+            .iter()
+            .flat_map(|&body| bodies.list[body].links())
+            .collect();
+        links.sort_unstable();
+        let group = Group {
+            kind,
+            links,
+            pairs,
+            couplings,
+            branch: None,
+        };
+        (step, group)
+    });
+    solved.collect()
 }
 
 /// The pairs of a group, and its couplings, the ties being those of the pairs in `others` and
 /// then those of all couplings.
-pub(super) fn members(
-    ties: &[Tie],
-    others: &[usize],
-    own: impl Fn(&Tie) -> bool,
-) -> (Vec<usize>, Vec<usize>) {
+fn members(ties: &[Tie], others: &[usize], own: impl Fn(&Tie) -> bool) -> (Vec<usize>, Vec<usize>) {
     let (pairs, couplings) = ties.split_at(others.len());
     let pairs = others.iter().zip(pairs).filter(|(_, tie)| own(tie));
     let couplings = couplings.iter().enumerate().filter(|(_, tie)| own(tie));
@@ -187,7 +200,7 @@ fn sliding_loops(skeleton: &Skeleton, faults: &mut Faults) {
 }
 
 /// A group that is solved by iteration.
-pub(super) fn larger_group(
+fn larger_group(
     spec: &LinkageSpec,
     bodies: &Bodies,
     group: &[usize],
@@ -204,24 +217,22 @@ pub(super) fn larger_group(
             None => Side::Known(*element),
         }
     };
-    let joints = pairs.iter().map(|&pair| GroupPair {
-        sides: elements(&spec.pairs[pair]).each_ref().map(own),
-        slides: slides(&spec.pairs[pair]),
-    });
+    let joints = pairs
+        .iter()
+        .map(|&pair| Tied::of_pair(&spec.pairs[pair], own));
     // What does not meet, or has no pitch curve, was refused before.
     let tied = couplings
         .iter()
-        .filter_map(|&coupling| tied(spec, &spec.couplings[coupling], own));
+        .filter_map(|&coupling| Tied::of_coupling(&spec.couplings[coupling], &spec.pairs, own));
     let newton = NewtonGroup {
         bodies: group.iter().map(|&body| bodies.list[body]).collect(),
-        joints: joints.collect(),
-        couplings: tied.collect(),
+        ties: joints.chain(tied).collect(),
     };
     let links = newton.bodies.iter().flat_map(Body::links).count();
     (Some(Step::Newton(newton)), GroupKind::Newton { links })
 }
 
-pub(super) fn dyad(
+fn dyad(
     spec: &LinkageSpec,
     bodies: &Bodies,
     group: [usize; 2],

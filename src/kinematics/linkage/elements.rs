@@ -1,7 +1,8 @@
 //! Elements of pairs, bodies made of links, and frames.
 
-use super::spec::{PairKind, PairSpec};
+use super::spec::pair::{PairKind, PairSpec};
 use super::vector::{Local, Vector};
+use crate::math::number::Number;
 
 /// Element of a pair: what a link contributes to it, in its own frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,11 +114,19 @@ impl PairElement {
 
 /// A frame: where its origin is and how it is turned.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Frame<const N: usize> {
+pub(super) struct Frame<const N: usize, T = f64> {
     /// The origin (m).
-    pub(super) at: Vector<N>,
+    pub(super) at: Vector<N, T>,
     /// (cos θ, sin θ).
-    pub(super) direction: Vector<N>,
+    pub(super) direction: Vector<N, T>,
+}
+
+impl<const N: usize, T: Number> Frame<N, T> {
+    /// A point given in this frame.
+    #[inline(always)]
+    pub(super) fn place(&self, point: [f64; 2]) -> Vector<N, T> {
+        self.at + self.direction.turn_constant(point)
+    }
 }
 
 impl<const N: usize> Frame<N> {
@@ -130,10 +139,13 @@ impl<const N: usize> Frame<N> {
         }
     }
 
-    /// A point given in this frame.
+    /// The frame that is seen from this one as `inner`.
     #[inline(always)]
-    pub(super) fn place(&self, point: [f64; 2]) -> Vector<N> {
-        self.at + self.direction.turn_constant(point)
+    pub(super) fn then(&self, inner: &Self) -> Self {
+        Self {
+            at: self.at + self.direction.turn(inner.at),
+            direction: self.direction.turn(inner.direction),
+        }
     }
 
     /// The frame turned as `direction` that has `point` at `world`.

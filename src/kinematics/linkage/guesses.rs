@@ -226,10 +226,9 @@ fn put(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
         state.put(body, &NewtonGroup::frame::<1>(scratch, index));
         // Where nothing counts the turns it is the angle in (−π, π].
         let angle = scratch.unknowns[3 * index + 2][0];
-        let counted = group.couplings.iter().filter_map(Tied::geared).next();
-        state.near[body.base] = match counted {
-            None => state.links[body.base].angle(),
-            Some(_) => angle,
+        state.near[body.base] = match group.ties.iter().any(Tied::turns) {
+            false => state.links[body.base].angle(),
+            true => angle,
         };
     }
 }
@@ -271,14 +270,6 @@ impl NewtonGroup {
 
     /// Blocks point along their guides, not against them.
     pub(super) fn proper(&self, state: &State, scratch: &Scratch) -> bool {
-        self.joints
-            .iter()
-            .filter(|joint| joint.slides)
-            .all(|joint| {
-                let [i, j] = joint
-                    .sides
-                    .map(|side| self.seen::<1>(&side, state, scratch));
-                i.along.dot(j.along).value() > 0.0
-            })
+        self.ties.iter().all(|tie| tie.is_proper(state, scratch))
     }
 }

@@ -39,6 +39,7 @@ mod endless;
 mod examine;
 mod forces;
 mod guesses;
+pub(crate) mod joints;
 pub mod kinetostatics;
 pub mod multi;
 mod newton;

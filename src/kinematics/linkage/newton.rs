@@ -7,8 +7,6 @@
 //! and the k-th set to zero, the k-th coefficient of the equations is what the
 //! matrix must balance.
 
-mod cam;
-mod geared;
 mod tied;
 
 use super::dyad::Margin;
@@ -18,14 +16,12 @@ use super::state::State;
 use super::vector::Vector;
 use crate::math::linear::dense::{factorise, solve};
 use crate::math::series::Series;
-pub(super) use cam::Rolling;
-pub(super) use geared::{Geared, Second};
 pub(super) use tied::Tied;
 
 /// Most iterations from a guess of the table; two or three are usual.
 const MOST_ITERATIONS: usize = 40;
 
-/// Side of a pair of the group.
+/// Side of a joint of the group.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
     /// On something already placed.
@@ -39,38 +35,18 @@ pub(super) enum Side {
     },
 }
 
-/// Pair of the group.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct GroupPair {
-    /// Links i and j.
-    pub(super) sides: [Side; 2],
-    /// True for a sliding pair.
-    pub(super) slides: bool,
-}
-
 /// A group that no closed form is kept for.
 #[derive(Clone, Debug)]
 pub(super) struct NewtonGroup {
     /// Bodies of the group.
     pub(super) bodies: Vec<Body>,
-    /// Pairs of the group; two equations of each and one of each coupling are three a body.
-    pub(super) joints: Vec<GroupPair>,
-    /// Gears, belts, racks and cams.
-    pub(super) couplings: Vec<Tied>,
+    /// Its joints: pairs, then couplings; their equations are three a body.
+    pub(super) ties: Vec<Tied>,
 }
 
 /// The iteration did not come to an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct NotConverged;
-
-/// A point and a direction of a pair's side, seen from the ground.
-pub(super) struct PairSide<const N: usize> {
-    pub(super) point: Vector<N>,
-    /// From the origin of the body to the point; of no meaning when known.
-    pub(super) arm: Vector<N>,
-    pub(super) along: Vector<N>,
-    pub(super) body: Option<usize>,
-}
 
 impl NewtonGroup {
     /// Places the bodies, from the guess in `scratch.unknowns` (constant terms).
@@ -189,36 +165,6 @@ impl NewtonGroup {
         }
     }
 
-    pub(super) fn seen<const N: usize>(
-        &self,
-        side: &Side,
-        state: &State,
-        scratch: &Scratch,
-    ) -> PairSide<N> {
-        match side {
-            Side::Known(element) => {
-                let frame = state.frame(element.link);
-                PairSide {
-                    point: frame.place(element.point),
-                    arm: Vector::constant([0.0, 0.0]),
-                    along: frame.direction.turn_constant(element.along),
-                    body: None,
-                }
-            }
-            Side::Own { body, part } => {
-                let frame = Self::frame::<N>(scratch, *body);
-                let relative = state.relative_frame();
-                let arm = part.place(&relative).seen(frame.direction);
-                PairSide {
-                    point: frame.at + arm,
-                    arm,
-                    along: part.guide(&relative).seen(frame.direction),
-                    body: Some(*body),
-                }
-            }
-        }
-    }
-
     /// The closing errors as series, lengths over the size.
     pub(super) fn equations<const N: usize>(
         &self,
@@ -226,63 +172,32 @@ impl NewtonGroup {
         scratch: &mut Scratch,
         size: f64,
     ) {
-        for (index, joint) in self.joints.iter().enumerate() {
-            let [i, j] = joint
-                .sides
-                .map(|side| self.seen::<N>(&side, state, scratch));
-            let gap = (j.point - i.point).scale(size.recip());
-            let rows = if joint.slides {
-                [i.along.cross(j.along), i.along.cross(gap)]
-            } else {
-                [gap.x, gap.y]
-            };
-            for (k, row) in rows.into_iter().enumerate() {
-                row.store(&mut scratch.equations[2 * index + k]);
-            }
+        let mut equations = std::mem::take(&mut scratch.equations);
+        let mut top = 0;
+        for tie in &self.ties {
+            tie.errors::<N>(state, scratch, size, |row, error| {
+                error.store(&mut equations[top + row]);
+            });
+            top += tie.rows();
         }
-        for (index, coupling) in self.couplings.iter().enumerate() {
-            let row = coupling.error::<N>(self, state, scratch, size);
-            row.store(&mut scratch.equations[2 * self.joints.len() + index]);
-        }
+        scratch.equations = equations;
     }
 
     /// The derivatives of the closing errors by the unknowns.
     pub(super) fn matrix(&self, state: &State, scratch: &mut Scratch, size: f64) {
         let n = 3 * self.bodies.len();
-        scratch.matrix[..n * n].fill(0.0);
-        for (index, joint) in self.joints.iter().enumerate() {
-            let [i, j] = joint
-                .sides
-                .map(|side| self.seen::<1>(&side, state, scratch));
-            let top = 2 * index * n;
-            let along = i.along.value();
-            let gap = (j.point - i.point).scale(size.recip());
-            for (sign, seen) in [(-1.0, &i), (1.0, &j)] {
-                let Some(body) = seen.body else { continue };
-                let at = top + 3 * body;
-                let turned = seen.arm.left().scale(sign / size).value();
-                if joint.slides {
-                    let tilt = if sign < 0.0 {
-                        i.along.left().cross(gap).value()
-                    } else {
-                        0.0
-                    };
-                    scratch.matrix[at + 2] += sign * i.along.dot(j.along).value();
-                    scratch.matrix[at + n] -= sign * along[1];
-                    scratch.matrix[at + n + 1] += sign * along[0];
-                    scratch.matrix[at + n + 2] +=
-                        along[0] * turned[1] - along[1] * turned[0] + tilt;
-                } else {
-                    scratch.matrix[at] += sign;
-                    scratch.matrix[at + 2] += turned[0];
-                    scratch.matrix[at + n + 1] += sign;
-                    scratch.matrix[at + n + 2] += turned[1];
+        let mut matrix = std::mem::take(&mut scratch.matrix);
+        matrix[..n * n].fill(0.0);
+        let mut top = 0;
+        for tie in &self.ties {
+            tie.derivatives(state, scratch, size, |row, body, entries| {
+                let place = (top + row) * n + 3 * body;
+                for k in 0..3 {
+                    matrix[place + k] += entries[k];
                 }
-            }
+            });
+            top += tie.rows();
         }
-        for (index, coupling) in self.couplings.iter().enumerate() {
-            let top = (2 * self.joints.len() + index) * n;
-            coupling.derivatives(self, state, scratch, size, top);
-        }
+        scratch.matrix = matrix;
     }
 }

@@ -24,13 +24,13 @@ impl Driver {
     pub(super) fn new(pair: &PairSpec) -> Self {
         let [on, link] = elements(pair);
         let sliding = match pair.kind {
-            PairKind::Revolute { .. } => None,
             PairKind::Sliding {
                 direction, angle, ..
             } => {
                 let (sin, cos) = (direction + angle).sin_cos();
                 Some([cos, sin])
             }
+            _ => None,
         };
         Self { on, link, sliding }
     }
@@ -129,7 +129,7 @@ impl Plan {
 /// belong together, or radius of a cam (m).
 pub(super) fn size(spec: &LinkageSpec) -> f64 {
     let points: Vec<PointOf> = spec.joints().collect();
-    let mut size = spec.greatest_cam();
+    let mut size = spec.greatest_coupling();
     for (index, one) in points.iter().enumerate() {
         for other in points[index + 1..].iter().filter(|o| o.link == one.link) {
             let [x, y] = [other.at[0] - one.at[0], other.at[1] - one.at[1]];

@@ -8,6 +8,7 @@
 //! it are statically indeterminate.
 
 mod search;
+mod several_inputs;
 
 use super::Linkage;
 use super::elements::{elements, slides};
@@ -15,6 +16,7 @@ use super::spec::{LinkageSpec, PairSpec, PointOf, Redundant, RedundantPart};
 use super::state::State;
 use crate::fault::Fault;
 pub(super) use search::find_movable_linkage;
+pub(super) use several_inputs::find_movable;
 
 /// What a constraint may be missed by, in sizes of the linkage (angles in radians).
 const MISSED: f64 = 1e-9;

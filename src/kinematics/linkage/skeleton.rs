@@ -26,15 +26,22 @@ pub(super) struct Skeleton {
 }
 
 impl Skeleton {
-    /// Of a linkage whose redundant constraints are known.
+    /// Of a linkage with a driver whose redundant constraints are known.
     pub(super) fn of(linkage: &LinkageSpec) -> Self {
         let driven = linkage.pairs.get(linkage.driver);
         let driven = driven.map(|pair| [pair.on.link, pair.link.link]);
-        let driven = driven.into_iter().flatten().flatten();
+        Self::with_bases(linkage, driven.into_iter().flatten().flatten())
+    }
+
+    /// The same; `preferred`: links that are the bases of what is welded to them.
+    pub(super) fn with_bases(
+        linkage: &LinkageSpec,
+        preferred: impl IntoIterator<Item = usize>,
+    ) -> Self {
         let mut skeleton = Self {
             own: [linkage.links.len(), linkage.pairs.len()],
             left_out: Vec::new(),
-            attached: welds::attached(linkage, driven),
+            attached: welds::attached(linkage, preferred),
             spec: linkage.clone(),
         };
         welds::give_to_bases(&mut skeleton.spec, &skeleton.attached);
@@ -98,7 +105,7 @@ impl Skeleton {
         };
         let hidden = self.hidden_link(link);
         let block = std::mem::replace(&mut self.spec.pairs[pair].link, origin(hidden));
-        let kind = PairKind::Revolute { diameter: 0.0 };
+        let kind = PairKind::PIN;
         self.hidden_pair(block, hidden, kind);
     }
 

@@ -3,7 +3,7 @@
 use super::course::{Course, Table};
 use super::dyad::{Around, Dyad};
 use super::elements::{Frame, inverse};
-use super::newton::{Geared, NewtonGroup, Tied};
+use super::newton::{NewtonGroup, Tied};
 use super::plan::{Plan, Step};
 use super::state::{Motion, State};
 use super::vector::nearest_turn;
@@ -151,8 +151,7 @@ fn iterate<const N: usize>(
             unknown[0] = value;
         }
     }
-    let geared = group.couplings.iter().filter_map(Tied::geared);
-    for link in geared.flat_map(Geared::known_links) {
+    for link in group.ties.iter().flat_map(Tied::known_links) {
         state.near[link] = match guess {
             Guess::Table(table) => table.near(place, link, reduced)[2],
             Guess::Near(anchor) => anchor.near(link, reduced)[2],

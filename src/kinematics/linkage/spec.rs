@@ -3,11 +3,11 @@
 //! SI units; x to the right, y up, angles counterclockwise. Lists stand in the
 //! order of their names, so that nothing depends on the order in a file.
 
-mod cam;
-mod coupling;
+pub(super) mod pair;
 
-pub use cam::CamPairSpec;
-pub use coupling::{CouplingKind, CouplingSpec};
+pub use super::joints::cam::CamPairSpec;
+pub use super::joints::{CouplingKind, CouplingSpec};
+pub use pair::{PairKind, PairSpec, PointOf};
 
 /// A planar linkage of rigid links, lower pairs, gears, belts, racks and cams with one degree of freedom.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,7 +23,8 @@ pub struct LinkageSpec {
     /// Links that are welded together.
     pub welds: Vec<WeldSpec>,
     /// Constraints that hold what is held already, and are left out where positions are solved for.
-    /// [`Linkage::new`](super::Linkage::new) finds them where none is given, of a linkage of one input.
+    /// [`Linkage::new`](super::Linkage::new) and [`MultiLinkage::new`](super::multi::MultiLinkage::new)
+    /// find them where none is given.
     pub redundant: Vec<Redundant>,
     /// The pair whose relative motion is the input coordinate, index into
     /// [`Self::pairs`].
@@ -45,31 +46,16 @@ pub struct LinkageSpec {
 }
 
 impl LinkageSpec {
-    /// The points of links at which pairs and cams join them.
+    /// The points of links at which pairs and couplings join them.
     pub(crate) fn joints(&self) -> impl Iterator<Item = PointOf> {
         let pairs = self.pairs.iter().flat_map(|pair| [pair.on, pair.link]);
-        let cams = self.cams().flat_map(|(coupling, cam)| {
-            let [own, other] = coupling.wheels;
-            let point = |link, at| PointOf { link, at };
-            [point(own, cam.centre), point(other, cam.roller)]
-        });
-        pairs.chain(cams)
+        pairs.chain(self.couplings.iter().flat_map(CouplingSpec::points))
     }
 
-    /// The cams among the couplings.
-    pub(crate) fn cams(&self) -> impl Iterator<Item = (&CouplingSpec, &CamPairSpec)> {
-        self.couplings.iter().filter_map(|coupling| {
-            let CouplingKind::Cam(cam) = &coupling.kind else {
-                return None;
-            };
-            Some((coupling, &**cam))
-        })
-    }
-
-    /// The greatest prime radius of a cam (m); 0 where there is none.
-    pub(crate) fn greatest_cam(&self) -> f64 {
-        let radii = self.cams().map(|(_, cam)| cam.prime_radius());
-        radii.fold(0.0, f64::max)
+    /// The greatest length of a coupling itself, such as the prime radius of a cam (m).
+    pub(crate) fn greatest_coupling(&self) -> f64 {
+        let lengths = self.couplings.iter().map(|one| one.kind.own().length());
+        lengths.fold(0.0, f64::max)
     }
 }
 
@@ -95,68 +81,6 @@ pub struct LinkSpec {
     pub centre: [f64; 2],
     /// Moment of inertia about the centre of mass, ≥ 0 (kg·m²).
     pub moment: f64,
-}
-
-/// A point of a link or of the ground.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointOf {
-    /// Index into [`LinkageSpec::links`]; `None`: the ground.
-    pub link: Option<usize>,
-    /// Coordinates in the frame of the link (m).
-    pub at: [f64; 2],
-}
-
-/// A kinematic pair that joins link i (`on`) to link j (`link`).
-#[derive(Clone, Debug, PartialEq)]
-pub struct PairSpec {
-    /// Name of the pair.
-    pub name: String,
-    /// Point on link i: the pin, or a point of the guide's axis.
-    pub on: PointOf,
-    /// Point on link j: the pin, or the block's reference point on the axis.
-    pub link: PointOf,
-    /// Turning or sliding.
-    pub kind: PairKind,
-    /// Coefficient of Coulomb friction μ ≥ 0.
-    pub friction: f64,
-}
-
-impl PairSpec {
-    /// True for a block on a guide.
-    pub fn slides(&self) -> bool {
-        matches!(self.kind, PairKind::Sliding { .. })
-    }
-
-    /// Direction of the guide in the frame of link i, (cos ψ, sin ψ); `None` of a pin.
-    pub(crate) fn direction(&self) -> Option<[f64; 2]> {
-        match self.kind {
-            PairKind::Revolute { .. } => None,
-            PairKind::Sliding { direction, .. } => Some([direction.cos(), direction.sin()]),
-        }
-    }
-}
-
-/// Turning or sliding.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum PairKind {
-    /// A pin. Its relative coordinate is the angle of j's frame less that of i's (rad).
-    Revolute {
-        /// Diameter d ≥ 0 of the pin (m), for friction.
-        diameter: f64,
-    },
-    /// A guide on link i and a block on link j. Its relative coordinate is the
-    /// displacement of j's point from i's point along the guide (m).
-    Sliding {
-        /// Direction of the guide in the frame of i (rad): t = (cos ψ, sin ψ).
-        direction: f64,
-        /// Angle of j's frame less the direction of the guide (rad), constant.
-        angle: f64,
-        /// Coordinates of the block's two corners along t from j's point (m),
-        /// b₁ > b₂.
-        corners: [f64; 2],
-        /// Half the height c ≥ 0 of the block (m).
-        half_height: f64,
-    },
 }
 
 /// A weld that joins link i (`on`) to link j (`link`), or one of them to the ground.

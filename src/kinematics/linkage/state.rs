@@ -114,11 +114,7 @@ impl State {
         self.links[body.base].set(frame);
         if let Some(driven) = body.driven {
             let relative = self.relative_frame::<N>();
-            let placed = Frame {
-                at: frame.at + frame.direction.turn(relative.at),
-                direction: frame.direction.turn(relative.direction),
-            };
-            self.links[driven].set(&placed);
+            self.links[driven].set(&frame.then(&relative));
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The structure of a linkage: mobility and Assur groups in order of solution.
 
-use super::spec::{CouplingKind, LinkageSpec, Redundant, WeldSpec};
+use super::spec::{LinkageSpec, Redundant, WeldSpec};
 use std::fmt;
 
 /// The kind of a group of links.
@@ -89,8 +89,8 @@ pub struct Structure {
     pub redundant: Vec<String>,
     /// Names of links, pairs and couplings, for display.
     names: [Vec<String>; 3],
-    /// Which of the couplings are cams.
-    cams: Vec<bool>,
+    /// What a single link is called that a coupling holds, for each of these.
+    held_links: Vec<&'static str>,
 }
 
 impl Structure {
@@ -101,8 +101,8 @@ impl Structure {
             groups,
             welded: welded(spec),
             redundant: redundant(spec),
-            cams: (spec.couplings.iter())
-                .map(|coupling| matches!(coupling.kind, CouplingKind::Cam(_)))
+            held_links: (spec.couplings.iter())
+                .map(|coupling| coupling.kind.words().held_link)
                 .collect(),
             names: [
                 spec.links.iter().map(|link| link.name.clone()).collect(),
@@ -115,9 +115,12 @@ impl Structure {
         }
     }
 
-    /// True of a group that a cam belongs to.
-    fn has_cam(&self, group: &Group) -> bool {
-        group.couplings.iter().any(|&coupling| self.cams[coupling])
+    /// What a group is called.
+    fn kind(&self, group: &Group) -> String {
+        match (group.kind, group.couplings.as_slice()) {
+            (GroupKind::Newton { links: 1 }, [first, ..]) => self.held_links[*first].to_owned(),
+            (kind, _) => kind.to_string(),
+        }
     }
 
     /// A group in words: `dyad RRR: coupler, rocker (pairs B, C, D), branch +`.
@@ -145,10 +148,7 @@ impl Structure {
             Some(_) => ", branch +",
             None => "",
         };
-        let kind = match group.kind {
-            GroupKind::Newton { links: 1 } if self.has_cam(group) => "link on a cam".to_owned(),
-            kind => kind.to_string(),
-        };
+        let kind = self.kind(group);
         format!(
             "{kind}: {} ({word} {}{coupled}){branch}",
             names(0, &group.links),

@@ -4,28 +4,24 @@
 //! (cos θ, sin θ) turns by θ, so that no angle and no trigonometric function is
 //! needed to place a link.
 
+use crate::math::number::Number;
 use crate::math::series::Series;
 use std::ops::{Add, Neg, Sub};
 
 /// A plane vector.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Vector<const N: usize> {
+pub(crate) struct Vector<const N: usize, T = f64> {
     /// To the right.
-    pub(crate) x: Series<N>,
+    pub(crate) x: Series<N, T>,
     /// Up.
-    pub(crate) y: Series<N>,
+    pub(crate) y: Series<N, T>,
 }
 
 impl<const N: usize> Vector<N> {
-    #[inline(always)]
-    pub(crate) fn new(x: Series<N>, y: Series<N>) -> Self {
-        Self { x, y }
-    }
-
     /// A constant.
     #[inline(always)]
-    pub(crate) fn constant([x, y]: [f64; 2]) -> Self {
-        Self::new(Series::constant(x), Series::constant(y))
+    pub(crate) fn constant(at: [f64; 2]) -> Self {
+        Self::fixed(at)
     }
 
     /// The unit vector at the angle `rate`·x = `angle`.
@@ -62,26 +58,45 @@ impl<const N: usize> Vector<N> {
         self.y.store(&mut stored[1]);
     }
 
-    #[inline(always)]
-    pub(crate) fn dot(self, other: Self) -> Series<N> {
-        self.x * other.x + self.y * other.y
-    }
-
-    /// x·y′ − y·x′: positive where `other` lies to the left.
-    #[inline(always)]
-    pub(crate) fn cross(self, other: Self) -> Series<N> {
-        self.x * other.y - self.y * other.x
-    }
-
     /// The unit vector next to a vector of length 1 but for rounding.
     #[inline(always)]
     pub(crate) fn nearly_unit(self) -> Self {
         self.times(self.square().scale(-0.5).shift(1.5))
     }
 
+    /// The values.
+    #[inline(always)]
+    pub(crate) fn value(&self) -> [f64; 2] {
+        [self.x.value(), self.y.value()]
+    }
+}
+
+impl<const N: usize, T: Number> Vector<N, T> {
+    #[inline(always)]
+    pub(crate) fn new(x: Series<N, T>, y: Series<N, T>) -> Self {
+        Self { x, y }
+    }
+
+    /// A constant, of any kind of number.
+    #[inline(always)]
+    pub(crate) fn fixed([x, y]: [f64; 2]) -> Self {
+        Self::new(Series::fixed(x), Series::fixed(y))
+    }
+
+    #[inline(always)]
+    pub(crate) fn dot(self, other: Self) -> Series<N, T> {
+        self.x * other.x + self.y * other.y
+    }
+
+    /// x·y′ − y·x′: positive where `other` lies to the left.
+    #[inline(always)]
+    pub(crate) fn cross(self, other: Self) -> Series<N, T> {
+        self.x * other.y - self.y * other.x
+    }
+
     /// |v|².
     #[inline(always)]
-    pub(crate) fn square(self) -> Series<N> {
+    pub(crate) fn square(self) -> Series<N, T> {
         self.x.square() + self.y.square()
     }
 
@@ -92,12 +107,7 @@ impl<const N: usize> Vector<N> {
     }
 
     #[inline(always)]
-    pub(crate) fn scale(self, factor: f64) -> Self {
-        Self::new(self.x.scale(factor), self.y.scale(factor))
-    }
-
-    #[inline(always)]
-    pub(crate) fn times(self, factor: Series<N>) -> Self {
+    pub(crate) fn times(self, factor: Series<N, T>) -> Self {
         Self::new(self.x * factor, self.y * factor)
     }
 
@@ -127,18 +137,12 @@ impl<const N: usize> Vector<N> {
 
     /// Direction of the vector, in (−π, π] as a value.
     #[inline(always)]
-    pub(crate) fn angle(self) -> Series<N> {
+    pub(crate) fn angle(self) -> Series<N, T> {
         Series::atan2(self.y, self.x)
-    }
-
-    /// The values.
-    #[inline(always)]
-    pub(crate) fn value(&self) -> [f64; 2] {
-        [self.x.value(), self.y.value()]
     }
 }
 
-impl<const N: usize> Add for Vector<N> {
+impl<const N: usize, T: Number> Add for Vector<N, T> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -146,7 +150,7 @@ impl<const N: usize> Add for Vector<N> {
     }
 }
 
-impl<const N: usize> Sub for Vector<N> {
+impl<const N: usize, T: Number> Sub for Vector<N, T> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -154,7 +158,7 @@ impl<const N: usize> Sub for Vector<N> {
     }
 }
 
-impl<const N: usize> Neg for Vector<N> {
+impl<const N: usize, T: Number> Neg for Vector<N, T> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {

@@ -60,7 +60,7 @@ fn ground(at: [f64; 2]) -> PointOf {
 }
 
 fn pin(name: &str, on: PointOf, link: PointOf) -> PairSpec {
-    pair(name, on, link, PairKind::Revolute { diameter: 0.0 })
+    pair(name, on, link, PairKind::PIN)
 }
 
 fn guide(name: &str, on: PointOf, link: PointOf) -> PairSpec {

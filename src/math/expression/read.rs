@@ -5,7 +5,7 @@ mod tokens;
 use super::builder::Builder;
 use super::function::SMOOTH;
 use super::program::{Op, Program, Register, Rounding};
-use super::{CONSTANTS, Names};
+use super::{CONSTANTS, Symbol, Symbols};
 use std::ops::Range;
 use tokens::Token;
 
@@ -61,10 +61,10 @@ fn precedence(symbol: &str) -> Option<(u8, u8)> {
 const SIGN: u8 = 15;
 
 /// Reads a text.
-pub(super) fn read(text: &str, names: &Names<'_>) -> Result<ParseResult, Error> {
+pub(super) fn read(text: &str, symbols: &mut dyn Symbols) -> Result<ParseResult, Error> {
     let mut reader = Reader {
         text,
-        names,
+        symbols,
         position: 0,
         token: Token::End,
         place: 0..0,
@@ -93,9 +93,9 @@ pub(super) fn read(text: &str, names: &Names<'_>) -> Result<ParseResult, Error> 
     })
 }
 
-struct Reader<'t> {
+struct Reader<'t, 's> {
     text: &'t str,
-    names: &'t Names<'t>,
+    symbols: &'s mut dyn Symbols,
     position: usize,
     /// The token that comes next, and where it is.
     token: Token<'t>,
@@ -109,7 +109,7 @@ struct Reader<'t> {
     unknown: Option<Error>,
 }
 
-impl<'t> Reader<'t> {
+impl Reader<'_, '_> {
     fn expression(&mut self, least: u8) -> Result<Register, Error> {
         if self.depth == DEEPEST {
             return Err((Wrong::TooDeep, self.place.clone()));
@@ -166,6 +166,7 @@ impl<'t> Reader<'t> {
                 Ok(value) if value.is_finite() => Ok(self.builder.number(value)),
                 _ => Err((Wrong::Number, place)),
             },
+            Token::Quantity(symbol) => Ok(self.register(symbol)),
             Token::Name(name) if self.token == Token::Symbol("(") => self.call(name, place),
             Token::Name(name) => match self.named(name) {
                 Some(register) => Ok(register),
@@ -197,11 +198,18 @@ impl<'t> Reader<'t> {
     }
 
     fn named(&mut self, name: &str) -> Option<Register> {
-        if let Some((_, index)) = self.names.iter().find(|(known, _)| *known == name) {
-            return Some(self.builder.variable(*index));
+        if let Some(symbol) = self.symbols.symbol(name) {
+            return Some(self.register(symbol));
         }
         let (_, value) = CONSTANTS.iter().find(|(known, _)| *known == name)?;
         Some(self.builder.number(*value))
+    }
+
+    fn register(&mut self, symbol: Symbol) -> Register {
+        match symbol {
+            Symbol::Variable(index) => self.builder.variable(index),
+            Symbol::Number(value) => self.builder.number(value),
+        }
     }
 
     fn close(&mut self, opening: Range<usize>) -> Result<(), Error> {

@@ -1,7 +1,6 @@
 //! Curves over the course, χ against i, massless against full.
 
 use super::ForcesReport;
-use crate::kinematics::linkage::spec::CouplingKind;
 use crate::math::order::by_first;
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Band, Plot, Series};
@@ -67,10 +66,7 @@ pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
         ]
     });
     let couplings = study.linkage.couplings.iter().map(|coupling| {
-        let title = match coupling.kind {
-            CouplingKind::Cam(_) => format!("Force of the cam {}", coupling.name),
-            _ => format!("Circumferential force of {}", coupling.name),
-        };
+        let title = format!("{} {}", coupling.kind.words().force, coupling.name);
         one(&title, &format!("{}.force", coupling.name))
     });
     let frame = ["shaking", "frame"].map(|name| {

@@ -1,7 +1,6 @@
 //! The linkage moving, with the forces that its pairs carry.
 
 use super::ForcesReport;
-use crate::kinematics::linkage::spec::CouplingKind;
 use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, MOST_FRAMES, Placement};
 use crate::studies::forces::{Forces, Row};
 
@@ -53,14 +52,10 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
                 [own.point, own.force]
             })
         });
-    // (What the strands of a belt do is no single force: a couple on each pulley.)
     let open = &study.indeterminate.couplings;
     let couplings = study.linkage.couplings.iter().enumerate();
     let couplings = couplings
-        .filter(|(index, spec)| {
-            let strands = matches!(spec.kind, CouplingKind::Belt { .. });
-            !strands && open.get(*index) != Some(&true)
-        })
+        .filter(|(index, spec)| spec.kind.words().is_one_force && open.get(*index) != Some(&true))
         .map(|(index, spec)| {
             arrow(named(&spec.name), &|forces| {
                 let own = &forces.couplings[index];

@@ -3,7 +3,7 @@
 use super::changes::{massless, sensitivities};
 use super::charts::{groups, ratio_chart};
 use super::{ForcesReport, WIDE, drawing, value};
-use crate::kinematics::linkage::spec::{CouplingKind, LinkageSpec, PairSpec};
+use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table};
@@ -289,16 +289,8 @@ pub fn rows(study: &ForceStudy) -> Rows {
 fn drawn_forces(linkage: &LinkageSpec) -> String {
     let pairs = "Forces act on the second link of their pair, friction included; a block's force is \
                  drawn at its reference point.";
-    let kinds = linkage.couplings.iter().map(|coupling| &coupling.kind);
-    let told: BTreeSet<&str> = kinds
-        .map(|kind| match kind {
-            CouplingKind::Gear { .. } => "teeth act on the second gear, at the pitch point",
-            CouplingKind::Rack { .. } => "teeth act on the rack, at the pitch point",
-            CouplingKind::Cam(_) => "cams act on the roller, at its centre",
-            // Both strands together are no single force.
-            CouplingKind::Belt { .. } => "belts are left out",
-        })
-        .collect();
+    let kinds = linkage.couplings.iter();
+    let told: BTreeSet<&str> = kinds.map(|one| one.kind.words().drawn).collect();
     if told.is_empty() {
         return pairs.to_owned();
     }

@@ -107,6 +107,10 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
         (missing, "are missing: the map was interrupted"),
     ] {
         if count > 0 {
+            let what = match count {
+                1 => what.replacen("are ", "is ", 1),
+                _ => what.to_owned(),
+            };
             let _ = write!(text, "; {count} {what}");
         }
     }

@@ -1,12 +1,9 @@
 //! A panel of a map: its plot of cells or of a curve.
 
-use super::style::{ground, hatching, plain};
+use super::style::{colour, hatching};
 use super::values::Values;
 use crate::math::contour::contours;
-use crate::report::plot::palette::SHADES;
-use crate::report::plot::{
-    Axis, Contour, Field, Fill, Kind, LineStyle, Mark, Plot, Rule, Series, Shape,
-};
+use crate::report::plot::{Axis, Contour, Field, Kind, LineStyle, Mark, Plot, Rule, Series, Shape};
 use crate::studies::axis::Axis as Parameter;
 use crate::studies::map::{Cell, Study, Verdict};
 
@@ -52,13 +49,16 @@ impl Panel<'_> {
     fn field(&self, x: &Grid, y: &[f64]) -> Field {
         let verdict = |verdict: &Verdict| Kind {
             name: verdict.words().to_owned(),
-            colour: plain(*verdict),
+            colour: colour(*verdict),
             hatching: hatching(*verdict),
         };
         Field {
             x: x.edges.clone(),
             y: y.to_vec(),
             kinds: Verdict::ALL.iter().map(verdict).collect(),
+            fill: (self.cells.iter())
+                .map(|cell| Some(colour(cell.as_ref()?.verdict)))
+                .collect(),
             kind: (self.cells.iter())
                 .map(|cell| cell.as_ref().map(|cell| number(cell.verdict)))
                 .collect(),
@@ -67,18 +67,9 @@ impl Panel<'_> {
     }
 
     fn heat(&self, x: &Grid, y: &Grid) -> Field {
-        let values = self.values;
-        let fill = |cell: &Option<Cell>| {
-            let cell = cell.as_ref()?;
-            Some(match cell.value {
-                Some(value) => Fill::Shade(values.shade(value).min(SHADES - 1)),
-                None => Fill::Colour(ground(cell.verdict)),
-            })
-        };
         let rings = self.cells.iter().enumerate();
         let rings = rings.filter(|(_, cell)| undetermined(cell.as_ref()));
         Field {
-            fill: self.cells.iter().map(fill).collect(),
             lines: self.lines(x, y),
             rings: rings.map(|(index, _)| index).collect(),
             middles: [x.middles.clone(), y.middles.clone()],
@@ -147,9 +138,6 @@ impl Panel<'_> {
             });
         }
         let field = Field {
-            fill: (self.cells.iter())
-                .map(|cell| Some(Fill::Colour(plain(cell.as_ref()?.verdict))))
-                .collect(),
             strip: true,
             ..self.field(&x, &[0.0, 1.0])
         };

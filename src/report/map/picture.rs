@@ -1,13 +1,13 @@
-//! A map as a picture: heat maps with contour lines over two parameters, curves over one,
+//! A map as a picture: verdicts with contour lines over two parameters, curves over one,
 //! verdicts marked in both; and its parts for a page.
 
 use super::panel::{Panel, undetermined};
-use super::style::{hatching, plain};
+use super::style::{colour, hatching};
 use super::values::Values;
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;
-use crate::report::plot::palette::{SHADES, STYLE, shade};
-use crate::report::plot::{Entry, Plot, STRIP, coordinate, document, legend_rows, width_of};
+use crate::report::plot::palette::STYLE;
+use crate::report::plot::{Entry, Plot, STRIP, coordinate, document, legend_rows};
 use crate::report::quantity::{escape, shortened};
 use crate::studies::map::{MapResult, Study, Verdict};
 use std::collections::BTreeMap;
@@ -17,20 +17,15 @@ const LEFT: f64 = 78.0;
 const TOP: f64 = 40.0;
 const FOOT: f64 = 48.0;
 const GAP: f64 = 26.0;
-/// Height of the bar of colours with its name and its labels.
-const BAR: f64 = 58.0;
-/// Width of bar and legend on a page.
+/// Width of the legend on a page.
 const KEY: f64 = 744.0;
 /// Longest title of a panel on a page (characters).
 const MOST_OF_HEAD: usize = 80;
 const LINE: f64 = 15.0;
-/// Between two labels of the bar of colours (pixels).
-const LABEL_GAP: f64 = 4.0;
 /// Size of the plot of a map that is steered.
 #[cfg(feature = "studio")]
 const STEERED: [f64; 2] = [340.0, 270.0];
-/// The picture of a study: all its panels, a bar of colours for all of them, and a legend of
-/// the verdicts that occur. A complete SVG document.
+/// The picture of a study: all its panels, and a legend of the verdicts that occur. A complete SVG document.
 pub fn svg(study: &Study<'_>, result: &MapResult) -> String {
     let mut plots = Plots::default();
     let sheet = Sheet::new(study, result, &mut plots);
@@ -62,9 +57,9 @@ pub(super) fn panels(study: &Study<'_>, result: &MapResult) -> Vec<Plot> {
     .collect()
 }
 
-/// The bar of colours and the legend of a page's panels.
+/// The legend of a page's panels.
 pub(super) fn key(study: &Study<'_>, result: &MapResult) -> String {
-    let (body, height) = colour_bar_and_legend(study, result, [LEFT, 0.0, KEY]);
+    let (body, height) = legend(study, result, [LEFT, 0.0, KEY]);
     let [w, h] = [KEY, height].map(coordinate);
     format!(
         "<div class=\"chart map\"><svg class=\"dam-plot\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
@@ -73,24 +68,10 @@ pub(super) fn key(study: &Study<'_>, result: &MapResult) -> String {
     )
 }
 
-/// The bar of colours, where there are any, and the legend, from a left and an upper edge on to
-/// a width: how high they are.
-fn colour_bar_and_legend(
-    study: &Study<'_>,
-    result: &MapResult,
-    [left, top, width]: [f64; 3],
-) -> (String, f64) {
-    let (mut body, mut below) = (String::new(), top);
-    if study.y.is_some() {
-        let values = Values::of(study, result);
-        body.push_str(&bar_of_colours(
-            &values,
-            [left, top + 18.0, (width - left - GAP).min(560.0), 14.0],
-        ));
-        below += BAR;
-    }
-    let (legend, height) = legend_rows(entries(study, result), [left, width], below + 14.0);
-    (body + &legend, below + height + 16.0)
+/// The legend, from a left and an upper edge on to a width: how high it is.
+fn legend(study: &Study<'_>, result: &MapResult, [left, top, width]: [f64; 3]) -> (String, f64) {
+    let (legend, height) = legend_rows(entries(study, result), [left, width], top + 14.0);
+    (legend, height + 16.0)
 }
 
 /// The map of one panel where it is looked at and steered, no larger than needed.
@@ -175,7 +156,7 @@ impl Sheet {
             let head = panel_heading(title, index, panels.panels.len(), &frame);
             body.push_str(&plot.panel(&frame, &head, number));
         }
-        let (below, height) = colour_bar_and_legend(study, result, [16.0, body_foot, width]);
+        let (below, height) = legend(study, result, [16.0, body_foot, width]);
         body.push_str(&below);
         Self {
             size: [width, height],
@@ -238,71 +219,7 @@ fn panel_heading(
     out
 }
 
-/// The bar of colours, its name above and its values below.
-fn bar_of_colours(values: &Values, [left, top, width, height]: [f64; 4]) -> String {
-    let step = width / SHADES as f64;
-    let (y, h) = (coordinate(top), coordinate(height));
-    let mut out = String::from("<g shape-rendering=\"crispEdges\">\n");
-    for index in 0..SHADES {
-        let _ = writeln!(
-            out,
-            "<rect x=\"{}\" y=\"{y}\" width=\"{}\" height=\"{h}\" fill=\"{}\"/>",
-            coordinate(left + step * index as f64),
-            coordinate(step + 0.3),
-            shade(index)
-        );
-    }
-    out.push_str("</g>\n");
-    let levels = values.levels((width / 80.0) as usize).into_iter();
-    let levels = levels.map(|(value, label)| (left + values.share(value) * width, label));
-    for (place, label) in without_overlaps(levels) {
-        let x = coordinate(place);
-        let _ = writeln!(
-            out,
-            "<path class=\"axis\" d=\"M{x} {}v4\"/><text x=\"{x}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
-            coordinate(top + height),
-            coordinate(top + height + 17.0),
-            escape(&label)
-        );
-    }
-    let _ = writeln!(
-        out,
-        "<text class=\"panel\" x=\"{}\" y=\"{}\">{}</text>",
-        coordinate(left),
-        coordinate(top - 7.0),
-        escape(&values.name(&last_name(values.figure())))
-    );
-    out
-}
-
-/// The labels, from the left, that do not lie upon another: levels of a scale by powers may
-/// be close together.
-fn without_overlaps(labels: impl Iterator<Item = (f64, String)>) -> Vec<(f64, String)> {
-    let mut free = f64::NEG_INFINITY;
-    let mut kept = Vec::new();
-    for (place, label) in labels {
-        let half = 0.5 * width_of(&label);
-        if place - half >= free {
-            free = place + half + LABEL_GAP;
-            kept.push((place, label));
-        }
-    }
-    kept
-}
-
-/// `delta_max` of `rocker.delta_max`: the bar has little room.
-fn last_name(figure: &str) -> String {
-    let name = figure.rsplit('.').next().unwrap_or(figure);
-    match name {
-        "delta_abs" => "|δ| max".to_owned(),
-        "delta_max" => "δ max".to_owned(),
-        "delta_min" => "δ min".to_owned(),
-        "sigma" => "σ".to_owned(),
-        other => other.replace('_', " "),
-    }
-}
-
-/// What the hatchings mean, and how often they occur.
+/// What the colours mean, and how often they occur.
 fn entries(study: &Study<'_>, result: &MapResult) -> Vec<Entry> {
     let mut counts: BTreeMap<Verdict, usize> = BTreeMap::new();
     let (mut edge, mut rings) = ([false; 2], 0);
@@ -317,7 +234,7 @@ fn entries(study: &Study<'_>, result: &MapResult) -> Vec<Entry> {
     let occurring = occurring.filter_map(|verdict| Some((*verdict, counts.get(verdict)?)));
     let mut list: Vec<Entry> = occurring
         .map(|(verdict, count)| {
-            let sample = sample(verdict, study.y.is_some());
+            let sample = swatch(colour(verdict), hatching(verdict));
             Entry::new(sample, format!("{} ({count})", verdict.words()))
         })
         .collect();
@@ -337,31 +254,4 @@ fn entries(study: &Study<'_>, result: &MapResult) -> Vec<Entry> {
         list.push(Entry::new(line.to_owned(), words));
     }
     list
-}
-
-/// A sample of how a verdict looks: on a colour of values in maps.
-fn sample(verdict: Verdict, map: bool) -> String {
-    let without_value = matches!(
-        verdict,
-        Verdict::Stopped | Verdict::NotFinished | Verdict::NumericalFailure | Verdict::Refused
-    );
-    let ground = match map && !without_value {
-        true => shade(SHADES * 6 / 10),
-        false => plain(verdict).to_owned(),
-    };
-    swatch(&ground, hatching(verdict))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn labels_of_the_bar_do_not_lie_upon_each_other() {
-        let labels = [(0.0, "50 mrad"), (42.0, "100 mrad"), (70.0, "200 mrad")];
-        let labels = labels.map(|(place, label)| (place, label.to_owned()));
-        let kept = without_overlaps(labels.into_iter());
-        let kept: Vec<&str> = kept.iter().map(|(_, label)| &**label).collect();
-        assert_eq!(kept, ["50 mrad", "200 mrad"]);
-    }
 }

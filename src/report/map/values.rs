@@ -1,13 +1,11 @@
 //! The range of a figure over all panels of a map, and how it is shown.
 
 use crate::report::plot::Axis;
-use crate::report::plot::palette::SHADES;
 use crate::report::plot::scale::ticks;
-use crate::report::quantity::with_unit;
+use crate::report::quantity::{scale, with_unit};
 use crate::studies::map::{MapResult, Study};
 
-/// Ratio of the greatest to the least value from which on the scale of colours
-/// is logarithmic.
+/// Ratio of the greatest to the least value from which on contour lines follow the logarithm.
 const WIDE: f64 = 30.0;
 
 /// Ratio of the greatest size to the middle one from which on a curve is
@@ -24,10 +22,10 @@ pub(super) struct Values {
     unit: String,
     /// Least and greatest, never equal.
     pub(super) range: [f64; 2],
-    /// True: colours follow the logarithm.
+    /// True: contour lines and axes follow the logarithm.
     pub(super) log: bool,
-    /// True: some values are not above zero, and colours show how large they
-    /// are whatever their sign.
+    /// True: some values are not above zero, and lines show how large they are whatever their
+    /// sign.
     pub(super) sizes: bool,
 }
 
@@ -43,7 +41,7 @@ impl Values {
         // Beyond this the smallest sizes are only where a sign changes.
         let smallest = sizes().reduce(f64::min).unwrap_or(f64::INFINITY);
         let smallest = smallest.max(largest / MOST_WIDE);
-        // A curve has an axis to read signs from; colours have none.
+        // A curve has an axis to read signs from; lines of a map are labelled with sizes.
         let buried = || largest > BURIED * middle(sizes().collect());
         let signless = low > 0.0 || study.y.is_some() || buried();
         let log = largest > WIDE * smallest && signless;
@@ -61,7 +59,7 @@ impl Values {
         }
     }
 
-    /// The value as it is interpolated and coloured.
+    /// The value as it is interpolated.
     pub(super) fn scaled(&self, value: f64) -> f64 {
         if self.log {
             value.abs().max(self.range[0]).log10()
@@ -70,25 +68,16 @@ impl Values {
         }
     }
 
-    /// Place of a value within the range, 0 … 1.
-    pub(super) fn share(&self, value: f64) -> f64 {
-        let [low, high] = self.range.map(|value| self.scaled(value));
-        ((self.scaled(value) - low) / (high - low)).clamp(0.0, 1.0)
-    }
-
-    /// Shade of a value.
-    pub(super) fn shade(&self, value: f64) -> usize {
-        ((self.share(value) * SHADES as f64) as usize).min(SHADES - 1)
-    }
-
     /// Round values within the range, about `count`, with their labels.
     pub(super) fn levels(&self, count: usize) -> Vec<(f64, String)> {
-        let [low, high] = self.range;
+        // Round in the unit that is shown.
+        let factor = scale(self.range[1], &self.unit).factor;
+        let [low, high] = self.range.map(|value| value / factor);
         let values = match self.log {
             true => round_powers(low.log10(), high.log10(), count),
             false => ticks(low, high, count).values,
         };
-        let label = |value: f64| (value, with_unit(value, &self.unit, 3));
+        let label = |value: f64| (value * factor, with_unit(value * factor, &self.unit, 3));
         values.into_iter().map(label).collect()
     }
 
@@ -116,11 +105,6 @@ impl Values {
             true => format!("|{name}|"),
             false => name.to_owned(),
         }
-    }
-
-    /// The figure.
-    pub(super) fn figure(&self) -> &str {
-        &self.figure
     }
 }
 

@@ -77,7 +77,7 @@ pub(super) fn outline(
     let pair = &drawing.spec.pairs[index];
     let sliding = match pair.kind {
         PairKind::Sliding { direction, .. } => Some(direction),
-        PairKind::Revolute { .. } => None,
+        _ => None,
     };
     let parts = sliding.zip(shape::block(pair, extent));
     let parts = parts.map(|(direction, block)| {

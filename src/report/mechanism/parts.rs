@@ -71,13 +71,6 @@ fn supports(drawing: &Drawing<'_>, view: &View) -> String {
     let mut out = String::new();
     for (index, pair) in drawing.spec.pairs.iter().enumerate() {
         match pair.kind {
-            PairKind::Revolute { .. } => {
-                for end in [&pair.on, &pair.link] {
-                    if end.link.is_none() {
-                        out.push_str(&support(view.pixel(end.at)));
-                    }
-                }
-            }
             PairKind::Sliding { direction, .. } => {
                 if pair.on.link.is_none() {
                     let span = travel(drawing, index, view.extent);
@@ -92,6 +85,13 @@ fn supports(drawing: &Drawing<'_>, view: &View) -> String {
                     );
                 } else if pair.link.link.is_none() {
                     out.push_str(&support(view.pixel(pair.link.at)));
+                }
+            }
+            _ => {
+                for end in [&pair.on, &pair.link] {
+                    if end.link.is_none() {
+                        out.push_str(&support(view.pixel(end.at)));
+                    }
                 }
             }
         }

@@ -70,8 +70,8 @@ fn points(points: &[NamedPoint]) -> Value {
 fn pair_json(pair: &PairSpec, driven: bool) -> Value {
     let end = |end: &PointOf| json!({ "link": end.link, "at": end.at });
     let direction = match pair.kind {
-        PairKind::Revolute { .. } => None,
         PairKind::Sliding { direction, .. } => Some(direction),
+        _ => None,
     };
     json!({ "name": pair.name, "on": end(&pair.on), "link": end(&pair.link),
             "direction": direction, "driven": driven })

@@ -3,7 +3,7 @@
 use crate::dynamics::integrate::Method;
 use crate::frontend::scene::in_words;
 use crate::report::plot::palette::method_verdicts as colours;
-use crate::report::plot::{Axis, Field, Fill, Kind, LineStyle, Mark, Plot, Rule, Series, Shape};
+use crate::report::plot::{Axis, Field, Kind, LineStyle, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{shortened, significant, with_unit};
 use crate::studies::methods::sweep::Sweep;
 use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict, all_methods};
@@ -335,9 +335,7 @@ pub fn regions(sweep: &Sweep) -> Plot {
                 .as_ref()
                 .and_then(|standing| kind(standing.verdict));
             field.kind.push(own);
-            field
-                .fill
-                .push(own.map(|kind| Fill::Colour(VERDICTS[kind].1)));
+            field.fill.push(own.map(|kind| VERDICTS[kind].1));
             field.notes.push(standing.map_or(String::new(), |standing| {
                 format!(
                     "{method} at {}: {}: {}",

@@ -3,7 +3,7 @@
 
 use super::frame::{Entry, Frame, STRIP};
 use super::palette::{OVER, OVER_LIGHT};
-use super::{coordinate, palette, width_of};
+use super::{coordinate, width_of};
 use crate::report::quantity::escape;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -16,7 +16,7 @@ pub struct Field {
     /// Edges of the rows on the vertical axis, one more than rows.
     pub y: Vec<f64>,
     /// The colour of each cell.
-    pub fill: Vec<Option<Fill>>,
+    pub fill: Vec<Option<&'static str>>,
     /// The kind of each cell.
     pub kind: Vec<Option<usize>>,
     /// The kinds.
@@ -37,24 +37,6 @@ pub struct Field {
     pub apart: bool,
     /// True: the kinds that occur stand in the legend.
     pub named: bool,
-}
-
-/// The colour of a cell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Fill {
-    /// A shade of the scale of values.
-    Shade(usize),
-    /// A colour of its own.
-    Colour(&'static str),
-}
-
-impl Fill {
-    fn colour(self) -> String {
-        match self {
-            Self::Shade(shade) => palette::shade(shade),
-            Self::Colour(colour) => colour.to_owned(),
-        }
-    }
 }
 
 /// A kind of cell.
@@ -117,7 +99,7 @@ impl Field {
         }
         out.push_str("<g shape-rendering=\"crispEdges\">");
         for (fill, path) in self.runs(frame, &self.fill) {
-            let _ = writeln!(out, "<path fill=\"{}\" d=\"{path}\"/>", fill.colour());
+            let _ = writeln!(out, "<path fill=\"{fill}\" d=\"{path}\"/>");
         }
         out.push_str("</g>\n");
         for (kind, path) in self.runs(frame, &self.kind) {
@@ -325,17 +307,9 @@ pub(in crate::report) fn swatch(ground: &str, hatching: &str) -> String {
 /// The hatchings. Lines are drawn dark and light side by side, so that they show on every
 /// colour.
 pub(in crate::report) fn patterns() -> String {
-    let rise = "M-1 9L9 -1M-1 1L1 -1M7 9L9 7";
-    let fall = "M-1 -1L9 9M7 -1L9 1M-1 7L1 9";
     let cross = "M-1 9L9 -1M-1 1L1 -1M7 9L9 7M-1 -1L9 9M7 -1L9 1M-1 7L1 9";
-    let wide = "M-1 13L13 -1M-1 -1L13 13";
     let list = [
-        ("dam-lifts", 8.0, rise),
-        ("dam-dies", 8.0, fall),
         ("dam-unjudged", 8.0, "M0 4H3"),
-        ("dam-thrown", 12.0, wide),
-        ("dam-resonance", 6.0, "M3 0V6"),
-        ("dam-stopped", 6.0, "M0 3H6"),
         ("dam-failed", 8.0, cross),
         ("dam-refused", 8.0, "M0 8L8 0"),
     ];

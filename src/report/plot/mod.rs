@@ -24,7 +24,7 @@ mod script_tests;
 #[cfg(test)]
 mod tests;
 
-pub use field::{Contour, Field, Fill, Kind};
+pub use field::{Contour, Field, Kind};
 pub(in crate::report) use frame::{Entry, Frame, STRIP, framed, rows as legend_rows};
 pub use page::Plots;
 

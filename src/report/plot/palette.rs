@@ -80,18 +80,19 @@ pub(in crate::report) mod method_verdicts {
     pub(in crate::report) const NOT_JUDGED: &str = "#eef0f3";
 }
 
-/// Colours of the verdicts of maps, the same on light and on dark ground.
+/// Colours of the verdicts of maps, the same on light and on dark ground: blue works, yellow lifts
+/// off, red fails, grey is not known. They are told apart without seeing red or green (P. Tol's
+/// high-contrast scheme); verdicts of one hue differ in lightness.
 pub(in crate::report) mod map_verdicts {
-    pub(in crate::report) const NUMERICAL_FAILURE: &str = "#b3124f";
-    pub(in crate::report) const STOPPED: &str = "#7d8791";
-    pub(in crate::report) const REFUSED: &str = "#eceff2";
-    pub(in crate::report) const WITHOUT_VALUE: &str = "#c9cfd5";
-    pub(in crate::report) const IN_WORKING_ORDER: &str = "#2f8f5b";
-    pub(in crate::report) const LIFT_OFF_DIES_AWAY: &str = "#8db8d8";
-    pub(in crate::report) const LIFT_OFF: &str = "#2d6aa8";
-    pub(in crate::report) const LIFT_OFF_NOT_JUDGED: &str = "#6f8396";
-    pub(in crate::report) const THROWN_OFF: &str = "#16324f";
-    pub(in crate::report) const RESONANCE: &str = "#d98a1c";
+    pub(in crate::report) const IN_WORKING_ORDER: &str = "#4a86bf";
+    pub(in crate::report) const LIFT_OFF_DIES_AWAY: &str = "#a3c8e8";
+    pub(in crate::report) const LIFT_OFF: &str = "#ddaa33";
+    pub(in crate::report) const THROWN_OFF: &str = "#bb5566";
+    pub(in crate::report) const RESONANCE: &str = "#8c2f4a";
+    pub(in crate::report) const STOPPED: &str = "#5a1a30";
+    pub(in crate::report) const NOT_JUDGED: &str = "#b4bac1";
+    pub(in crate::report) const NUMERICAL_FAILURE: &str = "#3c4249";
+    pub(in crate::report) const REFUSED: &str = "#e6e9ec";
 }
 
 /// The style of charts, in the variables of a page.
@@ -153,38 +154,4 @@ fn with_colours(style: &str, dark: bool) -> String {
         rest = after;
     }
     out + rest
-}
-
-const VIRIDIS: [[u8; 3]; 16] = [
-    [68, 1, 84],
-    [72, 26, 108],
-    [71, 47, 125],
-    [65, 68, 135],
-    [57, 86, 140],
-    [49, 104, 142],
-    [42, 120, 142],
-    [35, 136, 142],
-    [31, 152, 139],
-    [34, 168, 132],
-    [53, 183, 121],
-    [84, 197, 104],
-    [122, 209, 81],
-    [165, 219, 54],
-    [210, 226, 27],
-    [253, 231, 37],
-];
-
-/// Shades of values that are told apart.
-pub(in crate::report) const SHADES: usize = 96;
-
-/// The colour of a shade below [`SHADES`].
-pub(in crate::report) fn shade(shade: usize) -> String {
-    let at = shade as f64 / (SHADES - 1) as f64 * (VIRIDIS.len() - 1) as f64;
-    let low = (at as usize).min(VIRIDIS.len() - 2);
-    let part = at - low as f64;
-    let mix = |k: usize| {
-        let (a, b) = (f64::from(VIRIDIS[low][k]), f64::from(VIRIDIS[low + 1][k]));
-        (a + part * (b - a)).round() as u8
-    };
-    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
 }

@@ -251,7 +251,9 @@ fn field() -> Field {
     Field {
         x: (0..=6).map(f64::from).collect(),
         y: (0..=6).map(f64::from).collect(),
-        fill: (0..cells).map(|k| Some(Fill::Shade(k))).collect(),
+        fill: (0..cells)
+            .map(|k| Some(if k % 2 == 0 { "#4a86bf" } else { "#ddaa33" }))
+            .collect(),
         kind: (0..cells).map(|k| Some(usize::from(k > 17))).collect(),
         kinds: vec![
             Kind {

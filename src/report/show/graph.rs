@@ -8,7 +8,7 @@ use crate::report::quantity::with_unit;
 /// The graph as an indented tree, one object a line, drives at the margin.
 ///
 /// ```text
-/// shaft  drive, 20π rad/s
+/// shaft  drive, 62.83 rad/s
 /// └─ rocker  rocker, 2 masses; U = (π/2)·sin φ; force-closed
 /// ```
 pub fn tree(diagram: &Diagram) -> String {
@@ -130,7 +130,7 @@ mod tests {
             dot(&diagram),
             "digraph mechanism {\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\"];\n  \
              edge [fontname=\"sans-serif\", fontsize=10];\n  \
-             \"shaft\" [label=\"shaft\\ndrive\\n20π rad/s\", style=rounded];\n  \
+             \"shaft\" [label=\"shaft\\ndrive\\n62.83 rad/s\", style=rounded];\n  \
              \"rocker\" [label=\"rocker\\nrocker\\na \\\"quoted\\\" \\\\ detail\"];\n  \
              \"shaft\" -> \"rocker\" [label=\"U = (π/2)·sin φ\\nforce-closed\"];\n  \
              \"rocker\" -> \"shaft\" [label=\"Ω\", style=dashed, constraint=false];\n}\n"

@@ -82,15 +82,17 @@ pub fn formula(motion: &DriveMotion, coordinate: Coordinate) -> Expr {
 /// A prescribed motion in a few words, for the box of the drive.
 pub fn summary(motion: &DriveMotion, coordinate: Coordinate) -> String {
     let speed_words = |speed: f64| match coordinate {
-        Coordinate::Turning => format!("{} rad/s", Expr::Angle(speed).unicode()),
+        Coordinate::Turning => with_unit(speed, "rad/s", 4),
         Coordinate::Sliding => with_unit(speed, "m/s", 4),
+    };
+    let acceleration_words = |acceleration: f64| match coordinate {
+        Coordinate::Turning => with_unit(acceleration, "rad/s²", 4),
+        Coordinate::Sliding => with_unit(acceleration, "m/s²", 4),
     };
     match motion {
         DriveMotion::Constant { speed: 0.0, .. } => "held".into(),
         DriveMotion::Constant { speed, .. } => speed_words(*speed),
-        DriveMotion::Accelerated { acceleration, .. } => {
-            format!("{}²", speed_words(*acceleration))
-        }
+        DriveMotion::Accelerated { acceleration, .. } => acceleration_words(*acceleration),
         DriveMotion::RunUp { speed, time, .. } => {
             format!("to {} in {}", speed_words(*speed), with_unit(*time, "s", 4))
         }

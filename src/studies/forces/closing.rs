@@ -1,8 +1,6 @@
 //! Cams that would have to pull: where a closing force is lacking.
 
 use super::{ForceStudy, Row};
-use crate::kinematics::cam::Surface;
-use crate::kinematics::linkage::spec::CouplingKind;
 use crate::units::shown;
 
 /// A force of this part of the greatest one is rounding.
@@ -12,11 +10,9 @@ impl ForceStudy {
     /// A sentence for each cam with one flank that does not press everywhere. A groove has two.
     pub(super) fn lacking_closing_forces(&self) -> impl Iterator<Item = String> {
         let couplings = self.linkage.couplings.iter().enumerate();
-        couplings.filter_map(|(index, coupling)| match &coupling.kind {
-            CouplingKind::Cam(cam) if cam.surface != Surface::Groove => {
-                self.lacking(index, &coupling.name)
-            }
-            _ => None,
+        couplings.filter_map(|(index, coupling)| {
+            let one_sided = coupling.kind.is_one_sided();
+            one_sided.then(|| self.lacking(index, &coupling.name))?
         })
     }
 

@@ -55,10 +55,10 @@ impl Column {
 }
 
 /// Units of a pair's coordinate and force.
-fn units(kind: &PairKind) -> [&'static str; 2] {
-    match kind {
-        PairKind::Revolute { .. } => ["rad", "N m"],
-        PairKind::Sliding { .. } => ["m", "N"],
+pub(super) fn units(kind: &PairKind) -> [&'static str; 2] {
+    match kind.slides() {
+        true => ["m", "N"],
+        false => ["rad", "N m"],
     }
 }
 
@@ -200,7 +200,6 @@ fn of_pair(index: usize, name: &str, kind: &PairKind) -> Vec<Column> {
         }),
     ];
     let friction = match kind {
-        PairKind::Revolute { .. } => "N m",
         PairKind::Sliding { corners, .. } => {
             let given = corners[0] > corners[1];
             for corner in 0..if given { 2 } else { 0 } {
@@ -214,6 +213,7 @@ fn of_pair(index: usize, name: &str, kind: &PairKind) -> Vec<Column> {
             }));
             "N"
         }
+        _ => "N m",
     };
     list.push(Column::new(
         part("friction"),

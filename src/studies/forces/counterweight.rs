@@ -1,7 +1,7 @@
 //! The counterweight on the input link that reduces the shaking force most.
 
 use super::row::Row;
-use crate::kinematics::linkage::spec::{LinkageSpec, PairKind};
+use crate::kinematics::linkage::spec::LinkageSpec;
 
 /// A counterweight on the input link, found by least squares of the shaking
 /// force over the course.
@@ -23,9 +23,9 @@ pub struct Counterweight {
 /// the ground, all positions have forces and any of them shakes.
 pub(super) fn fit(linkage: &LinkageSpec, rows: &[Row]) -> Option<Counterweight> {
     let driver = &linkage.pairs[linkage.driver];
-    let PairKind::Revolute { .. } = driver.kind else {
+    if driver.slides() {
         return None;
-    };
+    }
     let link = match (driver.on.link, driver.link.link) {
         (None, Some(link)) | (Some(link), None) => link,
         _ => return None,

@@ -36,7 +36,7 @@ use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::{
     BAD_CONDITION, Convention, ForceFailure, Indeterminate, Kinetostatics, Options,
 };
-use crate::kinematics::linkage::spec::{LinkageSpec, PairKind};
+use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::studies::check::{Check, worst};
 use crate::studies::judgement::{Ending, Judgement};
 use crate::units::shown;
@@ -185,18 +185,12 @@ impl ForceStudy {
         if let Some(several) = &self.several {
             return several.unit;
         }
-        match self.linkage.pairs[self.linkage.driver].kind {
-            PairKind::Revolute { .. } => "rad",
-            PairKind::Sliding { .. } => "m",
-        }
+        columns::units(&self.linkage.pairs[self.linkage.driver].kind)[0]
     }
 
     /// Unit of the driving force.
     pub fn drive_unit(&self) -> &'static str {
-        match self.linkage.pairs[self.linkage.driver].kind {
-            PairKind::Revolute { .. } => "N m",
-            PairKind::Sliding { .. } => "N",
-        }
+        columns::units(&self.linkage.pairs[self.linkage.driver].kind)[1]
     }
 
     /// The greatest residual of the power balance over all positions.

@@ -5,7 +5,7 @@ use crate::dynamics::model::{
     Coordinate, Law, LinkageBody, Model, MultiLinkageBody, NodeIndex, NodeMotion, ObjectPart,
 };
 use crate::fault::Fault;
-use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind, PairKind};
+use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind};
 use crate::kinematics::linkage::{Linkage, Reach};
 use crate::kinematics::position::Position;
 
@@ -86,9 +86,9 @@ impl Subject {
 
 /// Whether a pair turns or slides.
 fn of_pair(spec: &LinkageSpec, pair: usize) -> Coordinate {
-    match spec.pairs[pair].kind {
-        PairKind::Revolute { .. } => Coordinate::Turning,
-        PairKind::Sliding { .. } => Coordinate::Sliding,
+    match spec.pairs[pair].slides() {
+        true => Coordinate::Sliding,
+        false => Coordinate::Turning,
     }
 }
 

@@ -196,11 +196,11 @@ impl Dyad {
         for &pair in &group.pairs {
             let pair = &spec.pairs[pair];
             let both = within(&pair.on) && within(&pair.link);
-            match (pair.kind, both) {
-                (PairKind::Revolute { .. }, true) => inner = Some(pair.link),
-                (PairKind::Revolute { .. }, false) => outer.push(pair.link),
-                (PairKind::Sliding { .. }, false) => guide = Some(pair.clone()),
-                (PairKind::Sliding { .. }, true) => return None,
+            match (pair.slides(), both) {
+                (false, true) => inner = Some(pair.link),
+                (false, false) => outer.push(pair.link),
+                (true, false) => guide = Some(pair.clone()),
+                (true, true) => return None,
             }
         }
         match (group.kind, inner, outer.as_slice(), guide) {

@@ -46,7 +46,7 @@ pub enum Part {
 /// Properties of an object that give its level.
 const LEVEL: [&str; 4] = ["masses", "lumping", "modes", "flexibility"];
 /// Properties of a link that give its inertia.
-const INERTIA: [&str; 4] = ["mass", "centre", "moment", "geometry"];
+const INERTIA: [&str; 5] = ["mass", "centre", "moment", "moment_of_inertia", "geometry"];
 
 /// Everything that may be left out of the scene's objects, but for their levels.
 /// `never_opens`: whether the pair of an object stays closed throughout the run.

@@ -117,7 +117,7 @@ fn it_is_shown_with_its_graph_and_its_equations() {
 fn the_schema_knows_it() {
     let schema = schema(&registry());
     let own = &schema["$defs"]["geneva_wheel"];
-    let slots = &own["properties"]["slots"];
+    let slots = &own["properties"]["slots"]["anyOf"][0];
     assert_eq!(
         (&slots["minimum"], &slots["maximum"]),
         (&3.into(), &24.into())

@@ -5,8 +5,9 @@ use crate::frontend::object::geometry::{self, Beam, Elastic};
 use crate::frontend::object::level::{self, Lumped, Masses};
 use crate::frontend::object::measures::Measures;
 use crate::frontend::object::spec::InertiaSplit;
-use crate::frontend::read::{Bounds, Fields, Slot};
-use std::f64::consts::TAU;
+use crate::frontend::read::{Bounds, Fields, Slot, Value};
+use crate::units::shown;
+use std::f64::consts::{PI, TAU};
 
 /// Everything that is written, each in one of its ways; `None`: absent.
 pub(super) struct BodyFields {
@@ -52,6 +53,7 @@ pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Opt
          run needs. Default: 1, or the length of the lists.",
         |slot| level::masses(slot, MOST_MASSES),
     );
+    own.name_inertia(fields);
     let inertia = fields.maybe("inertia", "Total inertia J", |slot| {
         slot.quantity(own.inertia(), Bounds::NOT_NEGATIVE)
     });
@@ -100,6 +102,11 @@ pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Opt
         "Dimensions and material, in place of inertia and stiffness",
         |slot| geometry::read(slot, beam),
     );
+    if let (Some(Some(damping)), Some(Some(inertia)), Some(Some(stiffness))) =
+        (damping, inertia, stiffness)
+    {
+        doubt_damping(fields, damping, 2.0 * (inertia * stiffness).sqrt(), own);
+    }
     Some(BodyFields {
         masses: masses?,
         inertia: inertia?,
@@ -114,6 +121,30 @@ pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Opt
         modes: modes?,
         geometry: geometry?,
     })
+}
+
+/// Share of the critical damping below which a damping without a unit is likely a damping
+/// ratio: steel alone has more.
+const NO_DAMPING: f64 = 1e-3;
+
+/// Warns of a damping that is likely meant as a ratio: `"damping": 0.2`.
+fn doubt_damping(fields: &mut Fields<'_>, damping: f64, critical: f64, own: Measures) {
+    let node = fields.member("damping").map(|member| &member.value.value);
+    let bare = matches!(node, Some(Value::Number(_)));
+    if !bare || damping <= 0.0 || damping > 1.0 || damping >= NO_DAMPING * critical {
+        return;
+    }
+    let unit = own.damping().first.si();
+    let message = format!(
+        "`damping` is {damping} {unit}, and the critical damping is {} {unit}",
+        shown(critical, 3)
+    );
+    let capacity = shown(4.0 * PI * damping, 3);
+    let warning = fields.warn("damping", "implausible", message);
+    warning.hints.push(format!(
+        "for the damping ratio {damping} write \"damping_capacity\": {capacity}; \"{damping} {unit}\" \
+         if the damping is meant"
+    ));
 }
 
 fn split(mut slot: Slot<'_>) -> Option<InertiaSplit> {

@@ -68,6 +68,7 @@ fn link(slot: Slot<'_>, name: &str) -> Option<LinkSpec> {
             slot.text_or(|slot| one_of(slot, name, known.as_deref()), place)
         });
         let doc = "Moment of inertia about the centre of mass; default 0";
+        fields.synonym("moment", "moment_of_inertia");
         let moment = fields.maybe("moment", doc, |slot| {
             slot.quantity(q::INERTIA, Bounds::NOT_NEGATIVE)
         });

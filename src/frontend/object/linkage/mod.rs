@@ -1,6 +1,5 @@
 //! Linkages: any planar mechanism of rigid links, with one degree of freedom or several.
 
-mod cams;
 mod couplings;
 mod forces;
 mod inputs;

@@ -14,9 +14,9 @@ const CORNERS: (f64, f64) = (0.01, -0.01);
 
 /// Whether a pair turns or slides.
 pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
-    match kind {
-        PairKind::Revolute { .. } => Coordinate::Turning,
-        PairKind::Sliding { .. } => Coordinate::Sliding,
+    match kind.slides() {
+        true => Coordinate::Sliding,
+        false => Coordinate::Turning,
     }
 }
 
@@ -67,7 +67,7 @@ fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<Joine
             "A pin: its points on both links. Its coordinate is the angle of the second link less that of the first.",
             |slot| {
                 let (on, link) = slot.pair(|slot| names.point(slot), |slot| names.point(slot))?;
-                let pin = PairKind::Revolute { diameter: 0.0 };
+                let pin = PairKind::PIN;
                 Some((on, link, Kind::Pair(pin)))
             },
         );

@@ -1,12 +1,12 @@
 //! Loads that are expressions, or are made of one: harmonic loads, indicator diagrams.
 
-use super::{On, period, points};
+use super::{On, period};
 use crate::dynamics::builder::written as builder;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::measures::Measures;
 use crate::frontend::object::spec::{LoadLawSpec, WrittenSpec};
 use crate::frontend::object::written;
-use crate::frontend::read::{Bounds, OneOf, Slot};
+use crate::frontend::read::{Bounds, OneOf, Slot, points};
 use crate::math::expression::Expression;
 use crate::units::quantities as q;
 use serde_json::json;
@@ -100,7 +100,7 @@ fn indicator(slot: Slot<'_>, driver: Measures) -> Option<LoadLawSpec> {
         let points = fields.need(
             "points",
             "List of [driver's displacement, pressure]: linear between the points.",
-            |slot| points(slot, driver.displacement(), q::PRESSURE.into(), 2),
+            |slot| points(slot, driver.displacement(), q::PRESSURE, 2),
         );
         let doc = "Area of the piston; positive: the pressure pushes towards positive displacement";
         let area = fields.need("area", doc, |slot| slot.quantity(q::AREA, Bounds::NOT_ZERO));

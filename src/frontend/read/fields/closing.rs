@@ -8,6 +8,50 @@ use crate::frontend::read::suggest::{closest, quoted_list};
 use crate::frontend::read::tree::Node;
 use serde_json::{Value as Json, json};
 
+/// What words mean that other programs and textbooks have for properties.
+const MEANT: [(&str, &[&str]); 33] = [
+    ("stroke", &["lift", "amplitude"]),
+    ("travel", &["lift", "amplitude"]),
+    ("width", &["thickness"]),
+    ("turns", &["duration"]),
+    ("time", &["duration"]),
+    ("duration", &["time"]),
+    ("end", &["duration"]),
+    ("t_end", &["duration"]),
+    ("rpm", &["speed"]),
+    ("velocity", &["speed"]),
+    ("omega", &["speed"]),
+    ("spring", &["stiffness"]),
+    ("spring_rate", &["stiffness", "rate"]),
+    ("rate", &["stiffness"]),
+    ("k", &["stiffness"]),
+    ("c", &["stiffness"]),
+    ("J", &["inertia", "moment"]),
+    ("m", &["mass", "inertia"]),
+    ("inertia", &["moment"]),
+    ("weight", &["mass", "inertia"]),
+    ("mass", &["inertia"]),
+    ("moment_of_inertia", &["inertia"]),
+    ("dashpot", &["damping"]),
+    ("damper", &["damping"]),
+    ("damping_ratio", &["damping_capacity"]),
+    ("force", &["constant"]),
+    ("torque", &["constant", "moment"]),
+    ("driver", &["input"]),
+    ("parent", &["input"]),
+    ("type", &["kind"]),
+    ("young", &["modulus"]),
+    ("youngs_modulus", &["modulus"]),
+    ("E", &["modulus"]),
+];
+
+/// The property that a foreign word means, among those that are not given.
+fn meant(word: &str, absent: &[&'static str]) -> Option<&'static str> {
+    let (_, all) = MEANT.iter().find(|one| one.0 == word)?;
+    all.iter()
+        .find_map(|name| absent.iter().copied().find(|one| one == name))
+}
+
 impl Fields<'_> {
     /// One entry for each unknown property: the known one it may be a slip of.
     pub(super) fn report_unknown(&mut self) -> Vec<Option<&'static str>> {
@@ -22,7 +66,8 @@ impl Fields<'_> {
             }
             // Of names as near as each other, one that is not given yet.
             let names = absent.iter().chain(&self.known).copied();
-            let suggestion = closest(&member.name, names)
+            let suggestion = meant(&member.name, &absent)
+                .or_else(|| closest(&member.name, names))
                 .and_then(|found| self.known.iter().copied().find(|name| *name == found));
             let mut fault = Diagnostic::error(
                 "unknown-property",
@@ -69,9 +114,24 @@ impl Fields<'_> {
         if !self.free {
             schema["additionalProperties"] = json!(false);
         }
-        if !self.required.is_empty() {
-            schema["required"] = json!(self.required);
+        let (several, required): (Vec<&str>, Vec<&str>) =
+            (self.required.iter().copied()).partition(|name| self.others(name).next().is_some());
+        if !required.is_empty() {
+            schema["required"] = json!(required);
         }
+        let at_most_one = |name: &'static str| {
+            let given = |one: &str| json!({ "required": [one] });
+            let mut all = vec![given(name)];
+            all.extend(self.others(name).map(given));
+            if !several.contains(&name) {
+                let any = all.clone();
+                all.push(json!({ "not": { "anyOf": any } }));
+            }
+            json!({ "oneOf": all })
+        };
+        let mut named: Vec<&'static str> = self.synonyms.iter().map(|one| one.0).collect();
+        named.dedup();
+        let synonyms: Vec<Json> = named.into_iter().map(at_most_one).collect();
         let groups: Vec<Json> = self
             .alternatives
             .iter()
@@ -79,6 +139,7 @@ impl Fields<'_> {
                 let one = |name: &&str| json!({ "required": [name] });
                 json!({ "oneOf": names.iter().map(one).collect::<Vec<_>>() })
             })
+            .chain(synonyms)
             .collect();
         if !groups.is_empty() {
             schema["allOf"] = json!(groups);

@@ -1,22 +1,17 @@
-//! Forces of gears, belts, racks and cams on the links that they couple.
+//! Forces of couplings on the links that they couple.
 //!
-//! One unknown a coupling: the circumferential force, which acts on the second wheel (or rack) so
-//! that its coordinate, seen from the carrier, would grow. Teeth press at the pitch point along the
-//! common tangent of the pitch circles; of a belt the difference of both strands acts, each in its
-//! own direction. What presses on both wheels alike is not counted, since the linkage does not tell
-//! it: the separating force of the pressure angle, the pretension of a belt.
-//!
-//! Of a cam it is the force of the flank on the roller, along the common normal, which goes through
-//! the roller's centre: positive where both press on each other, negative where only a closing force
-//! that is not there would hold them together. In a groove the other flank carries it then.
+//! One unknown a coupling: its force, such as the circumferential force of gears, which acts on the
+//! second wheel so that its coordinate, seen from the carrier, would grow; or the force of a cam's
+//! flank. What a unit of it does is said by the joint ([`Joint::acts`](Joint)).
 
 use super::Kinetostatics;
 use super::place::frame;
 use super::positions::{LinkPosition, PointPosition};
-use super::workspace::{ForceWorkspace, PairPlace};
-use crate::kinematics::cam::spec::Surface;
-use crate::kinematics::linkage::couplings::{Meeting, PitchCurve};
-use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec};
+use super::workspace::ForceWorkspace;
+use crate::kinematics::linkage::elements::Frame;
+use crate::kinematics::linkage::joints::{Act, Frames, Joint};
+use crate::kinematics::linkage::spec::LinkageSpec;
+use crate::kinematics::linkage::vector::Vector;
 
 /// Force of a coupling on its second wheel, rack or roller.
 #[derive(Clone, Copy, Debug)]
@@ -30,30 +25,28 @@ pub struct CouplingForce {
     pub point: [f64; 2],
 }
 
-/// What a coupling presses by.
-#[derive(Clone, Debug)]
-pub(super) enum CouplingReaction {
-    /// Wheels, whose axes lie so.
-    Wheels(Meeting),
-    /// A cam with its pitch curve.
-    Cam(Box<CamPairSpec>, PitchCurve),
+/// The links of a coupling where they are.
+struct Placed<'a> {
+    of: [Option<usize>; 3],
+    links: &'a [LinkPosition],
 }
 
-/// What a unit of a coupling's force does to one of the wheels.
-#[derive(Clone, Copy, Debug)]
-struct OnWheel {
-    /// The link; `None`: the ground.
-    link: Option<usize>,
-    at: [f64; 2],
-    force: [f64; 2],
-    couple: f64,
+impl Frames<1, f64> for Placed<'_> {
+    #[inline]
+    fn frame(&self, link: usize) -> Frame<1> {
+        let own = frame(self.links, self.of[link]);
+        Frame {
+            at: Vector::constant(own.origin),
+            direction: Vector::constant([own.cos, own.sin]),
+        }
+    }
 }
 
 impl Kinetostatics {
     /// The force of a coupling at the position solved last.
     pub fn coupling_force(&self, coupling: usize, w: &ForceWorkspace) -> CouplingForce {
         let size = self.coupling_size(coupling, w);
-        let [_, second] = self.on_wheels(coupling, &w.links, &w.pairs);
+        let [_, (_, second)] = self.acts(coupling, &w.links);
         CouplingForce {
             size,
             force: second.force.map(|part| size * part),
@@ -69,17 +62,11 @@ impl Kinetostatics {
     pub(super) fn each_coupling_row(
         &self,
         coupling: usize,
-        (pairs, links, centres): (&[PairPlace], &[LinkPosition], &[PointPosition]),
+        (links, centres): (&[LinkPosition], &[PointPosition]),
         mut add: impl FnMut(usize, f64),
     ) {
-        for wheel in self.on_wheels(coupling, links, pairs) {
-            let Some(link) = wheel.link else { continue };
-            let ([fx, fy], [cx, cy]) = (wheel.force, centres[link].place);
-            let arm = [wheel.at[0] - cx, wheel.at[1] - cy];
-            let moment = arm[0] * fy - arm[1] * fx + wheel.couple;
-            add(3 * link, fx);
-            add(3 * link + 1, fy);
-            add(3 * link + 2, moment / self.length);
+        for (link, act) in self.acts(coupling, links) {
+            self.each_row_on(link, &act, centres, &mut add);
         }
     }
 
@@ -88,130 +75,32 @@ impl Kinetostatics {
     pub(super) fn add_couplings_on_frame(&self, w: &ForceWorkspace, sum: &mut [f64; 3]) {
         for coupling in 0..self.spec.couplings.len() {
             let size = self.coupling_size(coupling, w);
-            let wheels = self.on_wheels(coupling, &w.links, &w.pairs);
-            for wheel in wheels.iter().filter(|wheel| wheel.link.is_none()) {
-                let ([x, y], [fx, fy]) = (wheel.at, wheel.force);
-                sum[0] += size * fx;
-                sum[1] += size * fy;
-                sum[2] += size * (x * fy - y * fx + wheel.couple);
+            let acts = self.acts(coupling, &w.links);
+            for (_, act) in acts.iter().filter(|(link, _)| link.is_none()) {
+                add_on_frame(act, size, sum);
             }
         }
     }
 
-    fn on_wheels(
-        &self,
-        coupling: usize,
-        links: &[LinkPosition],
-        pairs: &[PairPlace],
-    ) -> [OnWheel; 2] {
+    /// What a unit of a coupling's force does to its two links.
+    fn acts(&self, coupling: usize, links: &[LinkPosition]) -> [(Option<usize>, Act); 2] {
         let spec = &self.spec.couplings[coupling];
-        let meeting = match &self.coupled[coupling] {
-            CouplingReaction::Wheels(meeting) => meeting,
-            CouplingReaction::Cam(cam, curve) => return on_cam(spec.wheels, cam, curve, links),
-        };
-        let axes = meeting
-            .axes
-            .map(|at| frame(links, spec.carrier).point(at).place);
-        match (&spec.kind, meeting.guide) {
-            (CouplingKind::Gear { ratio }, _) => gears(spec.wheels, *ratio, axes),
-            (CouplingKind::Belt { radii }, _) => belt(spec.wheels, *radii, axes),
-            (CouplingKind::Cam(_), _) => opposite(spec.wheels, axes[0], [0.0; 2]),
-            (CouplingKind::Rack { radius }, guide) => {
-                let along = guide.map_or([1.0, 0.0], |(pair, _)| pairs[pair].tangent);
-                rack(spec.wheels, *radius, axes[0], along)
-            }
-        }
+        let of = spec.links();
+        let acts = self.coupled[coupling].acts(&Placed { of, links });
+        [0, 1].map(|side| (spec.wheels[side], acts[side]))
     }
 }
 
-/// Direction from one point to another, and their distance.
-fn towards([one, other]: [[f64; 2]; 2]) -> ([f64; 2], f64) {
-    let [x, y] = [other[0] - one[0], other[1] - one[1]];
-    let apart = x.hypot(y);
-    ([x / apart, y / apart], apart)
+/// Adds so many times of what acts on the ground: force, and moment about its origin.
+pub(super) fn add_on_frame(act: &Act, times: f64, sum: &mut [f64; 3]) {
+    for (sum, part) in sum.iter_mut().zip(act.about([0.0; 2])) {
+        *sum += times * part;
+    }
 }
 
-/// At the pitch point both gears have one velocity, seen from the carrier: it divides the
-/// distance of their axes.
-fn gears(wheels: [Option<usize>; 2], ratio: f64, axes: [[f64; 2]; 2]) -> [OnWheel; 2] {
-    let ([ux, uy], apart) = towards(axes);
-    let reach = apart * ratio / (ratio - 1.0);
-    let at = [axes[0][0] + reach * ux, axes[0][1] + reach * uy];
-    // To the left of the line of centres, or to the right: so that the second gear turns forwards.
-    let sense = (ratio - 1.0).signum();
-    opposite(wheels, at, [-sense * uy, sense * ux])
-}
-
-/// The pitch point lies beside the axis, at right angles to the guide.
-fn rack(wheels: [Option<usize>; 2], radius: f64, axis: [f64; 2], along: [f64; 2]) -> [OnWheel; 2] {
-    let [tx, ty] = along;
-    let at = [axis[0] + radius * ty, axis[1] - radius * tx];
-    opposite(wheels, at, along)
-}
-
-/// A force on the second wheel, its reaction on the first.
-fn opposite([one, other]: [Option<usize>; 2], at: [f64; 2], [fx, fy]: [f64; 2]) -> [OnWheel; 2] {
-    let on = |link, force| OnWheel {
-        link,
-        at,
-        force,
-        couple: 0.0,
-    };
-    [on(one, [-fx, -fy]), on(other, [fx, fy])]
-}
-
-/// Both strands together: a couple on each pulley, and a force across the line of centres where
-/// the strands are not parallel.
-fn belt([one, other]: [Option<usize>; 2], [r1, r2]: [f64; 2], axes: [[f64; 2]; 2]) -> [OnWheel; 2] {
-    let ([ux, uy], apart) = towards(axes);
-    let sense = r2.signum();
-    let across = sense * (r1 - r2) / apart;
-    let force = [-across * uy, across * ux];
-    let on = |link, at, force, couple| OnWheel {
-        link,
-        at,
-        force,
-        couple,
-    };
-    [
-        on(one, axes[0], [-force[0], -force[1]], -sense * r1),
-        on(other, axes[1], force, sense * r2),
-    ]
-}
-
-/// At the roller's centre along the common normal: away from a disc, into a hollow cam.
-fn on_cam(
-    wheels: [Option<usize>; 2],
-    cam: &CamPairSpec,
-    curve: &PitchCurve,
-    links: &[LinkPosition],
-) -> [OnWheel; 2] {
-    let own = frame(links, wheels[0]);
-    let (centre, roller) = (
-        own.point(cam.centre),
-        frame(links, wheels[1]).point(cam.roller),
-    );
-    let [x, y] = [0, 1].map(|axis| roller.place[axis] - centre.place[axis]);
-    let seen = [own.cos * x + own.sin * y, own.cos * y - own.sin * x];
-    let [x, y] = own.turned(curve.gradient(seen));
-    let size = match cam.surface {
-        Surface::Disc | Surface::Groove => x.hypot(y),
-        Surface::Hollow => -x.hypot(y),
-    };
-    opposite(wheels, roller.place, [x / size, y / size])
-}
-
-/// What every coupling presses by, the couplings having been checked.
-pub(super) fn coupled(spec: &LinkageSpec) -> Vec<CouplingReaction> {
-    let coupled = |coupling: &CouplingSpec| match &coupling.kind {
-        CouplingKind::Cam(cam) => {
-            let curve = PitchCurve::new(cam).ok()?;
-            Some(CouplingReaction::Cam(cam.clone(), curve))
-        }
-        _ => coupling
-            .axis_positions(&spec.pairs)
-            .ok()
-            .map(CouplingReaction::Wheels),
-    };
-    spec.couplings.iter().filter_map(coupled).collect()
+/// The couplings made ready, having been checked.
+pub(super) fn coupled(spec: &LinkageSpec) -> Vec<Joint> {
+    let all = spec.couplings.iter();
+    all.filter_map(|coupling| coupling.ready(&spec.pairs))
+        .collect()
 }

@@ -10,16 +10,8 @@ use super::external::{Input, Wrench, wrenches};
 use super::positions::{LinkPosition, PointPosition};
 use super::workspace::{ForceWorkspace, PairPlace};
 use super::{Kinetostatics, Unknown};
+use crate::kinematics::linkage::joints::Act;
 use crate::kinematics::linkage::multi::spec::InputCoordinate;
-use crate::kinematics::linkage::spec::PairKind;
-
-/// A force and a couple on the links joined by a pair: as given on j, opposite on i.
-#[derive(Clone, Copy)]
-pub(super) struct PairWrench {
-    at: [f64; 2],
-    force: [f64; 2],
-    couple: f64,
-}
 
 impl Kinetostatics {
     /// Writes W and factorises it; false if it is singular.
@@ -40,7 +32,7 @@ impl Kinetostatics {
         }
         for coupling in 0..self.spec.couplings.len() {
             let column = 2 * self.spec.pairs.len() + coupling;
-            let places = (w.pairs.as_slice(), w.links.as_slice(), w.centres.as_slice());
+            let places = (w.links.as_slice(), w.centres.as_slice());
             self.each_coupling_row(coupling, places, |row, value| {
                 w.factors.add(row, column, value);
             });
@@ -81,20 +73,13 @@ impl Kinetostatics {
     }
 
     /// What a unit of each of the pair's two unknowns does.
-    fn reactions(&self, index: usize, place: &PairPlace) -> [PairWrench; 2] {
-        let unit = |at, force| PairWrench {
-            at,
-            force,
-            couple: 0.0,
-        };
-        match self.spec.pairs[index].kind {
-            PairKind::Revolute { .. } => {
-                [unit(place.point, [1.0, 0.0]), unit(place.point, [0.0, 1.0])]
-            }
-            PairKind::Sliding { .. } => self.corners[index].map(|corner| {
+    fn reactions(&self, index: usize, place: &PairPlace) -> [Act; 2] {
+        match self.spec.pairs[index].slides() {
+            false => [[1.0, 0.0], [0.0, 1.0]].map(|force| Act::force(place.point, force)),
+            true => self.corners[index].map(|corner| {
                 let [tx, ty] = place.tangent;
                 let at = [place.point[0] + corner * tx, place.point[1] + corner * ty];
-                unit(at, [-ty, tx])
+                Act::force(at, [-ty, tx])
             }),
         }
     }
@@ -105,50 +90,36 @@ impl Kinetostatics {
         &self,
         driver: InputCoordinate,
         (pairs, links, centres): (&[PairPlace], &[LinkPosition], &[PointPosition]),
-        mut add: impl FnMut(usize, f64),
+        add: impl FnMut(usize, f64),
     ) {
         let (link, force, couple) = match driver {
             InputCoordinate::Pair(pair) => {
                 let place = &pairs[pair];
-                let (force, couple) = match self.spec.pairs[pair].kind {
-                    PairKind::Revolute { .. } => ([0.0; 2], self.length),
-                    PairKind::Sliding { .. } => (place.tangent, 0.0),
+                let (force, couple) = match self.spec.pairs[pair].slides() {
+                    false => ([0.0; 2], self.length),
+                    true => (place.tangent, 0.0),
                 };
-                let wrench = PairWrench {
-                    at: place.point,
-                    force,
-                    couple,
-                };
-                return self.each_row(pair, &wrench, centres, add);
+                let at = place.point;
+                return self.each_row(pair, &Act { at, force, couple }, centres, add);
             }
             InputCoordinate::X(link) => (link, [1.0, 0.0], 0.0),
             InputCoordinate::Y(link) => (link, [0.0, 1.0], 0.0),
             InputCoordinate::Angle(link) => (link, [0.0; 2], self.length),
         };
-        let ([x, y], [cx, cy]) = (links[link].origin, centres[link].place);
-        add(3 * link, force[0]);
-        add(3 * link + 1, force[1]);
-        let moment = (x - cx) * force[1] - (y - cy) * force[0] + couple;
-        add(3 * link + 2, moment / self.length);
+        let at = links[link].origin;
+        self.each_row_on(Some(link), &Act { at, force, couple }, centres, add);
     }
 
     /// What a unit of each of the pair's frictions does: see [`mod@super::friction`].
-    pub(super) fn frictions(&self, index: usize, place: &PairPlace) -> [PairWrench; 2] {
-        let couple = PairWrench {
+    pub(super) fn frictions(&self, index: usize, place: &PairPlace) -> [Act; 2] {
+        let couple = Act {
             at: place.point,
             force: [0.0; 2],
             couple: self.length,
         };
-        match self.spec.pairs[index].kind {
-            PairKind::Revolute { .. } => [couple; 2],
-            PairKind::Sliding { .. } => [
-                PairWrench {
-                    at: place.point,
-                    force: place.tangent,
-                    couple: 0.0,
-                },
-                couple,
-            ],
+        match self.spec.pairs[index].slides() {
+            false => [couple; 2],
+            true => [Act::force(place.point, place.tangent), couple],
         }
     }
 
@@ -157,22 +128,29 @@ impl Kinetostatics {
     pub(super) fn each_row(
         &self,
         pair: usize,
-        wrench: &PairWrench,
+        act: &Act,
         centres: &[PointPosition],
         mut add: impl FnMut(usize, f64),
     ) {
         let pair = &self.spec.pairs[pair];
-        for (link, sign) in [(pair.link.link, 1.0), (pair.on.link, -1.0)] {
-            if let Some(link) = link {
-                let [fx, fy] = wrench.force;
-                let [cx, cy] = centres[link].place;
-                let arm = [wrench.at[0] - cx, wrench.at[1] - cy];
-                let moment = arm[0] * fy - arm[1] * fx + wrench.couple;
-                add(3 * link, sign * fx);
-                add(3 * link + 1, sign * fy);
-                add(3 * link + 2, sign * moment / self.length);
-            }
-        }
+        self.each_row_on(pair.link.link, act, centres, &mut add);
+        self.each_row_on(pair.on.link, &act.times(-1.0), centres, add);
+    }
+
+    /// Rows of what acts on a link.
+    #[inline]
+    pub(super) fn each_row_on(
+        &self,
+        link: Option<usize>,
+        act: &Act,
+        centres: &[PointPosition],
+        mut add: impl FnMut(usize, f64),
+    ) {
+        let Some(link) = link else { return };
+        let [x, y, moment] = act.about(centres[link].place);
+        add(3 * link, x);
+        add(3 * link + 1, y);
+        add(3 * link + 2, moment / self.length);
     }
 
     /// B per unit of the input's acceleration: m·s, J·s/ℓ.
@@ -246,16 +224,14 @@ impl Kinetostatics {
         &self,
         wrench: &Wrench,
         centres: &[PointPosition],
-        mut add: impl FnMut(usize, f64),
+        add: impl FnMut(usize, f64),
     ) {
-        let Some(link) = wrench.link else { return };
-        let [fx, fy] = wrench.force;
-        let [cx, cy] = centres[link].place;
-        let [px, py] = wrench.point.place;
-        add(3 * link, fx);
-        add(3 * link + 1, fy);
-        let moment = (px - cx) * fy - (py - cy) * fx + wrench.couple;
-        add(3 * link + 2, moment / self.length);
+        let act = Act {
+            at: wrench.point.place,
+            force: wrench.force,
+            couple: wrench.couple,
+        };
+        self.each_row_on(wrench.link, &act, centres, add);
     }
 
     /// The terms of friction at this position; `without` leaves them all out.

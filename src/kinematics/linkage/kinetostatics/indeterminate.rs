@@ -16,6 +16,9 @@ use super::workspace::ForceWorkspace;
 use super::{InputMotion, Kinetostatics, Options};
 use crate::fault::Fault;
 use crate::kinematics::linkage::Linkage;
+use crate::kinematics::linkage::multi::spec::InputSpec;
+use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion};
+use crate::math::jet::Jet;
 use crate::math::linear::Factors;
 
 /// Part of the greatest force of a state of self-stress that is rounding.
@@ -117,7 +120,32 @@ impl Kinetostatics {
         let (mut at, mut w) = (linkage.workspace(), self.workspace());
         linkage.solve(motion.coordinate, 3, &mut at).ok()?;
         self.solve(&at, motion, &options, &mut w).ok()?;
-        let open = self.indeterminate(&w).pairs;
+        self.open_friction(&w)
+    }
+
+    /// The same of a linkage of several inputs.
+    pub fn friction_of_inputs_left_open(&self, linkage: &MultiLinkage) -> Option<Fault> {
+        let (mut motion, mut w) = (MultiMotion::new(linkage), self.workspace());
+        let start = |input: &InputSpec| Jet {
+            value: input.start,
+            first: 1.0,
+            ..Jet::default()
+        };
+        let inputs: Vec<Jet> = linkage.inputs().iter().map(start).collect();
+        motion.set_inputs(&inputs).ok()?;
+        let rates = vec![1.0; inputs.len()];
+        let options = Options {
+            friction: false,
+            ..Options::default()
+        };
+        self.solve_over_time(&motion, &rates, &options, &mut w)
+            .ok()?;
+        self.open_friction(&w)
+    }
+
+    /// The fault of the first pair that rubs and whose reaction is left open.
+    fn open_friction(&self, w: &ForceWorkspace) -> Option<Fault> {
+        let open = self.indeterminate(w).pairs;
         let mut pairs = (0..open.len()).filter(|&pair| open[pair]);
         let pair = pairs.find(|&pair| self.friction_factors[pair].is_some())?;
         let name = &self.spec.pairs[pair].name;

@@ -110,7 +110,7 @@ pub struct Kinetostatics {
     /// Number of equations of constraints that are redundant.
     redundant: usize,
     /// What each coupling presses by.
-    coupled: Vec<couplings::CouplingReaction>,
+    coupled: Vec<super::joints::Joint>,
     /// Factors of friction of each pair that has any, without sign.
     friction_factors: Vec<Option<Law>>,
     /// Size of the inertia in the column of the acceleration (kg or kg·m).
@@ -214,10 +214,7 @@ impl Kinetostatics {
     /// Force or moment of a unit of a driver's unknown.
     fn unit_of(&self, driver: InputCoordinate) -> f64 {
         match driver {
-            InputCoordinate::Pair(pair) => match self.spec.pairs[pair].kind {
-                PairKind::Revolute { .. } => self.length,
-                PairKind::Sliding { .. } => 1.0,
-            },
+            InputCoordinate::Pair(pair) => unit(&self.spec.pairs[pair], self.length),
             InputCoordinate::X(_) | InputCoordinate::Y(_) => 1.0,
             InputCoordinate::Angle(_) => self.length,
         }
@@ -226,18 +223,12 @@ impl Kinetostatics {
 
 /// Length that a unit of a pair's coordinate stands for.
 fn unit(pair: &PairSpec, length: f64) -> f64 {
-    match pair.kind {
-        PairKind::Revolute { .. } => length,
-        PairKind::Sliding { .. } => 1.0,
-    }
+    if pair.slides() { 1.0 } else { length }
 }
 
 /// Cosine and sine of a guide's direction in its link.
 fn direction(pair: &PairSpec) -> [f64; 2] {
-    match pair.kind {
-        PairKind::Revolute { .. } => [1.0, 0.0],
-        PairKind::Sliding { direction, .. } => [direction.cos(), direction.sin()],
-    }
+    pair.direction().unwrap_or([1.0, 0.0])
 }
 
 /// A block's corners; of one without friction they may be left open, and any
@@ -269,7 +260,7 @@ fn friction(pair: &PairSpec, length: f64) -> Option<Law> {
 /// all coincide.
 fn length_scale(spec: &LinkageSpec) -> f64 {
     let points: Vec<_> = spec.joints().collect();
-    let mut most = spec.greatest_cam();
+    let mut most = spec.greatest_coupling();
     for a in &points {
         for b in points.iter().filter(|b| b.link == a.link) {
             most = most.max((a.at[0] - b.at[0]).hypot(a.at[1] - b.at[1]));

@@ -3,7 +3,7 @@
 use super::Kinetostatics;
 use super::external::{Wrench, point_of};
 use super::workspace::ForceWorkspace;
-use crate::kinematics::linkage::spec::{OutputKind, PairKind};
+use crate::kinematics::linkage::spec::OutputKind;
 
 impl ForceWorkspace {
     /// Sets the forces that act on the outputs from outside (of what hangs on
@@ -80,9 +80,9 @@ impl Kinetostatics {
             }
             OutputKind::Pair { pair: index } => {
                 let pair = &self.spec.pairs[index];
-                let on = |link: Option<usize>, load: f64| match pair.kind {
-                    PairKind::Revolute { .. } => Wrench::couple(link, load),
-                    PairKind::Sliding { .. } => {
+                let on = |link: Option<usize>, load: f64| match pair.slides() {
+                    false => Wrench::couple(link, load),
+                    true => {
                         let at = point_of(&w.links, &pair.link);
                         let force = w.pairs[index].tangent.map(|part| load * part);
                         Wrench::force(link, at, force)
@@ -130,9 +130,7 @@ impl Kinetostatics {
         let turns = match self.spec.outputs[output].kind {
             OutputKind::Angle { .. } => true,
             OutputKind::Point { .. } => false,
-            OutputKind::Pair { pair } => {
-                matches!(self.spec.pairs[pair].kind, PairKind::Revolute { .. })
-            }
+            OutputKind::Pair { pair } => !self.spec.pairs[pair].slides(),
         };
         let driver = self.units[self.spec.driver];
         if turns { driver / self.length } else { driver }

@@ -4,7 +4,7 @@ use super::Kinetostatics;
 use super::external::{Input, wrenches};
 use super::place::AT_REST;
 use super::workspace::ForceWorkspace;
-use crate::kinematics::linkage::spec::{ForceLaw, OutputKind, PairKind};
+use crate::kinematics::linkage::spec::{ForceLaw, OutputKind};
 
 /// Sign that the dynamic transmission ratio is given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -176,7 +176,7 @@ impl Kinetostatics {
         let pairs = self.spec.pairs.iter().enumerate();
         let mut grounded = pairs.filter(|(_, pair)| {
             let ends = [pair.on.link, pair.link.link];
-            let turns = matches!(pair.kind, PairKind::Revolute { .. });
+            let turns = !pair.slides();
             turns && ends.contains(&None) && ends.contains(&Some(link))
         });
         grounded.next().map(|(index, _)| w.pairs[index].point)
@@ -191,9 +191,9 @@ impl Kinetostatics {
         };
         match (self.spec.outputs[output].kind, pivot) {
             (OutputKind::Angle { .. }, Some(pivot)) => Direct::Moment(pivot),
-            (OutputKind::Pair { pair }, pivot) => match (self.spec.pairs[pair].kind, pivot) {
-                (PairKind::Revolute { .. }, Some(pivot)) => Direct::Moment(pivot),
-                (PairKind::Sliding { .. }, _) => Direct::Along(w.pairs[pair].tangent),
+            (OutputKind::Pair { pair }, pivot) => match (self.spec.pairs[pair].slides(), pivot) {
+                (false, Some(pivot)) => Direct::Moment(pivot),
+                (true, _) => Direct::Along(w.pairs[pair].tangent),
                 _ => Direct::Work,
             },
             (OutputKind::Point { point, direction }, _) if point.link.is_some_and(slides) => {

@@ -1,8 +1,10 @@
 //! What a workspace holds after a position has been solved.
 
 use super::Kinetostatics;
+use super::couplings::add_on_frame;
 use super::friction::Law;
 use super::workspace::ForceWorkspace;
+use crate::kinematics::linkage::joints::Act;
 use crate::kinematics::linkage::multi::spec::InputCoordinate;
 use crate::kinematics::linkage::spec::PairKind;
 
@@ -86,9 +88,9 @@ impl Kinetostatics {
     /// Reaction of a pair.
     pub fn reaction(&self, pair: usize, w: &ForceWorkspace) -> Reaction {
         let two = [w.unknowns[2 * pair], w.unknowns[2 * pair + 1]];
-        match self.spec.pairs[pair].kind {
-            PairKind::Revolute { .. } => Reaction::Pin(two),
-            PairKind::Sliding { .. } => Reaction::Guide(two),
+        match self.spec.pairs[pair].slides() {
+            false => Reaction::Pin(two),
+            true => Reaction::Guide(two),
         }
     }
 
@@ -233,11 +235,12 @@ impl Kinetostatics {
                 (Some(_), None) => 1.0,
                 _ => continue,
             };
-            let [fx, fy] = self.force(index, w);
-            let [x, y] = w.pairs[index].point;
-            sum[0] += sign * fx;
-            sum[1] += sign * fy;
-            sum[2] += sign * (x * fy - y * fx + self.couple(index, w));
+            let act = Act {
+                at: w.pairs[index].point,
+                force: self.force(index, w),
+                couple: self.couple(index, w),
+            };
+            add_on_frame(&act, sign, &mut sum);
             let here = InputCoordinate::Pair(index);
             let mut drives = self.drivers.iter().zip(&w.drives);
             if let Some((_, &drive)) = drives.find(|(driver, _)| **driver == here) {
@@ -267,13 +270,11 @@ impl Kinetostatics {
 
     /// A driver's force or couple, as a part of what acts on the frame.
     fn add_drive(&self, pair: usize, drive: f64, w: &ForceWorkspace, sum: &mut [f64; 3]) {
-        match self.spec.pairs[pair].kind {
-            PairKind::Revolute { .. } => sum[2] += drive,
-            PairKind::Sliding { .. } => {
-                let ([x, y], [tx, ty]) = (w.pairs[pair].point, w.pairs[pair].tangent);
-                sum[0] += drive * tx;
-                sum[1] += drive * ty;
-                sum[2] += drive * (x * ty - y * tx);
+        match self.spec.pairs[pair].slides() {
+            false => sum[2] += drive,
+            true => {
+                let act = Act::force(w.pairs[pair].point, w.pairs[pair].tangent);
+                add_on_frame(&act, drive, sum);
             }
         }
     }
@@ -285,12 +286,10 @@ impl Kinetostatics {
             match *driver {
                 InputCoordinate::Pair(_) => {}
                 InputCoordinate::X(link) => {
-                    sum[0] -= drive;
-                    sum[2] += drive * w.links[link].origin[1];
+                    add_on_frame(&Act::force(w.links[link].origin, [1.0, 0.0]), -drive, sum);
                 }
                 InputCoordinate::Y(link) => {
-                    sum[1] -= drive;
-                    sum[2] -= drive * w.links[link].origin[0];
+                    add_on_frame(&Act::force(w.links[link].origin, [0.0, 1.0]), -drive, sum);
                 }
                 InputCoordinate::Angle(_) => sum[2] -= drive,
             }

@@ -102,7 +102,8 @@ impl Kinetostatics {
     fn friction_per_coefficient(&self, index: usize, w: &ForceWorkspace) -> [f64; 2] {
         let sense = w.pairs[index].sense;
         match (self.reaction(index, w), self.spec.pairs[index].kind) {
-            (Reaction::Pin([x, y]), PairKind::Revolute { diameter }) => {
+            (Reaction::Pin([x, y]), kind) => {
+                let diameter = kind.diameter().unwrap_or(0.0);
                 [-sense * diameter / 2.0 / self.length * x.hypot(y), 0.0]
             }
             (Reaction::Guide([a, b]), PairKind::Sliding { half_height, .. }) => [

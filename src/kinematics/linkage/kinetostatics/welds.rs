@@ -4,9 +4,11 @@
 //! the ground, and the couple about the weld's point.
 
 use super::Kinetostatics;
+use super::couplings::add_on_frame;
 use super::place::frame;
 use super::positions::{LinkPosition, PointPosition};
 use super::workspace::ForceWorkspace;
+use crate::kinematics::linkage::joints::Act;
 
 /// What a weld carries, on link j from link i.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -43,15 +45,22 @@ impl Kinetostatics {
         mut add: impl FnMut(usize, usize, f64),
     ) {
         let spec = &self.spec.welds[weld];
-        let [x, y] = self.weld_point(weld, links);
-        for (link, sign) in [(spec.link.link, 1.0), (spec.on.link, -1.0)] {
-            let Some(link) = link else { continue };
-            let [cx, cy] = centres[link].place;
-            add(3 * link, 0, sign);
-            add(3 * link + 1, 1, sign);
-            add(3 * link + 2, 0, -sign * (y - cy) / self.length);
-            add(3 * link + 2, 1, sign * (x - cx) / self.length);
-            add(3 * link + 2, 2, sign);
+        let at = self.weld_point(weld, links);
+        let couple = Act {
+            at,
+            couple: self.length,
+            ..Act::default()
+        };
+        let units = [
+            Act::force(at, [1.0, 0.0]),
+            Act::force(at, [0.0, 1.0]),
+            couple,
+        ];
+        for (which, unit) in units.iter().enumerate() {
+            for (link, sign) in [(spec.link.link, 1.0), (spec.on.link, -1.0)] {
+                let entry = |row, value| add(row, which, value);
+                self.each_row_on(link, &unit.times(sign), centres, entry);
+            }
         }
     }
 
@@ -64,10 +73,12 @@ impl Kinetostatics {
                 _ => continue,
             };
             let found = self.weld_force(index, w);
-            let ([x, y], [fx, fy]) = (found.point, found.force);
-            sum[0] += sign * fx;
-            sum[1] += sign * fy;
-            sum[2] += sign * (x * fy - y * fx + found.couple);
+            let act = Act {
+                at: found.point,
+                force: found.force,
+                couple: found.couple,
+            };
+            add_on_frame(&act, sign, sum);
         }
     }
 

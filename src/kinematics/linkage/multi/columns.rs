@@ -37,8 +37,8 @@ pub(super) struct Columns<N> {
     /// Factors of the equations of larger groups.
     pub(super) matrices: Vec<N>,
     pub(super) exchanged: Vec<usize>,
-    /// Of each group the equations of its couplings.
-    pub(super) couplings: Vec<Vec<Parts<N>>>,
+    /// Of each larger group its equations.
+    pub(super) rows: Vec<Vec<Parts<N>>>,
     /// Determinants of the equations of larger groups.
     pub(super) determinants: Vec<f64>,
     /// Right sides.
@@ -66,8 +66,9 @@ impl<N: Number> Columns<N> {
             dyads: vec![[[none; 3]; 2]; plan.groups.len()],
             matrices: vec![zero; plan.matrices[0]],
             exchanged: vec![0; plan.matrices[1]],
-            couplings: {
-                let own = |group: &Group| vec![[(0, none); 3]; group.couplings.len()];
+            rows: {
+                let rows = |group: &Group| group.ties.iter().map(|tie| tie.rows()).sum();
+                let own = |group: &Group| vec![[none; 3]; rows(group)];
                 plan.groups.iter().map(own).collect()
             },
             determinants: vec![0.0; plan.groups.len()],

@@ -1,17 +1,17 @@
 //! From the plain numbers of a linkage of several inputs to the plan of its solution, or
 //! to what is wrong with its inputs and its structure.
 
-use super::coupled::PreparedCoupling;
 use super::joints::{Joints, bodies, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
 use super::spec::{InputCoordinate, MultiSpec};
+use super::tied::TiedBodies;
 use super::welded::Welded;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::compile;
-use crate::kinematics::linkage::decompose::{Decomposition, Tie, decompose};
+use crate::kinematics::linkage::decompose::{Decomposition, decompose};
 use crate::kinematics::linkage::dyad::Form;
-use crate::kinematics::linkage::elements::{Body, Element, elements};
+use crate::kinematics::linkage::elements::Body;
 use crate::kinematics::linkage::plan::{Plan, Step, size};
 use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, OutputKind, OutputSpec};
 use crate::kinematics::linkage::structure::{self, GroupKind};
@@ -25,52 +25,31 @@ pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Grou
     let linkage = &spec.linkage;
     let bodies = bodies(welded, &joints);
     let driving: Vec<usize> = input_pairs(spec).collect();
-    let others: Vec<usize> = (0..linkage.pairs.len())
-        .filter(|pair| !driving.contains(pair))
-        .collect();
-    let of = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
-    let mut ties: Vec<Tie> = others
-        .iter()
-        .map(|&pair| Tie::pair(elements(&linkage.pairs[pair]).each_ref().map(of)))
-        .collect();
-    ties.extend(compile::couplings(linkage, &bodies));
+    let others = other_pairs(welded);
+    let ties = compile::ties(linkage, &bodies, &others);
     let groups = match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(groups) => groups,
         Decomposition::Unfit { held, free } => {
-            return Err(misfit(spec, &bodies, &others, &held, &free));
+            return Err(misfit(spec, &bodies, &others, (&held, &free)));
         }
     };
     let mut listed = vec![driving_group(spec, &joints, &driving)];
     let mut steps = Vec::new();
     let mut found = Vec::new();
-    for group in &groups {
-        let own = |tie: &Tie| tie.belongs_to(group, &groups);
-        let (pairs, couplings) = compile::members(&ties, &others, own);
-        let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
-            ([one, other], [_, _, _]) => {
-                compile::dyad(linkage, &bodies, [*one, *other], &pairs, &mut faults)
-            }
-            _ => compile::larger_group(linkage, &bodies, group, &pairs, &couplings),
-        };
-        let mut links: Vec<usize> = group
-            .iter()
-            .flat_map(|&body| bodies.list[body].links())
-            .collect();
-        links.sort_unstable();
+    let handed = (ties.as_slice(), others.as_slice());
+    for (step, group) in
+        compile::solved_groups(linkage, &bodies, handed, &groups, true, &mut faults)
+    {
         if let Some(step) = step {
-            let inner = inner_of(spec, &joints, &links, &mut faults);
-            let mut ready = group_of(spec, &step, &pairs, inner, joints.bodies);
-            ready.couplings = coupled(linkage, &couplings, joints.bodies);
+            let inner = inner_of(spec, &joints, &group.links, &mut faults);
+            let mut ready = group_of(spec, &step, &group.pairs, inner, joints.bodies);
+            if !ready.dyad {
+                ready.ties = ties_of(linkage, &group, joints.bodies);
+            }
             found.push(ready);
             steps.push(step);
         }
-        listed.push(structure::Group {
-            kind,
-            links,
-            pairs,
-            couplings,
-            branch: None,
-        });
+        listed.push(welded.skeleton.without_hidden(group));
     }
     faults.check()?;
     let first = driving.first().copied().unwrap_or(0);
@@ -81,7 +60,7 @@ pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Grou
     let plan = Plan {
         driver,
         steps,
-        attached: welded.attached.clone(),
+        attached: welded.skeleton.attached.clone(),
         links: joints.bodies,
         size: size(linkage),
     };
@@ -102,24 +81,23 @@ pub(super) fn is_overconstrained(welded: &Welded) -> bool {
     }
     let spec = &welded.spec;
     let bodies = bodies(welded, &joints);
-    let driving: Vec<usize> = input_pairs(spec).collect();
-    let pairs = (spec.linkage.pairs.iter().enumerate())
-        .filter(|(pair, _)| !driving.contains(pair))
-        .map(|(_, pair)| {
-            let body = |element: &Element| element.link.and_then(|link| bodies.of_link[link]);
-            Tie::pair(elements(pair).each_ref().map(body))
-        });
-    let ties: Vec<Tie> = pairs
-        .chain(compile::couplings(&spec.linkage, &bodies))
-        .collect();
+    let ties = compile::ties(&spec.linkage, &bodies, &other_pairs(welded));
     match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(_) => false,
         Decomposition::Unfit { held, .. } => !held.is_empty(),
     }
 }
 
+/// The pairs that are no inputs, without what is left out.
+fn other_pairs(welded: &Welded) -> Vec<usize> {
+    let driving: Vec<usize> = input_pairs(&welded.spec).collect();
+    let all = 0..welded.spec.linkage.pairs.len();
+    all.filter(|pair| !driving.contains(pair) && welded.skeleton.solves(*pair))
+        .collect()
+}
+
 /// The pairs that are inputs.
-fn input_pairs(spec: &MultiSpec) -> impl Iterator<Item = usize> + '_ {
+pub(super) fn input_pairs(spec: &MultiSpec) -> impl Iterator<Item = usize> + '_ {
     spec.inputs
         .iter()
         .filter_map(|input| match input.coordinate {
@@ -175,10 +153,7 @@ fn group_of(
     let all = &spec.linkage.pairs;
     let bodies = step.bodies();
     let screws = match step {
-        Step::Newton(_) => pairs
-            .iter()
-            .map(|&pair| Screw::new(&all[pair], all[pair].on.link, ground))
-            .collect(),
+        Step::Newton(_) => Vec::new(),
         Step::Dyad(_) => {
             let in_body = |link: Option<usize>, k: usize| link.is_some_and(|l| bodies[k].has(l));
             let touches = |pair: usize, k: usize| {
@@ -208,7 +183,7 @@ fn group_of(
         known: Vec::new(),
         inner,
         screws,
-        couplings: Vec::new(),
+        ties: Vec::new(),
         dyad: matches!(step, Step::Dyad(_)),
         parallel: match step {
             Step::Dyad(dyad) => matches!(dyad.form, Form::Prp | Form::Rpp),
@@ -220,12 +195,15 @@ fn group_of(
     }
 }
 
-/// Couplings made ready, these having been checked.
-fn coupled(linkage: &LinkageSpec, couplings: &[usize], ground: usize) -> Vec<PreparedCoupling> {
-    let ready = |&coupling: &usize| {
-        PreparedCoupling::new(&linkage.couplings[coupling], &linkage.pairs, ground)
-    };
-    couplings.iter().filter_map(ready).collect()
+/// Joints of a group made ready, these having been checked.
+fn ties_of(linkage: &LinkageSpec, group: &structure::Group, ground: usize) -> Vec<TiedBodies> {
+    let all = &linkage.pairs;
+    let pairs = group.pairs.iter();
+    let pairs = pairs.map(|&pair| TiedBodies::of_pair(&all[pair], ground));
+    let couplings = group.couplings.iter();
+    let couplings =
+        couplings.filter_map(|&own| TiedBodies::of_coupling(&linkage.couplings[own], all, ground));
+    pairs.chain(couplings).collect()
 }
 
 /// Whether a force or an output asks for continuous angles.
@@ -253,12 +231,8 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
     for (group, step) in groups.iter_mut().zip(&plan.steps) {
         let links: Vec<usize> = step.bodies().iter().flat_map(Body::links).collect();
         let sides = group.screws.iter().flat_map(|screw| screw.sides);
-        let sides = sides.chain(
-            group
-                .couplings
-                .iter()
-                .flat_map(|coupling| coupling.bodies()),
-        );
+        let tied = group.ties.iter().flat_map(|tie| tie.bodies());
+        let sides = sides.chain(tied.copied());
         let outside: Vec<usize> = sides.filter(|side| !links.contains(side)).collect();
         let own = group.inner.as_ref().map(|inner| inner.input);
         let active = |&input: &usize| {

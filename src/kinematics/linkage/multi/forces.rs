@@ -4,7 +4,7 @@ use super::columns::Columns;
 use super::dynamics::MultiReduced;
 use super::plan::MultiPlan;
 use super::twist::at;
-use crate::kinematics::linkage::spec::{ForceLaw, LinkageSpec, PairKind, PointOf};
+use crate::kinematics::linkage::spec::{ForceLaw, LinkageSpec, PointOf};
 use crate::math::number::{Number, sqrt};
 
 /// What dampers and forces take and give at an instant.
@@ -241,7 +241,7 @@ pub(super) fn refused(spec: &LinkageSpec, faults: &mut crate::fault::Faults) {
             ),
             ForceLaw::Torsion { pair, .. } => {
                 let turns = spec.pairs.get(*pair);
-                if turns.is_some_and(|pair| !matches!(pair.kind, PairKind::Revolute { .. })) {
+                if turns.is_some_and(|pair| pair.slides()) {
                     faults.add(
                         path,
                         "a torsion spring acts in a pin",

@@ -8,8 +8,8 @@
 //! D′ = D·tr(A⁻¹A′), D″ = D·(tr²(A⁻¹A′) − tr((A⁻¹A′)²) + tr(A⁻¹A″)).
 
 use super::columns::Columns;
-use super::plan::{Group, MultiPlan, Screw};
-use super::twist::{Twist, at, cross_product, dot, plus};
+use super::plan::{Group, MultiPlan};
+use super::twist::{Twist, cross_product, dot, plus};
 use crate::math::linear::dense;
 
 /// D, its derivative along a motion of the inputs, and its second one in time while the
@@ -131,32 +131,19 @@ impl Columns<f64> {
         let [once, twice] = memory.each_mut().map(|own| &mut own[..n * n]);
         once.fill(0.0);
         twice.fill(0.0);
-        for (number, screw) in group.screws.iter().enumerate() {
-            let parts = self.equations_moved(screw, plan.plan.size.recip(), motion(screw.owner));
-            for (side, sign) in [(0, -1.0), (1, 1.0)] {
-                let Some(body) = group.body_of(screw.sides[side]) else {
-                    continue;
-                };
-                for (unknown, entry) in parts.iter().enumerate() {
-                    for (row, [rate, bend]) in entry.iter().enumerate() {
-                        let place = (2 * number + row) * n + 3 * body + unknown;
-                        once[place] += sign * rate;
-                        twice[place] += sign * bend;
-                    }
-                }
-            }
-        }
-        for (number, coupling) in group.couplings.iter().enumerate() {
-            let top = (2 * group.screws.len() + number) * n;
-            for (body, parts) in coupling.parts_moved(&self.poses, motion, plan.plan.size) {
+        let mut top = 0;
+        for tie in &group.ties {
+            tie.parts_moved(&self.poses, motion, plan.plan.size, |row, body, parts| {
                 let Some(body) = group.body_of(body) else {
-                    continue;
+                    return;
                 };
                 for (unknown, [rate, bend]) in parts.into_iter().enumerate() {
-                    once[top + 3 * body + unknown] += rate;
-                    twice[top + 3 * body + unknown] += bend;
+                    let place = (top + row) * n + 3 * body + unknown;
+                    once[place] += rate;
+                    twice[place] += bend;
                 }
-            }
+            });
+            top += tie.rows();
         }
         let factors = &self.matrices[group.matrix..group.matrix + n * n];
         let exchanged = &self.exchanged[group.exchanged..group.exchanged + n];
@@ -175,37 +162,5 @@ impl Columns<f64> {
             rate: value * first,
             bend: value * (first * first - squares + trace(twice)),
         }
-    }
-
-    /// First and second derivative in time of what each part of a relative velocity
-    /// contributes to the two equations of a pair of a larger group.
-    fn equations_moved(
-        &self,
-        screw: &Screw,
-        scale: f64,
-        (velocity, acceleration): (Twist<f64>, Twist<f64>),
-    ) -> [[[f64; 2]; 2]; 3] {
-        let pose = &self.poses[screw.owner];
-        let place = pose.place(screw.point);
-        let [vx, vy] = at(&velocity, place);
-        let [ax, ay] = at(&acceleration, place);
-        let turning = velocity[0];
-        let [x, y] = place.map(|part| part * scale);
-        let [x1, y1] = [vx * scale, vy * scale];
-        let [x2, y2] = [(ax - turning * vy) * scale, (ay + turning * vx) * scale];
-        let none = [0.0; 2];
-        if !screw.slides {
-            return [[[-y1, -y2], [x1, x2]], [none; 2], [none; 2]];
-        }
-        let [u, v] = pose.turn(screw.along);
-        let [u1, v1] = [-turning * v, turning * u];
-        let square = turning * turning;
-        let [u2, v2] = [
-            -acceleration[0] * v - square * u,
-            acceleration[0] * u - square * v,
-        ];
-        let once = u1 * x + v1 * y + u * x1 + v * y1;
-        let twice = u2 * x + v2 * y + 2.0 * (u1 * x1 + v1 * y1) + u * x2 + v * y2;
-        [[none, [once, twice]], [none, [-v1, -v2]], [none, [u1, u2]]]
     }
 }

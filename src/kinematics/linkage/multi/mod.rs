@@ -7,6 +7,8 @@
 //! moves with which input, and how fast, is linear: velocities by every input, accelerations,
 //! and the equations of motion M(q)·q̈ = Q(q, q̇) on all inputs.
 //!
+//! Constraints that hold what is held already are left out as behind one input.
+//!
 //! On which side of its singular positions a group is stays as at the start: these
 //! positions are where its determinant vanishes, surfaces in the space of the inputs, and
 //! nothing is solved on them or beyond.
@@ -19,10 +21,8 @@
 mod columns;
 mod compile;
 mod constraint;
-mod coupled;
 mod dynamics;
 mod forces;
-mod geared;
 mod joints;
 mod larger;
 mod margin;
@@ -32,12 +32,12 @@ mod outputs;
 mod place;
 mod plan;
 mod proposal;
-mod rolling;
 mod rounding;
 mod singular;
 pub mod spec;
 #[cfg(test)]
 mod tests;
+mod tied;
 mod twist;
 mod welded;
 mod wrong;
@@ -53,8 +53,11 @@ pub use singular::{SingularCurve, singular_curves};
 
 use super::assemble;
 use super::couplings;
+use super::plan::Step;
+use super::redundant;
 use super::spec::OutputSpec;
-use super::structure::{GroupKind, Structure};
+use super::state::State;
+use super::structure::{Group, GroupKind, Structure};
 use super::workspace::Pose;
 use crate::fault::Fault;
 use crate::math::quantity::Quantity;
@@ -94,8 +97,26 @@ impl MultiLinkage {
     pub fn new(spec: MultiSpec) -> Result<Self, Vec<Fault>> {
         wrong::check(&spec)?;
         let welded = Welded::of(&spec);
-        let (plan, mut groups) =
-            compile::compile(&welded).map_err(|faults| proposal::hinted(&spec, faults))?;
+        match compile::compile(&welded) {
+            Ok(found) => Self::built(spec, welded, found),
+            Err(faults) => redundant::find_movable(&spec, &welded.skeleton, &Self::with_known)
+                .ok_or_else(|| proposal::hinted(&spec, faults)),
+        }
+    }
+
+    /// Of a linkage whose redundant constraints are known, its numbers being right.
+    fn with_known(spec: MultiSpec) -> Option<Self> {
+        let welded = Welded::of(&spec);
+        let found = compile::compile(&welded).ok()?;
+        Self::built(spec, welded, found).ok()
+    }
+
+    /// Puts it together.
+    fn built(
+        spec: MultiSpec,
+        welded: Welded,
+        (plan, mut groups): (MultiPlan, Vec<Group>),
+    ) -> Result<Self, Vec<Fault>> {
         let mut state = plan.plan.state();
         let inputs: Vec<f64> = spec.inputs.iter().map(|input| input.start).collect();
         place::outwards(&plan, &inputs, &mut state);
@@ -114,13 +135,14 @@ impl MultiLinkage {
                 place::inside(&plan, at, &inputs, state);
             },
         )?;
+        redundant::holds_at_start(&spec.linkage, &state, plan.plan.size)?;
         let mut signs = Vec::new();
         for (at, group) in groups[1..].iter_mut().enumerate() {
             let two_ways = matches!(group.kind, GroupKind::Rrr | GroupKind::Rrp | GroupKind::Rpr);
             group.branch = two_ways.then_some(branches[at].sign);
-            signs.push(match group.kind {
-                GroupKind::Newton { .. } => state.margins[at].value.signum(),
-                _ => branches[at].sign,
+            signs.push(match &plan.plan.steps[at] {
+                Step::Newton(_) => state.margins[at].value.signum(),
+                Step::Dyad(_) => branches[at].sign,
             });
         }
         let mut start = StartPosition::new(state, inputs.clone(), plan.turning);
@@ -307,6 +329,33 @@ impl<N: Quantity> MultiWorkspace<N> {
     /// Kinetic energy and potential energy (J) at what was solved last.
     pub(crate) fn energies(&self) -> [N; 2] {
         self.surroundings().energies()
+    }
+
+    /// Whether what was left out as redundant holds at what was solved last.
+    ///
+    /// # Errors
+    /// It does not: the group that has it.
+    fn holds_redundant(&self) -> Result<(), NotAssembled> {
+        let Core {
+            spec, structure, ..
+        } = &*self.core;
+        let Some(first) = spec.linkage.redundant.first() else {
+            return Ok(());
+        };
+        let size = self.core.plan.plan.size;
+        if redundant::holds_at_start(&spec.linkage, self.state(), size).is_ok() {
+            return Ok(());
+        }
+        let mut groups = structure.groups.iter();
+        let group = groups.position(|group| group.pairs.contains(&first.pair));
+        Err(NotAssembled {
+            group: group.unwrap_or(1),
+        })
+    }
+
+    /// Where everything is at what was solved last.
+    pub(super) fn state(&self) -> &State {
+        &self.known.state
     }
 
     fn surroundings(&self) -> Surroundings<'_, N> {

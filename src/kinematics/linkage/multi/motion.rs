@@ -44,12 +44,14 @@ impl MultiMotion {
     /// Goes to displacements, speeds and accelerations of the inputs.
     ///
     /// # Errors
-    /// The inputs cannot be reached; everything stays where it was.
+    /// The inputs cannot be reached; everything stays where it was. Or a redundant constraint does not
+    /// hold there, in an assembly that is reached through a singular position alone.
     pub fn set_inputs(&mut self, inputs: &[Jet]) -> Result<(), NotAssembled> {
         for (k, input) in inputs.iter().enumerate() {
             (self.at[k], self.rates[k]) = (input.value, input.first);
         }
         self.space.solve(&self.at, &self.rates)?;
+        self.space.holds_redundant()?;
         self.inputs.copy_from_slice(inputs);
         let (plan, columns) = (&self.space.core.plan, &self.space.columns);
         for (body, own) in self.accelerations.iter_mut().enumerate() {

@@ -1,6 +1,6 @@
 //! A linkage of several inputs made ready to be solved.
 
-use super::coupled::PreparedCoupling;
+use super::tied::TiedBodies;
 use crate::kinematics::linkage::elements::{Element, elements, slides};
 use crate::kinematics::linkage::plan::{Driver, Plan};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
@@ -60,12 +60,11 @@ pub(super) struct Group {
     pub(super) bases: Vec<usize>,
     /// The input inside one of its bodies.
     pub(super) inner: Option<InnerJoint>,
-    /// Its pairs: of a dyad from what is placed to the first body, from the first body to
-    /// the second, from what is placed to the second; of a larger group all of them, each
-    /// from its first link to its second.
+    /// Pairs of a dyad: from what is placed to the first body, from the first body to the
+    /// second, from what is placed to the second.
     pub(super) screws: Vec<Screw>,
-    /// Its gears, belts, racks and cams.
-    pub(super) couplings: Vec<PreparedCoupling>,
+    /// Joints of a larger group: pairs, then couplings.
+    pub(super) ties: Vec<TiedBodies>,
     /// True for a dyad.
     pub(super) dyad: bool,
     /// True for a dyad of one assembly, singular where its guides are parallel.

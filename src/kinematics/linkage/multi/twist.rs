@@ -4,10 +4,8 @@ use crate::math::number::Number;
 
 /// A velocity, an acceleration or a screw in the plane: (rotation, x, y).
 pub(super) type Twist<N> = [N; 3];
-/// What a velocity (ω, v over the size) of each of the bodies contributes to a coupling's equation.
-pub(super) type Parts<N> = [(usize, Twist<N>); 3];
-/// First and second derivative in time of the same.
-pub(super) type PartsMoved = [(usize, [[f64; 2]; 3]); 3];
+/// What a velocity (ω, v over the size) of each of the bodies of a joint contributes to an equation.
+pub(super) type Parts<N> = [Twist<N>; 3];
 /// Velocity of a body, and its acceleration.
 pub(super) type Motion<'a> = &'a dyn Fn(usize) -> (Twist<f64>, Twist<f64>);
 

@@ -1,4 +1,5 @@
-//! What is solved in place of a linkage of several inputs: welded links as one body.
+//! What is solved in place of a linkage of several inputs: welded links as one body, without the
+//! constraints that are redundant.
 //!
 //! Welded links have the same velocity, taken as a screw about one point: an attached link is a
 //! body of its own to all that asks for places and velocities, and takes those of its base. Its
@@ -11,6 +12,7 @@ use super::columns::Columns;
 use super::dynamics::MultiReduced;
 use super::plan::MultiPlan;
 use super::spec::MultiSpec;
+use crate::kinematics::linkage::skeleton::Skeleton;
 use crate::kinematics::linkage::state::State;
 use crate::kinematics::linkage::welds::{self, Attached};
 use crate::math::number::Number;
@@ -18,10 +20,9 @@ use crate::math::number::Number;
 /// A linkage of several inputs as it is solved.
 #[derive(Clone, Debug)]
 pub(super) struct Welded {
-    /// The linkage, all its pairs between bases.
+    /// The linkage, all its pairs between bases, with hidden links and pairs behind its own.
     pub(super) spec: MultiSpec,
-    /// Links that are attached to others, and have no pairs here.
-    pub(super) attached: Vec<Attached>,
+    pub(super) skeleton: Skeleton,
     /// For each pair its coordinate between the bases less that between its links (rad).
     shifts: Vec<f64>,
 }
@@ -29,21 +30,22 @@ pub(super) struct Welded {
 impl Welded {
     /// Of a linkage whose numbers are right. A link that floats is the base of its body.
     pub(super) fn of(linkage: &MultiSpec) -> Self {
-        let mut spec = linkage.clone();
-        let attached = welds::attached(&spec.linkage, floating(linkage));
-        let pairs = spec.linkage.pairs.iter();
-        let shifts = pairs.map(|pair| welds::shift(pair, &attached)).collect();
-        welds::give_to_bases(&mut spec.linkage, &attached);
+        let skeleton = Skeleton::with_bases(&linkage.linkage, floating(linkage));
+        let pairs = linkage.linkage.pairs.iter();
+        let shifts = pairs.map(|pair| welds::shift(pair, &skeleton.attached));
         Self {
-            spec,
-            attached,
-            shifts,
+            shifts: shifts.collect(),
+            spec: MultiSpec {
+                linkage: skeleton.spec.clone(),
+                inputs: linkage.inputs.clone(),
+            },
+            skeleton,
         }
     }
 
     /// How a link is attached to another one, or to the ground.
     pub(super) fn attachment(&self, link: usize) -> Option<&Attached> {
-        self.attached.iter().find(|one| one.link == link)
+        self.skeleton.attached.iter().find(|one| one.link == link)
     }
 
     /// Coordinate of a pair between the bodies that it joins here, less its own (rad).

@@ -83,13 +83,25 @@ fn misleading(spec: &LinkageSpec, entries: &[usize]) -> Vec<Fault> {
     entries.map(fault).collect()
 }
 
-fn search(spec: &LinkageSpec, built: &Built<'_>) -> Option<Linkage> {
-    let missing = usize::try_from(1 - mobility(spec)).ok()?;
+fn search(spec: &LinkageSpec, built: &Built<'_, Linkage>) -> Option<Linkage> {
+    let candidates = || candidates(&Skeleton::of(spec).spec, &[spec.driver]);
+    leave_out(spec, 1, candidates, built)
+}
+
+/// What is made of the linkage without some of the candidates, as many as it has too many equations
+/// for its inputs.
+pub(super) fn leave_out<T>(
+    spec: &LinkageSpec,
+    inputs: usize,
+    candidates: impl Fn() -> Vec<Redundant>,
+    built: &Built<'_, T>,
+) -> Option<T> {
+    let missing = usize::try_from(inputs as i64 - mobility(spec)).ok()?;
     if !spec.redundant.is_empty() || missing == 0 || missing > MOST_EQUATIONS {
         return None;
     }
     let mut search = Search {
-        candidates: candidates(&Skeleton::of(spec).spec),
+        candidates: candidates(),
         trial: spec.clone(),
         left: MOST_TRIED,
         built,
@@ -98,20 +110,20 @@ fn search(spec: &LinkageSpec, built: &Built<'_>) -> Option<Linkage> {
 }
 
 /// Makes a linkage of which it is known what is redundant, if it moves.
-type Built<'a> = dyn Fn(&LinkageSpec) -> Option<Linkage> + 'a;
+type Built<'a, T> = dyn Fn(&LinkageSpec) -> Option<T> + 'a;
 
-struct Search<'a> {
+struct Search<'a, T> {
     candidates: Vec<Redundant>,
     /// The linkage with what is left out at present.
     trial: LinkageSpec,
     /// Choices that may still be tried.
     left: usize,
-    built: &'a Built<'a>,
+    built: &'a Built<'a, T>,
 }
 
-impl Search<'_> {
+impl<T> Search<'_, T> {
     /// Leaves out `missing` more equations by candidates from the one given on.
-    fn remove_equations(&mut self, from: usize, missing: usize) -> Option<Linkage> {
+    fn remove_equations(&mut self, from: usize, missing: usize) -> Option<T> {
         if missing == 0 {
             self.left = self.left.checked_sub(1)?;
             return (self.built)(&self.trial);
@@ -144,14 +156,15 @@ fn collides(one: &Redundant, other: &Redundant) -> bool {
 }
 
 /// What could be left out: whole pairs beside another one of the same links, links that hang between
-/// two pairs, guides that turn; the last ones first, so that what was there before stays.
-fn candidates(spec: &LinkageSpec) -> Vec<Redundant> {
-    let mut list = duplicate_pairs(spec);
+/// two pairs, guides that turn; the last ones first, so that what was there before stays. Pairs that
+/// are `driven` stay.
+pub(super) fn candidates(spec: &LinkageSpec, driven: &[usize]) -> Vec<Redundant> {
+    let mut list = duplicate_pairs(spec, driven);
     for link in (0..spec.links.len()).rev() {
-        list.extend(between(spec, link));
+        list.extend(between(spec, driven, link));
     }
     for pair in (0..spec.pairs.len()).rev() {
-        if pair != spec.driver && slides(&spec.pairs[pair]) {
+        if !driven.contains(&pair) && slides(&spec.pairs[pair]) {
             let part = RedundantPart::Couple;
             list.push(Redundant { pair, part });
         }
@@ -160,7 +173,7 @@ fn candidates(spec: &LinkageSpec) -> Vec<Redundant> {
 }
 
 /// Pairs whose links are joined by an earlier pair of the same kind.
-fn duplicate_pairs(spec: &LinkageSpec) -> Vec<Redundant> {
+fn duplicate_pairs(spec: &LinkageSpec, driven: &[usize]) -> Vec<Redundant> {
     let ends = |pair: &PairSpec| {
         let mut ends = [pair.on.link, pair.link.link];
         ends.sort_unstable();
@@ -168,9 +181,9 @@ fn duplicate_pairs(spec: &LinkageSpec) -> Vec<Redundant> {
     };
     let doubled = |&index: &usize| {
         let own = ends(&spec.pairs[index]);
-        index != spec.driver
+        !driven.contains(&index)
             && (0..spec.pairs.len()).any(|other| {
-                (other < index || other == spec.driver) && ends(&spec.pairs[other]) == own
+                (other < index || driven.contains(&other)) && ends(&spec.pairs[other]) == own
             })
     };
     let part = RedundantPart::Whole;
@@ -179,13 +192,13 @@ fn duplicate_pairs(spec: &LinkageSpec) -> Vec<Redundant> {
 }
 
 /// A pin of a link that has but two pairs, both to other links and neither driven.
-fn between(spec: &LinkageSpec, link: usize) -> Option<Redundant> {
+fn between(spec: &LinkageSpec, driven: &[usize], link: usize) -> Option<Redundant> {
     let coupled = |coupling: &CouplingSpec| coupling.links().contains(&Some(link));
     if spec.couplings.iter().any(coupled) {
         return None;
     }
     let own: Vec<usize> = pairs_of(spec, link).collect();
-    let driven = own.contains(&spec.driver);
+    let is_driven = own.iter().any(|pair| driven.contains(pair));
     let pin = own
         .iter()
         .rev()
@@ -196,5 +209,5 @@ fn between(spec: &LinkageSpec, link: usize) -> Option<Redundant> {
         part: RedundantPart::Along(link),
     };
     let hangs = other_pair(spec, link, pin).is_some() && redundant.direction(spec).is_some();
-    (hangs && !driven).then_some(redundant)
+    (hangs && !is_driven).then_some(redundant)
 }

@@ -4,6 +4,7 @@ mod forces;
 
 use super::examples::{Builder, GROUND};
 use super::support::{closure_error, compare_with_differences, interior, linkage, solved, weighed};
+use crate::kinematics::linkage::joints::{belt::Belt, gear::Gear, rack::Rack};
 use crate::kinematics::linkage::spec::{CouplingKind, LinkageSpec};
 use crate::kinematics::linkage::{GroupKind, Linkage};
 
@@ -19,7 +20,12 @@ fn five_bar(ratio: f64) -> Builder {
         .pin((rod, [0.7, 0.0]), (coupler, [0.8, 0.0]))
         .pin((second, [0.15, 0.0]), (coupler, [0.0; 2]))
         .pin((second, [0.0; 2]), (GROUND, [0.6, 0.0]))
-        .couple([CRANK, second], GROUND, CouplingKind::Gear { ratio }, 0.4)
+        .couple(
+            [CRANK, second],
+            GROUND,
+            CouplingKind::Gear(Gear { ratio }),
+            0.4,
+        )
 }
 
 #[test]
@@ -68,7 +74,12 @@ fn rolling(ratio: f64) -> Builder {
     Builder::new(&["arm", "planet"])
         .pin((GROUND, [0.1, 0.2]), (arm, [0.0; 2]))
         .pin((arm, [0.3, 0.0]), (planet, [0.0; 2]))
-        .couple([GROUND, planet], arm, CouplingKind::Gear { ratio }, 0.0)
+        .couple(
+            [GROUND, planet],
+            arm,
+            CouplingKind::Gear(Gear { ratio }),
+            0.0,
+        )
 }
 
 #[test]
@@ -107,13 +118,13 @@ fn planetary() -> Builder {
         .couple(
             [sun, planet],
             carrier,
-            CouplingKind::Gear { ratio: -s / p },
+            CouplingKind::Gear(Gear { ratio: -s / p }),
             0.0,
         )
         .couple(
             [GROUND, planet],
             carrier,
-            CouplingKind::Gear { ratio: r / p },
+            CouplingKind::Gear(Gear { ratio: r / p }),
             0.0,
         )
 }
@@ -149,13 +160,13 @@ fn a_gear_train_that_does_not_repeat_soon_turns_for_ever() {
         .couple(
             [sun, planet],
             carrier,
-            CouplingKind::Gear { ratio: -s / p },
+            CouplingKind::Gear(Gear { ratio: -s / p }),
             0.0,
         )
         .couple(
             [GROUND, planet],
             carrier,
-            CouplingKind::Gear { ratio: r / p },
+            CouplingKind::Gear(Gear { ratio: r / p }),
             0.0,
         );
     let linkage = linkage(spec);
@@ -189,7 +200,7 @@ fn rack() -> Builder {
         .couple(
             [lever, rack],
             GROUND,
-            CouplingKind::Rack { radius: 0.08 },
+            CouplingKind::Rack(Rack { radius: 0.08 }),
             0.01,
         )
 }
@@ -221,13 +232,13 @@ fn rack_on_a_lever() -> Builder {
         .couple(
             [GROUND, gear],
             lever,
-            CouplingKind::Gear { ratio: -2.5 },
+            CouplingKind::Gear(Gear { ratio: -2.5 }),
             0.1,
         )
         .couple(
             [gear, rack],
             lever,
-            CouplingKind::Rack { radius: -0.05 },
+            CouplingKind::Rack(Rack { radius: -0.05 }),
             0.02,
         )
 }
@@ -239,7 +250,12 @@ fn belt(second: f64) -> Builder {
     Builder::new(&["arm", "pulley"])
         .pin((GROUND, [0.0; 2]), (arm, [0.0; 2]))
         .pin((arm, [0.5, 0.1]), (pulley, [0.0; 2]))
-        .couple([GROUND, pulley], arm, CouplingKind::Belt { radii }, 0.2)
+        .couple(
+            [GROUND, pulley],
+            arm,
+            CouplingKind::Belt(Belt { radii }),
+            0.2,
+        )
 }
 
 #[test]
@@ -294,17 +310,17 @@ fn refused(change: impl Fn(&mut LinkageSpec)) -> String {
 #[test]
 fn couplings_that_cannot_be_are_told() {
     let of_kind = |kind: CouplingKind| refused(|spec| spec.couplings[0].kind = kind.clone());
-    let same = of_kind(CouplingKind::Gear { ratio: 1.0 });
+    let same = of_kind(CouplingKind::Gear(Gear { ratio: 1.0 }));
     assert!(
         same.contains("couplings.c0: internal gears of the same size"),
         "{same}"
     );
-    let great = of_kind(CouplingKind::Gear { ratio: 1e9 });
+    let great = of_kind(CouplingKind::Gear(Gear { ratio: 1e9 }));
     assert!(great.contains("its ratio is 1e9"), "{great}");
     let radii = [0.1, 0.8];
-    let big = of_kind(CouplingKind::Belt { radii });
+    let big = of_kind(CouplingKind::Belt(Belt { radii }));
     assert!(big.contains("0.6 m apart, the radii take 0.7 m"), "{big}");
-    let guide = of_kind(CouplingKind::Rack { radius: 0.1 });
+    let guide = of_kind(CouplingKind::Rack(Rack { radius: 0.1 }));
     assert!(
         guide.contains("no guide joins the rack `second` to the ground"),
         "{guide}"

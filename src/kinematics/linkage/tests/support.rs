@@ -2,6 +2,7 @@
 
 use super::examples::Builder;
 use crate::kinematics::cam::Surface;
+use crate::kinematics::linkage::joints::{belt::Belt, gear::Gear};
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
 use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, LinkageSpec, PairKind, PointOf};
 use crate::kinematics::linkage::{Linkage, Reach, Workspace};
@@ -92,11 +93,14 @@ pub(super) fn closure_error(linkage: &Linkage, workspace: &Workspace) -> f64 {
             ));
             continue;
         }
-        let first = coupling.kind.ratio() * (angle(one) - angle(coupling.carrier));
-        if !matches!(coupling.kind, CouplingKind::Rack { .. }) {
-            let second = angle(other) - angle(coupling.carrier);
-            most = most.max((second - first - coupling.offset).abs());
-        }
+        let ratio = match coupling.kind {
+            CouplingKind::Gear(Gear { ratio }) => ratio,
+            CouplingKind::Belt(Belt { radii: [r1, r2] }) => r1 / r2,
+            _ => continue,
+        };
+        let first = ratio * (angle(one) - angle(coupling.carrier));
+        let second = angle(other) - angle(coupling.carrier);
+        most = most.max((second - first - coupling.offset).abs());
     }
     most
 }

@@ -1,10 +1,13 @@
 //! The next word, number or sign of an expression.
 
+use super::super::Symbol;
 use super::{Error, Reader, Wrong};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Token<'t> {
     Number(&'t str),
+    /// A number with a unit.
+    Quantity(Symbol),
     Name(&'t str),
     Symbol(&'static str),
     End,
@@ -21,7 +24,7 @@ fn is_letter(letter: char) -> bool {
     letter.is_alphabetic() || letter == '_' || letter == '\u{307}'
 }
 
-impl<'t> Reader<'t> {
+impl<'t> Reader<'t, '_> {
     pub(super) fn advance(&mut self) -> Result<Token<'t>, Error> {
         let before = self.token;
         self.end = self.place.end;
@@ -38,16 +41,22 @@ impl<'t> Reader<'t> {
                 0
             }
             Some('0'..='9' | '.') => {
-                let length = number_length(rest);
-                if length == 0 {
+                let number = number_length(rest);
+                if number == 0 {
                     return Err((Wrong::Character, start..start + 1));
                 }
-                self.token = Token::Number(&rest[..length]);
+                let quantity = self.symbols.quantity(rest);
+                let (length, token) = match quantity {
+                    Some((length, symbol)) => (length, Token::Quantity(symbol)),
+                    None => (number, Token::Number(&rest[..number])),
+                };
+                self.token = token;
                 length
             }
             Some(letter) if is_letter(letter) => {
                 let other = |c: char| !(is_letter(c) || c.is_ascii_digit());
-                let length = rest.find(other).unwrap_or(rest.len());
+                let plain = rest.find(other).unwrap_or(rest.len());
+                let length = self.symbols.long_name(rest).unwrap_or(plain);
                 self.token = match &rest[..length] {
                     "mod" => Token::Symbol("%"),
                     name => Token::Name(name),

@@ -5,7 +5,7 @@ mod cases;
 use super::examples::{self, input, pin};
 use super::motion::at;
 use super::{MultiLinkage, MultiMotion, moved, state};
-use crate::kinematics::linkage::couplings::PitchCurve;
+use crate::kinematics::linkage::joints::cam::PitchCurve;
 use crate::kinematics::linkage::kinetostatics::{ForceWorkspace as Space, Kinetostatics, Options};
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
 use crate::kinematics::linkage::spec::{
@@ -148,8 +148,11 @@ fn the_start_of_an_adjusted_lever_is_that_of_multipliers() {
 
 /// |p| − R(angle of p) of each cam at what was solved last, over its prime radius.
 fn errors(spec: &MultiSpec, motion: &MultiMotion) -> Vec<f64> {
-    let cams = spec.linkage.cams();
-    cams.map(|(coupling, cam)| {
+    let cams = spec.linkage.couplings.iter();
+    cams.map(|coupling| {
+        let CouplingKind::Cam(cam) = &coupling.kind else {
+            unreachable!("only cams couple these links");
+        };
         let place = |link: Option<usize>, point: [f64; 2]| match link {
             Some(link) => motion.pose(link).place(point),
             None => point,

@@ -2,6 +2,7 @@
 
 use super::MultiLinkage;
 use super::examples::{GROUND, bar, guide, input, odd, output, pin};
+use crate::kinematics::linkage::joints::{belt::Belt, gear::Gear, rack::Rack};
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
 use crate::kinematics::linkage::spec::{
     AssemblyChoice, AssemblySpec, CouplingKind, CouplingSpec, LinkageSpec, OutputKind,
@@ -29,7 +30,7 @@ const TEETH: [f64; 3] = [24.0, 18.0, 60.0];
 pub(super) fn planetary() -> MultiSpec {
     let (sun, ring, carrier, planet) = (Some(0), Some(1), Some(2), Some(3));
     let [s, p, r] = TEETH;
-    let gear = |ratio| CouplingKind::Gear { ratio };
+    let gear = |ratio| CouplingKind::Gear(Gear { ratio });
     MultiSpec {
         linkage: LinkageSpec {
             links: vec![
@@ -97,15 +98,15 @@ pub(super) fn rack() -> MultiSpec {
                     "feed",
                     [rod, slide],
                     coupler,
-                    CouplingKind::Rack { radius: 0.07 },
+                    CouplingKind::Rack(Rack { radius: 0.07 }),
                 ),
                 coupled(
                     "belt",
                     [crank, pulley],
                     rod,
-                    CouplingKind::Belt {
+                    CouplingKind::Belt(Belt {
                         radii: [0.05, -0.08],
-                    },
+                    }),
                 ),
             ],
             assembly: vec![AssemblySpec {

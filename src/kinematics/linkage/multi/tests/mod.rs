@@ -8,6 +8,7 @@ mod kinetostatics;
 mod margins;
 mod motion;
 mod proposal;
+mod redundant;
 mod refusals;
 mod singular;
 mod welds;

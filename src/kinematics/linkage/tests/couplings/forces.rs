@@ -2,6 +2,7 @@
 
 use super::{Builder, CRANK, GROUND, all, rack_on_a_lever, solved, weighed};
 use crate::kinematics::linkage::Linkage;
+use crate::kinematics::linkage::joints::gear::Gear;
 use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options, Outcome};
 use crate::kinematics::linkage::spec::CouplingKind;
 use crate::kinematics::linkage::tests::kinetostatics::with_friction;
@@ -27,9 +28,9 @@ fn the_force_of_teeth_drives_the_second_wheel() {
         .couple(
             [CRANK, second],
             GROUND,
-            CouplingKind::Gear {
+            CouplingKind::Gear(Gear {
                 ratio: -0.04 / radius,
-            },
+            }),
             0.0,
         )
         .mass(1, 1.0, [0.0; 2], moment);

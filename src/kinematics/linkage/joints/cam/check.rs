@@ -3,9 +3,9 @@
 //! A profile is refused if it does not close, jumps in its second derivative, or does not go
 //! round its centre. An undercut is a remark.
 
+use super::CamPairSpec;
 use super::pitch::PitchCurve;
 use crate::fault::Faults;
-use crate::kinematics::linkage::spec::{CamPairSpec, CouplingKind, CouplingSpec, LinkageSpec};
 use crate::units::shown;
 use std::f64::consts::TAU;
 
@@ -106,17 +106,9 @@ fn shape(spec: &CamPairSpec, curve: &PitchCurve, path: &str, faults: &mut Faults
     }
 }
 
-/// Sentences about cams that are hardly meant so.
-pub(in crate::kinematics::linkage) fn remarks(spec: &LinkageSpec) -> Vec<String> {
-    spec.couplings.iter().filter_map(undercut).collect()
-}
-
 /// Where a roller is too great for the curvature of its pitch curve: there the profile has a
 /// corner, and the roller leaves the pitch curve.
-fn undercut(coupling: &CouplingSpec) -> Option<String> {
-    let CouplingKind::Cam(spec) = &coupling.kind else {
-        return None;
-    };
+pub(super) fn undercut(spec: &CamPairSpec, name: &str) -> Option<String> {
     let curve = PitchCurve::new(spec).ok()?;
     let flanks = spec.surface.flanks(spec.roller_radius);
     let all = flanks
@@ -131,7 +123,7 @@ fn undercut(coupling: &CouplingSpec) -> Option<String> {
     Some(format!(
         "the cam of `{}` is undercut at {} deg: there its pitch curve has a radius of curvature of {} m, \
          the roller one of {} m",
-        coupling.name,
+        name,
         degrees(worst.1),
         shown(radius, 4),
         shown(spec.roller_radius, 4)

@@ -7,9 +7,10 @@
 //! Limits: the motion takes the pair for closed. A cam with one flank that would have to pull
 //! is reported by `studies::forces::closing`.
 
+use super::CamPairSpec;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
-use crate::kinematics::linkage::spec::CamPairSpec;
+use crate::kinematics::linkage::vector::Vector;
 use crate::kinematics::motion::Cycle;
 use crate::kinematics::position::cam::Cam;
 use crate::kinematics::position::sine;
@@ -101,11 +102,8 @@ impl PitchCurve {
 
     /// |p| − R(angle of p): zero where p, seen from the curve's centre in the frame of the cam,
     /// lies on the curve.
-    pub(in crate::kinematics::linkage) fn error<const K: usize>(
-        &self,
-        [x, y]: [Series<K>; 2],
-    ) -> Series<K> {
-        let angle = Series::atan2(y, x);
+    pub(super) fn error<const K: usize>(&self, p: Vector<K>) -> Series<K> {
+        let angle = p.angle();
         let radius = self.radius(angle.value());
         let taylor = [
             radius.value,
@@ -113,33 +111,22 @@ impl PitchCurve {
             radius.second / 2.0,
             radius.third / 6.0,
         ];
-        (x.square() + y.square()).sqrt() - over(angle, taylor)
+        p.square().sqrt() - over(angle, taylor)
     }
 
     /// The derivatives of the error by the coordinates of p, in the frame of p: along the outward
-    /// normal of the curve that goes through p.
-    pub(in crate::kinematics::linkage) fn gradient(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let far = x.hypot(y);
-        let slope = self.radius(y.atan2(x)).first / far;
-        let [u, v] = [x / far, y / far];
-        [u + slope * v, v - slope * u]
-    }
-
-    /// The same over a path of p: three coefficients at most, R being known to its third
-    /// derivative.
+    /// normal of the curve that goes through p. Over a path of p three coefficients at most, R being
+    /// known to its third derivative.
     #[inline(always)]
-    pub(in crate::kinematics::linkage) fn gradient_over<const K: usize, T: Number>(
-        &self,
-        [x, y]: [Series<K, T>; 2],
-    ) -> [Series<K, T>; 2] {
-        let far = (x.square() + y.square()).sqrt().reciprocal();
-        let angle = Series::atan2(y, x);
+    pub(super) fn gradient<const K: usize, T: Number>(&self, p: Vector<K, T>) -> Vector<K, T> {
+        let far = p.square().sqrt().reciprocal();
+        let angle = p.angle();
         let radius = self.radius(angle.0[0].value());
         let [_, first, second] = radius.lift(angle.0[0]);
         let third = T::from(radius.third / 2.0);
         let slope = over(angle, [first, second, third]) * far;
-        let [u, v] = [x * far, y * far];
-        [u + slope * v, v - slope * u]
+        let unit = p.times(far);
+        unit - unit.left().times(slope)
     }
 
     /// Curvature of the pitch curve at a polar angle (1/m), positive where it is convex:
@@ -156,7 +143,7 @@ impl PitchCurve {
         let (sin, cos) = angle.sin_cos();
         let radius = self.radius(angle).value;
         let at = [radius * cos, radius * sin];
-        let [x, y] = self.gradient(at);
+        let [x, y] = self.gradient(Vector::<1>::constant(at)).value();
         let size = x.hypot(y);
         [at[0] + offset * x / size, at[1] + offset * y / size]
     }
