@@ -40,6 +40,7 @@ PARTS: dict[str, tuple[str, dict[str, str]]] = {
             "linkage_assembly": "Assembly mode",
         },
     ),
+    "tables": ("Tables in files", {"table_file": "File of a table"}),
     "differential-inputs": ("Inputs of a differential", {"differential_input": "Input"}),
 }
 # Definitions that differ from another one only in what they leave out.
@@ -56,6 +57,7 @@ SAME = {
 ALIKE = [["law", "planned_motion", "run_law"], ["load", "rotor_load", "output_load"]]
 # Parts of a scene beside its objects.
 WHOLE = {
+    "parameters": ("Parameters", "`parameters` names numbers that the whole scene may use."),
     "run": ("The run", "`run` states how long and by which method a scene is run."),
     "steady": ("Steady motion", "`steady` states what `dam steady` is to find."),
     "expect": ("Expectations", "`expect` lists values that results must have. Addresses of results are on the page [Results](results.md)."),
@@ -247,12 +249,17 @@ def rows(schema: Schema, declared: Declared, owner: str, prefix: str = "") -> It
                     yield row
 
 
-def alternatives(schema: Schema) -> list[str]:
-    """Properties of which exactly one is given."""
-    for one in schema.get("allOf", []):
+def groups(schema: Schema) -> Iterator[tuple[list[str], bool]]:
+    """Properties of which only one may be given; true: one must."""
+    for one in [*schema.get("allOf", []), *schema.get("then", {}).get("allOf", [])]:
         if "oneOf" in one:
-            return [name for other in one["oneOf"] for name in other.get("required", [])]
-    return []
+            names = [name for other in one["oneOf"] for name in other.get("required", [])]
+            yield names, not any("not" in other for other in one["oneOf"])
+
+
+def alternatives(schema: Schema) -> list[str]:
+    """Forms of which exactly one is given."""
+    return [name for names, must in groups(schema) if must for name in names]
 
 
 def properties(schema: Schema, declared: Declared, owner: str) -> str:
@@ -262,15 +269,26 @@ def properties(schema: Schema, declared: Declared, owner: str) -> str:
             text += "A name: " + ", ".join(code(value) for value in one["enum"]) + ".\n\n"
         if "properties" not in one:
             continue
-        either = alternatives(one)
-        if len(either) > 1:
-            text += "Exactly one of " + ", ".join(f"`{name}`" for name in either) + ".\n\n"
+        for either, must in groups(one):
+            if len(either) > 1:
+                count = "Exactly one of " if must else "At most one of "
+                text += count + ", ".join(f"`{name}`" for name in either) + ".\n\n"
         lines = []
         for row in rows(one, declared, owner):
             name = f"`{row.name}`" + (" (required)" if row.required else "")
             lines.append([name, row.meaning, row.takes, row.default, row.example])
         text += table(["property", "meaning", "value", "default", "example"], lines) + "\n"
     return text
+
+
+def fits(schema: Schema, value: Any) -> bool:
+    """Whether a value can be one of a definition, by its members or its name."""
+    for one in branches(schema):
+        if isinstance(value, dict) and value.keys() <= one.get("properties", {}).keys():
+            return True
+        if isinstance(value, str) and value in one.get("enum", []):
+            return True
+    return False
 
 
 class Collector:
@@ -290,9 +308,10 @@ class Collector:
             if "$ref" in one:
                 name = one["$ref"].rpartition("/")[2]
                 name = SAME.get(name, name)
-                self.note(name, value, path)
                 # (What is within is described where the whole definition is.)
-                self.value(self.declared.definitions[name], value, name, path)
+                if fits(self.declared.definitions[name], value):
+                    self.note(name, value, path)
+                    self.value(self.declared.definitions[name], value, name, path)
             elif isinstance(value, dict):
                 self.members(one, value, key, path)
             elif isinstance(value, list):
@@ -400,6 +419,9 @@ def whole_page(part: str, declared: Declared) -> str:
     owner = part
     if schema.get("type") == "array":
         schema, owner = schema["items"], f"{part}[]"
+    if "properties" not in schema:
+        lines = [["`NAME`", described(schema)[0], takes(schema["additionalProperties"])]]
+        return text + "## Properties\n\n" + table(["property", "meaning", "value"], lines)
     return text + "## Properties\n\n" + properties(schema, declared, owner)
 
 

@@ -128,7 +128,7 @@ pub(crate) struct SchemaArgs {
     /// Offer the ids of this scene for `input`, and what its catalogue has for `from`
     pub(crate) scene: Option<PathBuf>,
     /// What is described; all but scenes as one JSON document
-    #[arg(long, value_enum, default_value_t = Described::Scenes)]
+    #[arg(long, value_name = "WHAT", value_enum, default_value_t = Described::Scenes)]
     pub(crate) of: Described,
 }
 

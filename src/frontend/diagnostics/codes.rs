@@ -58,6 +58,7 @@ pub const CODES: &[Code] = &[
     code("out-of-range", "A number is outside its bounds.", "Write a number within the bounds that the message states."),
     code("output", "A result could not be written.", "Check the folder, its permissions and the free space."),
     code("outside-folder", "A file lies outside the folder of the scene.", "Put the file into the folder of the scene."),
+    code("parameters", "More parameters are wrong than messages are shown.", "Correct those that are shown first."),
     code("question", "A value or name that the command needs is missing or not understood.", "Follow the message."),
     code("too-deep", "Objects and lists in the text are nested too deeply.", "Remove levels of nesting."),
     code("too-large", "A text or file is larger than a scene may be.", "Shorten its tables."),
