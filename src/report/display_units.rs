@@ -60,7 +60,7 @@ impl DisplayUnits {
         }
         let mut names: Vec<(String, usize)> = counts.into_iter().collect();
         // (Of equals the first by name.)
-        names.sort_by(|a, b| b.1.cmp(&a.1));
+        names.sort_by_key(|name| std::cmp::Reverse(name.1));
         let mut chosen = Self::NONE;
         for (name, _) in names {
             chosen.add(&name);

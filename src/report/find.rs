@@ -377,24 +377,21 @@ fn notes(answer: &FoundValue) -> Vec<String> {
             parameter(answer, best.within, 1)
         ));
     }
-    let state =
-        |kind: fn(&State) -> bool| found.samples.iter().filter(|one| kind(&one.state)).count();
-    let kinds: [(fn(&State) -> bool, &str); 3] = [
-        (
-            |state| matches!(state, State::Refused(_)),
-            "there is no such mechanism",
-        ),
-        (
-            |state| matches!(state, State::Stopped(_)),
-            "the mechanism stops",
-        ),
-        (
-            |state| matches!(state, State::NotTrusted(_)),
-            "the computation is not to be trusted: nothing is known there",
-        ),
-    ];
-    for (kind, words) in kinds {
-        let count = state(kind);
+    let [mut refused, mut stopped, mut unknown] = [0; 3];
+    for one in &found.samples {
+        match one.state {
+            State::Computed => {}
+            State::Refused(_) => refused += 1,
+            State::Stopped(_) => stopped += 1,
+            State::NotTrusted(_) => unknown += 1,
+        }
+    }
+    let unknown_words = "the computation is not to be trusted: nothing is known there";
+    for (count, words) in [
+        (refused, "there is no such mechanism"),
+        (stopped, "the mechanism stops"),
+        (unknown, unknown_words),
+    ] {
         if count > 0 {
             notes.push(format!("At {} {words}.", counted(count, "value")));
         }

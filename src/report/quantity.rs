@@ -222,7 +222,7 @@ pub fn escape(text: &str) -> String {
 pub(in crate::report) fn coded(text: &str) -> String {
     let parts: Vec<&str> = text.split('`').collect();
     // One alone is a character as any other.
-    if parts.len() % 2 == 0 {
+    if parts.len().is_multiple_of(2) {
         return text.to_owned();
     }
     let part = |(at, part): (usize, &&str)| match at % 2 {

@@ -27,10 +27,13 @@ fn goal(aim: Aim, is_parameter: bool) -> Goal {
     }
 }
 
+/// What is to be best; `None`: the parameter itself.
+type Figure<'f> = Option<&'f dyn Fn(f64) -> f64>;
+
 /// Searches 0 to 10 for `goal` (of the parameter: itself) where `figures` meet `conditions`.
 fn find(
     conditions: &[Condition],
-    aim: Option<(Aim, Option<&dyn Fn(f64) -> f64>)>,
+    aim: Option<(Aim, Figure<'_>)>,
     figures: &dyn Fn(f64) -> Result<Vec<f64>, State>,
 ) -> (Found, usize) {
     let span = Span::parse("a.b=0:10").unwrap();

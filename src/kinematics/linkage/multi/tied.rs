@@ -166,8 +166,6 @@ where
 fn course<const K: usize, N: Number>([value, rate, bend]: [N; 3]) -> Series<K, N> {
     let taylor = [value, rate, bend.scale(0.5)];
     let mut series = Series::fixed(0.0);
-    for k in 0..K {
-        series.0[k] = taylor[k];
-    }
+    series.0[..K].copy_from_slice(&taylor[..K]);
     series
 }
