@@ -36,7 +36,7 @@ type Prepare<'p> = dyn Fn(&[String]) -> Result<Mechanism, Error> + Sync + 'p;
 /// number of places that were looked at, from any thread.
 ///
 /// # Errors
-/// As of [`Scene::find`].
+/// As of [`Scene::find`](super::Scene::find).
 pub(crate) fn find(
     question: &FindQuestion,
     prepare: &Prepare<'_>,

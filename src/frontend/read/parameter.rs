@@ -32,7 +32,7 @@ impl Parameters {
         Self(Arc::new(all))
     }
 
-    /// What a name stands for: see [`Scope::quantity`].
+    /// What a name stands for: see `Scope::quantity`.
     pub(super) fn get(&self, name: &str) -> Option<Option<Measure>> {
         self.0.get(name).map(|one| one.value)
     }

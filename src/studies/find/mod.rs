@@ -3,7 +3,7 @@
 //!
 //! One parameter goes over a range. It is looked at in a number of places first ([`Span`]); where
 //! conditions cease to hold between two of them, the place is narrowed down to one part in 10⁷ of
-//! the range ([`search`]), and where a figure is to be greatest or least, Brent's method goes on
+//! the range ([`search()`]), and where a figure is to be greatest or least, Brent's method goes on
 //! from the best place. What holds only between two neighbouring places can be missed: where a
 //! parabola through three says that a condition is near its limit, its vertex is looked at too.
 //!

@@ -318,7 +318,7 @@ impl<N: Quantity> MultiWorkspace<N> {
     }
 
     /// How far the nearest group is from a singular position, less what rounding leaves
-    /// open, as [`Group`](super::Group) and number: for a dyad of three pins sin² of the
+    /// open, as [`Group`] and number: for a dyad of three pins sin² of the
     /// angle between its links. `None`: there is no group.
     pub(crate) fn margin(&self) -> Option<(usize, f64)> {
         self.known.margin()
