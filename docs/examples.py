@@ -33,8 +33,8 @@ BLOCK = re.compile(r'^```(\w+)(?: title="([^"]+)")?\n(.*?)^```$', re.DOTALL | re
 def pages() -> list[Path]:
     """All pages that are written by hand, those of the tutorial in the order of its steps."""
     order = re.findall(r"[\w/-]+\.md", (ROOT / "docs/mkdocs.yml").read_text(encoding="utf-8"))
-    known = [SITE / page for page in order if not page.startswith("gallery/")]
-    kept = {path for path in SITE.rglob("*.md") if "gallery" not in path.parts}
+    known = [SITE / page for page in order if not page.startswith(("gallery/", "reference/"))]
+    kept = {path for path in SITE.rglob("*.md") if not {"gallery", "reference"} & set(path.parts)}
     if set(known) != kept:
         raise SystemExit(f"not in the navigation, or not there: {kept ^ set(known)}")
     return known

@@ -24,6 +24,8 @@ ROOT = Path(__file__).resolve().parent.parent
 # Command and chart of a group of scenes, or of one; all others are run.
 ASKED = {
     "cams": ("cam", ["Contact force", "Pressure angle"]),
+    # (It has a lift and no disc.)
+    "cams/measured_lift": ("run", ["Contact force N", "Displacement φ"]),
     "kinetostatics": ("forces", ["Dynamic transmission ratio χ"]),
     "linkages/shaper": ("kinematics", ["Displacement U"]),
     "steady": ("steady", ["Angular speed ω", "Angular speed ω of shaft"]),

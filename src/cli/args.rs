@@ -56,7 +56,7 @@ pub(crate) enum Command {
     Run(RunArgs),
     /// Check a scene without running it
     Check(CheckArgs),
-    /// Print the JSON Schema of scenes, for editors
+    /// Print the JSON Schema of scenes, for editors; or the results, units and codes of messages
     Schema(SchemaArgs),
     /// Begin a scene from a template
     New(NewArgs),
@@ -127,6 +127,22 @@ impl Command {
 pub(crate) struct SchemaArgs {
     /// Offer the ids of this scene for `input`, and what its catalogue has for `from`
     pub(crate) scene: Option<PathBuf>,
+    /// What is described; all but scenes as one JSON document
+    #[arg(long, value_name = "WHAT", value_enum, default_value_t = Described::Scenes)]
+    pub(crate) of: Described,
+}
+
+/// What `dam schema` describes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Described {
+    /// The JSON Schema of scenes
+    Scenes,
+    /// Addresses of results, with unit, sign and meaning
+    Results,
+    /// Quantities and units
+    Units,
+    /// Codes of messages, with cause and remedy
+    Codes,
 }
 
 /// Arguments of `dam run`.

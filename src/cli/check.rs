@@ -1,10 +1,10 @@
 //! `dam check` and `dam schema`.
 
 use super::args::{CheckArgs, SchemaArgs};
-use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::status::Status;
+use super::{console, described};
 use crate::ask::Judging;
 use crate::cli::args::scene::SceneArgs;
 use crate::frontend::diagnostics::Diagnostics;
@@ -75,8 +75,19 @@ fn all_warnings(doubts: &Diagnostics, said: &[&String]) -> Vec<Value> {
     all
 }
 
-/// Prints the JSON Schema of scenes, or that of one scene.
+/// Prints the JSON Schema of scenes, or that of one scene; or what else is declared.
 pub(crate) fn print_schema(args: &SchemaArgs) -> Result<Status, Failure> {
+    if let Some(found) = described::document(args.of) {
+        if args.scene.is_some() {
+            return Err(
+                "results, units and codes are the same for every scene: leave the scene out"
+                    .to_owned()
+                    .into(),
+            );
+        }
+        console::data(&schema_text(&found))?;
+        return Ok(Status::Answered);
+    }
     let found = match &args.scene {
         None => schema(&Registry::standard()),
         Some(scene) => {

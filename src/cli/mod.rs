@@ -15,6 +15,7 @@ mod cam;
 mod check;
 mod compare;
 mod console;
+mod described;
 mod expected;
 mod failure;
 mod find;

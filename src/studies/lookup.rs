@@ -17,10 +17,11 @@ use crate::dynamics::system::{Regime, System};
 use crate::fault::Fault;
 use crate::frontend::read::closest;
 use crate::frontend::scene::{
-    AccuracySpec, CAM_FIGURES, Expectation, Expected, STEADY_FIGURES, StudyAddress, TypedScene,
+    AccuracySpec, CAM_FIGURES, Expectation, Expected, Figure, STEADY_FIGURES, StudyAddress,
+    TypedScene,
 };
 use crate::kinematics::cam::DiscCam;
-use crate::units::quantities::FREQUENCY;
+use crate::units::{Quantity, quantities::FREQUENCY};
 use std::f64::consts::TAU;
 
 /// Share of the opening force that is left in contact; no result here depends on it.
@@ -133,14 +134,14 @@ pub fn check(address: &str, model: &Model) -> Option<Result<(), Fault>> {
         StudyAddress::Linkage { .. } => studied::unknown(address, model)
             .map_or(Ok(()), |(message, hint)| Err(Fault::new("", message, hint))),
         StudyAddress::Steady { name } => {
-            let names = || STEADY_FIGURES.iter().map(|figure| figure.0);
+            let names = || STEADY_FIGURES.iter().map(|figure| figure.name);
             match names().any(|known| known == name) {
                 true => Ok(()),
                 false => unknown(did_you_mean("steady.", closest(name, names()))),
             }
         }
         StudyAddress::Cam { object, name } => {
-            let names = || CAM_FIGURES.iter().map(|figure| figure.0);
+            let names = || CAM_FIGURES.iter().map(|figure| figure.name);
             let known = model.objects.iter().any(|part| part.id == object);
             match (known, names().any(|known| known == name)) {
                 (true, true) => Ok(()),
@@ -173,9 +174,9 @@ pub fn unit(address: &str, model: &Model) -> String {
     }
 }
 
-fn unit_in(figures: &[(&str, crate::units::Quantity)], name: &str) -> &'static str {
-    let found = figures.iter().find(|figure| figure.0 == name);
-    match found.map_or("1", |(_, quantity)| quantity.si()) {
+fn unit_in(figures: &[Figure<Quantity>], name: &str) -> &'static str {
+    let found = figures.iter().find(|figure| figure.name == name);
+    match found.map_or("1", |figure| figure.measure.si()) {
         "1" => "",
         unit => unit,
     }

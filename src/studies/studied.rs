@@ -21,7 +21,15 @@ use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
 use crate::units::quantities::{ALL, NUMBER};
 use crate::units::{Mismatch, Quantity, parse};
 
-pub use super::kinematics::POSITIONS;
+pub use super::kinematics::{DescribedFigure, POSITIONS, ends};
+
+/// All results of linkages that a scene can expect, by study.
+pub fn described() -> [(&'static str, Vec<DescribedFigure>); 2] {
+    [
+        ("kinematics", kinematics::described()),
+        ("forces", super::forces::described()),
+    ]
+}
 
 /// Address of a figure.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -20,8 +20,9 @@ const DOCUMENTS: [&str; 5] = [
     "objects/README.md",
 ];
 
-/// Made by running all scenarios, and a course that takes minutes: docs/examples.py executes it.
-const OTHER_PAGES: [&str; 2] = ["gallery", "tutorial"];
+/// Made by running all scenarios, by docs/reference.py, and a course that takes minutes:
+/// docs/examples.py executes it.
+const OTHER_PAGES: [&str; 3] = ["gallery", "reference", "tutorial"];
 
 /// Commands that a test cannot run from within a test, or need not.
 const LEFT_OUT: [&str; 8] = [
@@ -441,8 +442,11 @@ fn links_between_documents_lead_to_files() {
         }
         for address in addresses(&text) {
             count += 1;
-            // Pages of the gallery are made by running the scenarios.
-            if !address.contains("gallery/") && !folder.join(&address).exists() {
+            // Pages of gallery and reference are made by the program.
+            let is_made = ["gallery/", "reference/"]
+                .iter()
+                .any(|made| address.contains(made));
+            if !is_made && !folder.join(&address).exists() {
                 faults.push(format!("{document}: {address}"));
             }
         }

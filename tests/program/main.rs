@@ -1,6 +1,7 @@
 //! The program and what it reads, prints and writes; the scenarios and the documents.
 
 mod accuracy;
+mod answers;
 mod bad_numbers;
 mod browser;
 mod checks;
@@ -21,6 +22,7 @@ mod parameters;
 mod prices;
 mod public;
 mod reduce;
+mod reference;
 mod scenarios;
 mod schema;
 mod shown;

@@ -1,5 +1,6 @@
 //! Every option of every command either changes the answer or is refused with exit status 2.
 
+use super::answers;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -396,6 +397,15 @@ fn answered(command: &str, arguments: &[&str], with_files: bool) -> Result<Answe
     // A form and JSON exclude each other.
     let json = dam(command, &[arguments, &["--json"]].concat());
     let document = serde_json::from_slice(&json.stdout).ok();
+    let faults = document
+        .as_ref()
+        .map(|found| answers::faults(command, found));
+    let faults = faults.unwrap_or_default();
+    assert!(
+        faults.is_empty(),
+        "{command} {arguments:?}: {}",
+        faults.join("\n")
+    );
     if MEASURED.contains(&command) {
         return Ok(Answered {
             text: String::new(),

@@ -192,6 +192,17 @@ fn faults(path: &Path, kind: &Kind, phrases: &[(String, String)]) -> Vec<String>
     found
 }
 
+/// What is wrong with a page that is written as guides are.
+pub(super) fn faults_of_guide(path: &Path) -> Vec<String> {
+    let guide = Kind {
+        files: Vec::new(),
+        mean: 15.0,
+        longest: 30,
+        plain: true,
+    };
+    faults(path, &guide, &phrases())
+}
+
 #[test]
 fn documents_are_written_in_short_sentences() {
     let phrases = phrases();

@@ -4,9 +4,11 @@
 //! Data only; [`Diagnostics::render`] makes the text for people, [`Diagnostics::json`]
 //! the document for programs.
 
+mod codes;
 mod render;
 mod source;
 
+pub use codes::{CODES, Code};
 pub use render::{is_harmful, printable};
 pub use source::{Place, Position, Source, SourceId, Sources};
 

@@ -1,131 +1,17 @@
 //! The `expect` block.
 
+use super::figures::{
+    CAM_FIGURES, OBJECT_FIGURES, RUN_FIGURES, STEADY_FIGURES, STOP_FIGURES, STOPS,
+};
 use super::objects::ObjectTable;
-use super::study_address::{CAM_FIGURES, StudyAddress};
+use super::study_address::StudyAddress;
 use super::{Allowed, Expectation, Expected};
 use crate::dynamics::model::owner_of;
 use crate::frontend::object::Measures;
 use crate::frontend::read::{
     Bounds, Fields, QuantityChoice, Slot, closest, did_you_mean, quoted_list,
 };
-use crate::units::{Quantity, quantities as q};
-
-/// Reasons for which a run may be expected to stop.
-const STOPS: [&str; 14] = [
-    "dead_position",
-    "end_of_travel",
-    "held_at_jump",
-    "jammed",
-    "not_explored",
-    "self_locking",
-    "several_solutions",
-    "no_value",
-    "not_finite",
-    "step_floor",
-    "too_many_switches",
-    "too_many_steps",
-    "wall_clock",
-    "method",
-];
-
-/// A figure's name and what it measures.
-type Figure = (&'static str, fn(Measures) -> QuantityChoice);
-
-/// Figures of an object.
-const OBJECT_FIGURES: &[Figure] = &[
-    ("delta_abs", Measures::displacement),
-    ("delta_max", Measures::displacement),
-    ("delta_min", Measures::displacement),
-    ("sigma", Measures::displacement),
-    ("peak_speed", Measures::speed),
-    ("peak_acceleration", Measures::acceleration),
-    ("peak_reaction", Measures::force),
-    ("final.displacement", Measures::displacement),
-    ("final.speed", Measures::speed),
-    ("pair.separations", |_| q::NUMBER.into()),
-    ("pair.closures", |_| q::NUMBER.into()),
-    ("pair.separated_time", |_| q::TIME.into()),
-    ("pair.longest_separation", |_| q::TIME.into()),
-    ("pair.max_lift", Measures::displacement),
-    ("pair.max_approach_speed", Measures::speed),
-    ("pair.max_contact_force", Measures::force),
-    ("pair.max_indentation", Measures::displacement),
-    ("pair.impacts.count", |_| q::NUMBER.into()),
-    ("pair.impacts.max_impulse", Measures::impulse),
-    ("pair.impacts.loss", |_| q::MOMENT.into()),
-    ("pair.margin", Measures::force),
-    ("pair.in_working_order", |_| q::NUMBER.into()),
-    ("pressing.max_pressure", |_| q::MODULUS.into()),
-    ("pressing.time", |_| q::TIME.into()),
-    ("friction_loss", |_| q::MOMENT.into()),
-    ("standstills", |_| q::NUMBER.into()),
-    ("time_at_rest", |_| q::TIME.into()),
-    ("creep.speed", Measures::speed),
-    ("creep.force", Measures::force),
-    ("creep.limit", Measures::force),
-    ("creep.from", |_| q::TIME.into()),
-    ("creep.until", |_| q::TIME.into()),
-];
-
-/// Figures of a stop, beside those of the mass that it stops.
-const STOP_FIGURES: &[Figure] = &[
-    ("stop.closures", |_| q::NUMBER.into()),
-    ("stop.contact_time", |_| q::TIME.into()),
-    ("stop.max_approach_speed", Measures::speed),
-    ("stop.max_contact_force", Measures::force),
-    ("stop.max_indentation", Measures::displacement),
-    ("stop.impacts.count", |_| q::NUMBER.into()),
-    ("stop.impacts.max_impulse", Measures::impulse),
-    ("stop.impacts.loss", |_| q::MOMENT.into()),
-    ("peak_speed", Measures::speed),
-    ("peak_acceleration", Measures::acceleration),
-    ("peak_reaction", Measures::force),
-    ("final.displacement", Measures::displacement),
-    ("final.speed", Measures::speed),
-];
-
-/// Figures of the run.
-const RUN_FIGURES: &[&str] = &[
-    "time",
-    "steps",
-    "rejected",
-    "evaluations",
-    "switches",
-    "energy_error",
-    "complete",
-];
-
-/// Figures of the steady motion, judged by `dam steady`.
-pub(crate) const STEADY_FIGURES: &[(&str, Quantity)] = &[
-    ("mean_time", q::ANGULAR_SPEED),
-    ("mean_angle", q::ANGULAR_SPEED),
-    ("mean_midrange", q::ANGULAR_SPEED),
-    ("period", q::TIME),
-    ("least_speed", q::ANGULAR_SPEED),
-    ("greatest_speed", q::ANGULAR_SPEED),
-    ("speed_at_start", q::ANGULAR_SPEED),
-    ("fluctuation", q::NUMBER),
-    ("energy_at_start", q::MOMENT),
-    ("reference_energy", q::MOMENT),
-    ("energy_fluctuation", q::MOMENT),
-    ("cycle_work", q::MOMENT),
-    ("balance", q::MOMENT),
-    ("multiplier", q::NUMBER),
-    ("periods", q::NUMBER),
-    ("flywheel", q::INERTIA),
-];
-
-/// Whether a figure of this name may be expected of a stop (true), of any other object (false),
-/// or of the run itself (`None`) whatever computes it.
-#[cfg(feature = "studio")]
-pub(crate) fn is_expectable(name: &str, of_stop: Option<bool>) -> bool {
-    let figures = match of_stop {
-        Some(true) => STOP_FIGURES,
-        Some(false) => OBJECT_FIGURES,
-        None => return ["time", "switches", "complete"].contains(&name),
-    };
-    figures.iter().any(|figure| figure.0 == name)
-}
+use crate::units::quantities as q;
 
 /// Subject of an expectation.
 #[derive(Clone)]
@@ -154,7 +40,7 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
         "stops",
         "Reason for which the run is expected to stop.",
         |slot| {
-            slot.choice(&STOPS.map(|name| (name, name)))
+            slot.choice(&STOPS.map(|(name, _)| (name, name)))
                 .map(About::Stop)
         },
     );
@@ -394,8 +280,8 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
             return None;
         }
         Some(StudyAddress::Cam { object, name }) if known.objects.contains_key(object) => {
-            let found = CAM_FIGURES.iter().find(|figure| figure.0 == name);
-            let quantity = found.map_or(q::NUMBER, |figure| figure.1);
+            let found = CAM_FIGURES.iter().find(|figure| figure.name == name);
+            let quantity = found.map_or(q::NUMBER, |figure| figure.measure);
             return Some(About::Figure(address, quantity.into()));
         }
         _ => {}
@@ -424,18 +310,18 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
         if name.starts_with("first_times.") {
             return Some(About::Figure(address, q::TIME.into()));
         }
-        if RUN_FIGURES.contains(&name) {
-            let wanted = if name == "time" { q::TIME } else { q::NUMBER };
-            return Some(About::Figure(address, wanted.into()));
+        if let Some(found) = RUN_FIGURES.iter().find(|figure| figure.name == name) {
+            return Some(About::Figure(address, found.measure.into()));
         }
-        unknown(slot, "run", name, RUN_FIGURES.iter().copied());
+        let names = RUN_FIGURES.iter().map(|figure| figure.name);
+        unknown(slot, "run", name, names);
         return None;
     }
     if owner == "steady" {
-        if let Some((_, quantity)) = STEADY_FIGURES.iter().find(|figure| figure.0 == name) {
-            return Some(About::Figure(address, (*quantity).into()));
+        if let Some(found) = STEADY_FIGURES.iter().find(|figure| figure.name == name) {
+            return Some(About::Figure(address, found.measure.into()));
         }
-        let names = STEADY_FIGURES.iter().map(|figure| figure.0);
+        let names = STEADY_FIGURES.iter().map(|figure| figure.name);
         unknown(slot, "steady", name, names);
         return None;
     }
@@ -462,14 +348,14 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
     if index.is_some_and(|index| index.parse::<usize>().is_ok()) {
         return Some(About::Figure(address, q::TIME.into()));
     }
-    let found = figures.iter().find(|figure| figure.0 == name);
+    let found = figures.iter().find(|figure| figure.name == name);
     match found {
-        Some((_, measure)) => {
-            let wanted = measure(Measures(coordinate));
+        Some(figure) => {
+            let wanted = (figure.measure)(Measures(coordinate));
             Some(About::Figure(address, wanted))
         }
         None => {
-            unknown(slot, owner, name, figures.iter().map(|figure| figure.0));
+            unknown(slot, owner, name, figures.iter().map(|figure| figure.name));
             None
         }
     }
@@ -523,7 +409,7 @@ fn no_cam_figure(slot: &mut Slot<'_>, known: &ObjectTable, name: &str) {
         slot.refuse("unknown-figure", message).hints.extend(hint);
         return;
     };
-    let names = CAM_FIGURES.iter().map(|figure| figure.0);
+    let names = CAM_FIGURES.iter().map(|figure| figure.name);
     unknown(slot, &format!("cam.{object}"), figure, names);
 }
 

@@ -8,6 +8,7 @@ mod catalogue;
 mod document;
 pub mod edit;
 mod expect;
+mod figures;
 mod folder;
 mod levels;
 mod numbers;
@@ -25,15 +26,15 @@ mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, Layered, NamedBytes};
 pub use document::{Document, Places, Reading};
-pub(crate) use expect::STEADY_FIGURES;
 #[cfg(feature = "studio")]
-pub(crate) use expect::is_expectable;
+pub(crate) use figures::is_expectable;
+pub(crate) use figures::{CAM_FIGURES, Figure, STEADY_FIGURES, described};
 pub use folder::{Folder, read_bounded};
 pub use levels::{Elastic, Levels, in_words};
 pub use numbers::Number;
 pub use overrides::Overrides;
 pub use schema::{schema, schema_of, schema_text};
-pub(crate) use study_address::{CAM_FIGURES, StudyAddress};
+pub(crate) use study_address::StudyAddress;
 pub(crate) use template::Template;
 pub use variation::Variation;
 

@@ -1,19 +1,6 @@
 //! Addresses of results of other studies than the run.
 
-use crate::units::{Quantity, quantities as q};
-
-/// Results of a cam.
-pub(crate) const CAM_FIGURES: &[(&str, Quantity)] = &[
-    ("base_radius", q::LENGTH),
-    ("greatest_contact_force", q::FORCE),
-    ("greatest_pressure_angle", q::ANGLE),
-    ("greatest_torque", q::MOMENT),
-    ("least_concave_radius", q::LENGTH),
-    ("least_pitch_radius", q::LENGTH),
-    ("least_radius", q::LENGTH),
-    ("least_torque", q::MOMENT),
-    ("prime_radius", q::LENGTH),
-];
+use super::figures::CAM_FIGURES;
 
 /// Address of a result of a study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,7 +38,7 @@ impl<'a> StudyAddress<'a> {
             "steady" => Some(Self::Steady { name: rest }),
             "cam" => {
                 let (object, name) = rest.rsplit_once('.')?;
-                let is_cam = CAM_FIGURES.iter().any(|figure| figure.0 == name);
+                let is_cam = CAM_FIGURES.iter().any(|figure| figure.name == name);
                 is_cam.then_some(Self::Cam { object, name })
             }
             "frequency" => {

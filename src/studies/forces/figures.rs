@@ -3,28 +3,86 @@
 use super::{Column, CycleForces, Extremes, ForceStudy, columns, columns_of_inputs};
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
-use crate::studies::kinematics::NamedFigure;
+use crate::studies::kinematics::{DescribedFigure, NamedFigure};
 
-/// Sums over the cycle with their units; `None`: that of the driving force.
-const CYCLE: [(&str, Option<&str>); 8] = [
-    ("duration", Some("s")),
-    ("drive_work", Some("N m")),
-    ("load_work", Some("N m")),
-    ("applied_work", Some("N m")),
-    ("loss", Some("N m")),
-    ("efficiency", Some("")),
-    ("mean_drive", None),
-    ("rms_drive", None),
+/// A sum with its unit (`None`: that of the driving force) and its meaning.
+type Sum = (&'static str, Option<&'static str>, &'static str);
+
+/// Sums over the cycle.
+#[rustfmt::skip]
+const CYCLE: [Sum; 8] = [
+    ("duration", Some("s"), "Duration of the course, > 0."),
+    ("drive_work", Some("N m"), "Work of the driver, positive where it puts energy in."),
+    ("load_work", Some("N m"), "Work of the load on the linkage, negative where it resists."),
+    ("applied_work", Some("N m"), "Work of weights, springs, dampers and forces, the load included."),
+    ("loss", Some("N m"), "Work lost to friction, ≥ 0."),
+    ("efficiency", Some(""), "1 less the loss over the work put in; absent if the course is no cycle."),
+    ("mean_drive", None, "Mean driving force over time; absent with several inputs."),
+    ("rms_drive", None, "Root mean square of the driving force over time, ≥ 0; absent with several inputs."),
 ];
-/// Results of the counterweight, likewise.
-const COUNTERWEIGHT: [(&str, Option<&str>); 6] = [
-    ("mass_radius", Some("kg m")),
-    ("angle", Some("rad")),
-    ("rms_without", Some("N")),
-    ("rms_with", Some("N")),
-    ("greatest_without", Some("N")),
-    ("greatest_with", Some("N")),
+/// Results of the counterweight.
+#[rustfmt::skip]
+const COUNTERWEIGHT: [Sum; 6] = [
+    ("mass_radius", Some("kg m"), "Mass times distance from the pivot of the best counterweight, ≥ 0."),
+    ("angle", Some("rad"), "Direction of the counterweight from the pivot, in the frame of its link."),
+    ("rms_without", Some("N"), "Root mean square of the shaking force without the counterweight, ≥ 0."),
+    ("rms_with", Some("N"), "Root mean square of the shaking force with it, ≥ 0."),
+    ("greatest_without", Some("N"), "Greatest shaking force without it, ≥ 0."),
+    ("greatest_with", Some("N"), "Greatest shaking force with it, ≥ 0."),
 ];
+/// SI units of driving forces.
+const DRIVE: &[&str] = &["N m", "N"];
+/// Extremes of the columns that are results, with their units and meaning.
+#[rustfmt::skip]
+const EXTREMES: [(&str, &[&str], &str); 17] = [
+    ("drive", DRIVE, "Driving moment or force, positive in the direction of the input."),
+    ("drive.INPUT", DRIVE, "The same of one of several inputs."),
+    ("power.INPUT", &["W"], "Power of the driver of one of several inputs, positive where it puts energy in."),
+    ("ratio", &["1", "m", "1/m"], "Kinematic ratio: displacement of the loaded output per unit of the input."),
+    ("chi", &["1", "m", "1/m"], "Dynamic transmission ratio χ: driving force over load, with the sign of the convention."),
+    ("PAIR.force", &["N"], "Size of the joint reaction, friction included, ≥ 0."),
+    ("PAIR.n1", &["N"], "Normal force at the first corner of a block, positive to the left of its direction."),
+    ("PAIR.n2", &["N"], "Normal force at the second corner of a block, positive to the left of its direction."),
+    ("PAIR.couple", &["N m"], "Couple of a rigid joint on its second link, counterclockwise."),
+    ("COUPLING.force", &["N"], "Circumferential force of a coupling of two links; of a cam the force on the roller, positive: it presses."),
+    ("power.drive", &["W"], "Power of all drivers, positive where they put energy in."),
+    ("power.loss", &["W"], "Power lost to friction, ≥ 0."),
+    ("efficiency", &["1"], "Efficiency at an instant: 1 less the loss over the power that flows in."),
+    ("shaking.force", &["N"], "Size of the shaking force: inertia of the links on the frame, ≥ 0."),
+    ("shaking.moment", &["N m"], "Shaking moment about the origin of the ground, counterclockwise."),
+    ("frame.force", &["N"], "Size of the force of all joints on the frame, ≥ 0."),
+    ("frame.moment", &["N m"], "Moment of all joints on the frame about the origin of the ground, counterclockwise."),
+];
+/// Results beside extremes and sums.
+#[rustfmt::skip]
+const OTHERS: [(&str, &[&str], &str); 4] = [
+    ("cycle.losses.PAIR", &["N m"], "Work lost in this joint, ≥ 0."),
+    ("zones.count", &["1"], "Number of zones of the course without forces or with self-locking."),
+    ("zones.N.from", &["rad", "m", "s"], "Start of zone N, counted from 0: input coordinate or time."),
+    ("zones.N.to", &["rad", "m", "s"], "End of zone N."),
+];
+
+/// All results that forces can have, with units and meaning.
+pub fn described() -> Vec<DescribedFigure> {
+    let mut all = Vec::new();
+    for (name, units, meaning) in EXTREMES {
+        all.push(DescribedFigure::new(&format!("{name}.END"), units, meaning));
+    }
+    for (owner, sums) in [("cycle", &CYCLE[..]), ("counterweight", &COUNTERWEIGHT[..])] {
+        for (name, unit, meaning) in sums {
+            let units: &[&str] = match unit {
+                Some("") => &["1"],
+                Some(unit) => &[*unit],
+                None => DRIVE,
+            };
+            let address = format!("{owner}.{name}");
+            all.push(DescribedFigure::new(&address, units, meaning));
+        }
+    }
+    let others = OTHERS.map(|(name, units, meaning)| DescribedFigure::new(name, units, meaning));
+    all.extend(others);
+    all
+}
 
 /// All figures that a study of this linkage can have, but those of its zones
 /// (`zones.0.from`), whose number is not known before; `place`: the unit of places on the
@@ -33,7 +91,7 @@ pub fn figures(linkage: &LinkageSpec, output: Option<usize>, place: &str) -> Vec
     let columns = columns(linkage, output);
     let drive = columns.iter().find(|column| column.name == "drive");
     let drive = drive.map_or("", |column| column.unit.as_str());
-    let sum = |(name, unit): (&str, Option<&str>), of: &str| {
+    let sum = |(name, unit, _): Sum, of: &str| {
         NamedFigure::new(format!("{of}.{name}"), unit.unwrap_or(drive))
     };
     let mut all = of_columns(&columns, linkage, place);
@@ -46,7 +104,7 @@ pub fn figures(linkage: &LinkageSpec, output: Option<usize>, place: &str) -> Vec
 pub fn figures_of_inputs(spec: &MultiSpec, place: &str) -> Vec<NamedFigure> {
     let mut all = of_columns(&columns_of_inputs(spec), &spec.linkage, place);
     // There is no one driving force that has a mean.
-    let sums = CYCLE.into_iter().filter_map(|(name, unit)| {
+    let sums = CYCLE.into_iter().filter_map(|(name, unit, _)| {
         let unit = unit?;
         Some(NamedFigure::new(format!("cycle.{name}"), unit))
     });

@@ -24,7 +24,7 @@ pub use counterweight::Counterweight;
 pub use course::{Course, Instant, PositionSource};
 pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
-pub use figures::{figures, figures_of_inputs};
+pub use figures::{described, figures, figures_of_inputs};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
 pub use multi_input::{SeveralDrives, multi_input_forces};
 pub use open::Rests;

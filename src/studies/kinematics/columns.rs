@@ -134,6 +134,57 @@ impl Quantity {
         }
     }
 
+    /// SI units of the quantity itself, of something whose own units are these.
+    pub(super) fn own_units<'a>(self, own: &'a [&'a str]) -> &'a [&'a str] {
+        match self {
+            Self::GuideDirection => &["rad"],
+            _ => own,
+        }
+    }
+
+    /// Meaning in a few words, with the sign.
+    #[rustfmt::skip]
+    pub(super) fn meaning(self) -> &'static str {
+        match self {
+            Self::Displacement => "Displacement",
+            Self::Speed => "Speed of the displacement",
+            Self::Acceleration => "Acceleration of the displacement",
+            Self::First => "First transfer function: derivative by the input",
+            Self::Second => "Second transfer function: second derivative by the input",
+            Self::Third => "Third transfer function: third derivative by the input",
+            Self::Angle => "Angle of the frame of the link, counterclockwise, continuous",
+            Self::AngularSpeed => "Angular speed of the link, counterclockwise",
+            Self::AngularAcceleration => "Angular acceleration of the link, counterclockwise",
+            Self::X => "x of the point in the frame of the ground",
+            Self::Y => "y of the point in the frame of the ground",
+            Self::SpeedX => "x component of its speed",
+            Self::SpeedY => "y component of its speed",
+            Self::SpeedSize => "Size of its speed, ≥ 0",
+            Self::AccelerationX => "x component of its acceleration",
+            Self::AccelerationY => "y component of its acceleration",
+            Self::AccelerationSize => "Size of its acceleration, ≥ 0",
+            Self::AccelerationAlong => "Acceleration along its path; positive: it becomes faster",
+            Self::AccelerationAcross => "Acceleration across its path; positive: to the left of its motion",
+            Self::CurvatureRadius => "Radius of curvature of its path; positive: the path bends to the left",
+            Self::InstantCentreX => "x of the instant centre of the link; absent where it does not turn",
+            Self::InstantCentreY => "y of the instant centre of the link; absent where it does not turn",
+            Self::FirstX => "First transfer function of x",
+            Self::FirstY => "First transfer function of y",
+            Self::SecondX => "Second transfer function of x",
+            Self::SecondY => "Second transfer function of y",
+            Self::ThirdX => "Third transfer function of x",
+            Self::ThirdY => "Third transfer function of y",
+            Self::GuideDirection => "Direction of the guide in the plane, counterclockwise",
+            Self::RelativeSpeed => "Speed of the block along its guide",
+            Self::RelativeAcceleration => "Acceleration of the block along its guide",
+            Self::TransportSpeedAlong => "Speed of the guide's point under the block, along the guide",
+            Self::TransportSpeedAcross => "Speed of the guide's point under the block, 90° to the left of the guide",
+            Self::TransportAccelerationAlong => "Acceleration of the guide's point under the block, along the guide",
+            Self::TransportAccelerationAcross => "Acceleration of the guide's point under the block, 90° to the left of the guide",
+            Self::CoriolisAcceleration => "Coriolis acceleration 2·ω·v_r, 90° to the left of the guide",
+        }
+    }
+
     fn shape(self) -> Unit {
         match self {
             Self::Displacement

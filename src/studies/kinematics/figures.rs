@@ -4,15 +4,46 @@ use super::columns::{Heading, headings, name, unit_of};
 use super::{Extremes, Kinematics, KinematicsRequest, Over};
 use crate::kinematics::linkage::spec::LinkageSpec;
 
-/// Ends of a quantity: value and place.
-const ENDS: [&str; 4] = ["least", "greatest", "least_at", "greatest_at"];
-/// What is told of a stroke.
-const STROKE: [&str; 4] = [
-    "stroke",
-    "time_ratio",
-    "input_while_rising",
-    "input_while_falling",
+/// Ends of a quantity, value and place, with their meaning.
+pub(super) const ENDS: [(&str, &str); 4] = [
+    ("least", "least value over the course"),
+    ("greatest", "greatest value over the course"),
+    (
+        "least_at",
+        "place of the least value: input coordinate or time",
+    ),
+    (
+        "greatest_at",
+        "place of the greatest value: input coordinate or time",
+    ),
 ];
+/// Results of a stroke, with their meaning.
+pub(super) const STROKE: [(&str, &str); 4] = [
+    (
+        "stroke",
+        "Distance between the ends of the displacement, ≥ 0",
+    ),
+    (
+        "time_ratio",
+        "Longer over shorter of the times of rise and return, ≥ 1",
+    ),
+    (
+        "input_while_rising",
+        "Motion of the input during the rise, ≥ 0",
+    ),
+    (
+        "input_while_falling",
+        "Motion of the input during the return, ≥ 0",
+    ),
+];
+/// Ends of the range of motion, with their meaning.
+pub(super) const LIMITS: [(&str, &str); 2] = [
+    ("lower", "Lower end of the range of motion of the input"),
+    ("upper", "Upper end of the range of motion of the input"),
+];
+/// Meaning of a transmission angle.
+pub(super) const TRANSMISSION: &str =
+    "Transmission angle at the link, in its group, between 0 and 90 deg.";
 
 /// A figure that a study can have.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -39,7 +70,7 @@ impl NamedFigure {
         unit: &'a str,
         place: &'a str,
     ) -> impl Iterator<Item = Self> + 'a {
-        ENDS.into_iter().map(move |end| {
+        ENDS.into_iter().map(move |(end, _)| {
             let unit = if end.ends_with("_at") { place } else { unit };
             Self::new(format!("{quantity}.{end}"), unit)
         })
@@ -98,13 +129,15 @@ pub(super) fn figures_of(
     for (owner, unit) in outputs.chain(slides) {
         let units = [unit, "", places.input, places.input];
         let strokes = STROKE.into_iter().zip(units);
-        all.extend(strokes.map(|(what, unit)| NamedFigure::new(format!("{owner}.{what}"), unit)));
+        all.extend(
+            strokes.map(|((what, _), unit)| NamedFigure::new(format!("{owner}.{what}"), unit)),
+        );
     }
     for link in &spec.links {
         let owner = format!("transmission_angles.{}", link.name);
         all.extend(NamedFigure::ends(&owner, "rad", places.rows));
     }
-    let limits = ["limits.lower", "limits.upper"];
+    let limits = LIMITS.map(|(end, _)| format!("limits.{end}"));
     all.extend(limits.map(|name| NamedFigure::new(name, places.limits)));
     all
 }
@@ -118,7 +151,7 @@ impl Kinematics {
     pub fn figure(&self, name: &str) -> Option<f64> {
         let (owner, what) = name.rsplit_once('.')?;
         if owner == "limits" {
-            let index = ["lower", "upper"].iter().position(|end| *end == what)?;
+            let index = LIMITS.iter().position(|(end, _)| *end == what)?;
             return self.limits.get(index).map(|limit| limit.at);
         }
         if let Some(link) = owner.strip_prefix("transmission_angles.") {

@@ -6,6 +6,7 @@
 //! and finds extremes, errors and warnings.
 
 mod columns;
+mod described;
 mod equilibria;
 mod extremes;
 mod figures;
@@ -18,6 +19,7 @@ mod summary;
 mod values;
 
 pub use columns::Quantity;
+pub use described::{DescribedFigure, described, ends};
 pub use equilibria::Equilibrium;
 pub use figures::NamedFigure;
 pub use multi_input::{AskedSeveral, multi_input_kinematics};

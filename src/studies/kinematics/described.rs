@@ -1,0 +1,98 @@
+//! The results of kinematics with their addresses, units and meaning, for people.
+
+use super::columns::{CENTRE, LINK, OUTPUT, POINT, Quantity, SLIDE, heading};
+use super::figures::{ENDS, LIMITS, STROKE, TRANSMISSION};
+
+/// SI units of what turns or slides.
+const BOTH: &[&str] = &["rad", "m"];
+
+/// A result whose address has names of the scene in it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DescribedFigure {
+    /// Address within the study. Words in capitals stand for names of the scene or for a
+    /// number; END stands for one of [`ends`].
+    pub address: String,
+    /// SI units that it can have; `1` of a pure number.
+    pub units: Vec<String>,
+    /// Meaning, with the sign.
+    pub meaning: String,
+}
+
+impl DescribedFigure {
+    /// A result of this address.
+    pub(in crate::studies) fn new(address: &str, units: &[&str], meaning: &str) -> Self {
+        Self {
+            address: address.to_owned(),
+            units: units.iter().map(|unit| (*unit).to_owned()).collect(),
+            meaning: meaning.to_owned(),
+        }
+    }
+}
+
+/// What END of an address stands for, with the meaning.
+pub fn ends() -> &'static [(&'static str, &'static str)] {
+    &ENDS
+}
+
+/// Extremes of a quantity of something whose own unit is one of `own`.
+fn extremes(owner: &str, quantity: Quantity, own: &[&str], by: &str) -> DescribedFigure {
+    let mut units: Vec<String> = Vec::new();
+    for own in own {
+        for input in BOTH {
+            let unit = heading(owner, quantity, own, input).unit;
+            if !units.contains(&unit) {
+                units.push(unit);
+            }
+        }
+    }
+    DescribedFigure {
+        address: format!("{owner}.{}{by}.END", quantity.name()),
+        units,
+        meaning: format!("{}.", quantity.meaning()),
+    }
+}
+
+/// All results that kinematics can have.
+pub fn described() -> Vec<DescribedFigure> {
+    let mut all = Vec::new();
+    let mut add = |owner: &str, quantities: &[Quantity], own: &[&str], by: &str| {
+        let one = |quantity: &Quantity| extremes(owner, *quantity, quantity.own_units(own), by);
+        all.extend(quantities.iter().map(one));
+    };
+    add("input", &OUTPUT[..3], BOTH, "");
+    add("OUTPUT", &OUTPUT, BOTH, "");
+    add("links.LINK", &LINK, &["rad"], "");
+    add("links.LINK", &CENTRE, &["m"], "");
+    add("links.LINK.POINT", &POINT, &["m"], "");
+    add("pairs.PAIR", &SLIDE, &["m"], "");
+    // Of several inputs: each has its name, and a transfer function that of its input.
+    add("INPUT", &OUTPUT[..3], BOTH, "");
+    add("OUTPUT", &[Quantity::First], BOTH, ".INPUT");
+    add("links.LINK", &[Quantity::First], &["rad"], ".INPUT");
+    add("pairs.PAIR", &[Quantity::First], &["m"], ".INPUT");
+    let point = [Quantity::FirstX, Quantity::FirstY];
+    add("links.LINK.POINT", &point, &["m"], ".INPUT");
+    for (owner, own) in [("OUTPUT", BOTH), ("pairs.PAIR", &["m"])] {
+        for (what, meaning) in STROKE {
+            let units = match what {
+                "stroke" => own,
+                "time_ratio" => &["1"],
+                _ => BOTH,
+            };
+            let address = format!("{owner}.{what}");
+            let meaning = format!("{meaning}.");
+            all.push(DescribedFigure::new(&address, units, &meaning));
+        }
+    }
+    let angle = "transmission_angles.LINK.END";
+    all.push(DescribedFigure::new(angle, &["rad"], TRANSMISSION));
+    for (end, meaning) in LIMITS {
+        let meaning = format!("{meaning}.");
+        all.push(DescribedFigure::new(
+            &format!("limits.{end}"),
+            BOTH,
+            &meaning,
+        ));
+    }
+    all
+}
