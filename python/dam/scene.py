@@ -388,7 +388,7 @@ class Scene:
 
         `vary`: the parameter and its range, `"camshaft.motion.speed=800:1600 rpm"`; with
         `:65` behind it another number of values that are looked at first, with `:log` equal
-        ratios between them. `subject`: conditions, `"valve.pair.margin >= 50 N"`.
+        ratios between them. `subject`: conditions, `"valve.delta_abs <= 0.2 mm"`.
         `maximize` or `minimize`: the parameter itself, or a figure; without either the ranges
         in which the conditions hold are found. Results do not depend on `threads`."""
         if maximize is not None and minimize is not None:

@@ -20,7 +20,7 @@ pub struct FindQuestion {
     /// The parameter and its range: `shaft.motion.speed=100:900 rpm`, with `:PLACES` for another
     /// number of places that are looked at first, and `:log` for equal ratios between them.
     pub vary: String,
-    /// Conditions on figures: `valve.pair.margin >= 50 N`.
+    /// Conditions on figures: `valve.delta_abs <= 0.2 mm`.
     pub subject: Vec<String>,
     /// Which end is sought, and of what: the address of the parameter, or of a figure. `None`: all
     /// ranges in which the conditions hold.

@@ -155,8 +155,9 @@ pub(crate) struct RunArgs {
     /// Columns of the record, in place of what the scene says: `all` adds every mass and link
     #[arg(long, value_enum, value_name = "COLUMNS")]
     pub(crate) record: Option<Columns>,
-    /// What charts and record.csv are over: time, angle (of the first drive that turns, counted on),
-    /// turns (over each other, 0 to 360 deg), last-turn; of another drive: angle:shaft
+    /// What charts are over: time, angle (of the first drive that turns, counted on), turns (over
+    /// each other, 0 to 360 deg), last-turn; of another drive: angle:shaft. Record.csv then begins
+    /// with the angle, counted on
     #[arg(long, value_name = "time|angle|turns|last-turn")]
     pub(crate) abscissa: Option<String>,
     /// Also run with loads changed by one part in 10¹⁰ and show how far each figure moves

@@ -57,9 +57,13 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
             .iter()
             .map(Verified::count)
             .fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
-        let scenes = counted(all.len(), "scene");
+        let scenes = counted(all.len() - wrong.len(), "scene");
+        let refused = match wrong.len() {
+            0 => String::new(),
+            count => format!("; {} refused", counted(count, "scene")),
+        };
         console::print_message(&format!(
-            "{held} of {} in {scenes} hold",
+            "{held} of {} in {scenes} hold{refused}",
             counted(count, "requirement")
         ));
         if !expects && wrong.is_empty() {

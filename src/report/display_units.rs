@@ -54,18 +54,26 @@ impl DisplayUnits {
 
     /// The units that a scene's text uses, of each quantity the one that it uses most.
     pub fn of_scene(text: &str) -> Self {
+        let Ok(scene) = serde_json::from_str::<Value>(text) else {
+            return Self::NONE;
+        };
+        let mut chosen = Self::NONE;
+        chosen.add_most_used(&scene);
+        // What is expected may come from elsewhere, and counts where nothing else does.
+        chosen.add_most_used(&scene["expect"]);
+        chosen
+    }
+
+    /// Adds the units of a text, those that it uses most first.
+    fn add_most_used(&mut self, text: &Value) {
         let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-        if let Ok(scene) = serde_json::from_str(text) {
-            count(&scene, &mut counts);
-        }
+        count(text, &mut counts);
         let mut names: Vec<(String, usize)> = counts.into_iter().collect();
         // (Of equals the first by name.)
         names.sort_by_key(|name| std::cmp::Reverse(name.1));
-        let mut chosen = Self::NONE;
         for (name, _) in names {
-            chosen.add(&name);
+            self.add(&name);
         }
-        chosen
     }
 
     /// The units of a list: `mm,deg,rpm,kN`.
@@ -154,7 +162,6 @@ fn count(value: &Value, counts: &mut BTreeMap<String, usize>) {
         }
         Value::Array(values) => values.iter().for_each(|value| count(value, counts)),
         Value::Object(entries) => {
-            // What a scene expects, and how it is run, says nothing of how it is read.
             let own = entries.iter().filter(|(name, _)| *name != "expect");
             own.for_each(|(_, value)| count(value, counts));
         }

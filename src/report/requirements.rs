@@ -76,6 +76,8 @@ fn row(one: &Requirement) -> Vec<Cell> {
     let (words, why) = match (&one.not_judged, one.verdict.holds) {
         (Some(why), _) => ("not judged", why.as_str()),
         (None, true) => ("holds", ""),
+        // What has no value fails, and says why.
+        (None, false) if one.verdict.found.is_none() => ("fails", one.verdict.message.as_str()),
         (None, false) => ("fails", ""),
     };
     let source = one.verdict.source.as_deref().unwrap_or("");

@@ -1,4 +1,4 @@
-//! Conditions on figures as a command line has them: `valve.pair.margin >= 50 N`.
+//! Conditions on figures as a command line has them: `valve.delta_abs <= 0.2 mm`.
 //!
 //! The same grammar serves every command that takes conditions: the address of a figure, one of
 //! `<=`, `>=` and `=`, and a value in any unit of what the figure measures. Strict comparisons
@@ -12,7 +12,7 @@ use serde::Serialize;
 
 /// What a condition looks like, for messages.
 const FORM: &str = "write FIGURE >= VALUE UNIT, FIGURE <= VALUE UNIT or FIGURE = VALUE UNIT, for \
-                    example \"valve.pair.margin >= 50 N\"";
+                    example \"valve.delta_abs <= 0.2 mm\"";
 
 /// Figures that count or answer, by the last part of their addresses: they have no value between
 /// two others.

@@ -230,11 +230,19 @@ impl<'f> Csv<'f> {
         column: &Column<'_>,
         wanted: QuantityChoice,
     ) -> Result<(), Box<Diagnostic>> {
+        let hint = format!("it is {}", wanted.words());
         if column.unit.is_empty() {
-            return Ok(());
+            // (A file in degrees would be read as radians, and nobody would see it.)
+            if parse("1").is_ok_and(|bare| wanted.accept(bare).is_ok()) {
+                return Ok(());
+            }
+            let message = format!("the column `{}` has no unit", column.name);
+            let fault = Diagnostic::error("missing-unit", message);
+            let fault = fault.at(self.place(column.range.clone()));
+            let write = format!("write it behind the name: {} [deg]", column.name);
+            return Err(Box::new(fault.hint(hint).hint(write)));
         }
         let place = column.unit_at..column.unit_at + column.unit.len();
-        let hint = format!("it is {}", wanted.words());
         let Ok(measure) = parse(&format!("1 {}", column.unit)) else {
             let message = format!("unknown unit `{}`", column.unit);
             return Err(Box::new(self.fault(message, place).hint(hint)));

@@ -7,7 +7,7 @@ use crate::report::csv::{Field, Rows};
 use crate::report::findings::table::judged;
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series, Shape};
-use crate::report::quantity::significant;
+use crate::report::quantity::{significant, with_unit};
 use crate::report::verdict::{Verdict, capitalised};
 use crate::studies::check::Check;
 use crate::studies::judgement::Judgement;
@@ -192,8 +192,8 @@ pub fn periodic_findings<'a>(
     sections.push(Section::new(start).item(Item::Folded("all coordinates".into(), state)));
     let subtitle = match &answer.drive {
         Some(drive) => format!(
-            "steady motion on its motor, mean speed {} rad/s, δ = {}",
-            significant(drive.means.time, 6),
+            "steady motion on its motor, mean speed {}, δ = {}",
+            with_unit(drive.means.time, "rad/s", 6),
             significant(drive.fluctuation, 5)
         ),
         None => "periodic motion behind the drive and its stability".to_owned(),
