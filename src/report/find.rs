@@ -118,7 +118,7 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
     };
     let open = match (found.complete, found.certain) {
         (false, _) => "Ended before everything was looked at.",
-        (true, false) => "Not certain: at places marked as not to be trusted nothing is known.",
+        (true, false) => "Not certain: something that is not known could change it.",
         (true, true) => "",
     };
     (
@@ -144,12 +144,13 @@ fn range(answer: &FoundValue, [from, to]: [&End; 2]) -> String {
 /// What keeps the answer from being better, as a sentence.
 fn why_no_better(answer: &FoundValue, best: &Best) -> String {
     let Some(limit) = &best.limit else {
-        return "No condition binds: the figure itself has its extreme there.".to_owned();
+        let goal = answer.goal.as_ref().map_or("best", |goal| goal.aim.words());
+        return format!("No condition binds: it is the {goal} of the values that were looked at.");
     };
     let words = limit_words(answer, limit);
     match limit {
         Limit::Range => format!("{}: a wider range may give more.", capitalised(&words)),
-        Limit::Conditions(_) | Limit::State(_) | Limit::Equality(_) => {
+        Limit::Conditions(_) | Limit::State(_) | Limit::Equality(_) | Limit::Abrupt => {
             format!("{}.", capitalised(&words))
         }
     }
@@ -168,6 +169,7 @@ fn limit_words(answer: &FoundValue, limit: &Limit) -> String {
         }
         Limit::Equality(at) => format!("there {} holds", answer.conditions[*at].text),
         Limit::State(state) => format!("beyond it {}", state_words(state)),
+        Limit::Abrupt => "the figure jumps there or has no bound".to_owned(),
     }
 }
 
@@ -255,7 +257,13 @@ fn judged(answer: &FoundValue, one: &Sample) -> Cell {
     if one.state != State::Computed {
         return Cell::from(state_words(&one.state)).judged(Some(false));
     }
-    match one.violated(&answer.conditions).is_empty() {
+    // Of an equality the ranges know where it is met.
+    let within = answer
+        .found
+        .ranges
+        .iter()
+        .any(|range| (range.from.sample.share..=range.to.sample.share).contains(&one.share));
+    match within {
         true => Cell::from("hold").judged(Some(true)),
         false => Cell::from("do not hold").judged(Some(false)),
     }
@@ -360,7 +368,7 @@ fn notes(answer: &FoundValue) -> Vec<String> {
             "All {looked} of {} in the range were looked at.",
             axis.path
         ));
-    } else {
+    } else if found.complete {
         let apart = found.best.as_ref().map_or(0.5, |best| best.sample.share);
         let apart = parameter(answer, answer.span.spacing(apart), 2);
         notes.push(format!(

@@ -4,7 +4,7 @@
 use crate::dynamics::record::{CreepFigures, Figures, PairFigures, Units};
 use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
-use crate::studies::judgement::{Ending, Judgement, checks, ending};
+use crate::studies::judgement::{Ending, Judgement, checks, ending, is_unchecked};
 
 /// Sort of a verdict: good news, bad news, or neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -169,6 +169,9 @@ fn pairs(figures: &Figures, judgement: Judgement) -> Sentence {
         .filter_map(|(id, pair)| complaint(id, pair, units(figures, id)))
         .collect();
     let missing = match (judgement, &figures.run.window_missing) {
+        (Judgement::NotJudged, _) if is_unchecked(figures) => {
+            " The tolerance is too coarse to check the equations of motion.".to_owned()
+        }
         (Judgement::NotJudged, Some(why)) => format!(" No steady window: {why}."),
         _ => String::new(),
     };

@@ -204,26 +204,20 @@ fn parameter_unit(path: &str, model: &Model) -> &'static str {
     let part = model.objects.iter().find(|part| part.id == id);
     let turning = part.is_none_or(|part| part.coordinate == Coordinate::Turning);
     let either = |turned, slid| if turning { turned } else { slid };
-    // Coordinates of points: `links.rod.points.C.0`, `ground.O[1]`.
-    if [".points.", "ground."]
-        .iter()
-        .any(|part| rest.contains(part))
-    {
-        return "m";
-    }
-    match rest.rsplit('.').next().unwrap_or(rest) {
-        // A named parameter may measure anything.
-        _ if id == "parameters" => "",
-        "inertia" => either("kg m²", "kg"),
-        "mass" => "kg",
-        "moment_of_inertia" => "kg m²",
-        "moment" => "kg m²",
-        "stiffness" | "rate" => either("N m/rad", "N/m"),
-        "damping" => either("N m s/rad", "N s/m"),
-        "constant" | "preload" | "friction" => either("N m", "N"),
-        "gap" | "lift" => either("rad", "m"),
-        "speed" => either("rad/s", "m/s"),
-        "duration" => "s",
+    let parts: Vec<&str> = rest.split('.').collect();
+    // (What is nested deeper may measure anything.)
+    match parts.as_slice() {
+        ["ground", ..] | ["links", _, "points", ..] => "m",
+        ["inertia"] => either("kg m²", "kg"),
+        ["mass"] | ["links", _, "mass"] => "kg",
+        ["moment"] | ["links", _, "moment"] => "kg m²",
+        ["stiffness"] => either("N m/rad", "N/m"),
+        ["damping"] => either("N m s/rad", "N s/m"),
+        ["loads", _, "constant"] => either("N m", "N"),
+        ["pair", "gap"] => either("rad", "m"),
+        ["position", "cam", "lift"] => either("rad", "m"),
+        ["motion", "speed"] => either("rad/s", "m/s"),
+        ["duration"] => "s",
         _ => "",
     }
 }

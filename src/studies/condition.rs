@@ -69,6 +69,9 @@ pub struct Condition {
     /// The unit in which the value was written.
     #[serde(skip)]
     pub written: WrittenUnit,
+    /// True: the figure keeps a value over a range, as counts do.
+    #[serde(skip)]
+    pub kept: bool,
 }
 
 /// A unit as it was written.
@@ -99,6 +102,7 @@ impl Condition {
             value,
             unit,
             written,
+            kept: false,
         })
     }
 
@@ -131,6 +135,9 @@ impl Condition {
     }
 
     fn is_count(&self) -> bool {
+        if self.kept {
+            return true;
+        }
         let name = self.figure.rsplit('.').next().unwrap_or_default();
         COUNTS.contains(&name)
     }

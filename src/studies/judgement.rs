@@ -69,7 +69,11 @@ impl Judgement {
         // What stops at its very start, as by self-locking, leaves nothing to check.
         let at_start = made.ending == Ending::OfMechanism && made.time <= 0.0;
         let checks = if at_start { &[] } else { made.checks };
-        Self::decide(made.ending, checks, || Self::of_objects(objects))
+        let judged = Self::decide(made.ending, checks, || Self::of_objects(objects));
+        match checks.iter().any(is_vacuous) {
+            true => judged.uncertified(),
+            false => judged,
+        }
     }
 
     /// The one rule by which every result is judged: how its computation ended and its checks
@@ -136,6 +140,23 @@ impl Judgement {
         }
     }
 }
+
+/// Share of its terms that an equation of motion may leave open and still say something: with a
+/// greater bound no motion would fail the check.
+const TELLING: f64 = 0.5;
+
+/// Whether a check says nothing, since its bound is too wide: the tolerance is too coarse.
+fn is_vacuous(check: &Check) -> bool {
+    check.name == EQUATIONS && check.bound >= TELLING
+}
+
+/// Whether the equations of motion of a run were not checked for want of a fine tolerance.
+pub fn is_unchecked(figures: &Figures) -> bool {
+    checks(figures).iter().any(is_vacuous)
+}
+
+/// Name of the check of the equations of motion.
+const EQUATIONS: &str = "equations of motion";
 
 /// How a run was made, for its verdict.
 #[derive(Clone, Copy, Debug)]
@@ -237,7 +258,7 @@ impl Errors {
                 bound: EnergyAudit::bound(self.tolerance),
             },
             Check {
-                name: "equations of motion",
+                name: EQUATIONS,
                 value: self.equations[0],
                 bound: self.equations[1],
             },

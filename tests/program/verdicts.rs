@@ -197,3 +197,30 @@ fn a_run_that_spent_its_budget_is_not_judged_in_any_output() {
         assert!(!said.contains("not to be trusted"), "{said}");
     }
 }
+
+/// At a tolerance of 0.1 the bound of the check is wider than any defect: 65 separations are
+/// missed, and nothing may certify that.
+#[test]
+fn a_tolerance_too_coarse_to_be_checked_certifies_nothing() {
+    let run = |tolerance: &str| {
+        let set = format!("run.tolerance={tolerance}");
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_dam"))
+            .args([
+                "run",
+                "scenarios/rocker/two_masses.json",
+                "--json",
+                "--set",
+                &set,
+            ])
+            .args(["--set", "run.method=dop853"])
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let separations = &found["objects"]["rocker"]["pair"]["separations"];
+        (found["verdict"].clone(), separations.as_u64().unwrap())
+    };
+    let (coarse, few) = run("0.1");
+    assert!(coarse != "in_working_order" && few < 65, "{coarse} {few}");
+    assert_eq!(run("1e-6"), ("not_in_working_order".into(), 65));
+}

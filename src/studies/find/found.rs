@@ -15,6 +15,8 @@ pub enum Limit {
     State(State),
     /// An equality is met here alone.
     Equality(usize),
+    /// The figure jumps here, or has no bound.
+    Abrupt,
 }
 
 /// An end of a range in which all conditions hold.

@@ -17,6 +17,10 @@ const LOCATED: f64 = 1e-5;
 const JUMP: f64 = 1e-4;
 /// Rounds in which vertices of parabolas are looked at.
 const ROUNDS: u32 = 2;
+/// Distance from an extreme, over that of its neighbours, at which a smooth figure has changed by no
+/// more than this part of how much it changes up to them: by the square of it.
+const BESIDE: f64 = 1e-3;
+const SMOOTH: f64 = 0.02;
 /// Most extremes of a figure that are followed.
 const EXTREMES: usize = 3;
 /// Places about the answer that are looked at, as shares of the range.
@@ -37,13 +41,14 @@ pub fn search(
 ) -> Found {
     let mut search = RangeSearch {
         span,
-        conditions,
+        conditions: conditions.to_vec(),
         goal,
         evaluate,
         samples: Vec::new(),
         complete: true,
     };
     search.look(span.shares());
+    search.keep_values();
     if !span.whole {
         for _ in 0..ROUNDS {
             search.look(search.near_limits());
@@ -71,7 +76,7 @@ pub fn search(
 
 struct RangeSearch<'s> {
     span: &'s Span,
-    conditions: &'s [Condition],
+    conditions: Vec<Condition>,
     goal: Option<&'s Goal>,
     evaluate: &'s Evaluate<'s>,
     /// What is known, in the order of the parameter.
@@ -92,6 +97,15 @@ impl RangeSearch<'_> {
         self.complete = found.len() == shares.len();
         self.samples.extend(found);
         self.samples.sort_by(|a, b| a.share.total_cmp(&b.share));
+    }
+
+    /// An equality that two neighbours meet alike is met over a range.
+    fn keep_values(&mut self) {
+        for index in 0..self.conditions.len() {
+            let met = |one: &Sample| one.margin(&self.conditions, index) == Some(0.0);
+            let flat = self.samples.windows(2).any(|pair| pair.iter().all(met));
+            self.conditions[index].kept |= flat && self.conditions[index].is_equality();
+        }
     }
 
     fn known(&self, share: f64) -> Option<&Sample> {
@@ -115,7 +129,7 @@ impl RangeSearch<'_> {
             for three in self.samples.windows(3) {
                 let margins: Option<Vec<f64>> = three
                     .iter()
-                    .map(|one| one.margin(self.conditions, index))
+                    .map(|one| one.margin(&self.conditions, index))
                     .collect();
                 let Some(margins) = margins else { continue };
                 let shares = [three[0].share, three[1].share, three[2].share];
@@ -141,7 +155,8 @@ impl RangeSearch<'_> {
 
     /// The places at which an equality is met and all else holds.
     fn roots(&mut self, index: usize) -> Vec<Range> {
-        let conditions = self.conditions;
+        let conditions = self.conditions.clone();
+        let conditions = conditions.as_slice();
         let value = |one: &Sample| one.margin(conditions, index);
         let known: Vec<(Sample, f64)> = (self.samples.iter())
             .filter_map(|one| Some((one.clone(), value(one)?)))
@@ -178,6 +193,7 @@ impl RangeSearch<'_> {
         }
         found.retain(|(sample, _)| sample.holds(conditions) == Some(true));
         found.sort_by(|a, b| a.0.share.total_cmp(&b.0.share));
+        found.dedup_by(|a, b| (a.0.share - b.0.share).abs() <= 2.0 * NARROW);
         let end = |(sample, within): &(Sample, f64)| End {
             sample: sample.clone(),
             limit: Limit::Equality(index),
@@ -203,14 +219,14 @@ impl RangeSearch<'_> {
         let mut found = Vec::new();
         let mut open: Option<End> = None;
         for (at, sample) in samples.iter().enumerate() {
-            if sample.holds(self.conditions) != Some(true) {
+            if sample.holds(&self.conditions) != Some(true) {
                 continue;
             }
             if open.is_none() {
                 open = Some(self.edge(sample, at.checked_sub(1).map(|at| &samples[at])));
             }
             let next = samples.get(at + 1);
-            if next.is_some_and(|next| next.holds(self.conditions) == Some(true)) {
+            if next.is_some_and(|next| next.holds(&self.conditions) == Some(true)) {
                 continue;
             }
             let to = self.edge(sample, next);
@@ -222,23 +238,28 @@ impl RangeSearch<'_> {
     /// The end of a range between its last place and the next one, which does not hold.
     fn edge(&mut self, inside: &Sample, outside: Option<&Sample>) -> End {
         let Some(outside) = outside else {
+            let limit = match inside.share {
+                0.0 | 1.0 => Limit::Range,
+                // Ended from outside before what comes next.
+                _ => Limit::State(State::NotTrusted("nothing was looked at".to_owned())),
+            };
             return End {
                 sample: inside.clone(),
-                limit: Limit::Range,
+                limit,
                 within: 0.0,
                 beyond: None,
             };
         };
         let (mut good, mut bad) = (inside.clone(), outside.clone());
         let ends = [inside.share, outside.share];
-        let is_known = outside.holds(self.conditions).is_some();
+        let is_known = outside.holds(&self.conditions).is_some();
         if is_known && !self.span.whole && (ends[1] - ends[0]).abs() > NARROW {
             let scales = self.scales();
             let mut measure = |share: f64| {
                 let Some(sample) = self.sample(share) else {
                     return f64::NAN;
                 };
-                let holds = sample.holds(self.conditions);
+                let holds = sample.holds(&self.conditions);
                 let measure = self.measure(&sample, &scales);
                 match holds {
                     Some(true) => good = sample,
@@ -249,7 +270,7 @@ impl RangeSearch<'_> {
             bracketed_within(&mut measure, ends, 0.0, NARROW);
         }
         let limit = match &bad.state {
-            State::Computed => Limit::Conditions(bad.violated(self.conditions)),
+            State::Computed => Limit::Conditions(bad.violated(&self.conditions)),
             other => Limit::State(other.clone()),
         };
         End {
@@ -266,7 +287,7 @@ impl RangeSearch<'_> {
             let margins = self
                 .samples
                 .iter()
-                .filter_map(|one| one.margin(self.conditions, index));
+                .filter_map(|one| one.margin(&self.conditions, index));
             margins.fold(f64::MIN_POSITIVE, |most, margin| most.max(margin.abs()))
         };
         (0..self.conditions.len()).map(scale).collect()
@@ -281,7 +302,7 @@ impl RangeSearch<'_> {
             State::Computed => {}
         }
         let margin = |(index, scale): (usize, &f64)| {
-            let margin = sample.margin(self.conditions, index);
+            let margin = sample.margin(&self.conditions, index);
             margin.map_or(-1.0, |margin| margin / scale)
         };
         let least = scales.iter().enumerate().map(margin).fold(1.0, f64::min);
@@ -322,7 +343,7 @@ impl RangeSearch<'_> {
             Some(false) | None => f64::NEG_INFINITY,
         };
         let known: Vec<(f64, f64)> = (self.samples.iter())
-            .map(|one| (one.share, worth(one, self.conditions)))
+            .map(|one| (one.share, worth(one, &self.conditions)))
             .collect();
         let finite = |at: usize| known.get(at).is_some_and(|one| one.1.is_finite());
         let is_peak = |&at: &usize| {
@@ -346,7 +367,7 @@ impl RangeSearch<'_> {
             if wide && !self.span.whole && self.complete {
                 let mut value = |share: f64| {
                     let sample = self.sample(share);
-                    sample.map_or(f64::NEG_INFINITY, |one| worth(&one, self.conditions))
+                    sample.map_or(f64::NEG_INFINITY, |one| worth(&one, &self.conditions))
                 };
                 if low == at || high == at {
                     // The best place is an end: is it better a little inside?
@@ -368,14 +389,41 @@ impl RangeSearch<'_> {
                 }
             }
             let within = LOCATED * self.width(ends);
+            let limit = (wide && self.is_abrupt(start, ends, &worth)).then_some(Limit::Abrupt);
             found.extend(self.known(start.0).map(|sample| Best {
                 sample: sample.clone(),
-                limit: None,
+                limit,
                 within,
                 beyond: None,
             }));
         }
         found
+    }
+
+    /// Whether a figure still changes by much beside its extreme: it jumps there, or has no bound.
+    fn is_abrupt(
+        &mut self,
+        (share, best): (f64, f64),
+        ends: [f64; 2],
+        worth: &dyn Fn(&Sample, &[Condition]) -> f64,
+    ) -> bool {
+        if self.span.whole || share == ends[0] || share == ends[1] {
+            return false;
+        }
+        let step = BESIDE * (ends[1] - ends[0]);
+        let mut value = |share: f64| {
+            let sample = self.sample(share.clamp(ends[0], ends[1]))?;
+            let worth = worth(&sample, &self.conditions);
+            worth.is_finite().then_some(worth)
+        };
+        let far = ends
+            .map(&mut value)
+            .into_iter()
+            .flatten()
+            .fold(best, f64::min);
+        let near = [share - step, share + step].map(value);
+        let near = near.into_iter().flatten().fold(best, f64::min);
+        best - near > SMOOTH * (best - far)
     }
 
     /// Places about another that are not known yet.
@@ -393,6 +441,9 @@ impl RangeSearch<'_> {
     }
 
     fn is_certain(&self, best: Option<&Best>) -> bool {
+        if best.is_some_and(|best| best.limit == Some(Limit::Abrupt)) {
+            return false;
+        }
         let unknown = |one: &&Sample| matches!(one.state, State::NotTrusted(_));
         let mut unknown = self.samples.iter().filter(unknown);
         match (self.goal, best) {

@@ -15,6 +15,7 @@ fn condition(relation: Relation, value: f64) -> Condition {
             name: String::new(),
             size: 1.0,
         },
+        kept: false,
     }
 }
 
@@ -181,4 +182,30 @@ fn an_end_from_outside_keeps_what_is_known() {
     assert_eq!(found.best.unwrap().sample.value, 1.25);
     let found = search(&span, &[], Some(&goal), &|_| Vec::new());
     assert!(!found.complete && found.best.is_none());
+}
+
+#[test]
+fn an_equality_that_holds_over_a_stretch_has_the_ends_of_the_stretch() {
+    let equal = [condition(Relation::Equal, 0.0)];
+    let flat = |x: f64| Ok(vec![(x - 6.3).max(0.0)]);
+    let (found, _) = find(&equal, Some((Aim::Maximize, None)), &flat);
+    let best = found.best.unwrap();
+    assert!((best.sample.value - 6.3).abs() < 3e-6, "{best:?}");
+    assert_eq!(found.ranges.len(), 1);
+}
+
+#[test]
+fn a_pole_or_a_jump_is_no_extreme() {
+    let pole = |x: f64| 1.0 / (x - 5.13);
+    let jump = |x: f64| if x < 5.13 { x } else { x - 8.0 };
+    let figures: [&dyn Fn(f64) -> f64; 2] = [&pole, &jump];
+    for figure in figures {
+        let (found, _) = find(&[], Some((Aim::Maximize, Some(figure))), &|_| Ok(vec![]));
+        assert!(!found.certain, "{:?}", found.best);
+        assert_eq!(found.best.unwrap().limit, Some(Limit::Abrupt));
+    }
+    // A kink is one.
+    let kink = |x: f64| -(x - 5.13).abs();
+    let (found, _) = find(&[], Some((Aim::Maximize, Some(&kink))), &|_| Ok(vec![]));
+    assert!(found.certain && (found.best.unwrap().sample.value - 5.13).abs() < 1e-4);
 }
