@@ -12,6 +12,7 @@ use crate::units::{Dimension, number_and_unit, parse};
 use serde_json::Value;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 /// Significant digits of results, if nothing else is said.
 pub const SIGNIFICANT: usize = 4;
@@ -116,10 +117,14 @@ impl DisplayUnits {
             return false;
         };
         let mut added = false;
-        for si in SHOWN {
-            let Some(size) = size_in(measure.value, measure.dimension, measure.per_minute, si)
-            else {
-                continue;
+        for &(si, wanted) in shown() {
+            let size = match measure.dimension == wanted {
+                true => measure.value,
+                // By custom 1/min is a speed of turning too.
+                false if measure.per_minute && si == "rad/s" => {
+                    measure.value * std::f64::consts::TAU
+                }
+                false => continue,
             };
             if self.units.iter().all(|(known, ..)| *known != si) {
                 self.units.push((si, name.to_owned(), size));
@@ -140,14 +145,13 @@ impl DisplayUnits {
     }
 }
 
-/// The size of a unit in an SI unit; `None`: it is one of another quantity.
-fn size_in(value: f64, dimension: Dimension, per_minute: bool, si: &str) -> Option<f64> {
-    let wanted = parse(&format!("1 {si}")).ok()?.dimension;
-    if dimension == wanted {
-        return Some(value);
-    }
-    // By custom 1/min is a speed of turning too.
-    (per_minute && si == "rad/s").then_some(value * std::f64::consts::TAU)
+/// The SI units that are shown in others, with their dimensions.
+fn shown() -> &'static [(&'static str, Dimension)] {
+    static ALL: OnceLock<Vec<(&str, Dimension)>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let one = |si: &'static str| Some((si, parse(&format!("1 {si}")).ok()?.dimension));
+        SHOWN.into_iter().filter_map(one).collect()
+    })
 }
 
 /// Counts the units of all texts that are quantities.

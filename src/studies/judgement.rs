@@ -70,7 +70,7 @@ impl Judgement {
         let at_start = made.ending == Ending::OfMechanism && made.time <= 0.0;
         let checks = if at_start { &[] } else { made.checks };
         let judged = Self::decide(made.ending, checks, || Self::of_objects(objects));
-        match checks.iter().any(is_vacuous) {
+        match say_nothing(checks) {
             true => judged.uncertified(),
             false => judged,
         }
@@ -145,18 +145,31 @@ impl Judgement {
 /// greater bound no motion would fail the check.
 const TELLING: f64 = 0.5;
 
-/// Whether a check says nothing, since its bound is too wide: the tolerance is too coarse.
-fn is_vacuous(check: &Check) -> bool {
-    check.name == EQUATIONS && check.bound >= TELLING
+/// Tolerance from which on a bound that is too wide is the fault of the tolerance, and not of
+/// rounding, which is told where it decides a figure.
+const COARSE: f64 = 1e-3;
+
+/// Whether the check of the equations says nothing, since the tolerance is too coarse.
+fn say_nothing(checks: &[Check]) -> bool {
+    let bound = |name: &str| {
+        checks
+            .iter()
+            .find(|check| check.name == name)
+            .map(|check| check.bound)
+    };
+    let [equations, energy] = [EQUATIONS, ENERGY].map(bound);
+    equations.is_some_and(|bound| bound >= TELLING)
+        && energy.is_some_and(|bound| bound >= EnergyAudit::bound(COARSE))
 }
 
 /// Whether the equations of motion of a run were not checked for want of a fine tolerance.
 pub fn is_unchecked(figures: &Figures) -> bool {
-    checks(figures).iter().any(is_vacuous)
+    say_nothing(&checks(figures))
 }
 
-/// Name of the check of the equations of motion.
+/// Names of the checks of the equations of motion and of the energies.
 const EQUATIONS: &str = "equations of motion";
+const ENERGY: &str = "energy balance";
 
 /// How a run was made, for its verdict.
 #[derive(Clone, Copy, Debug)]
@@ -253,7 +266,7 @@ impl Errors {
                 bound: 0.0,
             },
             Check {
-                name: "energy balance",
+                name: ENERGY,
                 value: self.energy,
                 bound: EnergyAudit::bound(self.tolerance),
             },
