@@ -9,7 +9,7 @@ use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Valu
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{counted, significant, units};
+use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
@@ -225,10 +225,8 @@ pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'
     let same = table.rows.iter().filter(same).count();
     let left_out = match same {
         0 => String::new(),
-        _ => format!(
-            "Left out: {} that are the same in all runs.",
-            counted(same, "figure")
-        ),
+        1 => "Left out: 1 figure that is the same in all runs.".to_owned(),
+        _ => format!("Left out: {same} figures that are the same in all runs."),
     };
     let values = table.labels.iter().map(|label| format!(">{label}"));
     let limit = [">limit", ">order"].map(str::to_owned);
