@@ -116,7 +116,7 @@ def execute(page: Path, folder: Path, only: str | None = None) -> tuple[int, lis
         elif language == "text":
             missing = differs(body, printed)
             wrong = f"is not printed: {missing}\n{printed}" if missing else None
-        elif language not in ("console", "json", "rust"):
+        elif language not in ("console", "csv", "json", "rust"):
             wrong = f"nobody knows what to do with a block of {language}"
         if wrong:
             faults.append(f"{place}: {wrong}")
