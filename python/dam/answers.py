@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Literal, NamedTuple, Union
+from typing import TYPE_CHECKING, Literal, NamedTuple, Union, cast
 
 from dam import _dam
 
@@ -635,13 +635,15 @@ class FoundValue(Answer):
     def value(self) -> float | None:
         """The best value of the parameter, in the unit in which its range is written; `None`:
         no value meets the conditions, or nothing was to be best."""
-        best = self.document["best"]
+        best = cast("dict[str, float] | None", self.document["best"])
         return None if best is None else float(best["value"])
 
     @property
     def ranges(self) -> list[tuple[float, float]]:
         """The ranges in which all conditions hold, in the unit of the parameter."""
-        ends = [(one["from"]["sample"], one["to"]["sample"]) for one in self.document["ranges"]]
+        document = self.document["ranges"]
+        found = cast("list[dict[str, dict[str, dict[str, float]]]]", document)
+        ends = [(one["from"]["sample"], one["to"]["sample"]) for one in found]
         return [(float(first["value"]), float(last["value"])) for first, last in ends]
 
 
@@ -664,7 +666,9 @@ class Requirements(Answer):
         return self._junit
 
     def __iter__(self) -> Iterator[dict[str, Json]]:
-        return iter(self.document["scenes"][0]["requirements"])
+        document = self.document["scenes"]
+        (scene,) = cast("list[dict[str, list[dict[str, Json]]]]", document)
+        return iter(scene["requirements"])
 
 
 class Reduction(Answer):
