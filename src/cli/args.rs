@@ -22,7 +22,7 @@ pub(crate) use verify::{VerifyArgs, VerifyForm};
 use super::law::args::LawCommand;
 use super::steady::args::SteadyArgs;
 use crate::frontend::scene::Template;
-use crate::report::display_units::{DisplayUnits, SIGNIFICANT};
+use crate::report::display_units::DisplayUnits;
 use clap::builder::PossibleValue;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use scene::{OutArgs, SceneArgs};
@@ -40,10 +40,10 @@ pub(crate) struct Cli {
     /// of the SI [default: those that the scene uses]
     #[arg(long, value_name = "LIST", value_parser = units, global = true)]
     pub(crate) units: Option<DisplayUnits>,
-    /// Significant digits of results in texts and on pages
-    #[arg(long, value_name = "COUNT", default_value_t = SIGNIFICANT as u8,
-          value_parser = clap::value_parser!(u8).range(1..=17), global = true)]
-    pub(crate) significant: u8,
+    /// Significant digits of results in texts and on pages [default: 4; with `--units si` as many as
+    /// each has]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(1..=17), global = true)]
+    pub(crate) significant: Option<u8>,
     /// What to do.
     #[command(subcommand)]
     pub(crate) command: Command,

@@ -64,7 +64,7 @@ pub fn main_with(arguments: impl IntoIterator<Item = OsString>) -> u8 {
     };
     let json = cli.command.json();
     interrupt::start(cli.time_limit.map(Duration::from_secs_f64), json);
-    shown::start(cli.units, usize::from(cli.significant));
+    shown::start(cli.units, cli.significant.map(usize::from));
     match run(&cli.command) {
         Ok(status) => status.code(),
         Err(failure) => {

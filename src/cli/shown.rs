@@ -1,6 +1,6 @@
 //! The units in which this command shows results: those that were asked for, else those of its scene.
 
-use crate::report::display_units::DisplayUnits;
+use crate::report::display_units::{DisplayUnits, SIGNIFICANT};
 use std::cell::Cell;
 
 thread_local! {
@@ -8,10 +8,17 @@ thread_local! {
     static OF_SCENE: Cell<Option<usize>> = const { Cell::new(None) };
 }
 
-/// Takes what the arguments say.
-pub(crate) fn start(asked: Option<DisplayUnits>, digits: usize) {
+/// Takes what the arguments say. In SI units results have their own digits, unless others are asked
+/// for.
+pub(crate) fn start(asked: Option<DisplayUnits>, digits: Option<usize>) {
+    let own = asked == Some(DisplayUnits::NONE) && digits.is_none();
+    let digits = digits.unwrap_or(SIGNIFICANT);
     OF_SCENE.set(asked.is_none().then_some(digits));
-    asked.unwrap_or_default().with_digits(digits).choose();
+    let units = asked.unwrap_or_default();
+    match own {
+        true => units.choose(),
+        false => units.with_digits(digits).choose(),
+    }
 }
 
 /// Takes the units of a scene's text, unless others were asked for.

@@ -166,7 +166,7 @@ test("charts, the report and the scene are saved as files", async ({ page }) => 
   // The page is that of the command, byte for byte.
   const out = join(server.base, "out");
   // A pair that opens ends the command with status 1.
-  try { execFileSync(dam, ["run", server.path(), "--out", out, "--quiet"], { stdio: "ignore" }); } catch { /* told by its files */ }
+  try { execFileSync(dam, ["run", server.path(), "--out", out, "--quiet", "--units", "si"], { stdio: "ignore" }); } catch { /* told by its files */ }
   expect(report).toBe(readFileSync(join(out, "report.html"), "utf8"));
   const record = table(await saved("Export record"));
   expect(record.columns[0].length).toBeGreaterThan(100);

@@ -45,7 +45,8 @@ function told(scene, command, ...options) {
     try { return execFileSync(dam, [...command.split(" "), ...(scene ? [server.path(scene)] : []), ...options, ...more], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"], maxBuffer: 1 << 28, timeout: 50_000 }); } catch (error) { return error.stdout; }
   };
   const json = JSON.parse(run(["--json"])), out = join(server.base, `out-${Math.random()}`);
-  run(["--out", out, "--quiet"]);
+  // (The studio shows SI units until others are chosen.)
+  run(["--out", out, "--quiet", "--units", "si"]);
   return { json, report: join(out, "report.html"), out };
 }
 // Everything that is read on a page or tab: words, and numbers with all their digits.
