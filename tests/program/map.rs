@@ -170,3 +170,55 @@ fn wrong_arguments_end_with_status_2_and_say_what_is_right() {
         assert!(output.stdout.is_empty(), "{arguments:?}");
     }
 }
+
+#[test]
+fn all_of_the_picture_lies_on_its_sheet() {
+    for y in [None, Some("rocker.stiffness=1e7:3e7:3")] {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        let mut command = program();
+        command
+            .arg("map")
+            .arg(scene(TWO))
+            .args(["--quiet", "--unchecked"]);
+        command.args([
+            "--set",
+            "run.duration=0.1",
+            "--x",
+            "rocker.inertia=0.06:0.12:3",
+        ]);
+        command.args(["--panels", "rocker.masses=1,2,3"]);
+        command.args(y.map(|y| ["--y", y]).into_iter().flatten());
+        assert!(
+            command
+                .arg("--out")
+                .arg(&out)
+                .output()
+                .unwrap()
+                .status
+                .success()
+        );
+        let picture = std::fs::read_to_string(out.join("map.svg")).unwrap();
+        let number = |text: &str| {
+            text.split(['"', ' ', ',', ')'])
+                .next()
+                .unwrap()
+                .parse::<f64>()
+        };
+        let size = picture.split("viewBox=\"0 0 ").nth(1).unwrap();
+        let height = number(size.split(' ').nth(1).unwrap()).unwrap();
+        let places: Vec<f64> = (picture.split(" y=\"").skip(1))
+            .filter_map(|rest| number(rest).ok())
+            .collect();
+        let lowest = places.iter().copied().fold(0.0, f64::max);
+        assert!(
+            places.len() > 20 && lowest > 200.0,
+            "{}: {lowest}",
+            places.len()
+        );
+        assert!(
+            lowest < height,
+            "something at {lowest} on a sheet of {height}"
+        );
+    }
+}

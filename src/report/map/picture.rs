@@ -25,7 +25,8 @@ const LINE: f64 = 15.0;
 /// Size of the plot of a map that is steered.
 #[cfg(feature = "studio")]
 const STEERED: [f64; 2] = [340.0, 270.0];
-/// The picture of a study: all its panels, and a legend of the verdicts that occur. A complete SVG document.
+/// The picture of a study: all its panels, and a legend of the verdicts that occur. A complete SVG
+/// document.
 pub fn svg(study: &Study<'_>, result: &MapResult) -> String {
     let mut plots = Plots::default();
     let sheet = Sheet::new(study, result, &mut plots);
@@ -68,10 +69,10 @@ pub(super) fn key(study: &Study<'_>, result: &MapResult) -> String {
     )
 }
 
-/// The legend, from a left and an upper edge on to a width: how high it is.
+/// The legend, from a left and an upper edge on to a width, and where it ends below.
 fn legend(study: &Study<'_>, result: &MapResult, [left, top, width]: [f64; 3]) -> (String, f64) {
     let (legend, height) = legend_rows(entries(study, result), [left, width], top + 14.0);
-    (legend, height + 16.0)
+    (legend, top + height + 16.0)
 }
 
 /// The map of one panel where it is looked at and steered, no larger than needed.
