@@ -188,7 +188,13 @@ test("the map marks where the scene stands, and a click in it sets both numbers"
   const cross = page.locator(".map-place path.here");
   const before = await cross.getAttribute("d");
   expect(before).toMatch(/^M/);
-  const box = await page.locator(".map-place .pad").boundingBox();
+  // What stands above the map may still take or leave a line.
+  let box = null;
+  await expect.poll(async () => {
+    const last = box;
+    box = await page.locator(".map-place .pad").boundingBox();
+    return last?.y === box.y;
+  }, { intervals: [300] }).toBe(true);
   await page.mouse.click(box.x + 0.25 * box.width, box.y + 0.75 * box.height);
   await expect.poll(() => cross.getAttribute("d")).not.toBe(before);
   const text = await textOf(page);

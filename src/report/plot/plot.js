@@ -554,8 +554,7 @@ const live = (() => {
     }
 
     // -- pointer
-    pixel(event) {
-      const matrix = this.svg.getScreenCTM();
+    pixel(event, matrix = this.svg.getScreenCTM()) {
       const point = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix.inverse());
       return [point.x, point.y];
     }
@@ -590,11 +589,13 @@ const live = (() => {
     listen() {
       const node = this.pad;
       let start = null;
-      const steer = (event, done) => { const place = this.placeAt(...this.pixel(event)); this.say("steered", { x: this.back("x", place.x), y: this.back("y", place.y), done }); };
+      // Answers come while the button is down, and may move the chart under the pointer: only how far
+      // the pointer goes counts.
+      const steer = (event, done) => { const place = this.placeAt(...this.pixel(event, start.matrix)); this.say("steered", { x: this.back("x", place.x), y: this.back("y", place.y), done }); };
       node.addEventListener("pointerdown", (event) => {
         if (event.button !== 0) return;
         if (this.steers) {
-          start = {};
+          start = { matrix: this.svg.getScreenCTM() };
           try { node.setPointerCapture(event.pointerId); } catch { /* a pointer made by a script */ }
           steer(event, false);
           return;
@@ -615,7 +616,7 @@ const live = (() => {
       });
       node.addEventListener("pointerup", (event) => {
         if (!start) return;
-        if (this.steers) { start = null; steer(event, true); return; }
+        if (this.steers) { steer(event, true); start = null; return; }
         const end = this.placeAt(...this.pixel(event)), { place, x, y } = start;
         start = null;
         this.selection.setAttribute("visibility", "hidden");
