@@ -127,7 +127,8 @@ impl DisplayUnits {
                 false => continue,
             };
             if self.units.iter().all(|(known, ..)| *known != si) {
-                self.units.push((si, name.to_owned(), size));
+                let name = name.replace("^2", "²").replace("^3", "³");
+                self.units.push((si, name, size));
                 added = true;
             }
         }
@@ -201,7 +202,7 @@ mod tests {
 
     const SCENE: &str = r#"{ "objects": {
         "a": { "motion": { "speed": "600 rpm" }, "position": { "rise": "90 deg", "lift": "12 mm" } },
-        "b": { "stiffness": "3 kN/mm", "length": "1 m", "width": "20 mm", "name": "5 apples" } },
+        "b": { "stiffness": "3 kN/mm", "length": "1 m", "width": "20 mm", "name": "5 apples", "inertia": "2 kg m^2" } },
         "expect": [{ "value": "3 rad/s" }, { "value": "4 rad/s" }] }"#;
 
     #[test]
@@ -223,6 +224,7 @@ mod tests {
             near(of(std::f64::consts::PI, "rad"), 180.0, "deg");
             near(of(10.0 * std::f64::consts::PI, "rad/s"), 300.0, "rpm");
             near(of(5e6, "N/m"), 5.0, "kN/mm");
+            near(of(0.5, "kg m²"), 0.5, "kg m²");
             // Not stated, or too small to be read.
             assert!(of(3.0, "N").is_none() && of(3.0, "s").is_none() && of(1e-9, "m").is_none());
             assert_eq!((digits(7), digits(4), digits(2)), (5, 5, 2));
