@@ -312,14 +312,9 @@ fn is_undamped(model: &Model, part: &ObjectPart) -> bool {
 
 /// Units of an object's figures.
 pub(super) fn units(coordinate: Coordinate) -> Units {
-    match coordinate {
-        Coordinate::Turning => Units {
-            displacement: "rad",
-            force: "N m",
-        },
-        Coordinate::Sliding => Units {
-            displacement: "m",
-            force: "N",
-        },
+    let [displacement, force] = coordinate.units();
+    Units {
+        displacement,
+        force,
     }
 }

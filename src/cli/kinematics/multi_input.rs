@@ -116,12 +116,8 @@ fn measures(linkage: &MultiLinkage, option: &str, name: &str) -> Result<Measures
         );
         return Err(Failure::Other(message));
     };
-    Ok(Measures(Some(
-        match input.coordinate.slides(&linkage.spec().linkage) {
-            true => Coordinate::Sliding,
-            false => Coordinate::Turning,
-        },
-    )))
+    let slides = input.coordinate.slides(&linkage.spec().linkage);
+    Ok(Measures(Some(Coordinate::sliding(slides))))
 }
 
 /// The place of the picture: a time, the coordinate of the one input that moves, or of several

@@ -1,6 +1,6 @@
 //! Figures of a study by name, as a scene's expectations address them.
 
-use super::{Column, CycleForces, Extremes, ForceStudy, columns, columns_of_inputs};
+use super::{Column, Counterweight, CycleForces, Extremes, ForceStudy, columns, columns_of_inputs};
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::studies::kinematics::{DescribedFigure, NamedFigure};
@@ -123,6 +123,22 @@ fn of_columns(columns: &[Column], linkage: &LinkageSpec, place: &str) -> Vec<Nam
     all
 }
 
+impl Counterweight {
+    /// The figures with their names.
+    pub fn figures(&self) -> [(&'static str, f64); 6] {
+        let ([rms, rms_with], [greatest, greatest_with]) = (self.rms, self.greatest);
+        let values = [
+            self.mass_radius,
+            self.angle,
+            rms,
+            rms_with,
+            greatest,
+            greatest_with,
+        ];
+        std::array::from_fn(|index| (COUNTERWEIGHT[index].0, values[index]))
+    }
+}
+
 impl ForceStudy {
     /// A figure by its name: `drive.greatest`, `R12.force.greatest_at`,
     /// `cycle.efficiency`, `cycle.losses.R12`, `counterweight.angle`,
@@ -139,17 +155,8 @@ impl ForceStudy {
             return self.of_cycle(self.cycle.as_ref()?, name);
         }
         if let Some(name) = name.strip_prefix("counterweight.") {
-            let found = self.counterweight.as_ref()?;
-            let values = [
-                found.mass_radius,
-                found.angle,
-                found.rms[0],
-                found.rms[1],
-                found.greatest[0],
-                found.greatest[1],
-            ];
-            let index = COUNTERWEIGHT.iter().position(|known| known.0 == name)?;
-            return Some(values[index]);
+            let mut figures = self.counterweight.as_ref()?.figures().into_iter();
+            return figures.find(|known| known.0 == name).map(|known| known.1);
         }
         let (column, what) = name.rsplit_once('.')?;
         let extremes = self.extremes.iter().find(|found| found.name == column)?;

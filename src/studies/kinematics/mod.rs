@@ -36,6 +36,7 @@ use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::kinematics::linkage::{Linkage, Structure};
 use crate::studies::check::Check;
 use crate::studies::judgement::{Ending, Judgement};
+use serde::Serialize;
 
 /// Positions, speeds and accelerations of the linkage that a question names, of one input or
 /// of several.
@@ -189,7 +190,7 @@ pub struct Grid {
 }
 
 /// Axis: the quantity that leads from row to row.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Axis {
     /// `input coordinate`, `time`, or of several inputs that move together `path`, from 0 to
     /// 1.
@@ -276,21 +277,23 @@ pub struct Transmission {
 }
 
 /// An end of the input's travel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Limit {
     /// Input coordinate there.
     pub at: f64,
     /// Cause in words.
+    #[serde(rename = "because")]
     pub cause: String,
 }
 
 /// Why the rows end early.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stopped {
     /// Place on the axis, located to rounding.
     pub at: f64,
     /// Input coordinate there.
     pub input: f64,
     /// Cause in words.
+    #[serde(rename = "because")]
     pub cause: String,
 }

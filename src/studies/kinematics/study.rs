@@ -1,6 +1,6 @@
 //! The study of a linkage of one input.
 
-use super::columns::{self, Heading, unit_of};
+use super::columns::{Heading, Inputs, headings};
 use super::equilibria::equilibria;
 use super::request::span;
 use super::request::{KinematicsRequest, Over};
@@ -65,7 +65,7 @@ fn axis(asked: &KinematicsRequest<'_>, values: Vec<f64>) -> Axis {
 
 /// Motion of the input, in words.
 fn motion(asked: &KinematicsRequest<'_>) -> String {
-    let unit = unit_of(asked.input);
+    let unit = asked.input.unit();
     let [speed, acceleration] = asked.rate;
     match asked.over {
         Over::Time { .. } => "by the scene's drive".to_owned(),
@@ -149,7 +149,12 @@ impl Course for OneInput<'_, '_> {
     type Outside = OutOfReach;
 
     fn headings(&self) -> Vec<Heading> {
-        columns::headings(self.asked)
+        let asked = self.asked;
+        headings(
+            asked.linkage.spec(),
+            &Inputs::One(asked.input),
+            &asked.outputs,
+        )
     }
 
     fn limits(&self) -> Vec<DeadEnd> {

@@ -86,10 +86,7 @@ impl Subject {
 
 /// Whether a pair turns or slides.
 fn of_pair(spec: &LinkageSpec, pair: usize) -> Coordinate {
-    match spec.pairs[pair].slides() {
-        true => Coordinate::Sliding,
-        false => Coordinate::Turning,
-    }
+    Coordinate::sliding(spec.pairs[pair].slides())
 }
 
 /// Whether each output turns or slides.

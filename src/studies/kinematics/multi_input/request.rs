@@ -14,7 +14,7 @@ const ROOM: f64 = 1e-6;
 #[derive(Clone, Debug)]
 pub struct AskedSeveral<'a> {
     pub(super) object: String,
-    pub(super) linkage: MultiLinkage,
+    pub(in crate::studies) linkage: MultiLinkage,
     /// Whether each input turns or slides.
     pub(super) inputs: Vec<Coordinate>,
     /// Whether each output turns or slides.
@@ -24,10 +24,10 @@ pub struct AskedSeveral<'a> {
     pub(super) trajectories: Option<Vec<Trajectory<'a>>>,
     pub(super) way: Advance,
     /// True: the one input that moves goes through a turn.
-    pub(super) closed: bool,
+    pub(in crate::studies) closed: bool,
     /// Ends of what it can go through.
     pub(super) limits: Vec<(f64, NotAssembled)>,
-    pub(super) positions: usize,
+    pub(in crate::studies) positions: usize,
     pub(super) also: Option<f64>,
 }
 
@@ -69,19 +69,14 @@ impl<'a> AskedSeveral<'a> {
     ) -> Result<Self, String> {
         let linkage = MultiLinkage::clone(&body.linkage);
         let spec = &linkage.spec().linkage;
-        let slides = |input: &crate::kinematics::linkage::multi::spec::InputSpec| match input
-            .coordinate
-            .slides(spec)
-        {
-            true => Coordinate::Sliding,
-            false => Coordinate::Turning,
-        };
         let trajectories: Option<Vec<_>> = (body.inputs.iter())
             .map(|&node| Trajectory::of(model, node))
             .collect();
         let mut asked = Self {
             object: model.objects[body.object].id.clone(),
-            inputs: linkage.inputs().iter().map(slides).collect(),
+            inputs: (linkage.inputs().iter())
+                .map(|input| Coordinate::sliding(input.coordinate.slides(spec)))
+                .collect(),
             outputs: of_outputs(spec),
             starts: body
                 .inputs
