@@ -1,7 +1,7 @@
 //! The best value of a parameter, as data.
 
 use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table};
-use crate::report::plot::{Axis, Band, LineStyle, Mark, Plot, Rule, Series, Shape};
+use crate::report::plot::{Axis, Band, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{counted, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::condition::Condition;
@@ -324,16 +324,13 @@ fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
         ),
         upright: false,
     });
-    let best = answer.found.best.as_ref().map(|best| Series {
-        look: LineStyle::Points,
-        marks: vec![Mark {
+    let best = answer.found.best.as_ref().map(|best| {
+        let point = (best.sample.value, value(&best.sample).unwrap_or(f64::NAN));
+        let mark = Mark {
             shape: Shape::Good,
             note: parameter(answer, best.sample.value, DIGITS),
-        }],
-        ..Series::line(
-            "the answer",
-            vec![(best.sample.value, value(&best.sample).unwrap_or(f64::NAN))],
-        )
+        };
+        Series::marked("the answer", vec![point], vec![mark])
     });
     Plot {
         id: name.to_owned(),

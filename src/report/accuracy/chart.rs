@@ -40,10 +40,7 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
         id: "models".to_owned(),
         title: "Distance of each figure from its limit, over the size of the model".to_owned(),
         x: Axis::new("coordinates of all elastic objects", ""),
-        y: Axis {
-            log: true,
-            ..Axis::new("distance from the limit", "")
-        },
+        y: Axis::logarithmic("distance from the limit", ""),
         series,
         rules: requested_error_line(certificate),
         ..Plot::default()

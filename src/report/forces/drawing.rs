@@ -84,11 +84,11 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
         spec: &study.linkage,
         frames: kept.iter().map(|(_, _, forces)| placed(forces)).collect(),
         axis: Axis {
-            name: report.axis_name().to_owned(),
-            unit: report.axis_unit().to_owned(),
+            name: report.axis().name.to_owned(),
+            unit: report.axis().unit().to_owned(),
             values: kept
                 .iter()
-                .map(|(index, _, _)| report.axis_value(study.course.parameter(*index)))
+                .map(|(index, _, _)| report.axis().shown(study.course.parameter(*index)))
                 .collect(),
             times: kept.iter().map(|(_, row, _)| time(row)).collect(),
             closed: study.course.is_closed() && stride == 1,

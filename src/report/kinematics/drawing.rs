@@ -1,5 +1,6 @@
 //! The linkage over the rows, as a drawing that moves.
 
+use super::axis;
 use super::endless::Endless;
 use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, MOST_FRAMES, Path, Placement};
 use crate::studies::kinematics::{Kinematics, Quantity};
@@ -33,7 +34,6 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
             .collect()
     };
     let points: Vec<MovingPoint<'_>> = points(found);
-    let take = |values: &[f64]| -> Vec<f64> { rows.iter().map(|&row| values[row]).collect() };
     let vectors = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
         rows.iter().map(|&row| [x[row], y[row]]).collect()
     };
@@ -66,16 +66,18 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
                 .collect(),
         }
     };
-    let degrees = found.axis.unit == "rad";
-    let shown = |value: f64| if degrees { value.to_degrees() } else { value };
+    let axis = axis(found);
     Drawing {
         spec: found.linkage.spec(),
         frames: rows.iter().map(placed).collect(),
         axis: Axis {
-            name: found.axis.name.to_owned(),
-            unit: if degrees { "deg" } else { found.axis.unit }.to_owned(),
-            values: take(&found.axis.values).into_iter().map(shown).collect(),
-            times: take(&found.times),
+            name: axis.name.to_owned(),
+            unit: axis.unit().to_owned(),
+            values: rows
+                .iter()
+                .map(|&row| axis.shown(found.axis.values[row]))
+                .collect(),
+            times: rows.iter().map(|&row| found.times[row]).collect(),
             closed: found.closed,
         },
         paths: (points.iter())

@@ -2,11 +2,10 @@
 //! each input, and their singular positions.
 
 use super::{coordinate, input};
-use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
 use crate::report::findings::{Layout, Section, Table};
 use crate::report::mechanism::{Drawing, GridAxis, Placement};
-use crate::report::plot::{Axis, LineStyle, Plot, Series};
+use crate::report::plot::{Axis, Plot, Series};
 use crate::studies::kinematics::{Kinematics, Plane, PlaneInput};
 
 /// Meaning of all inputs, and how far the one that moves goes.
@@ -43,11 +42,8 @@ fn over_inputs(found: &Kinematics) -> Option<String> {
     };
     let axes = grid.axes.iter().map(|(name, own, values)| GridAxis {
         name: name.clone(),
-        unit: unit(*own).to_owned(),
-        values: values
-            .iter()
-            .map(|&value| in_display_unit(*own, value))
-            .collect(),
+        unit: own.shown(0.0).1.to_owned(),
+        values: values.iter().map(|&value| own.shown(value).0).collect(),
     });
     let drawing = Drawing {
         spec: found.linkage.spec(),
@@ -57,20 +53,6 @@ fn over_inputs(found: &Kinematics) -> Option<String> {
         arrows: Vec::new(),
     };
     Some(drawing.section_over("inputs", &axes.collect::<Vec<_>>(), grid.start))
-}
-
-fn unit(own: Coordinate) -> &'static str {
-    match own {
-        Coordinate::Turning => "deg",
-        Coordinate::Sliding => "m",
-    }
-}
-
-fn in_display_unit(own: Coordinate, value: f64) -> f64 {
-    match own {
-        Coordinate::Turning => value.to_degrees(),
-        Coordinate::Sliding => value,
-    }
 }
 
 /// The singular positions: curves in the plane of two inputs.
@@ -123,12 +105,7 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
 
 fn chart(found: &Kinematics, plane: &Plane) -> Plot {
     let [one, other] = &plane.inputs;
-    let point = |&[x, y]: &[f64; 2]| {
-        (
-            in_display_unit(one.coordinate, x),
-            in_display_unit(other.coordinate, y),
-        )
-    };
+    let point = |&[x, y]: &[f64; 2]| (one.coordinate.shown(x).0, other.coordinate.shown(y).0);
     let mut groups: Vec<usize> = plane.curves.iter().map(|curve| curve.group).collect();
     groups.sort_unstable();
     groups.dedup();
@@ -145,17 +122,11 @@ fn chart(found: &Kinematics, plane: &Plane) -> Plot {
             points,
         ));
     }
-    series.push(Series {
-        look: LineStyle::Theory,
-        ..Series::line("way of the inputs", plane.path.iter().map(point).collect())
-    });
+    let path = plane.path.iter().map(point);
+    series.push(Series::theory("way of the inputs", path.collect()));
     let axis = |input: &PlaneInput| Axis {
-        range: Some(
-            input
-                .range
-                .map(|value| in_display_unit(input.coordinate, value)),
-        ),
-        ..Axis::new(&input.name, unit(input.coordinate))
+        range: Some(input.range.map(|value| input.coordinate.shown(value).0)),
+        ..Axis::new(&input.name, input.coordinate.shown(0.0).1)
     };
     Plot {
         id: "singular".to_owned(),

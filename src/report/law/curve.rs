@@ -80,23 +80,18 @@ impl<'a> Curve<'a> {
             Series::line(&label, self.points(order, size))
         };
         let shown = self.sizes.iter().enumerate();
-        Plot {
-            title: title.to_owned(),
-            series: shown.filter(|(_, size)| **size != 0.0).map(curve).collect(),
-            x: self.x.clone(),
-            ..Plot::default()
-        }
+        let curves = shown.filter(|(_, size)| **size != 0.0).map(curve);
+        Plot::new(title, self.x.clone(), "", curves.collect())
     }
 
     /// One diagram in its own unit.
     fn alone(&self, order: usize) -> Plot {
-        Plot {
-            title: format!("{}{}", self.symbol, PRIMES[order]),
-            x: self.x.clone(),
-            y: Axis::of(&unit(order, self.unit, &self.x.unit, ["", "", "²", "³"])),
-            series: vec![Series::line("", self.points(order, 1.0))],
-            ..Plot::default()
-        }
+        Plot::new(
+            format!("{}{}", self.symbol, PRIMES[order]),
+            self.x.clone(),
+            &unit(order, self.unit, &self.x.unit, ["", "", "²", "³"]),
+            vec![Series::line("", self.points(order, 1.0))],
+        )
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::dynamics::integrate::Method;
 use crate::frontend::scene::in_words;
 use crate::report::plot::palette::method_verdicts as colours;
-use crate::report::plot::{Axis, Field, Kind, LineStyle, Mark, Plot, Rule, Series, Shape};
+use crate::report::plot::{Axis, Field, Kind, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{shortened, significant, with_unit};
 use crate::studies::methods::sweep::Sweep;
 use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict, all_methods};
@@ -54,14 +54,10 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
     let shaded = reference.filter(|r| r.resolution > 3e-15);
     Plot {
         title: format!("{}: error against {name}", study.scene),
-        x: Axis {
-            log: true,
-            ..Axis::new(label, unit)
-        },
+        x: Axis::logarithmic(label, unit),
         y: Axis {
-            log: true,
             ceiling: Some(CEILING),
-            ..Axis::new("error of δ relative to max|δ|", "")
+            ..Axis::logarithmic("error of δ relative to max|δ|", "")
         },
         series: with_floors(study, methods),
         rules: vec![rule(
@@ -113,13 +109,11 @@ fn with_floors(study: &Study, mut methods: Vec<Series>) -> Vec<Series> {
             in_words(&model.levels),
             significant(100.0 * model.error, 2)
         );
-        methods.push(Series {
-            look: LineStyle::Theory,
-            ..Series::line(
-                &shortened(&label, MOST_OF_LABEL),
-                vec![(from, model.error), (to, model.error)],
-            )
-        });
+        let label = shortened(&label, MOST_OF_LABEL);
+        methods.push(Series::theory(
+            &label,
+            vec![(from, model.error), (to, model.error)],
+        ));
     }
     methods
 }
@@ -249,10 +243,7 @@ pub fn cost(sweep: &Sweep) -> Option<Plot> {
             significant(study.accuracy, 2)
         ),
         x: axis(sweep),
-        y: Axis {
-            log: true,
-            ..Axis::new("least median wall-clock time", "s")
-        },
+        y: Axis::logarithmic("least median wall-clock time", "s"),
         series: series.filter(|series| !series.points.is_empty()).collect(),
         lane: "not reached".to_owned(),
         ..Plot::default()
@@ -286,8 +277,7 @@ pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
         let theory = standings().filter_map(|(x, s)| Some((x, s.stable_step_by_theory?)));
         series.push(Series {
             style: Some(style(method)),
-            look: LineStyle::Theory,
-            ..Series::line(&format!("{method}, theory"), theory.collect())
+            ..Series::theory(&format!("{method}, theory"), theory.collect())
         });
         series.push(marked(format!("{method}, measured"), method, measured));
     }
@@ -295,10 +285,7 @@ pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
     (!series.is_empty()).then(|| Plot {
         title: "Greatest stable step".to_owned(),
         x: axis(sweep),
-        y: Axis {
-            log: true,
-            ..Axis::new("step", "s")
-        },
+        y: Axis::logarithmic("step", "s"),
         series,
         rules: sweep.fixed_step.map(named).into_iter().collect(),
         ..Plot::default()

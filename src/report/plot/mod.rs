@@ -77,6 +77,24 @@ impl Default for Plot {
     }
 }
 
+impl Plot {
+    /// Curves of a quantity, which the title names, with its unit over an axis.
+    pub fn new(title: impl Into<String>, x: Axis, unit: &str, series: Vec<Series>) -> Self {
+        Self {
+            title: title.into(),
+            x,
+            y: Axis::of(unit),
+            series,
+            ..Self::default()
+        }
+    }
+
+    /// The same over the angle φ of a drive or cam.
+    pub fn over_angle(title: impl Into<String>, unit: &str, series: Vec<Series>) -> Self {
+        Self::new(title, Axis::new("φ", "deg"), unit, series)
+    }
+}
+
 /// A quantity along an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
@@ -103,6 +121,14 @@ impl Axis {
             name: name.to_owned(),
             unit: unit.to_owned(),
             ..Self::default()
+        }
+    }
+
+    /// A logarithmic axis.
+    pub fn logarithmic(name: &str, unit: &str) -> Self {
+        Self {
+            log: true,
+            ..Self::new(name, unit)
         }
     }
 
@@ -134,6 +160,23 @@ impl Series {
             label: label.to_owned(),
             points,
             ..Self::default()
+        }
+    }
+
+    /// A thin dashed line: theory, a limit.
+    pub fn theory(label: &str, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            look: LineStyle::Theory,
+            ..Self::line(label, points)
+        }
+    }
+
+    /// Marks alone, one a point.
+    pub fn marked(label: &str, points: Vec<(f64, f64)>, marks: Vec<Mark>) -> Self {
+        Self {
+            look: LineStyle::Points,
+            marks,
+            ..Self::line(label, points)
         }
     }
 }

@@ -37,14 +37,8 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
     Some(Plot {
         id: "models".to_owned(),
         title: "Error of each figure against the time of a run, over models".to_owned(),
-        x: Axis {
-            log: true,
-            ..Axis::new("time of a run", "ms")
-        },
-        y: Axis {
-            log: true,
-            ..Axis::new("error of the figure", "")
-        },
+        x: Axis::logarithmic("time of a run", "ms"),
+        y: Axis::logarithmic("error of the figure", ""),
         series,
         rules: requested_error_line(&reduction.certificate),
         ..Plot::default()
