@@ -1,7 +1,7 @@
 //! Figures of a study by name, as a scene's expectations address them.
 
 use super::columns::{Inputs, headings, name};
-use super::{Extremes, Kinematics, KinematicsRequest, Over};
+use super::{Kinematics, KinematicsRequest, Over};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::spec::LinkageSpec;
 
@@ -155,13 +155,7 @@ impl Kinematics {
         if let Some(link) = owner.strip_prefix("transmission_angles.") {
             let of = |owner: &str| owner.split(" and ").any(|name| name == link);
             let angle = self.transmission.iter().find(|angle| of(&angle.owner))?;
-            return end(
-                Extremes {
-                    least: angle.least,
-                    greatest: angle.greatest,
-                },
-                what,
-            );
+            return end([angle.least, angle.greatest], what);
         }
         if let Some(stroke) = self.strokes.iter().find(|stroke| stroke.owner == owner) {
             let [rising, falling] = stroke.rise_and_return;
@@ -177,12 +171,13 @@ impl Kinematics {
             .columns
             .iter()
             .position(|column| column.name() == owner)?;
-        end(*self.extremes.get(index)?, what)
+        let extremes = self.extremes.get(index)?;
+        end([extremes.least, extremes.greatest], what)
     }
 }
 
-fn end(extremes: Extremes, what: &str) -> Option<f64> {
-    let ((least_at, least), (greatest_at, greatest)) = (extremes.least, extremes.greatest);
+pub(in crate::studies) fn end(ends: [(f64, f64); 2], what: &str) -> Option<f64> {
+    let [(least_at, least), (greatest_at, greatest)] = ends;
     let value = match what {
         "least" => least,
         "greatest" => greatest,

@@ -22,6 +22,7 @@ pub use columns::Quantity;
 pub use described::{DescribedFigure, described, ends};
 pub use equilibria::Equilibrium;
 pub use figures::NamedFigure;
+pub(in crate::studies) use figures::end;
 pub use multi_input::{AskedSeveral, multi_input_kinematics};
 pub use request::{
     InputCourse, InputOver, KinematicsRequest, MOST_POSITIONS, Over, POSITIONS, Question,

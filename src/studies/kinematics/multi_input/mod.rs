@@ -12,7 +12,7 @@ pub use request::AskedSeveral;
 
 use super::columns::Inputs;
 use super::figures::{NamedFigure, Places, figures_of};
-use super::rows::{Course, Rows, evenly, warnings};
+use super::rows::{Course, Rows, evenly, times, warnings};
 use super::summary::{stroke_of, transmission_of};
 use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, Stopped, Stroke, Transmission};
 use crate::dynamics::model::Coordinate;
@@ -46,7 +46,7 @@ pub fn multi_input_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
         linkage: AnyLinkage::Several(asked.linkage.clone()),
         input: asked.first_coordinate(),
         motion: asked.motion(),
-        times: asked.times(&places),
+        times: times(&places, asked.axis_rate()),
         closed,
         extremes,
         strokes,

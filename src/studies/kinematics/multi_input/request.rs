@@ -1,6 +1,6 @@
 //! What is asked of a linkage of several inputs.
 
-use super::super::request::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
+use super::super::request::{InputCourse, InputOver, NO_TIME, Over, Question};
 use super::super::subject::{of_outputs, start_of};
 use super::input_range::{InputReach, reach};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
@@ -105,23 +105,12 @@ impl<'a> AskedSeveral<'a> {
             Some(to) => asked.over_time(to, question)?,
             None => asked.over_path(question)?,
         }
-        let [from, to] = asked.span();
-        let within = |also: f64| from.min(to) <= also && also <= from.max(to);
-        if let Some(also) = asked.also.filter(|&also| !within(also)) {
-            return Err(format!(
-                "the place {also} lies outside what is looked at: {from} to {to}"
-            ));
-        }
+        question.check_place(asked.span())?;
         Ok(asked)
     }
 
     fn check(&self, question: &Question) -> Result<(), String> {
-        if !(1..=MOST_POSITIONS).contains(&self.positions) {
-            return Err(format!(
-                "{} positions: give 1 to {MOST_POSITIONS}",
-                self.positions
-            ));
-        }
+        question.check_positions()?;
         if question.speed.or(question.acceleration).is_some() {
             return Err(format!(
                 "`{}` has several inputs: say whose speed or acceleration it is, as in {}=…",
@@ -179,7 +168,7 @@ impl<'a> AskedSeveral<'a> {
             ));
         }
         if !(to.is_finite() && to > 0.0) {
-            return Err("the time must be a number above zero".to_owned());
+            return Err(NO_TIME.to_owned());
         }
         self.way = Advance::Time { to };
         Ok(())

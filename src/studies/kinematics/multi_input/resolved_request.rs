@@ -124,17 +124,6 @@ impl AskedSeveral<'_> {
         }
     }
 
-    /// Time of each row: at constant speed along a way.
-    pub(super) fn times(&self, places: &[f64]) -> Vec<f64> {
-        let rate = self.axis_rate().abs();
-        let rate = if rate > 0.0 { rate } else { 1.0 };
-        let from = places.first().copied().unwrap_or(0.0);
-        places
-            .iter()
-            .map(|place| (place - from).abs() / rate)
-            .collect()
-    }
-
     /// Motion of the inputs, in words.
     pub(in crate::studies) fn motion(&self) -> String {
         let Advance::Path { legs, along, .. } = &self.way else {
