@@ -1,5 +1,5 @@
-//! What the positions of a linkage are told over: its input coordinate, time, or a path of
-//! several inputs.
+//! What positions are told over: the input coordinate of a linkage, time, or a path of several
+//! inputs; and where a function of pieces is sampled.
 
 use super::plot::Axis;
 
@@ -38,4 +38,23 @@ impl CourseAxis {
         };
         Axis::new(symbol, self.unit())
     }
+}
+
+/// Samples of a function of pieces: both ends of every piece and, between them, the ends of
+/// `count` equal steps over the whole, which has this start and length.
+pub(in crate::report) fn samples<T>(
+    pieces: impl IntoIterator<Item = [f64; 2]>,
+    [start, length]: [f64; 2],
+    count: usize,
+    mut at: impl FnMut(usize, f64) -> T,
+) -> Vec<T> {
+    let count = count.max(1);
+    let mut found = Vec::new();
+    for (piece, [from, to]) in pieces.into_iter().enumerate() {
+        let steps = (0..=count).map(|step| start + length * step as f64 / count as f64);
+        let inner = steps.filter(|&place| from < place && place < to);
+        let places = [from].into_iter().chain(inner).chain([to]);
+        found.extend(places.map(|place| at(piece, place)));
+    }
+    found
 }

@@ -1,6 +1,6 @@
 //! Diagrams of a cam over its turn.
 
-use super::sampled::sampled;
+use super::tables::{PLACES, rows};
 use crate::kinematics::cam::{CamState, DiscCam};
 use crate::report::plot::{Axis, Mark, Plot, Series};
 use crate::studies::cam::{CamFigures, CamForce};
@@ -15,7 +15,7 @@ pub(super) fn charts(
     figures: &CamFigures,
     force: Option<&CamForce<'_>>,
 ) -> Vec<Plot> {
-    let places = sampled(cam);
+    let places = rows(cam, PLACES);
     let pieces = cam.motion().pieces();
     let states = places
         .iter()

@@ -24,15 +24,6 @@ fn thinned(count: usize) -> Vec<usize> {
 }
 
 fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
-    let placed = |row: &usize| {
-        let links = found.frames[*row].iter();
-        links
-            .map(|&[x, y, cos, sin]| Placement {
-                at: [x, y],
-                turn: [cos, sin],
-            })
-            .collect()
-    };
     let points: Vec<MovingPoint<'_>> = points(found);
     let vectors = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
         rows.iter().map(|&row| [x[row], y[row]]).collect()
@@ -41,12 +32,9 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
         let endless = Endless::of(found, |column| column.quantity == quantity);
         let vector = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
             let near = |row: &usize| endless.is_near(found.axis.values[*row]);
-            let value = |row: &usize| {
-                if near(row) {
-                    [f64::NAN; 2]
-                } else {
-                    [x[*row], y[*row]]
-                }
+            let value = |row: &usize| match near(row) {
+                true => [f64::NAN; 2],
+                false => [x[*row], y[*row]],
             };
             rows.iter().map(value).collect()
         };
@@ -69,7 +57,7 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
     let axis = axis(found);
     Drawing {
         spec: found.linkage.spec(),
-        frames: rows.iter().map(placed).collect(),
+        frames: rows.iter().map(|&row| placed(&found.frames[row])).collect(),
         axis: Axis {
             name: axis.name.to_owned(),
             unit: axis.unit().to_owned(),
@@ -95,6 +83,15 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
             ),
         ],
     }
+}
+
+/// The links of a position.
+pub(super) fn placed(frame: &[[f64; 4]]) -> Vec<Placement> {
+    let place = |&[x, y, cos, sin]: &[f64; 4]| Placement {
+        at: [x, y],
+        turn: [cos, sin],
+    };
+    frame.iter().map(place).collect()
 }
 
 /// A named point that moves: x, y, speed, acceleration over the rows.

@@ -1,10 +1,11 @@
 //! What linkages of several inputs have beside those of one: the machine with a slider for
 //! each input, and their singular positions.
 
+use super::drawing::placed;
 use super::{coordinate, input};
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
 use crate::report::findings::{Layout, Section, Table};
-use crate::report::mechanism::{Drawing, GridAxis, Placement};
+use crate::report::mechanism::{Drawing, GridAxis};
 use crate::report::plot::{Axis, Plot, Series};
 use crate::studies::kinematics::{Kinematics, Plane, PlaneInput};
 
@@ -33,13 +34,6 @@ pub(super) fn machine<'a>(found: &'a Kinematics) -> Section<'a> {
 
 fn over_inputs(found: &Kinematics) -> Option<String> {
     let grid = found.grid.as_ref()?;
-    let placed = |frame: &Vec<[f64; 4]>| {
-        let links = frame.iter().map(|&[x, y, cos, sin]| Placement {
-            at: [x, y],
-            turn: [cos, sin],
-        });
-        links.collect()
-    };
     let axes = grid.axes.iter().map(|(name, own, values)| GridAxis {
         name: name.clone(),
         unit: own.shown(0.0).1.to_owned(),
@@ -47,7 +41,7 @@ fn over_inputs(found: &Kinematics) -> Option<String> {
     });
     let drawing = Drawing {
         spec: found.linkage.spec(),
-        frames: grid.frames.iter().map(placed).collect(),
+        frames: grid.frames.iter().map(|frame| placed(frame)).collect(),
         axis: crate::report::mechanism::Axis::default(),
         paths: Vec::new(),
         arrows: Vec::new(),

@@ -2,7 +2,8 @@
 
 use crate::kinematics::motion::law::{Law, LawConstants};
 use crate::math::jet::Jet;
-use crate::report::csv::Rows;
+use crate::report::course::samples;
+use crate::report::csv::{Rows, head};
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Plot, Series};
 use crate::report::quantity::significant;
@@ -111,33 +112,22 @@ pub(super) fn rows(
     [own, per]: [&str; 2],
     rows: &[(f64, Jet)],
 ) -> Rows {
-    let named = |name: String, unit: String| match unit.as_str() {
-        "" => name,
-        unit => format!("{name} [{unit}]"),
-    };
     let derivative = |order: usize| {
         let name = match order {
             0 => value.to_owned(),
             order => format!("{value}{order}"),
         };
-        named(name, unit(order, own, per, ["", "", "^2", "^3"]))
+        head(&name, &unit(order, own, per, ["", "", "^2", "^3"]))
     };
-    let head = std::iter::once(named(argument.to_owned(), per.to_owned()));
+    let first = std::iter::once(head(argument, per));
     let row = |(at, jet): &(f64, Jet)| std::iter::once(*at).chain(parts(jet));
-    Rows::new(head.chain((0..4).map(derivative)), rows.iter().map(row))
+    Rows::new(first.chain((0..4).map(derivative)), rows.iter().map(row))
 }
 
 /// Arguments of a law: `count` equal steps, and both sides of every joint.
 pub(super) fn of_law(law: &Law, count: usize) -> Vec<(f64, Jet)> {
-    let count = count.max(1);
-    let mut rows = Vec::new();
-    for (piece, from, to) in law.pieces() {
-        rows.push((from, law.jet(piece, from)));
-        let first = (from * count as f64).floor() as usize + 1;
-        let inner = (first..count).map(|i| i as f64 / count as f64);
-        let inner = inner.take_while(|&tau| tau < to).filter(|&tau| tau > from);
-        rows.extend(inner.map(|tau| (tau, law.jet(piece, tau))));
-        rows.push((to, law.jet(piece, to)));
-    }
-    rows
+    let pieces = law.pieces().map(|(_, from, to)| [from, to]);
+    samples(pieces, [0.0, 1.0], count, |piece, tau| {
+        (tau, law.jet(piece, tau))
+    })
 }

@@ -3,7 +3,7 @@
 use super::over_period;
 use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
 use crate::dynamics::steady::Extreme;
-use crate::report::csv::{Field, Rows};
+use crate::report::csv::{Field, Rows, head};
 use crate::report::findings::table::judged;
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
@@ -130,12 +130,8 @@ pub fn periodic_rows(answer: &PeriodicAnswer) -> Rows {
     };
     let header = ["phi [rad]", "t [s]", "omega [rad/s]", "epsilon [rad/s^2]"];
     let deviations = answer.parts.iter().flat_map(|part| {
-        let unit = match part.unit.as_str() {
-            "" => String::new(),
-            unit => format!(" [{unit}]"),
-        };
         let names = part.orbit.iter();
-        names.map(move |(name, _)| format!("{name}: deviation{unit}"))
+        names.map(|(name, _)| head(&format!("{name}: deviation"), &part.unit))
     });
     let rows = drive.rows.iter().map(|row| {
         let own = [row.position, row.time, row.speed, row.acceleration];
