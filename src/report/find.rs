@@ -315,21 +315,13 @@ fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
         .map(|one| [one.from.sample.value, one.to.sample.value])
         .collect();
     let limits = answer.conditions.iter().filter(|one| one.figure == name);
-    let limits = limits.map(|one| Rule {
-        at: one.value,
-        label: format!(
-            "{} {}",
-            one.relation.sign(),
-            figure(answer, name, Some(one.value))
-        ),
-        upright: false,
+    let limits = limits.map(|one| {
+        let limit = figure(answer, name, Some(one.value));
+        Rule::level(one.value, format!("{} {limit}", one.relation.sign()))
     });
     let best = answer.found.best.as_ref().map(|best| {
         let point = (best.sample.value, value(&best.sample).unwrap_or(f64::NAN));
-        let mark = Mark {
-            shape: Shape::Good,
-            note: parameter(answer, best.sample.value, DIGITS),
-        };
+        let mark = Mark::new(Shape::Good, parameter(answer, best.sample.value, DIGITS));
         Series::marked("the answer", vec![point], vec![mark])
     });
     Plot {

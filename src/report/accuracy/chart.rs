@@ -51,16 +51,13 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
 /// Filled for the model chosen, open for the others.
 fn mark(tried: &Tried, figure: &FigureAccuracy, value: f64) -> Mark {
     let chosen = if tried.chosen { ", chosen" } else { "" };
-    Mark {
-        shape: if tried.chosen {
-            Shape::Good
-        } else {
-            Shape::Open
-        },
-        note: format!(
-            "{}{chosen}: {}",
-            in_words(&tried.levels),
-            with_unit(value, &figure.unit, 6)
-        ),
-    }
+    let shape = match tried.chosen {
+        true => Shape::Good,
+        false => Shape::Open,
+    };
+    let value = with_unit(value, &figure.unit, 6);
+    Mark::new(
+        shape,
+        format!("{}{chosen}: {value}", in_words(&tried.levels)),
+    )
 }

@@ -123,11 +123,8 @@ fn frame_unbounded(chart: &mut Plot, found: &Kinematics, endless: &Endless) {
         points.filter(|(_, at)| !endless.is_near(**at))
     });
     chart.y.range = framed(shown.map(|(point, _)| point.1));
-    chart.rules.extend(endless.ends.iter().map(|&at| Rule {
-        at: axis(found).shown(at),
-        label: String::new(),
-        upright: true,
-    }));
+    let ends = endless.ends.iter().map(|&at| axis(found).shown(at));
+    chart.rules.extend(ends.map(Rule::upright));
     if let Some(rule) = chart.rules.last_mut() {
         rule.label = "grows without bound towards here".to_owned();
     }

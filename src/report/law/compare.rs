@@ -136,15 +136,9 @@ fn chart(laws: &[ComparedLaw]) -> Plot {
                 continue;
             };
             points.push((value / best, row as f64 + 0.5));
-            marks.push(Mark {
-                shape: Shape::Good,
-                note: format!(
-                    "{}: {} = {}",
-                    law.name,
-                    figure.words(),
-                    with_unit(value, figure.unit(law), 6)
-                ),
-            });
+            let value = with_unit(value, figure.unit(law), 6);
+            let note = format!("{}: {} = {value}", law.name, figure.words());
+            marks.push(Mark::new(Shape::Good, note));
         }
         let series = Series::marked(figure.words(), points, marks);
         (!series.points.is_empty()).then_some(series)

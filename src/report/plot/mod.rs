@@ -204,6 +204,14 @@ pub struct Mark {
     pub note: String,
 }
 
+impl Mark {
+    /// A mark with a note.
+    pub fn new(shape: Shape, note: impl Into<String>) -> Self {
+        let note = note.into();
+        Self { shape, note }
+    }
+}
+
 /// Shape of a point's mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Shape {
@@ -265,6 +273,25 @@ pub struct Rule {
     pub label: String,
     /// True: upright, at a value of the horizontal axis.
     pub upright: bool,
+}
+
+impl Rule {
+    /// A line at a value of the vertical axis.
+    pub fn level(at: f64, label: impl Into<String>) -> Self {
+        Self {
+            at,
+            label: label.into(),
+            upright: false,
+        }
+    }
+
+    /// A line without a name at a value of the horizontal axis.
+    pub fn upright(at: f64) -> Self {
+        Self {
+            upright: true,
+            ..Self::level(at, "")
+        }
+    }
 }
 
 /// Characters per line that fit `width` at a font size, for a sans-serif face.

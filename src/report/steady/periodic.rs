@@ -228,13 +228,10 @@ fn verdict(answer: &PeriodicAnswer) -> Verdict {
 fn circle(part: &PartMotion) -> Plot {
     let circle = (0..=180).map(|i| (f64::from(i) * 2.0f64.to_radians()).sin_cos());
     let circle = circle.map(|(sin, cos)| (cos, sin)).collect();
-    let note = |m: &Multiplier| {
+    let mark = |m: &Multiplier| {
         let [re, im] = [m.re, m.im].map(|part| significant(part, 6));
-        format!("{re} + {im}i, error {}", significant(m.error, 2))
-    };
-    let mark = |m: &Multiplier| Mark {
-        shape: Shape::Good,
-        note: note(m),
+        let note = format!("{re} + {im}i, error {}", significant(m.error, 2));
+        Mark::new(Shape::Good, note)
     };
     let all = part.multipliers.iter();
     let (points, marks) = all.map(|m| ((m.re, m.im), mark(m))).unzip();
