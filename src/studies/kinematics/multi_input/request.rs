@@ -289,9 +289,7 @@ impl<'a> AskedSeveral<'a> {
     }
 
     fn input(&self, name: &str) -> Result<usize, String> {
-        let names: Vec<&str> = (0..self.inputs.len())
-            .map(|input| self.name(input))
-            .collect();
+        let names = self.linkage.input_names();
         let found = names.iter().position(|known| *known == name);
         found.ok_or_else(|| {
             format!(
