@@ -37,6 +37,7 @@ fn kinds() -> [Kind; 2] {
         "docs/site",
         "docs/site/guides",
         "docs/site/tutorial",
+        "docs/site/course",
         "docs/site/trust",
     ];
     let mut guides = pages(&folders);
