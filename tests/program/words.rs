@@ -32,6 +32,11 @@ fn kinds() -> [Kind; 2] {
         "CONTRIBUTING.md",
         "SECURITY.md",
         "CHANGELOG.md",
+        "python/README.md",
+        "scenarios/README.md",
+        "objects/README.md",
+        "docs/model-order.md",
+        "docs/studio-latency.md",
     ];
     let folders = [
         "docs/site",
