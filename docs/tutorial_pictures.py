@@ -34,17 +34,22 @@ class Picture:
     page: str
     # The folder of `--out` in a command of that page.
     out: str
-    # Beginnings of the headings of the sections that are shown, below the answer.
+    # Beginnings of the headings of the sections that are shown below the answer; "": what is before them.
     sections: list[str]
     height: int
     # How far the player of the machine has gone, 0 to 1.
     at: float | None = None
+    # The page whose scene this one goes on with.
+    after: str | None = None
 
 
 PICTURES = [
     Picture("first-answer", "get-started.md", "out", [], 170),
     Picture("first-report", "get-started.md", "out", ["Mechanism", "The machine moving"], 880, at=0.0555),
     Picture("first-scene", "tutorial/first-scene.md", "lever", ["The machine moving"], 630, at=0.0555),
+    Picture("closing", "tutorial/lift-off.md", "closing", ["lever"], 600, after="tutorial/first-scene.md"),
+    Picture("masses", "tutorial/how-good.md", "masses", ["lever"], 600, after="tutorial/first-scene.md"),
+    Picture("map", "tutorial/own-machine.md", "map", [""], 910),
     Picture("cam", "tutorial/cam-from-table.md", "cam", ["Cam and follower"], 900, at=0.22),
     Picture("press", "tutorial/press.md", "forces", ["The mechanism with its forces"], 710, at=0.92),
     Picture("flywheel", "tutorial/press.md", "flywheel", ["Motion over a cycle"], 620),
@@ -57,9 +62,10 @@ PREPARE = """<script>
 addEventListener("load", () => {
   const shown = %s;
   document.querySelector("footer")?.remove();
-  let keep = false;
+  let keep = shown.includes("");
   for (const part of document.querySelector("main").children) {
-    if (part.tagName === "H2") keep = shown.some((head) => part.textContent.startsWith(head));
+    const title = part.tagName === "SECTION" ? part.querySelector("h2") : part.tagName === "H2" && part;
+    if (title) keep = shown.some((head) => head && title.textContent.startsWith(head));
     if (!keep && part.tagName !== "STYLE") part.style.display = "none";
   }
   const slider = document.querySelector(".moving input[type=range]");
@@ -71,13 +77,16 @@ addEventListener("load", () => {
 </script>"""
 
 
-def rehearse(page: Path, program: Path, folder: Path) -> None:
-    """Files of a page, and its commands that leave files behind."""
-    for language, title, body in BLOCK.findall(page.read_text(encoding="utf-8")):
+def rehearse(page: Path, program: Path, folder: Path, wanted: set[str]) -> None:
+    """Files of a page, and its commands that write the wanted folders, or what other commands read."""
+    text = page.read_text(encoding="utf-8")
+    for language, title, body in BLOCK.findall(text):
         if language in ("json", "csv") and title:
             (folder / title).write_text(body, encoding="utf-8")
         for line in body.splitlines() if language == "sh" else []:
-            if line.startswith("dam new") or "--out" in line:
+            out = re.search(r"--out (\S+)", line)
+            needed = out and (out[1] in wanted or f"dam methods {out[1]}/" in text)
+            if line.startswith("dam new") or needed:
                 command = line.replace("dam", str(program), 1).partition("   #")[0]
                 subprocess.run(command, shell=True, cwd=folder, check=True, capture_output=True)
 
@@ -117,7 +126,9 @@ def main() -> None:
             folder.mkdir()
             for shared in ("scenarios", "objects"):
                 (folder / shared).symlink_to(ROOT / shared)
-            rehearse(SITE / page, program, folder)
+            for before in dict.fromkeys(picture.after for picture in here if picture.after):
+                rehearse(SITE / before, program, folder, set())
+            rehearse(SITE / page, program, folder, {picture.out for picture in here})
             for picture in here:
                 photograph(picture, folder / picture.out / "report.html", browser)
 
