@@ -48,11 +48,17 @@ fn kinds() -> [(Vec<PathBuf>, Limits); 2] {
         "CONTRIBUTING.md",
         "SECURITY.md",
         "CHANGELOG.md",
+        "python/README.md",
+        "scenarios/README.md",
+        "objects/README.md",
+        "docs/model-order.md",
+        "docs/studio-latency.md",
     ];
     let folders = [
         "docs/site",
         "docs/site/guides",
         "docs/site/tutorial",
+        "docs/site/course",
         "docs/site/trust",
     ];
     let mut guides = pages(&folders);
