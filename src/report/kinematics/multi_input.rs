@@ -91,8 +91,8 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
         .table(table)
         .words(format!(
             "On these curves the determinant of a group vanishes: speeds and forces grow without \
-             bound. Ranges are those of the points; between them a curve reaches a little further. \
-             Looked at: {looked}."
+             bound. Ranges are those of the points; between them a curve goes a little further. \
+             Examined: {looked}."
         ))
         .charts(Layout::Grid, "", vec![chart(found, plane)])
 }
@@ -117,7 +117,7 @@ fn chart(found: &Kinematics, plane: &Plane) -> Plot {
         ));
     }
     let path = plane.path.iter().map(point);
-    series.push(Series::theory("way of the inputs", path.collect()));
+    series.push(Series::theory("path of the inputs", path.collect()));
     let axis = |input: &PlaneInput| Axis {
         range: Some(input.range.map(|value| input.coordinate.shown(value).0)),
         ..Axis::new(&input.name, input.coordinate.shown(0.0).1)

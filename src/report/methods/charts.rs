@@ -53,6 +53,7 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
     let reference = study.reference.as_ref();
     let shaded = reference.filter(|r| r.resolution > 3e-15);
     let asked = format!("asked for: {}", significant(study.accuracy, 2));
+    let noise = "cannot be distinguished from no error";
     Plot {
         title: format!("{}: error against {name}", study.scene),
         x: Axis::logarithmic(label, unit),
@@ -62,7 +63,7 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
         },
         series: with_floors(study, methods),
         rules: vec![Rule::level(study.accuracy, asked)],
-        below: shaded.map(|r| (r.resolution, "cannot be told from no error".to_owned())),
+        below: shaded.map(|r| (r.resolution, noise.to_owned())),
         lane: "failed".to_owned(),
         ..Plot::default()
     }
@@ -309,7 +310,7 @@ pub fn regions(sweep: &Sweep) -> Plot {
     }
     Plot {
         title: format!(
-            "What becomes of each method at tolerance {}{fixed}",
+            "Verdict on each method at tolerance {}{fixed}",
             significant(accuracy, 2)
         ),
         x: axis(sweep),

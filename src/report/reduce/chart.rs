@@ -32,9 +32,9 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
     }
     Some(Plot {
         id: "models".to_owned(),
-        title: "Error of each figure against the time of a run, over models".to_owned(),
+        title: "Error of each result against the time of a run, over models".to_owned(),
         x: Axis::logarithmic("time of a run", "ms"),
-        y: Axis::logarithmic("error of the figure", ""),
+        y: Axis::logarithmic("error of the result", ""),
         series,
         rules: requested_error_line(&reduction.certificate),
         ..Plot::default()

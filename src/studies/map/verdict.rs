@@ -55,7 +55,7 @@ pub enum Verdict {
     /// Engaged motion, periodic, [`RESONANCE`] times beyond the quasi-static
     /// deflection, with a natural frequency near a harmonic of the drive.
     Resonance,
-    /// The mechanism cannot go on: a dead position.
+    /// The mechanism cannot go on: a dead-centre position.
     Stopped,
     /// The budget of steps or switches was spent before the end of the run. Nothing
     /// wrong was found up to there.
@@ -110,7 +110,7 @@ impl Verdict {
             Self::NotJudged => ("not_judged", "run too short to judge", Family::Mechanism, Some(Judgement::NotJudged)),
             Self::ThrownOff => ("thrown_off", "thrown off", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
             Self::Resonance => ("resonance", "resonance", Family::Mechanism, Some(Judgement::InWorkingOrder)),
-            Self::Stopped => ("stopped", "dead position", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
+            Self::Stopped => ("stopped", "dead-centre position", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
             Self::NotFinished => ("not_finished", "run not finished", Family::Computation, Some(Judgement::NotJudged)),
             Self::NumericalFailure => ("numerical_failure", "computation failed", Family::Computation, Some(Judgement::NotToBeTrusted)),
             Self::Refused => ("refused", "no such mechanism", Family::Scene, None),

@@ -113,14 +113,14 @@ impl<'a> AskedSeveral<'a> {
         question.check_positions()?;
         if question.speed.or(question.acceleration).is_some() {
             return Err(format!(
-                "`{}` has several inputs: say whose speed or acceleration it is, as in {}=…",
+                "`{}` has several inputs: name the input of this speed or acceleration, as in {}=…",
                 self.object,
                 self.name(0)
             ));
         }
         if let Some(Over::Range { .. }) = question.over {
             return Err(format!(
-                "`{}` has several inputs: say whose range it is, as in {}=0:90 deg",
+                "`{}` has several inputs: name the input of this range, as in {}=0:90 deg",
                 self.object,
                 self.name(0)
             ));
@@ -155,15 +155,15 @@ impl<'a> AskedSeveral<'a> {
     fn over_time(&mut self, to: f64, question: &Question) -> Result<(), String> {
         if !question.inputs.is_empty() {
             return Err(
-                "over time the scene's drives move all inputs: leave the inputs out, or ask for \
-                 their ways"
+                "over time the scene's drives move all inputs: omit the inputs, or give their \
+                 paths"
                     .to_owned(),
             );
         }
         if self.trajectories.is_none() {
             return Err(format!(
                 "not all inputs of `{}` have a prescribed motion: how they move over time follows \
-                 from the forces (`dam run`); ask for the way of an input",
+                 from the forces (`dam run`); give the path of an input",
                 self.object
             ));
         }
@@ -281,7 +281,7 @@ impl<'a> AskedSeveral<'a> {
             .set_inputs(&self.inputs_at(self.span()[0]))
             .map_err(|why| {
                 format!(
-                    "`{}` cannot be assembled where the way of its inputs begins: {}",
+                    "`{}` cannot be assembled where the path of its inputs begins: {}",
                     self.object,
                     self.cause(why)
                 )
