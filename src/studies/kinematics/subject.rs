@@ -175,15 +175,8 @@ fn short_branch(law: &Law) -> Option<(&'static str, f64)> {
         Position::SliderCrank(own) => Some(("slider_crank", own.branch)),
         Position::FourBar(own) => Some(("four_bar", own.branch)),
         Position::SlottedLink(own) => Some(("slotted_link", own.branch_of_block()?)),
-        // (No short forms of linkages.)
-        Position::Ratio { .. }
-        | Position::Sine { .. }
-        | Position::Polynomial(_)
-        | Position::Table(_)
-        | Position::Cam(_)
-        | Position::Plan(_)
-        | Position::Linkage(_)
-        | Position::Custom(_) => None,
+        // (No short form of a linkage.)
+        _ => None,
     }
 }
 
