@@ -177,7 +177,7 @@ pub(super) fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     by_first(&mut ideal);
     let convention = study.settings.convention.name();
     Some(Plot::new(
-        format!("χ against i, convention `{convention}`"),
+        format!("χ against i, convention {convention}"),
         Axis::new("i", &study.unit("ratio")),
         &study.unit("chi"),
         vec![
@@ -214,7 +214,7 @@ pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let convention = study.settings.convention.name();
     Some(Plot::new(
         format!(
-            "Dynamic transmission ratio χ without masses and with them, convention `{convention}`"
+            "Dynamic transmission ratio χ without masses and with them, convention {convention}"
         ),
         Axis::new("q", axis.unit()),
         &study.unit("chi"),

@@ -104,11 +104,11 @@ impl Verdict {
         match self {
             Self::InWorkingOrder => ("in_working_order", "in working order", Family::Mechanism, Some(Judgement::InWorkingOrder)),
             Self::LiftOffDiesAway => ("lift_off_dies_away", "lift-off that dies away", Family::Mechanism, Some(Judgement::InWorkingOrder)),
-            Self::LiftOff => ("lift_off", "lift-off again and again", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
+            Self::LiftOff => ("lift_off", "repeated lift-off", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
             Self::LiftOffNotJudged => ("lift_off_not_judged", "lift-off, run too short to judge", Family::Mechanism, Some(Judgement::NotJudged)),
             Self::CreepNotJudged => ("creep_not_judged", "creep, not judged", Family::Mechanism, Some(Judgement::NotJudged)),
             Self::NotJudged => ("not_judged", "run too short to judge", Family::Mechanism, Some(Judgement::NotJudged)),
-            Self::ThrownOff => ("thrown_off", "thrown off", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
+            Self::ThrownOff => ("thrown_off", "far off its law", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
             Self::Resonance => ("resonance", "resonance", Family::Mechanism, Some(Judgement::InWorkingOrder)),
             Self::Stopped => ("stopped", "dead-centre position", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
             Self::NotFinished => ("not_finished", "run not finished", Family::Computation, Some(Judgement::NotJudged)),
