@@ -10,13 +10,13 @@ use super::forces::{
     multi_input_forces, only_loaded_output, study,
 };
 use super::kinematics::{
-    self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Question, linkage_of,
+    self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Over, Question, linkage_of,
     several_of,
 };
 use crate::dynamics::model::Model;
 use crate::fault::Fault;
 use crate::frontend::read::{QuantityChoice, UnitFault, closest};
-use crate::frontend::scene::{Expectation, Expected, Measured};
+use crate::frontend::scene::{Expectation, Expected, Measured, SpanAddress};
 use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
 use crate::units::quantities::{ALL, NUMBER};
 use crate::units::{Mismatch, Quantity, parse};
@@ -41,6 +41,9 @@ struct Address<'a> {
 
 impl<'a> Address<'a> {
     fn of(figure: &'a str) -> Option<Self> {
+        if SpanAddress::of(figure).is_some() {
+            return None; // over a part of the course: `spans`
+        }
         let studies = ["kinematics", "forces"];
         let (study, rest) = figure.split_once('.')?;
         let study = studies.into_iter().find(|known| *known == study)?;
@@ -54,7 +57,7 @@ impl<'a> Address<'a> {
 }
 
 /// The question that is put when nothing is said but the object.
-fn question(object: &str, duration: f64) -> Question {
+pub(super) fn question(object: &str, duration: f64) -> Question {
     Question {
         object: Some(object.to_owned()),
         duration,
@@ -67,7 +70,24 @@ fn question(object: &str, duration: f64) -> Question {
 /// # Errors
 /// What cannot be answered, in words.
 pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinematics, String> {
-    kinematics::kinematics_of(model, &question(object, duration))
+    kinematics_over(model, object, duration, None)
+}
+
+/// The same over a part of its course.
+///
+/// # Errors
+/// What cannot be answered, in words.
+pub(super) fn kinematics_over(
+    model: &Model,
+    object: &str,
+    duration: f64,
+    over: Option<Over>,
+) -> Result<Kinematics, String> {
+    let question = Question {
+        over,
+        ..question(object, duration)
+    };
+    kinematics::kinematics_of(model, &question)
 }
 
 /// Forces of a linkage as its scene has them.
@@ -75,12 +95,29 @@ pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinem
 /// # Errors
 /// What cannot be answered, in words.
 pub fn forces_of(model: &Model, object: &str, duration: f64) -> Result<ForceStudy, String> {
+    forces_over(model, object, duration, None)
+}
+
+/// The same over a part of its course.
+///
+/// # Errors
+/// What cannot be answered, in words.
+pub(super) fn forces_over(
+    model: &Model,
+    object: &str,
+    duration: f64,
+    over: Option<Over>,
+) -> Result<ForceStudy, String> {
+    let question = Question {
+        over,
+        ..question(object, duration)
+    };
     if let Some(body) = several_of(model, Some(object)) {
-        let asked = AskedSeveral::new(model, body, &question(object, duration))?;
+        let asked = AskedSeveral::new(model, body, &question)?;
         return multi_input_forces(&asked, Options::default()).map_err(in_words);
     }
     let linkage = &linkage_of(model, Some(object))?.linkage;
-    let asked = KinematicsRequest::new(model, &question(object, duration))?;
+    let asked = KinematicsRequest::new(model, &question)?;
     let course = course_of(&asked)?;
     let settings = ForceSettings {
         output: only_loaded_output(&Kinetostatics::new(linkage.spec()).map_err(in_words)?),

@@ -9,6 +9,7 @@ use super::observer::Observer;
 use super::pairs::PairTracker;
 use super::rows::{Rows, is_finite};
 use super::settings::RecorderSettings;
+use super::spans::SpanSearch;
 use super::tally::CLAIMS;
 use super::watch::Watch;
 use super::{Interval, SwitchRow};
@@ -56,6 +57,7 @@ pub(crate) struct Log<'s> {
     /// Draws what the check of the run looks at.
     looker: InstantSampler,
     watch: Watch,
+    spans: SpanSearch,
 }
 
 impl<'s> Log<'s> {
@@ -93,6 +95,7 @@ impl<'s> Log<'s> {
             confirmed: vec![None; model.objects.len() * CLAIMS],
             confirms: settings.checked && settings.listing,
             watch: Watch::new(model),
+            spans: SpanSearch::new(model, &settings.spans),
             looker: match settings.checked {
                 true => {
                     let entries = 2 * system.coordinates();
@@ -129,6 +132,7 @@ impl<'s> Log<'s> {
         let [from, until] = stretch.span;
         self.draw(&mut stretch);
         self.watch(&mut stretch);
+        self.search_spans(&mut stretch);
         while let Some(time) = self.rows.due(until) {
             if self.failure.is_some() {
                 return;
@@ -173,6 +177,18 @@ impl<'s> Log<'s> {
         let whole = matches!(stretch.course, Course::Known(_));
         let (span, observer) = (stretch.span, &mut self.observer);
         self.watch.follow(span, whole, &mut |time, object| {
+            stretch.view_at(time, observer, &mut []).states[object]
+        });
+    }
+
+    /// Looks for greatest values within spans.
+    fn search_spans(&mut self, stretch: &mut Stretch<'_>) {
+        if !self.spans.is_looking() || self.failure.is_some() {
+            return;
+        }
+        let whole = matches!(stretch.course, Course::Known(_));
+        let (span, observer) = (stretch.span, &mut self.observer);
+        self.spans.follow(span, whole, &mut |time, object| {
             stretch.view_at(time, observer, &mut []).states[object]
         });
     }
