@@ -990,8 +990,8 @@ class Force(Tree):
     linear
         T₀·(1 − ω/ω₀).
     over
-        Another object (or output) whose motion `expression` looks at as over_phi and
-        over_phi_dot: `press`, `press.ram`.
+        Another object or output: `press`, `press.ram`. `expression` knows its motion as
+        over_phi and over_phi_dot.
     table
         List of [speed, force]: linear between the points, constant outside.
     unit
@@ -1231,7 +1231,7 @@ class Gravity(Tree):
 
 
 class Harmonic(Tree):
-    """Sine over time, or over the driver's displacement.
+    """Sine over time, or over the displacement of the driver or of the object `over`.
 
     Parameters
     ----------
@@ -1244,7 +1244,7 @@ class Harmonic(Tree):
         Constant part (moment in N m, kN m, N mm, lbf ft or lbf in; or force in N, kN, MN,
         lbf or kgf) Default: 0.0.
     order
-        Periods per turn of the driver (a pure number)
+        Periods per turn of the driver, or of the object `over` (a pure number)
     phase
         Angle of the sine at its start (angle in rad, deg, mrad or rev) Default: 0.0.
     """
@@ -1292,7 +1292,7 @@ class HuntCrossley(Tree):
 
 
 class Indicator(Tree):
-    """Pressure on a piston over the driver's displacement: the indicator diagram of an engine or a compressor.
+    """Pressure on a piston over the displacement of the driver or of the object `over`: the indicator diagram of an engine or a compressor.
 
     Parameters
     ----------
@@ -1300,14 +1300,15 @@ class Indicator(Tree):
         Area of the piston; positive: the pressure pushes towards positive displacement
         (area in m^2, mm^2, cm^2 or in^2)
     points
-        List of [driver's displacement, pressure]: linear between the points.
+        List of [displacement of the driver or of `over`, pressure]: linear between the
+        points.
     ambient
         Pressure on the other side of the piston (pressure in Pa, kPa, bar, MPa or psi)
         Default: 101325.0.
     period
-        Repeats after this much of the driver's displacement: 360 deg of a two-stroke, 720
-        deg of a four-stroke engine; default one turn of a turning driver (angle in rad,
-        deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
+        Repeats after this much of that displacement: 360 deg of a two-stroke, 720 deg of a
+        four-stroke engine; default one turn of what turns (angle in rad, deg, mrad or rev;
+        or length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -2203,18 +2204,20 @@ class Load(Tree):
     friction
         Coulomb friction, regularised: W = −force·tanh(φ̇/width).
     harmonic
-        Sine over time, or over the driver's displacement.
+        Sine over time, or over the displacement of the driver or of the object `over`.
     indicator
-        Pressure on a piston over the driver's displacement: the indicator diagram of an
-        engine or a compressor.
+        Pressure on a piston over the displacement of the driver or of the object `over`:
+        the indicator diagram of an engine or a compressor.
     mass
         Mass it acts on: `last`, `first`, `all`, or its number from 1; default `all` for a
         weight, `last` for everything else.
     over
-        Another object (or output) whose motion `expression` looks at as over_phi and
-        over_phi_dot: `press`, `press.ram`.
+        Another object or output: `press`, `press.ram`; the name of the drive for the
+        machine angle. `window`, `position_table`, `harmonic` and `indicator` refer to its
+        displacement in place of the driver's. `expression` knows its motion as over_phi and
+        over_phi_dot.
     position_table
-        Force over the driver's displacement.
+        Force over the driver's displacement, or that of the object `over`.
     spring
         Spring: W = −preload − rate·φ.
     time_table
@@ -2228,7 +2231,7 @@ class Load(Tree):
     weight
         Weight: W = −m·g·sin(inclination).
     window
-        Constant force while the driver is between two positions.
+        Constant force while the driver, or the object `over`, is between two positions.
     """
 
     __slots__ = ()
@@ -2853,16 +2856,16 @@ class PositionPolynomial(Tree):
 
 
 class PositionTable(Tree):
-    """Force over the driver's displacement.
+    """Force over the driver's displacement, or that of the object `over`.
 
     Parameters
     ----------
     points
-        List of [driver's displacement, force]: linear between the points.
+        List of [displacement of the driver or of `over`, force]: linear between the points.
     period
-        Repeats after this much of the driver's displacement; without it the force is
-        constant outside the points (angle in rad, deg, mrad or rev; or length in m, mm, cm,
-        µm, in or ft)
+        Repeats after this much of that displacement; without it the force is constant
+        outside the points (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in
+        or ft)
     """
 
     __slots__ = ()
@@ -4061,9 +4064,13 @@ class Table(Tree):
         ascending.
     end_slopes
         Slopes U′ at both ends of a table that is not periodic Default: [0.0, 0.0].
+    period
+        Repeats after this much of the driver's displacement; the curve goes on to the first
+        point by itself (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or
+        ft)
     periodic
-        True: the last point closes the period; it has the displacement of the first.
-        Default: false.
+        True: the table repeats. Without `period` the last point closes the period; it has
+        the displacement of the first. Default true with `period`. Default: false.
     """
 
     __slots__ = ()
@@ -4073,11 +4080,13 @@ class Table(Tree):
         *,
         points: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value],
         end_slopes: Sequence[Quantity] | None = None,
+        period: Quantity | None = None,
         periodic: bool | None = None,
     ) -> None:
         super().__init__(
             ("points", points),
             ("end_slopes", end_slopes),
+            ("period", period),
             ("periodic", periodic),
         )
 
@@ -4148,8 +4157,8 @@ class Torque(Tree):
     linear
         T₀·(1 − ω/ω₀).
     over
-        Another object (or output) whose motion `expression` looks at as over_phi and
-        over_phi_dot: `press`, `press.ram`.
+        Another object or output: `press`, `press.ram`. `expression` knows its motion as
+        over_phi and over_phi_dot.
     table
         List of [speed, torque]: linear between the points, constant outside.
     unit
@@ -4345,7 +4354,7 @@ class Weld(Tree):
 
 
 class Window(Tree):
-    """Constant force while the driver is between two positions.
+    """Constant force while the driver, or the object `over`, is between two positions.
 
     Parameters
     ----------
@@ -4361,8 +4370,8 @@ class Window(Tree):
     once
         True: the window comes once and does not repeat. Default: false.
     period
-        Repeats after this much of the driver's displacement; default one turn of a turning
-        driver (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
+        Repeats after this much of that displacement; default one turn of what turns (angle
+        in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
