@@ -116,9 +116,7 @@ impl Studies<'_> {
             .pop()
             .ok_or_else(nobody)
     }
-}
 
-impl Studies<'_> {
     /// A figure of kinematics or forces over a part of the course.
     fn within(&self, one: &Expectation) -> Result<Verdict, String> {
         let Expected::Figure { figure, allowed } = &one.what else {

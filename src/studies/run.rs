@@ -122,11 +122,12 @@ pub fn run(
     })
 }
 
-/// Adds what was found within parts of the motion.
+/// Adds what was found within parts of the motion, of figures that the whole motion has.
 fn add_spans(figures: &mut Figures, wanted: &[SpanFigure], found: &BTreeMap<String, Option<f64>>) {
     for one in wanted {
+        let value = found.get(&one.address).copied().flatten();
         let found = StudyFigure {
-            value: found.get(&one.address).copied().flatten(),
+            value: value.filter(|_| figures.value(&one.figure).is_ok()),
             unit: figures.unit(&one.figure),
         };
         figures.studies.insert(one.address.clone(), found);

@@ -175,6 +175,9 @@ fn what_has_no_value_over_a_part_is_refused_with_what_has() {
         );
     }
     assert!(over("mass.sigma", angles).contains("delta_abs"));
+    // What the whole run does not have, no part of it has.
+    let error = over("mass.pair.margin", angles);
+    assert!(error.contains("there is no figure"), "{error}");
     let error = over("mass.delta_abs", r#"{ "from": "60 deg", "to": "30 deg" }"#);
     assert!(error.contains("from 350 deg to 370 deg"), "{error}");
     let error = over("mass.delta_abs", r#"{ "from": "60 deg", "to": "1 s" }"#);
@@ -260,5 +263,74 @@ fn find_takes_conditions_over_a_part_of_the_motion() {
         let found = scene.find(&question, &Control::default()).unwrap();
         let best = found.found.best.as_ref().unwrap();
         assert_relative_eq!(best.sample.value, 15.0, max_relative = 1e-6);
+    }
+}
+
+/// Over the whole motion they are the figures of the run, which are found another way.
+#[test]
+fn over_the_whole_run_they_are_its_figures() {
+    const NAMES: [&str; 9] = [
+        "delta_max",
+        "delta_min",
+        "delta_abs",
+        "peak_speed",
+        "peak_acceleration",
+        "peak_reaction",
+        "pair.max_contact_force",
+        "pair.margin",
+        "pair.max_lift",
+    ];
+    let mut seen = [0; NAMES.len()];
+    for (file, method) in [
+        ("scenarios/rocker/two_masses.json", "exact"),
+        ("scenarios/rocker/two_masses.json", "dop853"),
+        ("scenarios/valve_train/lift_off.json", "auto"),
+        ("scenarios/valve_train/rigid_margin.json", "auto"),
+        ("scenarios/press/punching.json", "auto"),
+    ] {
+        let text = std::fs::read_to_string(file).unwrap();
+        let mut scene: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let objects = scene["objects"].as_object().unwrap();
+        let ids: Vec<String> = objects.keys().cloned().collect();
+        let figures: Vec<(usize, String)> = ids
+            .iter()
+            .flat_map(|id| {
+                NAMES
+                    .iter()
+                    .enumerate()
+                    .map(move |(k, name)| (k, format!("{id}.{name}")))
+            })
+            .collect();
+        scene["run"]["method"] = method.into();
+        scene["expect"] = serde_json::json!([]);
+        let run_of = |scene: &serde_json::Value| {
+            let run = Scene::from_json(&scene.to_string()).and_then(|scene| scene.run());
+            run.unwrap_or_else(|error| panic!("{file}: {error}"))
+        };
+        let whole = run_of(&scene);
+        let expect: Vec<serde_json::Value> = figures
+            .iter()
+            .filter(|(_, figure)| whole.figures.value(figure).is_ok())
+            .map(|(_, figure)| {
+                serde_json::json!({ "figure": figure, "over": { "from": "0 s", "to": "1000 s" }, "at_least": 0 })
+            })
+            .collect();
+        scene["expect"] = expect.into();
+        let run = run_of(&scene);
+        for (k, figure) in &figures {
+            let over = run.figures.value(&format!("{figure} from 0 s to 1000 s"));
+            let (Ok(whole), Ok(over)) = (run.figures.value(figure), over) else {
+                continue;
+            };
+            seen[*k] += 1;
+            let off = (whole - over).abs();
+            assert!(
+                off <= 1e-7 * whole.abs() + 1e-12,
+                "{file} {method} {figure}: {over} {whole}"
+            );
+        }
+    }
+    for (name, seen) in NAMES.iter().zip(seen) {
+        assert!(seen > 0, "{name}");
     }
 }

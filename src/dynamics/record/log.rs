@@ -16,12 +16,16 @@ use super::{Interval, SwitchRow};
 use crate::dynamics::audit::{InstantSampler, fastest_rate};
 use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
+use std::collections::BTreeMap;
 use stretch::current_view;
 
 pub(crate) use stretch::{Course, Stretch};
 
 /// Closeups behind a switch at most.
 const CLOSEUPS: usize = 96;
+
+/// Most instants of which the states are kept while values within spans are looked for.
+const MOST_SEEN: usize = 1000;
 
 /// Parts of a stretch that are looked at in any case.
 const PARTS: u32 = 8;
@@ -188,8 +192,15 @@ impl<'s> Log<'s> {
         }
         let whole = matches!(stretch.course, Course::Known(_));
         let (span, observer) = (stretch.span, &mut self.observer);
+        // (Several values are looked for at the same instants.)
+        let mut seen: BTreeMap<u64, Vec<ObjectState>> = BTreeMap::new();
         self.spans.follow(span, whole, &mut |time, object| {
-            stretch.view_at(time, observer, &mut []).states[object]
+            if seen.len() > MOST_SEEN {
+                seen.clear();
+            }
+            let states = seen.entry(time.to_bits());
+            let look = || stretch.view_at(time, observer, &mut []).states.to_vec();
+            states.or_insert_with(look)[object]
         });
     }
 

@@ -48,7 +48,7 @@ pub(crate) fn span_figures() -> impl Iterator<Item = &'static str> {
 /// Parts of a stretch that may hold many vibrations, at least and at most.
 const PARTS: [f64; 2] = [4.0, 1e6];
 /// Parts in a period of the fastest vibration there.
-const IN_PERIOD: f64 = 2.0;
+const IN_PERIOD: f64 = 1.0;
 /// Places of a part at which the axis of a span is looked at.
 const PLACES: u32 = 8;
 /// Below this share of a part nothing is halved: a greatest value inside is flat.
@@ -134,8 +134,8 @@ impl SpanSearch {
             true => to,
             false => from + (to - from) * (part as f64 / parts),
         };
-        for own in &mut self.sought {
-            for part in 0..parts as u64 {
+        for part in 0..parts as u64 {
+            for own in &mut self.sought {
                 for inside in own.inside([edge(part), edge(part + 1)], look) {
                     own.climb(inside, &self.nodes, look);
                 }
