@@ -138,7 +138,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
 /// study.
 pub fn check(address: &str, model: &Model) -> Option<Result<(), Fault>> {
     let unknown = |hint: String| {
-        let message = format!("there is no figure `{address}`");
+        let message = format!("there is no result `{address}`");
         Err(Fault::new("", message, hint))
     };
     Some(match StudyAddress::of(address)? {
@@ -237,7 +237,7 @@ fn find(
         }
         StudyAddress::Within(within) => match StudyAddress::span_of_run(address) {
             Some(figure) => of_motion(figure, subject)?,
-            None => spans::of_linkage(model, within, duration).map_err(in_words)?,
+            None => spans::of_course(model, within, duration).map_err(in_words)?,
         },
         StudyAddress::Frequency { open, number } => {
             let regime = if open { Regime::Open } else { Regime::Engaged };

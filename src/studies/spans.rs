@@ -33,28 +33,28 @@ pub(super) fn check(within: SpanAddress<'_>, model: &Model) -> Result<(), Fault>
     let span = span.map_err(|(message, hint)| fault(message, hint))?;
     let axis = model.axis_of(&span);
     axis.map_err(|(message, hint)| fault(message, hint))?;
-    match StudyAddress::of(within.figure) {
-        None => check_of_run(within.figure, model),
-        Some(StudyAddress::Linkage { object, name, .. }) => {
-            if let Some((message, hint)) = studied::unknown(within.figure, model) {
-                return Err(fault(message, hint));
-            }
-            let end = name.rsplit('.').next().unwrap_or_default();
-            let is_end = ["least", "greatest", "least_at", "greatest_at"].contains(&end);
-            if !is_end || name.starts_with("transmission_angles") {
-                return Err(not_within(
-                    within.figure,
-                    "the columns have `least` and `greatest`",
-                ));
-            }
-            let over = range_of(model, object, &span);
-            over.map(drop).map_err(|why| fault(why, ""))
-        }
-        Some(_) => Err(not_within(
+    let Some(study) = StudyAddress::of(within.figure) else {
+        return check_of_run(within.figure, model);
+    };
+    let Some((_, object, name)) = study.of_course() else {
+        return Err(not_within(
             within.figure,
             "results of the run, of kinematics and of forces have one",
-        )),
+        ));
+    };
+    if let Some((message, hint)) = studied::unknown(within.figure, model) {
+        return Err(fault(message, hint));
     }
+    let end = name.rsplit('.').next().unwrap_or_default();
+    let is_end = ["least", "greatest", "least_at", "greatest_at"].contains(&end);
+    if !is_end || name.starts_with("transmission_angles") {
+        return Err(not_within(
+            within.figure,
+            "the columns have `least` and `greatest`",
+        ));
+    }
+    let over = range_of(model, object, &span);
+    over.map(drop).map_err(|why| fault(why, ""))
 }
 
 fn not_within(figure: &str, hint: &str) -> Fault {
@@ -84,7 +84,7 @@ fn check_of_run(figure: &str, model: &Model) -> Result<(), Fault> {
     }
 }
 
-/// The range of the input of a linkage that is a span.
+/// The range of the input that is a span.
 fn range_of(model: &Model, object: &str, span: &Span) -> Result<Over, String> {
     if several_of(model, Some(object)).is_some() {
         return Err(format!(
@@ -126,17 +126,13 @@ fn range_of(model: &Model, object: &str, span: &Span) -> Result<Over, String> {
 ///
 /// # Errors
 /// Why there is none, in words.
-pub(super) fn of_linkage(
+pub(super) fn of_course(
     model: &Model,
     within: SpanAddress<'_>,
     duration: f64,
 ) -> Result<Option<f64>, String> {
-    let Some(StudyAddress::Linkage {
-        study,
-        object,
-        name,
-    }) = StudyAddress::of(within.figure)
-    else {
+    let study = StudyAddress::of(within.figure).and_then(StudyAddress::of_course);
+    let Some((study, object, name)) = study else {
         return Ok(None);
     };
     let span = within.span().map_err(|(message, _)| message)?;

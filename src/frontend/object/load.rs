@@ -209,8 +209,8 @@ fn misplaced_over(fields: &mut Fields<'_>) -> bool {
     let hint = match over_time {
         true => "give `harmonic` an `order` in place of its `frequency`, or remove `over`",
         false => {
-            "`over` stands beside `expression`, `window`, `position_table`, `harmonic` and \
-             `indicator`: remove it"
+            "`over` goes with `expression`, `window`, `position_table`, `harmonic` and `indicator`: \
+             remove it"
         }
     };
     fields.forbid("over", message, hint)

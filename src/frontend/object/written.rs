@@ -103,14 +103,14 @@ pub(super) fn require_expression(fields: &mut Fields<'_>, expressions: &[&str]) 
         return false;
     }
     let unit = forbid_unit(fields);
-    let message = "`over` stands beside `expression` only";
+    let message = "`over` goes with `expression` only";
     let over = fields.has("over") && fields.forbid("over", message, "remove `over`");
     unit || over
 }
 
 /// Notes that `unit` stands beside an expression only.
 pub(super) fn forbid_unit(fields: &mut Fields<'_>) -> bool {
-    let message = "`unit` stands beside `expression` only";
+    let message = "`unit` goes with `expression` only";
     let hint = "write the unit with the number: \"3 kN\"";
     fields.has("unit") && fields.forbid("unit", message, hint)
 }

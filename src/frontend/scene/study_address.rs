@@ -65,6 +65,18 @@ impl<'a> StudyAddress<'a> {
         }
     }
 
+    /// Study, object and name of a figure of kinematics or forces; `None`: it is of another study.
+    pub(crate) fn of_course(self) -> Option<(&'static str, &'a str, &'a str)> {
+        match self {
+            Self::Linkage {
+                study,
+                object,
+                name,
+            } => Some((study, object, name)),
+            _ => None,
+        }
+    }
+
     /// The figure of a run that an address names with a part of its motion; `None`: it is another
     /// address.
     pub(crate) fn span_of_run(address: &str) -> Option<SpanFigure> {

@@ -146,7 +146,7 @@ impl MovingMachine {
         );
         if self.player.magnify.is_some() {
             text.push_str(
-                " Pale: where the law asks the object to be; in full: where it is, its deflection δ \
+                " Pale: the prescribed position; in full: the actual one, its deflection δ \
                  magnified by the factor beside the controls.",
             );
         }
