@@ -211,8 +211,8 @@ class CamFollower(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -234,10 +234,10 @@ class CamFollower(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     mass
         Another name of `inertia`.
     masses
@@ -245,9 +245,9 @@ class CamFollower(Tree):
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     motion
@@ -494,8 +494,8 @@ class Crank(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -513,18 +513,18 @@ class Crank(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     pair
@@ -655,8 +655,8 @@ class Differential(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -677,10 +677,10 @@ class Differential(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     mass
         Another name of `inertia`.
     masses
@@ -688,9 +688,9 @@ class Differential(Tree):
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     offset
@@ -1131,7 +1131,8 @@ class Gear(Tree):
     diameters
         In place of `teeth`: diameters of the pitch circles; their ratio counts.
     internal
-        True: one of them has internal teeth, and both turn in the same sense. Default: false.
+        True: one of them has internal teeth, and both turn in the same sense. Default:
+        false.
     offset
         Angle of the second wheel (or displacement of the rack) seen from the carrier where
         that of the first is zero: how they were put together (angle in rad, deg, mrad or
@@ -1663,9 +1664,9 @@ class Linkage(Tree):
         In place of `input`, `driver`, `position`, `start` and `travel`: its independent
         coordinates by name, as many as its mobility. Each is an output too, `press.left`.
     joint_friction
-        True: the friction of the pairs acts on the motion in `dam run`, and the linkage, or
-        single pairs of one of several inputs, may come to rest by it; false: it counts in
-        `dam forces` only. Default: false.
+        True: the friction of the joints acts on the motion in `dam run`. The linkage, or
+        single joints of one with several inputs, may come to rest by it. False: it counts
+        in `dam forces` only. Default: false.
     links
         The moving links by name.
     outputs
@@ -2167,7 +2168,7 @@ class LinkagePair(Tree):
         A block that slides along a guide.
     weld
         Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam
-        forces` tells its force and couple.
+        forces` prints its force and couple.
     """
 
     __slots__ = ()
@@ -2967,8 +2968,8 @@ class Rocker(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -2986,18 +2987,18 @@ class Rocker(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     pair
@@ -3117,9 +3118,9 @@ class Run(Tree):
     duration
         Simulated time (time in s, ms, µs, min or h)
     accuracy
-        Accuracy wanted of the figures, the error of the model included: a share of each, "1
-        %", or by the address of a figure a share or a quantity. Objects of `masses`: "auto"
-        are modelled as far as it takes. (a pure number)
+        Accuracy wanted of the results, the error of the model included: a share of each, "1
+        %", or by the address of a result a share or a quantity. Objects of `masses`: "auto"
+        are modelled as finely as this needs. (a pure number)
     first_times
         Conditions by names of their own: the first time at which each holds is the result
         `run.first_times.NAME`.
@@ -3141,9 +3142,9 @@ class Run(Tree):
     switch_rows
         True: two rows (before, after) at each event. Default: false.
     tolerance
-        Error wanted in each object's δ, relative to its scale. Left out, with the method
-        `auto` and where figures are to keep an accuracy (`accuracy`, `masses`: "auto"), it
-        is as coarse as that allows: a tenth of it. (a pure number) Default: 1e-06.
+        Error wanted in each object's δ, relative to its scale. Without it, and with the
+        method `auto` and results that must keep an accuracy (`accuracy`, `masses`: "auto"),
+        it is a tenth of that accuracy. (a pure number) Default: 1e-06.
     until
         Condition that ends the run before `duration`, at the first time at which it holds:
         { "of": "rocker", "condition": "phi > 0.3" }. The motion is found up to `duration`
@@ -3338,8 +3339,8 @@ class Shaft(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -3357,18 +3358,18 @@ class Shaft(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     pair
@@ -3535,8 +3536,8 @@ class Slider(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -3557,10 +3558,10 @@ class Slider(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     mass
         Another name of `inertia`.
     masses
@@ -3568,9 +3569,9 @@ class Slider(Tree):
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     pair
         The driving pair. Default: {}.
     position
@@ -3892,8 +3893,8 @@ class Steady(Tree):
         Required coefficient of fluctuation (ω_max − ω_min)/ω_av: sizes a flywheel (a pure
         number)
     mean
-        Kind of mean: over `time`, over the `angle`, or `midrange`, midway
-        between the extremes. Default: "time".
+        Kind of mean: over `time`, over the `angle`, or `midrange`, midway between the
+        extremes. Default: "time".
     mean_speed
         Required mean speed of the drive. Default: the speed of a prescribed drive; with
         moments that depend on speed only of elastic objects, with `balance` (angular speed
@@ -4024,7 +4025,8 @@ class Strut(Tree):
         Damping (damping in N s/m, kN s/m or lbf s/in) Default: 0.0.
     force
         Constant force besides, as of a gas spring or a cylinder: positive pulls the ends
-        together, negative presses them apart (force in N, kN, MN, lbf or kgf) Default: 0.0.
+        together, negative pushes them from each other (force in N, kN, MN, lbf or kgf)
+        Default: 0.0.
     free_length
         Length at which the spring has no force (length in m, mm, cm, µm, in or ft) Default:
         0.0.
