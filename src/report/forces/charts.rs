@@ -196,7 +196,7 @@ pub(super) fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     };
     Some(Plot {
         title: format!(
-            "χ against i, convention `{}`",
+            "χ against i, convention {}",
             study.settings.convention.name()
         ),
         y: Axis::of(&unit("chi")),
@@ -236,7 +236,7 @@ pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     });
     Some(Plot {
         title: format!(
-            "Dynamic transmission ratio χ without masses and with them, convention `{}`",
+            "Dynamic transmission ratio χ without masses and with them, convention {}",
             study.settings.convention.name()
         ),
         y: Axis::of(&unit.map_or(String::new(), |column| column.unit)),

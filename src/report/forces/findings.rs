@@ -36,7 +36,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
         let name = convention.name();
         let _ = write!(
             subtitle,
-            "; output `{output}`, χ in the convention `{name}`"
+            "; output {output}, χ in the convention {name}"
         );
     }
     let drawn = *report;

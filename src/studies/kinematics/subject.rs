@@ -163,7 +163,7 @@ pub fn assembly_modes(model: &Model) -> Vec<String> {
     });
     let parts = model.objects.iter();
     let short = parts.filter_map(|part| {
-        let (name, branch) = short_branch(short(model, part)?)?;
+        let (name, branch) = short(model, part)?.position.branch()?;
         let (own, other) = match branch < 0.0 {
             true => ('-', '+'),
             false => ('+', '-'),
@@ -175,24 +175,6 @@ pub fn assembly_modes(model: &Model) -> Vec<String> {
         ))
     });
     full.chain(short).collect()
-}
-
-/// The short form of a linkage by its name in a scene, and its branch.
-fn short_branch(law: &Law) -> Option<(&'static str, f64)> {
-    match &law.position {
-        Position::SliderCrank(own) => Some(("slider_crank", own.branch)),
-        Position::FourBar(own) => Some(("four_bar", own.branch)),
-        Position::SlottedLink(own) => Some(("slotted_link", own.branch_of_block()?)),
-        // (No short forms of linkages.)
-        Position::Ratio { .. }
-        | Position::Sine { .. }
-        | Position::Polynomial(_)
-        | Position::Table(_)
-        | Position::Cam(_)
-        | Position::Plan(_)
-        | Position::Linkage(_)
-        | Position::Custom(_) => None,
-    }
 }
 
 /// The law of an object that moves by the short form of a linkage.

@@ -126,11 +126,11 @@ impl Verdict {
         match self {
             Self::InWorkingOrder => "in working order",
             Self::LiftOffDiesAway => "lift-off that dies away",
-            Self::LiftOff => "lift-off again and again",
+            Self::LiftOff => "repeated lift-off",
             Self::LiftOffNotJudged => "lift-off, run too short to judge",
             Self::CreepNotJudged => "creep, not judged",
             Self::NotJudged => "run too short to judge",
-            Self::ThrownOff => "thrown off",
+            Self::ThrownOff => "far off its law",
             Self::Resonance => "resonance",
             Self::Stopped => "dead-centre position",
             Self::NotFinished => "run not finished",
