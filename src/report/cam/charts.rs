@@ -2,7 +2,7 @@
 
 use super::sampled::sampled;
 use crate::kinematics::cam::{CamState, DiscCam};
-use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series};
+use crate::report::plot::{Axis, LineStyle, Mark, Phase, Plot, Series};
 use crate::studies::cam::{CamFigures, CamForce};
 
 /// Radii beyond this multiple of the prime circle are not drawn.
@@ -92,6 +92,14 @@ pub(super) fn charts(
             list.push(over("Hertzian pressure", "Pa", vec![curve]));
         }
         list.push(over("Torque of the cam", "N m", vec![plain(column(2))]));
+    }
+    let lifts: Vec<(f64, f64)> = states
+        .iter()
+        .map(|s| (s.phi.to_degrees(), s.lift))
+        .collect();
+    let phases = Phase::of(&lifts);
+    for plot in &mut list {
+        plot.phases.clone_from(&phases);
     }
     list
 }
