@@ -4,8 +4,9 @@ use crate::kinematics::motion::law::{Law, LawConstants};
 use crate::math::jet::Jet;
 use crate::report::csv::Rows;
 use crate::report::findings::{Layout, Section};
-use crate::report::plot::{Axis, Plot, Series};
+use crate::report::plot::{Axis, Phase, Plot, Series};
 use crate::report::quantity::significant;
+use crate::report::verdict::capitalised;
 
 /// Points of each diagram.
 pub(super) const DIAGRAM_POINTS: usize = 400;
@@ -29,6 +30,9 @@ pub(super) struct Curve<'a> {
 
 const PRIMES: [&str; 4] = ["", "′", "″", "‴"];
 
+/// What the value and its derivatives are, each before its symbol.
+const NAMES: [&str; 4] = ["displacement", "speed", "acceleration", "jerk"];
+
 fn parts(jet: &Jet) -> [f64; 4] {
     [jet.value, jet.first, jet.second, jet.third]
 }
@@ -41,7 +45,7 @@ impl<'a> Curve<'a> {
         Self {
             rows: of_law(law, DIAGRAM_POINTS),
             symbol: "θ",
-            x: Axis::new("τ", ""),
+            x: Axis::new("share τ of the duration", ""),
             unit: "",
             sizes: [
                 1.0,
@@ -72,7 +76,7 @@ impl<'a> Curve<'a> {
     /// All diagrams, each divided by its greatest value.
     fn over_each_other(&self, title: &str) -> Plot {
         let curve = |(order, &size): (usize, &f64)| {
-            let name = format!("{}{}", self.symbol, PRIMES[order]);
+            let name = format!("{} {}{}", NAMES[order], self.symbol, PRIMES[order]);
             let label = match size == 1.0 {
                 true => name,
                 false => format!("{name} / {}", significant(size, 5)),
@@ -84,6 +88,7 @@ impl<'a> Curve<'a> {
             title: title.to_owned(),
             series: shown.filter(|(_, size)| **size != 0.0).map(curve).collect(),
             x: self.x.clone(),
+            phases: Phase::of(&self.points(0, 1.0)),
             ..Plot::default()
         }
     }
@@ -91,10 +96,16 @@ impl<'a> Curve<'a> {
     /// One diagram in its own unit.
     fn alone(&self, order: usize) -> Plot {
         Plot {
-            title: format!("{}{}", self.symbol, PRIMES[order]),
+            title: format!(
+                "{} {}{}",
+                capitalised(NAMES[order]),
+                self.symbol,
+                PRIMES[order]
+            ),
             x: self.x.clone(),
             y: Axis::of(&unit(order, self.unit, &self.x.unit, ["", "", "²", "³"])),
             series: vec![Series::line("", self.points(order, 1.0))],
+            phases: Phase::of(&self.points(0, 1.0)),
             ..Plot::default()
         }
     }
