@@ -14,7 +14,7 @@ declare const live: {
   drop(made: PlotChart[]): void;
   draw(): void;
 };
-interface Moving { magnify: { choices: number[] } | null; columns: unknown[] }
+interface Moving { magnify: { choices: number[] } | null; columns: unknown[]; sets: unknown[] }
 interface Playing { update(moving: Moving, source: PlotSource, pictures?: string): void; stop(): void }
 // Pictures as files: a copy with all colours in it, as text, and what the browser saves.
 declare const picture: { alone(svg: SVGElement): SVGElement; written(svg: SVGElement): string; save(name: string, content: BlobPart): void };

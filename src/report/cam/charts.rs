@@ -2,7 +2,7 @@
 
 use super::sampled::sampled;
 use crate::kinematics::cam::{CamState, DiscCam};
-use crate::report::plot::{Axis, LineStyle, Mark, Phase, Plot, Series};
+use crate::report::plot::{Axis, LineStyle, Mark, MotionPhase, Plot, Series};
 use crate::studies::cam::{CamFigures, CamForce};
 
 /// Radii beyond this multiple of the prime circle are not drawn.
@@ -97,7 +97,7 @@ pub(super) fn charts(
         .iter()
         .map(|s| (s.phi.to_degrees(), s.lift))
         .collect();
-    let phases = Phase::of(&lifts);
+    let phases = MotionPhase::of(&lifts);
     for plot in &mut list {
         plot.phases.clone_from(&phases);
     }

@@ -23,10 +23,10 @@ const STYLE: &str = "\
 .follower-arm{fill:none;stroke:var(--series-1);stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
 .follower-pin{fill:var(--paper);stroke:var(--series-1);stroke-width:1.6}\
 .dim path{fill:none;stroke:var(--ink-soft);stroke-width:1}\
-.dim .tip{fill:var(--ink-soft);stroke:none}\
+.dim .barb{fill:var(--ink-soft);stroke:none}\
 .dim text{font:12px system-ui,-apple-system,'Segoe UI',Roboto,Arial,sans-serif;fill:var(--ink-soft);paint-order:stroke;stroke:var(--paper);stroke-width:3px;stroke-linejoin:round}\
 .sense path{fill:none;stroke:var(--accent);stroke-width:1.8}\
-.sense .tip{fill:var(--accent);stroke:none}";
+.sense .barb{fill:var(--accent);stroke:none}";
 
 /// Chord tolerance of drawn curves, of the prime circle: a tenth of a pixel.
 const FINE: f64 = 3e-4;
@@ -112,7 +112,7 @@ pub(in crate::report) fn marks(cam: &DiscCam, view: &View, forward: bool) -> Str
     let mut out = String::new();
     // The base circle: a radius to the side on which no follower is.
     let parts = parts(cam);
-    let away = (-parts.tip[1]).atan2(-parts.tip[0]) + 0.5;
+    let away = (-parts.tip[1]).atan2(-parts.tip[0]) - 0.5;
     let rim = [away.cos(), away.sin()].map(|part| geometry.base_radius * part);
     out.push_str(&dimension(
         [axis, view.point(rim)],
@@ -169,7 +169,7 @@ fn dimension([from, to]: [[f64; 2]; 2], heads: [bool; 2], text: &str) -> String 
             format!("{} {}", short(x), short(y))
         };
         format!(
-            "<path class=\"tip\" d=\"M{} {}L{}L{}z\"/>",
+            "<path class=\"barb\" d=\"M{} {}L{}L{}z\"/>",
             short(x),
             short(y),
             back(2.6),

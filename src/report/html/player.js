@@ -296,11 +296,13 @@ const machine = (() => {
       choice.addEventListener("change", () => { factor = +choice.value; show(place); });
     }
     const check = (text, shown, change) => {
-      const label = make("label", {}), box = Object.assign(document.createElement("input"), { type: "checkbox", checked: shown });
-      label.append(box, text);
+      const label = make("label", {}), box = Object.assign(document.createElement("input"), { type: "checkbox", checked: shown }), name = document.createTextNode(text);
+      label.append(box, name);
       box.addEventListener("change", () => change(box.checked));
+      return { box, name };
     };
-    data.sets.forEach((set, index) => check(set.caption, set.shown, (on) => shown.sets[index].setAttribute("visibility", on ? "visible" : "hidden")));
+    const turn = (index, on) => shown.sets[index].setAttribute("visibility", on ? "visible" : "hidden");
+    const switches = data.sets.map((set, index) => check(set.caption, set.shown, (on) => turn(index, on)));
     if (figure.querySelector("[data-path]")) check("paths", true, (on) => figure.querySelectorAll("[data-path]").forEach((node) => node.setAttribute("visibility", on ? "visible" : "hidden")));
     const offer = (text, title, make) => {
       const button = Object.assign(document.createElement("button"), { type: "button", textContent: text, title });
@@ -349,6 +351,7 @@ const machine = (() => {
       take(next, source);
       if (pictures !== undefined) figure.querySelector(".stations").outerHTML = pictures;
       if (pictures !== undefined) shown = parts(figure);
+      switches.forEach(({ box, name }, index) => { name.data = data.sets[index].caption; turn(index, box.checked); });
       show(timed && at <= values[count - 1] ? rowOf(at) : Math.min(row, count - 1));
     }
     function stop() {

@@ -3,7 +3,7 @@
 use super::player::Coordinates;
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::report::abscissa::Abscissa;
-use crate::report::plot::{Axis, Band, Phase, Plot, Plots, Series};
+use crate::report::plot::{Axis, Band, MotionPhase, Plot, Plots, Series};
 use crate::report::quantity::{escape, with_unit};
 
 /// Samples of a run under a label.
@@ -77,7 +77,7 @@ pub fn chart(
 }
 
 /// Rise, dwell and return of an object's law over the angle of the machine; none over time.
-fn phases(run: &RunSeries<'_>, object: &str) -> Vec<Phase> {
+fn phases(run: &RunSeries<'_>, object: &str) -> Vec<MotionPhase> {
     let column = |quantity| run.record.column(object, quantity);
     let Some(displacement) = column(Quantity::Displacement) else {
         return Vec::new();
@@ -107,7 +107,7 @@ fn phases(run: &RunSeries<'_>, object: &str) -> Vec<Phase> {
     let jumps = first.is_some_and(|pair| (pair[1].1 - pair[0].1).abs() > 0.5 * (most - least));
     match jumps {
         true => Vec::new(),
-        false => Phase::of(&points),
+        false => MotionPhase::of(&points),
     }
 }
 

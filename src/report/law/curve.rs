@@ -4,7 +4,7 @@ use crate::kinematics::motion::law::{Law, LawConstants};
 use crate::math::jet::Jet;
 use crate::report::csv::Rows;
 use crate::report::findings::{Layout, Section};
-use crate::report::plot::{Axis, Phase, Plot, Series};
+use crate::report::plot::{Axis, MotionPhase, Plot, Series};
 use crate::report::quantity::significant;
 use crate::report::verdict::capitalised;
 
@@ -88,7 +88,7 @@ impl<'a> Curve<'a> {
             title: title.to_owned(),
             series: shown.filter(|(_, size)| **size != 0.0).map(curve).collect(),
             x: self.x.clone(),
-            phases: Phase::of(&self.points(0, 1.0)),
+            phases: MotionPhase::of(&self.points(0, 1.0)),
             ..Plot::default()
         }
     }
@@ -105,7 +105,7 @@ impl<'a> Curve<'a> {
             x: self.x.clone(),
             y: Axis::of(&unit(order, self.unit, &self.x.unit, ["", "", "²", "³"])),
             series: vec![Series::line("", self.points(order, 1.0))],
-            phases: Phase::of(&self.points(0, 1.0)),
+            phases: MotionPhase::of(&self.points(0, 1.0)),
             ..Plot::default()
         }
     }

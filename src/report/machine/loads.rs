@@ -2,7 +2,7 @@
 
 use super::object_path::Grip;
 use super::whole::Whole;
-use crate::dynamics::model::{Load, LoadLaw, Model, NodeIndex, ObjectPart, TrackSource};
+use crate::dynamics::model::{Model, NodeIndex, ObjectPart};
 use crate::dynamics::record::{Quantity, Record};
 use crate::report::html::player::{Arrows, ForceArrow};
 use crate::report::plot::Plots;
@@ -32,46 +32,19 @@ impl<'a> Motions<'a> {
         Some((*displacement.get(row)?, *speed.get(row)?))
     }
 
-    /// The force of a load at a row; `None`: it depends on what the record does not have, or is a
-    /// stop.
-    fn force(&self, model: &Model, load: &Load, (time, row): (f64, usize)) -> Option<f64> {
-        let (displacement, speed) = self.at(load.node, row)?;
-        match &load.law {
-            LoadLaw::Linear(own) => Some(own.force - own.rate * displacement - own.damping * speed),
-            LoadLaw::Function { function, factor } => {
-                Some(factor * function.force(displacement, speed).value)
-            }
-            LoadLaw::Written(written) => {
-                let known = written.nodes().all(|node| self.0.contains_key(&node));
-                let motion = |node| self.at(node, row).unwrap_or((0.0, 0.0));
-                known.then(|| written.force(time, motion))
-            }
-            LoadLaw::Pieces { track, pieces } => {
-                let track = model.tracks.get(*track)?;
-                let (x, sense) = match track.source {
-                    TrackSource::Time => (time, 1.0),
-                    TrackSource::Node(node) => self.at(node, row)?,
-                };
-                let (index, shift) = track.breaks.piece(track.breaks.locate(x, sense));
-                let piece = pieces.get(index.min(pieces.len().checked_sub(1)?))?;
-                Some(piece.value + piece.slope * (x - shift - piece.start))
-            }
-            LoadLaw::Stop(_) => None,
-        }
-    }
-
     /// The sum of the loads on the output of an object at every row; `None`: there are none, or
     /// one is not known.
     fn loads(&self, model: &Model, part: &ObjectPart, record: &Record) -> Option<Vec<f64>> {
         let node = *part.nodes.last()?;
         let loads = || {
             let own = model.loads.iter().filter(move |load| load.node == node);
-            own.filter(|load| !matches!(load.law, LoadLaw::Stop(_)))
+            own.filter(|load| !load.is_stop())
         };
         loads().next()?;
         let rows = record.times.iter().enumerate();
         rows.map(|(row, &time)| {
-            let forces = loads().map(|load| self.force(model, load, (time, row)));
+            let motion = |node| self.at(node, row);
+            let forces = loads().map(|load| load.force(time, motion, &model.tracks));
             forces.sum::<Option<f64>>()
         })
         .collect()

@@ -273,7 +273,7 @@ fn join(from: &Cell<'_>, to: &Cell<'_>) -> String {
     );
     let tip = to.at[0].min(x1) + 2.0;
     format!(
-        "<path class=\"join\" d=\"{line}\"/><path class=\"join-tip\" d=\"M{} {}l-9 -4v8z\"/>\n",
+        "<path class=\"join\" d=\"{line}\"/><path class=\"join-barb\" d=\"M{} {}l-9 -4v8z\"/>\n",
         coordinate(tip),
         coordinate(y1)
     )

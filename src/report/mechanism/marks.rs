@@ -2,7 +2,7 @@
 
 use super::view::View;
 use super::{Drawing, Placement};
-use crate::kinematics::linkage::spec::{PairKind, PairSpec};
+use crate::kinematics::linkage::spec::PairSpec;
 use crate::report::plot::coordinate;
 use crate::report::quantity::{escape, with_unit};
 use std::f64::consts::PI;
@@ -63,7 +63,7 @@ pub(in crate::report) fn sense([x, y]: [f64; 2], radius: f64, counterclockwise: 
     let ([ax, ay], [bx, by]) = (head(0.38), head(-0.38));
     let (x1, y1) = (coordinate(x1), coordinate(y1));
     format!(
-        "<g class=\"sense\"><path d=\"M{x0} {y0}A{r} {r} 0 0 {sweep} {x1} {y1}\"/><path class=\"tip\" \
+        "<g class=\"sense\"><path d=\"M{x0} {y0}A{r} {r} 0 0 {sweep} {x1} {y1}\"/><path class=\"barb\" \
          d=\"M{x1} {y1}L{ax} {ay}L{bx} {by}z\"/></g>\n",
         r = coordinate(radius),
         sweep = u8::from(!counterclockwise),
@@ -99,7 +99,7 @@ fn driving_pin<'a>(drawing: &'a Drawing<'_>) -> Option<&'a PairSpec> {
 
 fn is_grounded_pin(pair: &PairSpec) -> bool {
     let grounded = pair.on.link.is_none() != pair.link.link.is_none();
-    matches!(pair.kind, PairKind::Revolute { .. }) && grounded
+    !pair.slides() && grounded
 }
 
 /// The pixel of a pin of the ground.

@@ -1,7 +1,7 @@
 //! A chart as a picture.
 
 use super::frame::{BAND, Frame, STRIP, is_beyond, stroke};
-use super::{LineStyle, Plot, Series, Shape, coordinate, document, marks, palette};
+use super::{LineStyle, Plot, Series, Shape, coordinate, document, marks, palette, phases};
 use std::fmt::Write as _;
 
 impl Plot {
@@ -69,7 +69,7 @@ impl Plot {
                 true => format!(" clip-path=\"url(#clip-{index})\""),
                 false => String::new(),
             },
-            phases = self.phases(frame),
+            phases = phases::drawn(&self.phases, frame),
             ground = self.ground(frame),
             all = coordinate(frame.height + strip),
         )

@@ -28,7 +28,7 @@ mod tests;
 pub use field::{Contour, Field, Kind};
 pub(in crate::report) use frame::{Entry, Frame, STRIP, framed, rows as legend_rows};
 pub use page::Plots;
-pub use phases::{Phase, PhaseKind};
+pub use phases::{MotionPhase, PhaseKind};
 
 /// A chart as data: quantities over one another.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +46,7 @@ pub struct Plot {
     /// Shaded parts of the horizontal axis.
     pub bands: Vec<Band>,
     /// Rise, dwell and return of a displacement over the horizontal axis.
-    pub phases: Vec<Phase>,
+    pub phases: Vec<MotionPhase>,
     /// Lines across the frame.
     pub rules: Vec<Rule>,
     /// Values of the vertical axis below this are shaded, with a name.

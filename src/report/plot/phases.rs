@@ -1,7 +1,7 @@
 //! Rise, dwell and return of a displacement, shown behind charts over the same axis.
 
 use super::frame::Frame;
-use super::{Plot, coordinate, width_of};
+use super::{coordinate, width_of};
 use std::fmt::Write as _;
 
 /// What a displacement does over a stretch of the horizontal axis.
@@ -28,7 +28,7 @@ impl PhaseKind {
 
 /// A stretch of the horizontal axis, and what a displacement does there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Phase {
+pub struct MotionPhase {
     /// What it does.
     pub kind: PhaseKind,
     /// First place.
@@ -42,7 +42,7 @@ const STILL: f64 = 1e-9;
 /// With more phases nothing is told apart.
 const MOST: usize = 24;
 
-impl Phase {
+impl MotionPhase {
     /// The phases of a displacement over ascending places; none where it does one thing alone, or
     /// too many.
     pub fn of(points: &[(f64, f64)]) -> Vec<Self> {
@@ -80,37 +80,35 @@ impl Phase {
 /// Distance of a phase's name from the top of the frame (pixels), as the script has it.
 const NAME: f64 = 11.0;
 
-impl Plot {
-    /// The phases in the frame, with their names at its top where there is room.
-    pub(super) fn phases(&self, frame: &Frame) -> String {
-        let mut out = String::new();
-        let right = frame.left + frame.width;
-        for phase in &self.phases {
-            let [from, to] = [phase.from, phase.to].map(|at| frame.x(at).clamp(frame.left, right));
-            let name = phase.kind.name();
-            let hidden = match to - from > width_of(name) + 4.0 {
-                true => "",
-                false => " visibility=\"hidden\"",
-            };
-            let _ = writeln!(
-                out,
-                "<g class=\"phase {name}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/><text \
-                 x=\"{}\" y=\"{}\" text-anchor=\"middle\"{hidden}>{name}</text></g>",
-                coordinate(from),
-                coordinate(frame.top),
-                coordinate(to - from),
-                coordinate(frame.height),
-                coordinate(0.5 * (from + to)),
-                coordinate(frame.top + NAME),
-            );
-        }
-        out
+/// The phases in a frame, with their names at its top where there is room.
+pub(super) fn drawn(phases: &[MotionPhase], frame: &Frame) -> String {
+    let mut out = String::new();
+    let right = frame.left + frame.width;
+    for phase in phases {
+        let [from, to] = [phase.from, phase.to].map(|at| frame.x(at).clamp(frame.left, right));
+        let name = phase.kind.name();
+        let hidden = match to - from > width_of(name) + 4.0 {
+            true => "",
+            false => " visibility=\"hidden\"",
+        };
+        let _ = writeln!(
+            out,
+            "<g class=\"phase {name}\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/><text \
+             x=\"{}\" y=\"{}\" text-anchor=\"middle\"{hidden}>{name}</text></g>",
+            coordinate(from),
+            coordinate(frame.top),
+            coordinate(to - from),
+            coordinate(frame.height),
+            coordinate(0.5 * (from + to)),
+            coordinate(frame.top + NAME),
+        );
     }
+    out
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Phase, PhaseKind};
+    use super::{MotionPhase, PhaseKind};
     use std::f64::consts::TAU;
 
     /// Cycloidal rise from 0 to 90, dwell to 150, return to 270, dwell to 360.
@@ -130,7 +128,7 @@ mod tests {
             .map(|k| 0.5 * f64::from(k))
             .map(|angle| (angle, 12e-3 * displacement(angle)))
             .collect();
-        let phases = Phase::of(&points);
+        let phases = MotionPhase::of(&points);
         let kinds: Vec<PhaseKind> = phases.iter().map(|phase| phase.kind).collect();
         use PhaseKind::{Dwell, Return, Rise};
         assert_eq!(kinds, [Rise, Dwell, Return, Dwell]);
@@ -149,10 +147,10 @@ mod tests {
     #[test]
     fn what_does_one_thing_or_trembles_has_no_phases() {
         let line: Vec<(f64, f64)> = (0..9).map(|k| (f64::from(k), f64::from(k))).collect();
-        assert!(Phase::of(&line).is_empty());
+        assert!(MotionPhase::of(&line).is_empty());
         let trembling: Vec<(f64, f64)> =
             (0..99).map(|k| (f64::from(k), f64::from(k % 2))).collect();
-        assert!(Phase::of(&trembling).is_empty());
-        assert!(Phase::of(&[(0.0, 1.0), (1.0, 1.0)]).is_empty());
+        assert!(MotionPhase::of(&trembling).is_empty());
+        assert!(MotionPhase::of(&[(0.0, 1.0), (1.0, 1.0)]).is_empty());
     }
 }
