@@ -289,6 +289,7 @@ MEANINGS: dict[str, str] = {
     "dam check/errors": "Empty: the scene is right. Otherwise the document has only errors.",
     "dam check/diagnostics": "Warnings about the text, with their places.",
     "dam check/remarks": "Remarks of the model.",
+    "dam check/assembly_modes": "Assembly mode of each dyad that has another, with how to choose that.",
     "dam check/reaches": "Range of motion of each linkage, in words.",
     "dam show/equations": "Equations of motion, as text and as LaTeX.",
     "dam show/exact": "Whether the method `exact` takes the scene, and what it refuses.",

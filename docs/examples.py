@@ -5,7 +5,7 @@
 with the package `dam` installed and its program on the path. Each page has a folder of its own that sees
 `scenarios` and `objects`; the pages of the tutorial go on in one, in their order:
 
-- a block of JSON with a title is a file of that name;
+- a block of JSON or CSV with a title is a file of that name;
 - a block of `sh` is commands, a line each; `# exit status N` behind one is the status expected of it;
 - a block of `python` goes on from the block before it on its page;
 - a block of `text` behind one of these is what it prints: every line of it in this order, `…` for
@@ -99,7 +99,7 @@ def execute(page: Path, folder: Path, only: str | None = None) -> tuple[int, lis
         wrong = None
         if only not in (None, language):
             continue
-        if language == "json" and title:
+        if language in ("csv", "json") and title:
             (folder / title).write_text(body, encoding="utf-8")
         elif language == "sh":
             printed = ""

@@ -204,7 +204,7 @@ def page_of(group: str, scenes: list[Scene]) -> str:
         lines += [f"**{scene.headline}** {scene.answer}", ""]
         lines += ["```sh", scene.command, "```", ""]
         source = re.sub(r"^(.)", lambda first: first[1].lower(), scene.source)
-        lines += [f"The figures that this scene expects come from {source}.", ""]
+        lines += [f"Source of the expected results: {source}.", ""]
     return "\n".join(lines)
 
 
@@ -213,8 +213,8 @@ def index_of(groups: dict[str, list[Scene]]) -> str:
     lines = [
         "# Gallery",
         "",
-        "All scenarios of the program, each with its question, the machine as its report draws it, one of",
-        "its charts and the answer. The pictures are made by running every scene:",
+        "All scenarios of the program. Each has its question, its machine, one of its charts and the answer.",
+        "A script runs every scene and makes the pictures:",
         "",
         "```console",
         "python docs/gallery.py --dam target/release/dam",

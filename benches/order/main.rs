@@ -155,22 +155,27 @@ fn document(rows: &[Row]) -> String {
     finers.sort_by(f64::total_cmp);
     let mut text = format!(
         "# Are the errors that are stated of models true?\n\n\
-         {} figures of {} scenes with random parameters (seed {SEED}, {OF_EACH} of each regime), each run with \
-         `\"masses\": \"auto\"` and the\naccuracy {ASKED}. The truth here is the continuum that the objects' data \
-         describe, not a machine. Limits are those of\nchains of {:?} masses of `dam` itself, balanced where no pair \
-         may open, else at the far ends of their\ncells, extrapolated in the order that they show; their doubt is what \
-         the last doubling changed in them. The choice of\nmodels for closed pairs is made among modes, which share \
-         nothing with chains; where pairs open it is made among chains\ntoo, and behind a contact element among modes that agree with them. Made by `cargo bench --package dam-benches \
-         --bench order -- docs/model-order.md`, not by a command of the program.\n\n\
-         - The stated interval holds the limit in {covered} of {} cases ({:.1} %) when the doubt of the limit is \
-         allowed for, in {strictly}\n  ({:.1} %) when it is not.\n\
-         - The interval is {median:.1} times the true error in the median (where the doubt of the limit is greater \
-         than the error, the doubt stands for it).\n\
-         - {within} of {} figures are within the accuracy asked for.\n\
-         - {open} of {} figures are answered \"no limit\" or \"not determined\" ({:.1} %).\n\
-         - To know that a model is enough finer ones must be run. The finest has {} times the coordinates of the one \
-         that is chosen\n  in the median and at most {} times: where the first values of a row tell nothing of the \
-         limit and a small model\n  comes close to it all the same. The least model is chosen, whatever was run.\n\n\
+         {} figures of {} scenes with random parameters (seed {SEED}, {OF_EACH} of each regime). Each is run with \
+         `\"masses\": \"auto\"` and the accuracy\n{ASKED}. The truth here is the continuum that the objects' data \
+         describe, not a machine.\n\n\
+         - The limits are those of chains of {:?} masses of `dam` itself, extrapolated in the order that they show. \
+         Their doubt is\n  the change by the last doubling.\n\
+         - The chains are balanced if no contact may open. Else their masses are at the far ends of their cells.\n\
+         - Models for closed contacts are chosen among modes, which share nothing with chains. If contacts open, they \
+         are chosen among chains too.\n\
+         - Behind a contact element they are chosen among modes that agree with chains.\n\n\
+         `cargo bench --package dam-benches --bench order -- docs/model-order.md` makes this page. No command of the \
+         program does.\n\n\
+         - The stated interval holds the limit in {covered} of {} cases ({:.1} %) if the doubt of the limit is \
+         allowed for, in {strictly} ({:.1} %) if it is not.\n\
+         - The interval is {median:.1} times the true error in the median. The doubt of the limit stands for the \
+         error if it is greater.\n\
+         - {within} of {} figures are within the accuracy that is asked for.\n\
+         - {open} of {} figures {} answered \"no limit\" or \"not determined\" ({:.1} %).\n\
+         - To know that a model is enough, finer ones must be run. The finest has {} times the coordinates of the \
+         chosen one in the median, and at\n  most {} times. That happens if the first values show nothing of the \
+         limit, and a small model comes close to it all the same.\n\
+         - The least model is chosen, whatever was run.\n\n\
          | scene | figure | value | stated ± | true error | limit ± doubt | coordinates | finest run | |\n\
          | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n",
         rows.len(),
@@ -181,6 +186,7 @@ fn document(rows: &[Row]) -> String {
         100.0 * strictly as f64 / judged.len() as f64,
         judged.len(),
         rows.len(),
+        if open == 1 { "is" } else { "are" },
         100.0 * open as f64 / rows.len() as f64,
         finers[finers.len() / 2],
         finers[finers.len() - 1],

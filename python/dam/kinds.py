@@ -255,7 +255,7 @@ class CamFollower(Tree):
     pair
         The driving pair. Default: {}.
     position
-        Position function U(φ): where the driver asks this object to be.
+        Position function U(φ): the prescribed position of this object.
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
@@ -530,7 +530,7 @@ class Crank(Tree):
     pair
         The driving pair. Default: {}.
     position
-        Position function U(φ): where the driver asks this object to be.
+        Position function U(φ): the prescribed position of this object.
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
@@ -672,7 +672,7 @@ class Differential(Tree):
     inputs
         What it sums, by name: at least two.
     lever
-        A lever that sums by its arms: each input stands `at` a place along it.
+        A lever that sums by its arms: each input acts `at` a place along it.
     loads
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
@@ -1131,7 +1131,7 @@ class Gear(Tree):
     diameters
         In place of `teeth`: diameters of the pitch circles; their ratio counts.
     internal
-        True: one of them has internal teeth, and both turn the same way. Default: false.
+        True: one of them has internal teeth, and both turn in the same sense. Default: false.
     offset
         Angle of the second wheel (or displacement of the rack) seen from the carrier where
         that of the first is zero: how they were put together (angle in rad, deg, mrad or
@@ -1412,7 +1412,7 @@ class LawOf(Tree):
 
 
 class Lever(Tree):
-    """A lever that sums by its arms: each input stands `at` a place along it.
+    """A lever that sums by its arms: each input acts `at` a place along it.
 
     Parameters
     ----------
@@ -3000,7 +3000,7 @@ class Rocker(Tree):
     pair
         The driving pair. Default: {}.
     position
-        Position function U(φ): where the driver asks this object to be.
+        Position function U(φ): the prescribed position of this object.
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
@@ -3121,7 +3121,7 @@ class Run(Tree):
         Conditions by names of their own: the first time at which each holds is the result
         `run.first_times.NAME`.
     max_switches
-        Most switches before the run is given up. Default: 1000000.
+        Greatest number of events; the run ends at the next. Default: 1000000.
     method
         Method of integration. Default: "auto".
     record
@@ -3136,7 +3136,7 @@ class Run(Tree):
     step
         Step of `rk4`; greatest step of the other methods (time in s, ms, µs, min or h)
     switch_rows
-        True: two rows (before, after) at each switch. Default: false.
+        True: two rows (before, after) at each event. Default: false.
     tolerance
         Error wanted in each object's δ, relative to its scale. Left out, with the method
         `auto` and where figures are to keep an accuracy (`accuracy`, `masses`: "auto"), it
@@ -3146,7 +3146,7 @@ class Run(Tree):
         { "of": "rocker", "condition": "phi > 0.3" }. The motion is found up to `duration`
         first.
     window
-        [from, to]: where steady figures are taken. Default: the last whole cycle of the
+        [from, to]: window of the steady results. Default: the last whole cycle of the
         drive.
     """
 
@@ -3371,7 +3371,7 @@ class Shaft(Tree):
     pair
         The driving pair. Default: {}.
     position
-        Position function U(φ): where the driver asks this object to be. Default: {"ratio":
+        Position function U(φ): the prescribed position of this object. Default: {"ratio":
         1.0}.
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
@@ -3571,7 +3571,7 @@ class Slider(Tree):
     pair
         The driving pair. Default: {}.
     position
-        Position function U(φ): where the driver asks this object to be.
+        Position function U(φ): the prescribed position of this object.
     split
         How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.
     stiffness
@@ -3874,7 +3874,7 @@ class Stations(Tree):
 
 
 class Steady(Tree):
-    """What is asked of the steady motion of the drive (`dam steady`).
+    """The wanted steady motion of the drive (`dam steady`).
 
     Parameters
     ----------
@@ -3884,12 +3884,12 @@ class Steady(Tree):
         Angle of the drive after which the machine repeats, or a part of it: ratios may ask
         for more turns (angle in rad, deg, mrad or rev) Default: 6.283185307179586.
     drive
-        The drive whose motion is asked for; not needed where there is one.
+        The drive whose motion is wanted; not needed if there is one drive.
     fluctuation
         Required coefficient of fluctuation (ω_max − ω_min)/ω_av: sizes a flywheel (a pure
         number)
     mean
-        What is meant by the mean: over `time`, over the `angle`, or `midrange`, midway
+        Kind of mean: over `time`, over the `angle`, or `midrange`, midway
         between the extremes. Default: "time".
     mean_speed
         Required mean speed of the drive. Default: the speed of a prescribed drive; with
@@ -4315,7 +4315,7 @@ class Weight(Tree):
 
 
 class Weld(Tree):
-    """Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam forces` tells its force and couple.
+    """Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam forces` prints its force and couple.
 
     Parameters
     ----------

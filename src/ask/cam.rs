@@ -223,11 +223,11 @@ impl Mechanism {
         match objects_with_cam(self.scene()).as_slice() {
             [only] => Ok((*only).to_owned()),
             [] => Err(Error::question(
-                "no object of the scene tells of its cam: give a cam follower or rocker the \
+                "no object of the scene describes its cam: give a cam follower or rocker the \
                  property `cam`",
             )),
             several => Err(Error::question(format!(
-                "several objects tell of their cam: choose one ({})",
+                "several objects describe their cam: choose one ({})",
                 several.join(", ")
             ))),
         }

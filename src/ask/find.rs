@@ -162,7 +162,7 @@ fn goal(aim: Aim, of: &str, span: &Span, model: &Model) -> Result<Goal, String> 
                 Aim::Minimize => "--minimize",
             };
             format!(
-                "{option} {of}: {what}; name a figure, or the parameter `{}`",
+                "{option} {of}: {what}; name a result, or the parameter `{}`",
                 span.axis.path
             )
         })?,

@@ -14,7 +14,7 @@ pub(super) fn setting(accuracies: &[String], figures: &[String]) -> Result<Vec<S
         [share] if of_one.is_empty() => Some(share.as_str()),
         _ => {
             return Err(Failure::Other(format!(
-                "--accuracy {}: a share of all figures stands alone; of several write \
+                "--accuracy {}: a share of all results is given alone; for several write \
                  FIGURE=ACCURACY, for example rocker.delta_abs=\"1 %\"",
                 of_all[0]
             )));

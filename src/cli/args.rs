@@ -297,9 +297,9 @@ pub(crate) struct CompareArgs {
 pub(crate) struct MapArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArgs,
-    /// The parameter along the map: rocker.inertia=0.05:1:20, or …:20:log; a unit may stand after
-    /// the ends: shaft.motion.speed=100:900 rpm:50. Of a number of masses 0 is a value like others:
-    /// rigid, on its law, with lift-off where its pair would have to pull
+    /// The parameter along the map: rocker.inertia=0.05:1:20, or …:20:log; a unit may follow
+    /// the ends: shaft.motion.speed=100:900 rpm:50. A number of masses may be 0: rigid, on its
+    /// law, with lift-off where its pair would have to pull
     #[arg(long, value_name = "PATH=FROM:TO:COUNT")]
     pub(crate) x: String,
     /// The parameter up the map; without it the map is a curve
@@ -313,11 +313,11 @@ pub(crate) struct MapArgs {
     /// semicolons; given several times, the lists multiply
     #[arg(long, value_name = "PATH=LIST")]
     pub(crate) panels: Vec<String>,
-    /// Do not run every cell a second time with its loads changed by one part in 10¹⁰: twice as
+    /// Do not run every cell a second time with its loads changed by one part in 10¹⁰. Twice as
     /// fast, but nothing is said of cells whose figure is not determined
     #[arg(long)]
     pub(crate) unchecked: bool,
-    /// Digits to which a figure is to be known; a cell whose figure moves by more than one of
+    /// Digits to which a figure is to be known. A cell whose figure moves by more than one of
     /// the last when its loads change by one part in 10¹⁰ is marked as not determined
     #[arg(long, value_name = "COUNT", default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=12))]
     pub(crate) digits: u8,

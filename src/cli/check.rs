@@ -11,7 +11,7 @@ use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::object::Registry;
 use crate::frontend::scene::{schema, schema_of, schema_text};
 use crate::report::quantity::counted;
-use crate::studies::kinematics::reaches;
+use crate::studies::kinematics::{assembly_modes, reaches};
 use serde_json::{Value, json};
 
 /// Checks a scene as far as is possible without running it.
@@ -23,6 +23,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
     let model = ready.system.model();
     let said: Vec<&String> = model.warnings.iter().chain(&start.warnings).collect();
     let reaches = reaches(model);
+    let modes = assembly_modes(model);
     let scene = ready.scene();
     if args.scene.json {
         console::json(&json!({
@@ -34,6 +35,7 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
             "diagnostics": warnings.json(),
             "remarks": said,
             "reaches": reaches,
+            "assembly_modes": modes,
         }))?;
         return Ok(Status::Answered);
     }
@@ -53,8 +55,8 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         counted(coordinates, "coordinate"),
         &scene.hash[..16]
     ))?;
-    for reach in reaches {
-        console::print_text(&format!("{reach}\n"))?;
+    for sentence in modes.iter().chain(&reaches) {
+        console::print_text(&format!("{sentence}\n"))?;
     }
     Ok(Status::Answered)
 }

@@ -72,7 +72,7 @@ impl<'a> Expectations<'a> {
     fn open(&self) -> Vec<String> {
         if self.verdicts.is_none() {
             let own = (self.all.iter()).any(|one| judges(one).contains(&self.command));
-            let line = "expectations: not judged, the options change what the scene asks";
+            let line = "expectations: not judged, the options change the scene's data";
             return own.then(|| line.to_owned()).into_iter().collect();
         }
         let mut others: BTreeMap<String, Vec<&str>> = BTreeMap::new();

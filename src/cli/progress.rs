@@ -57,7 +57,7 @@ impl<'a> Progress<'a> {
         // Runs advance unevenly; the mean rate since the start is the honest guess.
         let left = self.begun.elapsed().as_secs_f64() * (self.duration / time - 1.0);
         bar.set_message(format!(
-            "{time:.4} of {} s, {} switches, {left:.0} s left",
+            "{time:.4} of {} s, {} events, {left:.0} s left",
             self.duration, self.switches
         ));
     }

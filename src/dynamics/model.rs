@@ -6,7 +6,7 @@
 //! N for N·m, N/m for N·m/rad.
 //!
 //! **Coordinates.** The state holds, for every mass of a chain, its deviation
-//! from the law u = φ − U(φ_driver) and u̇, not φ itself: link deformations are
+//! from the law u = φ − U(φ_driver) and u̇, not φ itself. Link deformations are
 //! then differences of small numbers, tolerances act on what the engineer asks
 //! for, and an angle that grows with every turn costs no digits. A motor's
 //! rotor keeps its absolute angle.
@@ -326,7 +326,7 @@ pub struct Track {
     /// True of a law of motion that repeats for ever: it has a past before t = 0.
     pub repeats: bool,
     /// True when leaving segment `home` ends the run: the position function
-    /// cannot be assembled beyond it (a dead position).
+    /// cannot be assembled beyond it (a dead-centre position).
     pub stops: bool,
     /// The object concerned, index into [`Model::objects`].
     pub object: usize,

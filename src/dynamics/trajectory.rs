@@ -53,7 +53,7 @@ impl<'m> Trajectory<'m> {
     }
 
     /// Displacement, speed, acceleration and jerk at `time` (s); just after a joint of
-    /// the motion. Not numbers beyond a dead position on the way.
+    /// the motion. Not numbers beyond a dead-centre position on the way.
     pub(crate) fn at(&self, time: f64) -> Jet {
         at(self.model, self.node, time)
     }

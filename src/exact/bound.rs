@@ -2,7 +2,7 @@
 //!
 //! Over [0, h] every lane is either *followed*, with its derivatives of order
 //! 0 … 4 and |c||λ|⁵ in the remainder (Re λ ≤ 0: the value at the left end is a
-//! bound on the whole interval), or *enveloped*: it takes |c| off the constant
+//! bound on the whole interval), or *enveloped*. It takes |c| off the constant
 //! and nothing else. Any split is valid. Then
 //!
 //! g(s) ≥ a₀ + a₁s + a₂s²/2 + a₃s³/6 + a₄s⁴/24 − R·s⁵/120 on [0, h],
@@ -281,7 +281,7 @@ fn certify<A: Arith>(a: Jet, r: f64, lift: f64, left: f64) -> Option<Bracket> {
 
 /// Correction to the root from a point close to it: the reversed series
 /// u = x(1 − x(α − x(2α² − β − x(5α³ − 5αβ + γ)))), x = −g/ġ, α = g̈/2ġ,
-/// β = g⃛/6ġ, γ = g⁗/24ġ; and a bound on what it leaves out relative to x,
+/// β = g⃛/6ġ, γ = g⁗/24ġ. A bound on what it leaves out relative to x,
 /// r being one on |fifth derivative|.
 #[inline(always)]
 pub(crate) fn reversed<A: Arith>(a: Jet, r: f64) -> (f64, f64) {

@@ -311,10 +311,10 @@ impl Cluster {
 
     fn refusal(&self) -> String {
         if !self.mean.norm().is_finite() {
-            return "a mode of it is faster than double precision can tell".to_owned();
+            return "a mode of it is faster than double precision can resolve".to_owned();
         }
         format!(
-            "{} of its modes coincide at |λ| = {} rad/s and cannot be told apart",
+            "{} of its modes coincide at |λ| = {} rad/s and cannot be distinguished",
             self.members.len(),
             shown(self.mean.norm(), 7)
         )

@@ -61,28 +61,33 @@
 //!
 //! Single chains on one sine, force- or form-closed at the first link, under a
 //! constant load: against reference trajectories, figures and switch counts
-//! computed elsewhere, with fused and with plain arithmetic. Against an
-//! integration of the equations of motion that shares nothing but the problem
-//! (fourth order, small fixed steps, agreement to 10⁻⁷): a branched tree with
-//! levers of either sign, two pairs at once, a gap, springs and dampers to the
-//! ground, two sines with a linear part, loads in a time table, polynomial
-//! spans of the law, overdamped modes, a floating part that dampers drag, equal
-//! branches that switch together, bounces that end in lasting contact. A graze
-//! is told from a miss at 10⁻¹⁰ of the load; refusals are named. Pair conditions
-//! hold on dense samples of random scenes. Switches allocate nothing. Random
-//! scenes with branched trees, levers, several pairs, springs, dampers, tables
-//! and laws in spans: against Dormand–Prince's method of order 8 at a tight
-//! tolerance (trajectories, switch counts), figures against those of the
+//! computed elsewhere, with fused and with plain arithmetic.
+//!
+//! Against an integration of the equations of motion that shares nothing but the
+//! problem (fourth order, small fixed steps, agreement to 10⁻⁷):
+//! - a branched tree with levers of either sign, two pairs at once, a gap;
+//! - springs and dampers to the ground, overdamped modes, a floating part that
+//!   dampers drag;
+//! - two sines with a linear part, loads in a time table, polynomial spans of the law;
+//! - equal branches that change together, bounces that end in lasting contact.
+//!
+//! A graze is distinguished from a miss at 10⁻¹⁰ of the load; refusals are named.
+//! Pair conditions hold on dense samples of random scenes. Switches allocate
+//! nothing. Random scenes with branched trees, levers, several pairs, springs,
+//! dampers, tables and laws in spans: against Dormand–Prince's method of order 8 at
+//! a tight tolerance (trajectories, switch counts), figures against those of the
 //! recorder. Fitted laws and loads: against the motions that they follow.
 //!
-//! Against Taylor's series of the motion in short steps: critical, nearly
-//! critical and repeated modes to 5·10⁻¹² on either side of the coincidence,
-//! parts that float side by side, undamped and hardly damped modes driven at their
-//! own frequency and from 10⁻¹⁵ to 10⁻² beside it, with and without switches, to
-//! 10⁻¹², grazes by 10⁻¹⁰ from either side, a loss of contact over 3·10⁻⁴ of a
-//! radian of the law, switches at the start, more combinations of pairs than are
-//! kept. After the transient a cycle takes as many evaluations as that of one mass,
-//! of one vector of lanes.
+//! Against Taylor's series of the motion in short steps, with and without switches:
+//! - critical, nearly critical and repeated modes to 5·10⁻¹² on either side of the
+//!   coincidence, parts that float side by side;
+//! - undamped and hardly damped modes driven at their own frequency and from 10⁻¹⁵
+//!   to 10⁻² beside it, to 10⁻¹²;
+//! - grazes by 10⁻¹⁰ from either side, a loss of contact over 3·10⁻⁴ of a radian of
+//!   the law, switches at the start, more combinations of pairs than are kept.
+//!
+//! After the transient a cycle takes as many evaluations as that of one mass, of
+//! one vector of lanes.
 //!
 //! Of the figures, the extremes and mean of δ and the lift of one case are
 //! compared with values computed elsewhere; the bounds they are found with are
@@ -95,10 +100,10 @@
 //!
 //! Modes of a damped system in their unconjugated norm, and impedances
 //! (dynamic stiffnesses) eliminated along a branch as in Holzer's and the
-//! transfer-matrix methods; simultaneous iteration on all eigenvalues after
-//! Ehrlich and Aberth; eigenvectors by twisted elimination; Taylor's remainder
-//! and Bernstein coefficients as bounds of a polynomial on an interval;
-//! products and sums of two numbers after Dekker.
+//! transfer-matrix methods. Simultaneous iteration on all eigenvalues after
+//! Ehrlich and Aberth. Eigenvectors by twisted elimination. Taylor's remainder
+//! and Bernstein coefficients as bounds of a polynomial on an interval.
+//! Products and sums of two numbers after Dekker.
 
 mod audit;
 mod basis;

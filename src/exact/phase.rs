@@ -1,7 +1,7 @@
 //! A phase: the motion between two switches in closed form.
 //!
 //! Every mass moves as q_i(s) = Σ Re(shape·z·e^{λs}) + P_i(s) + flight, s the
-//! time since the phase began: lanes of exponentials (modes and harmonics), a
+//! time since the phase began. Lanes of exponentials (modes and harmonics), a
 //! polynomial (constant loads, polynomial laws, the rigid motion of floating
 //! parts), and the rigid motion of floating parts under harmonics, which is
 //! kept in the forms cos x − 1 and sin x − x because it would cancel otherwise.

@@ -3,7 +3,7 @@
 //! A mode λ answers e^{iΩs} with the divided difference (e^{iΩs} − e^{λs})/(iΩ − λ),
 //! at resonance with s·e^{iΩs}. Taken apart into a lane of iΩ and one of λ it
 //! loses as many digits as iΩ and λ have in common. Here such a harmonic is a
-//! polynomial instead, to rounding, over phases of a tenth of its period: the
+//! polynomial instead, to rounding, over phases of a tenth of its period. The
 //! mode's answer to a polynomial is a power series in which nothing cancels and
 //! to which it makes no difference whether λ is near iΩ or equal to it. What the
 //! motion grows by goes from phase to phase into the mode's own amplitude, so

@@ -240,7 +240,10 @@ impl Workspace<'_> {
             };
             self.search.grazing += u64::from(self.returns(number));
             if self.stalled > 8 * self.states.len() {
-                return Err(Refusal::new("", "pairs switch without end at one instant"));
+                return Err(Refusal::new(
+                    "",
+                    "contacts change without end at one instant",
+                ));
             }
             self.switch(number, self.at.0);
         } else {
@@ -288,7 +291,7 @@ impl Workspace<'_> {
         Refusal::new(
             "",
             format!(
-                "the search for the next switch took {steps} steps and stands at t = {} s",
+                "the search for the next event took {steps} steps and is at t = {} s",
                 shown(time, 7)
             ),
         )

@@ -18,7 +18,7 @@ const AT_ONCE: f64 = 1e-9;
 /// A pair that starts on its flank with Ẋ = 0 takes the side of the first
 /// derivative of X that does not vanish. Derivatives follow from the equations
 /// of motion, J q⁽ᵐ⁺²⁾ = f⁽ᵐ⁾ − B q⁽ᵐ⁺¹⁾ − K q⁽ᵐ⁾, in which exact zeros stay
-/// exact: with the load on the last mass of ten and a sine for the law, the
+/// exact. With the load on the last mass of ten and a sine for the law, the
 /// first mass feels the law's jerk long before the load.
 pub(crate) fn states(
     problem: &TreeProblem,

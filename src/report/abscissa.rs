@@ -52,8 +52,8 @@ impl Abscissa {
             "last-turn" => Turns::Last,
             _ => {
                 return Err(format!(
-                    "`{text}` is none of time, angle, turns, last-turn; behind the last three the \
-                     id of a drive may stand: angle:shaft"
+                    "`{text}` is none of time, angle, turns, last-turn; the last three take the \
+                     id of a drive: angle:shaft"
                 ));
             }
         };

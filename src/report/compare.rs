@@ -225,15 +225,15 @@ pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'
     let same = table.rows.iter().filter(same).count();
     let left_out = match same {
         0 => String::new(),
-        1 => "Left out: 1 figure that is the same in all runs.".to_owned(),
-        _ => format!("Left out: {same} figures that are the same in all runs."),
+        1 => "Not shown: 1 result that is the same in all runs.".to_owned(),
+        _ => format!("Not shown: {same} results that are the same in all runs."),
     };
     let values = table.labels.iter().map(|label| format!(">{label}"));
     let limit = [">limit", ">order"].map(str::to_owned);
     let limit = limit.into_iter().take(2 * usize::from(table.against_limit));
     let heads: Vec<String> = values.chain(limit).collect();
     let heads = heads.iter().map(String::as_str);
-    let heading = format!("Figures of {id} over {}", table.over);
+    let heading = format!("Results of {id} over {}", table.over);
     let rows = table.rows.iter().filter_map(own);
     let table = Table::new(std::iter::once("figure").chain(heads)).rows(rows);
     Section::new(heading).table(table).words(left_out)

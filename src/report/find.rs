@@ -41,7 +41,7 @@ pub fn findings<'a>(scene: &str, answer: &FoundValue, source: Source<'a>) -> Fin
         sections,
         source,
     };
-    findings.label(answer.rigid.as_ref(), "figures of other studies are");
+    findings.label(answer.rigid.as_ref(), "results of other studies are");
     findings
 }
 
@@ -96,7 +96,7 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
         (None, Some(_)) | (_, None) if found.ranges.is_empty() => (
             match found.complete {
                 true => format!("No value of {path} in the range meets the conditions."),
-                false => format!("No value of {path} that was looked at meets the conditions."),
+                false => format!("No examined value of {path} meets the conditions."),
             },
             String::new(),
         ),
@@ -117,7 +117,7 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
         }
     };
     let open = match (found.complete, found.certain) {
-        (false, _) => "Ended before everything was looked at.",
+        (false, _) => "Ended before all places were examined.",
         (true, false) => "Not certain: something that is not known could change it.",
         (true, true) => "",
     };
@@ -145,7 +145,7 @@ fn range(answer: &FoundValue, [from, to]: [&End; 2]) -> String {
 fn why_no_better(answer: &FoundValue, best: &Best) -> String {
     let Some(limit) = &best.limit else {
         let goal = answer.goal.as_ref().map_or("best", |goal| goal.aim.words());
-        return format!("No condition binds: it is the {goal} of the values that were looked at.");
+        return format!("No condition binds: it is the {goal} of the examined values.");
     };
     let words = limit_words(answer, limit);
     match limit {
@@ -159,7 +159,7 @@ fn why_no_better(answer: &FoundValue, best: &Best) -> String {
 /// Why a range ends, in words.
 fn limit_words(answer: &FoundValue, limit: &Limit) -> String {
     match limit {
-        Limit::Range => "the range that was asked for ends there".to_owned(),
+        Limit::Range => "the range ends there".to_owned(),
         Limit::Conditions(all) => {
             let names: Vec<&str> = all
                 .iter()
@@ -169,7 +169,7 @@ fn limit_words(answer: &FoundValue, limit: &Limit) -> String {
         }
         Limit::Equality(at) => format!("there {} holds", answer.conditions[*at].text),
         Limit::State(state) => format!("beyond it {}", state_words(state)),
-        Limit::Abrupt => "the figure jumps there or has no bound".to_owned(),
+        Limit::Abrupt => "the result jumps there or has no bound".to_owned(),
     }
 }
 
@@ -365,15 +365,15 @@ fn notes(answer: &FoundValue) -> Vec<String> {
     let mut notes = Vec::new();
     if answer.span.whole {
         notes.push(format!(
-            "All {looked} of {} in the range were looked at.",
+            "All {looked} of {} in the range were examined.",
             axis.path
         ));
     } else if found.complete {
         let apart = found.best.as_ref().map_or(0.5, |best| best.sample.share);
         let apart = parameter(answer, answer.span.spacing(apart), 2);
         notes.push(format!(
-            "In all {looked} of {} from {} to {} were looked at, {} of them evenly spread. What happens \
-             only between two neighbouring ones, here {apart} apart, can be missed; more places: \
+            "In all {looked} of {} from {} to {} were examined, {} of them at equal distances of \
+             {apart}. A narrower feature between two of them can be missed. For more places: \
              --vary {}=FROM:TO:PLACES.",
             axis.path,
             parameter(answer, axis.from, DIGITS),

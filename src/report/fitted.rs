@@ -90,7 +90,8 @@ mod tests {
     #[test]
     fn no_line_is_longer_than_the_width_and_no_word_is_lost() {
         let table = "  simulation of the scene in time  5 cycles from the steady motion: ω -1.8e-12 off at the end\n";
-        let prose = "determined: loads changed by one part in 10¹⁰ move δ by 1.0e-10; errors are told down to 1.0e-15";
+        let prose = "determined: loads changed by one part in 10¹⁰ move δ by 1.0e-10; errors are \
+                     shown down to 1.0e-15";
         for width in [30, 40, 60, 80] {
             for text in [table, prose, "short\n", ""] {
                 let out = fitted(text, width);

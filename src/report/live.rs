@@ -198,7 +198,7 @@ fn compared<'a>(figures: &Figures, beside: &RunExtras<'_>) -> Vec<Section<'a>> {
     let pinned = pinned.map(|&(name, result)| (name, &result.figures));
     let runs: Vec<(&str, &Figures)> = std::iter::once((NOW, figures)).chain(pinned).collect();
     let table = FigureTable::of("pinned runs", &runs);
-    let words = format!("In per cent: by how much each figure differs from that of “{first}”.");
+    let words = format!("In per cent: by how much each result differs from that of “{first}”.");
     let head = Section::new("Beside pinned runs").words(words);
     let ids = figures.objects.keys().map(String::as_str);
     let sections = ids.chain(["run"]).map(|id| compare::figures(&table, id));

@@ -11,7 +11,7 @@ use crate::studies::judgement::{Ending, Judgement, checks, ending, is_unchecked}
 pub enum Sort {
     /// The mechanism works as asked.
     Good,
-    /// The mechanism itself fails: lift-off, a dead position.
+    /// The mechanism itself fails: lift-off, a dead-centre position.
     Mechanism,
     /// The computation failed or is not to be trusted.
     Numerical,
@@ -188,10 +188,10 @@ fn pairs(figures: &Figures, judgement: Judgement) -> Sentence {
     }
     let passing: u64 = pairs.iter().map(|(_, pair)| pair.separations).sum();
     let text = match (pairs.is_empty(), passing) {
-        (true, _) => "No pair of this scene can open.".to_owned(),
-        (false, 0) => "No pair opens during the run.".to_owned(),
+        (true, _) => "No contact of this scene can separate.".to_owned(),
+        (false, 0) => "No loss of contact during the run.".to_owned(),
         (false, count) => format!(
-            "Pairs open {} while the start dies away, none in the steady window.",
+            "Contacts separate {} while the start dies away, none in the steady window.",
             times(count)
         ),
     };

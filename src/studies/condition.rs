@@ -194,7 +194,7 @@ fn split(text: &str) -> Result<(&str, Relation, &str), &'static str> {
     let (relation, value) =
         found.ok_or("a strict comparison cannot be judged: `<=` and `>=` can")?;
     match (figure.trim(), value.trim()) {
-        ("", _) => Err("the figure is missing"),
+        ("", _) => Err("the result is missing"),
         (_, "") => Err("the value is missing"),
         (figure, value) => Ok((figure, relation, value)),
     }
@@ -220,7 +220,7 @@ fn quantity(text: &str, unit: &str) -> Result<f64, String> {
         Err(_) if found.bare => found.value,
         Err(_) => {
             return Err(format!(
-                "`{text}` has another unit than the figure, which is {measured}"
+                "`{text}` has another unit than the result, which is {measured}"
             ));
         }
     };

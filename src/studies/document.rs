@@ -74,7 +74,7 @@ pub(super) fn stop_in_words(stop: &Stop) -> (&'static str, String) {
         ),
         Stop::TooManySwitches { bound } => (
             "too_many_switches",
-            format!("more than {bound} switches; raise run.max_switches if they are meant"),
+            format!("more than {bound} events; raise run.max_switches if they are meant"),
         ),
         Stop::TooManySteps { bound } => ("too_many_steps", format!("more than {bound} steps")),
         Stop::WallClock { limit } => (

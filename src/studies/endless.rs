@@ -1,6 +1,6 @@
 //! What grows without bound towards a place, told by its values ever nearer to it.
 
-/// Part of the reach by which a position may lie before a dead position at its end, and still
+/// Part of the reach by which a position may lie before a dead-centre position at its end, and still
 /// counts as there: twice that by which ranges over the whole reach keep off it.
 const ROOM: f64 = 2e-6;
 /// Growth over a tenth of the distance that has no end: by 10 where it goes with the
@@ -11,7 +11,7 @@ const FELT: f64 = 1e-6;
 /// Powers of ten of the distance over which growth is looked at.
 const DECADES: [i32; 4] = [-3, -4, -5, -6];
 
-/// A dead position at which the reach ends.
+/// A dead-centre position at which the reach ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeadEnd {
     /// Place on the axis.

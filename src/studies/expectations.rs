@@ -166,7 +166,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
         };
         Some(Fault::new(
             format!("expect.{index}.figure"),
-            format!("there is no figure `{figure}`"),
+            format!("there is no result `{figure}`"),
             did_you_mean(&close),
         ))
     };
@@ -205,7 +205,7 @@ fn check_figure(
         }
         Err(AddressError::Unknown { close }) => {
             verdict.unknown = true;
-            verdict.message = format!("there is no figure `{figure}`");
+            verdict.message = format!("there is no result `{figure}`");
             if !close.is_empty() {
                 verdict.message += &format!("; {}", did_you_mean(&close));
             }

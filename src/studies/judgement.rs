@@ -261,7 +261,7 @@ impl Errors {
         };
         vec![
             Check {
-                name: "count of objects with a figure that is not a finite number",
+                name: "count of objects with a result that is not a finite number",
                 value: unknown as f64,
                 bound: 0.0,
             },

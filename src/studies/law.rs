@@ -91,7 +91,7 @@ pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawR
     let run = &result.figures.run;
     let window = run.window.ok_or_else(|| {
         let reason = run.window_missing.as_deref().unwrap_or("no reason given");
-        format!("there is no window of steady figures: {reason}")
+        format!("there is no window of steady results: {reason}")
     })?;
     let column = |object: &str, quantity: Quantity| {
         let found = result.record.column(object, quantity);

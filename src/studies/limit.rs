@@ -93,9 +93,9 @@ fn grows(scene: &TypedScene, model: &Model, part: &ObjectPart) -> bool {
 fn message(address: &str, part: &ObjectPart, cause: Cause) -> String {
     let impulse = |impulse: &str| {
         format!(
-            "{address} has no limit: in an impact of a rigid contact the force is an impulse; the \
-             figure is the greatest force between impacts. `{impulse}` has a value, and a contact \
-             with a stiffness gives the force a limit"
+            "{address} has no converged value: in an impact of a rigid contact the force is an \
+             impulse. The result is the greatest force between impacts. `{impulse}` has a value. \
+             With a contact stiffness the force has one too"
         )
     };
     match cause {
@@ -106,9 +106,9 @@ fn message(address: &str, part: &ObjectPart, cause: Cause) -> String {
     let (id, count) = (&part.id, part.nodes.len());
     let masses = if count == 1 { "mass" } else { "masses" };
     format!(
-        "{address} has no limit with the number of masses: the damper of link 1 of {id}, which \
-         is its contact too, acts at the full speed of approach and becomes stiffer with every \
-         mass; the figure is that of {count} {masses}. With `{id}.pair.contact` it has a limit"
+        "{address} diverges with the number of masses. The damper of link 1 of {id} is its \
+         contact too: it acts at the full speed of approach and becomes stiffer with every mass. \
+         The result is that of {count} {masses}. With `{id}.pair.contact` it converges"
     )
 }
 

@@ -127,7 +127,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
 /// study.
 pub fn check(address: &str, model: &Model) -> Option<Result<(), Fault>> {
     let unknown = |hint: String| {
-        let message = format!("there is no figure `{address}`");
+        let message = format!("there is no result `{address}`");
         Err(Fault::new("", message, hint))
     };
     Some(match StudyAddress::of(address)? {

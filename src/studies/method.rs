@@ -113,8 +113,7 @@ fn choose_for_remainder(system: &System, settings: &RunSettings, mixed: Mixed) -
         .map(|refusal| format!("{}: {}", refusal.object, refusal.reason))
         .collect();
     let why = format!(
-        "exact propagation of {}, known in closed form between switches; {} for {} ({}): \
-         {}",
+        "exact propagation of {}, known in closed form between events; {} for {} ({}): {}",
         ids(&mut held.into_iter()),
         chosen.method,
         ids(&mut others.map(|(_, part)| &part.id)),
@@ -175,8 +174,8 @@ fn why_exact(parts: &Parts) -> String {
         count => format!(" in each of {count} branches"),
     };
     format!(
-        "between switches the motion{trees} is linear and its drive is prescribed: \
-         it is known in closed form, and only the switches are searched for"
+        "between events the motion{trees} is linear and its drive is prescribed: it is known in \
+         closed form, and only the events are searched for"
     )
 }
 

@@ -31,7 +31,7 @@ pub(crate) struct Offer {
     pub(crate) why: String,
 }
 
-/// All figures of a run that a scene may expect, with their errors: that of the certificate
+/// All figures of a run that a scene may expect, with their errors. That of the certificate
 /// where the model was judged, else twice what the figure moves where the tolerance is halved
 /// (an error in proportion to the tolerance halves with it) and what it moves under rounding,
 /// else so many tolerances of its scale.
@@ -93,7 +93,7 @@ fn error(
     let moved = spread.figures.iter().find(|one| one.figure == figure);
     match moved.and_then(|one| one.by_loads.zip(one.by_tolerance)) {
         Some((loads, tolerance)) => {
-            let words = "what the figure moves with the tolerance and with rounding";
+            let words = "how far the result changes with the tolerance and with rounding";
             (Some(loads + 2.0 * tolerance), words.to_owned())
         }
         None => {

@@ -56,7 +56,7 @@ impl RunResult {
 
     /// False when the numbers themselves are in doubt: the energies do not
     /// balance, a number was not finite, or the method gave up. A mechanism that
-    /// lifts off or reaches a dead position has perfectly good figures.
+    /// lifts off or reaches a dead-centre position has perfectly good figures.
     pub fn is_trusted(&self) -> bool {
         self.judgement() != Judgement::NotToBeTrusted
     }

@@ -184,7 +184,7 @@ pub(super) fn unknown(figure: &str, model: &Model) -> Option<(String, String)> {
     }
     let close = closest(at.figure, known.all.iter().map(|one| one.name.as_str()));
     let close = close.map(|name| format!("{}.{}.{name}", at.study, at.object));
-    let message = format!("there is no figure `{figure}`");
+    let message = format!("there is no result `{figure}`");
     Some((message, did_you_mean(close.as_slice())))
 }
 

@@ -154,8 +154,8 @@ impl fmt::Display for Warning {
                 "not to be trusted: {check}; ask for a smaller tolerance or another method"
             ),
             Self::NotFinite => f.write_str(
-                "not to be trusted: a force or an acceleration was not a finite number; \
-                 look for the object whose column holds it",
+                "not to be trusted: a force or an acceleration was not a finite number; search \
+                 for the object whose column holds it",
             ),
             Self::FixedStep {
                 fastest,
@@ -163,10 +163,9 @@ impl fmt::Display for Warning {
                 step,
             } => write!(
                 f,
-                "a fixed step keeps no tolerance: a vibration of the fastest rate of the \
-                 mechanism, {} 1/s, is out of phase by some {} rad at the end, \
-                 and figures that it decides are off as much; a step of {} s or another \
-                 method keeps it",
+                "a fixed step keeps no tolerance. A vibration of the fastest rate of the \
+                 mechanism, {} 1/s, is out of phase by some {} rad at the end. Results that \
+                 depend on it have as great an error. A step of {} s or another method keeps it",
                 shown(*fastest, 3),
                 shown(*phase, 2),
                 shown(*step, 2)
@@ -201,7 +200,7 @@ impl fmt::Display for Warning {
                 judged,
             } => write!(
                 f,
-                "the pair of {object} is open for {} s ({} % of the run, {}): {} of the \
+                "the contact of {object} is open for {} s ({} % of the run, {}): {} of the \
                  mechanism, not a failure of the computation",
                 shown(*separated_time, 7),
                 shown(100.0 * share, 3),
@@ -220,18 +219,18 @@ impl fmt::Display for Warning {
                 time,
             } => write!(
                 f,
-                "the counts of switches of {object} are not determined: its pair switches and \
-                 switches back at one instant {returns} times, first at {} s, where the \
-                 force that decides is smaller than rounding. The motion is not touched by it. \
-                 Compare with another method, or look at the damping: a pair that is damped \
-                 this strongly opens too slowly to be told from one that stays",
+                "the counts of events of {object} are not determined. Its contact separates and \
+                 closes at one instant {returns} times, first at {} s: the force that decides is \
+                 smaller than rounding. The motion is not touched by it. Compare with another \
+                 method, or look at the damping: a pair that is damped this strongly opens too \
+                 slowly to be told from one that stays",
                 shown(*time, 7)
             ),
             Self::FirstTimeUndetermined { name, since, found } => write!(
                 f,
-                "the first time of the condition `{name}` is not determined: from {} s on its \
-                 bounds leave open whether it holds{}; a condition that stays farther from \
-                 its edge, or changes more slowly, is decided",
+                "the first time of the condition `{name}` is not determined. From {} s on its \
+                 bounds do not decide whether it holds{}. A condition that stays farther from its \
+                 edge, or changes more slowly, is decided",
                 shown(*since, 7),
                 match found {
                     Some(time) => format!(", and it was seen to hold at {} s", shown(*time, 7)),
@@ -245,8 +244,8 @@ impl fmt::Display for Warning {
             } => write!(
                 f,
                 "{object} creeps at {} {}/s under {force} {unit} until {} s: regularised friction \
-                 bears {force} {unit} of up to {} {unit}. It would rest. From {} s on its \
-                 motion is not that of dry friction; a smaller width makes the creep slower",
+                 holds {force} {unit} of up to {} {unit}. It would rest. From {} s on its motion \
+                 is not that of dry friction; a smaller width makes the creep slower",
                 shown(creep.speed, 4),
                 units.displacement,
                 shown(creep.until, 4),
@@ -274,10 +273,10 @@ impl fmt::Display for Warning {
             ),
             Self::Undetermined { object, switches } => write!(
                 f,
-                "the figures of {object} are not determined to the printed digits: \
-                 its contact has no damping and switches {switches} times, and every bounce \
-                 multiplies a small difference. Run with --spread to see how far they move, \
-                 or give it a `damping_capacity`"
+                "the results of {object} are not determined to the printed digits: its contact \
+                 has no damping and {switches} events, and every bounce multiplies a small \
+                 difference. Run with --spread to see how far they move, or give it a \
+                 `damping_capacity`"
             ),
         }
     }

@@ -29,7 +29,7 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
         (labels(&moved), vec!["now".to_owned(), "first".to_owned()])
     );
     let tables = moved["compared"].as_str().unwrap();
-    assert!(tables.contains("Figures of rocker over pinned runs") && tables.contains('%'));
+    assert!(tables.contains("Results of rocker over pinned runs") && tables.contains('%'));
     // The other window sees nothing of it.
     let mut seen = 0;
     while let Some(sent) = other.next().unwrap() {

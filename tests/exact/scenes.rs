@@ -506,7 +506,7 @@ fn what_does_not_qualify_is_refused_with_its_reason() {
             "tip",
             "`cut` depends on a displacement",
         ),
-        (stuck, "slide", "dead positions"),
+        (stuck, "slide", "dead-centre positions"),
     ];
     for (objects, object, reason) in cases {
         let run = json!({ "duration": 0.1, "start": "on_law" });

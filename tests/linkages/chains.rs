@@ -216,7 +216,7 @@ fn transfer_functions_of_chains_are_right_to_their_stated_error() {
     }
 }
 
-/// A slider-crank close to its dead position, where the rod stands across the guide: by the root of
+/// A slider-crank close to its dead-centre position, where the rod stands across the guide: by the root of
 /// r² = (l − a·sin q)·(l + a·sin q) in factors that do not cancel, x′ = −a·sin q − a²·sin q·cos q/r.
 #[test]
 fn errors_near_a_dead_position_are_told_and_grow_towards_it() {

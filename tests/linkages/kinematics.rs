@@ -504,7 +504,7 @@ fn what_a_scene_expects_of_its_kinematics_is_judged() {
             "rocker.time_ratios",
             "did you mean `kinematics.sley.rocker.time_ratio`?",
         ),
-        ("wheel.speed.least", "there is no figure"),
+        ("wheel.speed.least", "there is no result"),
     ] {
         let (code, _, error) = ran(&["check", &expect(figure, "1")]);
         assert_eq!(code, Some(2));
@@ -521,7 +521,7 @@ fn what_a_scene_expects_of_its_kinematics_is_judged() {
     );
     let (code, _, error) = ran(&["check", &scene]);
     assert_eq!(code, Some(2));
-    for words in ["did you mean `sley`?", "names no figure"] {
+    for words in ["did you mean `sley`?", "names no result"] {
         assert!(error.contains(words), "{words}: {error}");
     }
     // The rocker turns.
@@ -552,7 +552,7 @@ fn a_check_tells_how_far_an_input_can_go() {
     let (code, text, _) = ran(&["check", &scene]);
     assert_eq!(code, Some(0));
     assert!(text.contains("`bars`: input from -66.4"), "{text}");
-    assert!(text.contains("dead position"), "{text}");
+    assert!(text.contains("dead-centre position"), "{text}");
 }
 
 /// A parallelogram could fold over flat; its position function ends there, and so

@@ -1,4 +1,4 @@
-//! Linkages in scenes: the published cases at the start, rows before a dead
+//! Linkages in scenes: the published cases at the start, rows before a dead-centre
 //! position, named dimensions, inputs, exact propagation behind them.
 
 use dam::integrate::Dynamics;
@@ -64,7 +64,10 @@ fn rows_before_the_dead_position(scenario: &str, case: &str, end: f64) {
     assert_eq!(stopped, Some("dead_position"), "{case}");
     approx::assert_abs_diff_eq!(result.figures.run.time, end, epsilon = 1e-5);
     let message = format!("{:?}", result.outcome.stop);
-    assert!(message.contains("a dead position of dyad RRR"), "{message}");
+    assert!(
+        message.contains("a dead-centre position of dyad RRR"),
+        "{message}"
+    );
     let reference: serde_json::Value =
         serde_json::from_str(&file("tests/reference/slide-crank.json")).expect("JSON");
     let cases = reference["cases"].as_array().expect("cases");
@@ -260,7 +263,7 @@ fn the_ends_of_a_travel_belong_to_it() {
     let apart = (angle - start).cos();
     assert!((apart - opening(1.3).cos()).abs() < 1e-12, "{angle}");
     let long = solve(&read(BOOM, &["run.duration=20"]));
-    // The cylinder is at its stop; the links are far from any dead position.
+    // The cylinder is at its stop; the links are far from any dead-centre position.
     assert_eq!(long.figures.run.stopped.as_deref(), Some("end_of_travel"));
     approx::assert_abs_diff_eq!(long.figures.run.time, 10.0, epsilon = 1e-9);
     let why = long.figures.run.stopped_because.as_deref().unwrap_or("");

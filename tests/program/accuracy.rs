@@ -25,7 +25,7 @@ fn warned(arguments: &[&str]) -> (bool, bool) {
     let document = json_of(&output);
     let warnings = document["warnings"].as_array();
     let warnings = warnings.into_iter().flatten();
-    let words = format!("{FIGURE} does not hold the accuracy asked for: it may be off by ");
+    let words = format!("{FIGURE} does not have the required accuracy: its error may be ");
     let found = warnings.filter_map(Value::as_str);
     let count = found.filter(|said| said.contains(&words)).count();
     // The terminal says the same.
@@ -75,7 +75,7 @@ fn figures_that_miss_the_accuracy_asked_for_are_no_answer() {
     let output = dam(&["run", bouncing, "--accuracy", force, "--json"]);
     assert_eq!(output.status.code(), Some(1));
     let warnings = json_of(&output)["warnings"].to_string();
-    let words = "rocker.pair.max_contact_force does not hold the accuracy asked for: ";
+    let words = "rocker.pair.max_contact_force does not have the required accuracy: ";
     assert!(warnings.contains(words), "{warnings}");
     // Nothing is asked: nothing is missed.
     assert_eq!(warned(&["run", SCENE]), (false, false));

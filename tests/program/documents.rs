@@ -20,7 +20,7 @@ const DOCUMENTS: [&str; 5] = [
     "objects/README.md",
 ];
 
-/// Made by running all scenarios, by docs/reference.py, and a course that takes minutes:
+/// Made by running all scenarios, by docs/reference.py, and a tutorial that takes minutes:
 /// docs/examples.py executes it.
 const OTHER_PAGES: [&str; 3] = ["gallery", "reference", "tutorial"];
 

@@ -28,6 +28,7 @@ mod reference;
 mod scenarios;
 mod schema;
 mod shown;
+mod speech;
 mod steady;
 mod study_figures;
 mod study_verdicts;

@@ -145,7 +145,7 @@ fn wrong_arguments_end_with_status_2_and_say_what_is_right() {
         (vec!["--x", "rocker.inertja=1:2:3"], "inertia"),
         (
             vec!["--x", "rocker.inertia=1:2:3", "--figure", "rocker.delta"],
-            "no figure",
+            "no result",
         ),
         (
             vec!["--x", "rocker.inertia=1:2:3", "--panels", "a=1,,2"],

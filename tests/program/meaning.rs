@@ -75,11 +75,11 @@ fn a_contact_force_without_a_limit_is_called_so_wherever_it_is_asked() {
         ],
     ];
     for arguments in asked {
-        let told = format!("{force} has no limit with the number of masses");
+        let told = format!("{force} diverges with the number of masses");
         let said = dam(arguments);
         let shown = text(&said.stdout) + &text(&said.stderr);
         assert!(shown.contains(&told), "{arguments:?}: {shown}");
-        assert!(shown.contains("With `rocker.pair.contact` it has a limit"));
+        assert!(shown.contains("With `rocker.pair.contact` it converges"));
         let json = json_of(&[arguments, &["--json"]].concat());
         let why = &json["accuracy"][force]["why"];
         let warnings = json["warnings"].as_array().into_iter().flatten();
@@ -96,7 +96,7 @@ fn a_contact_force_without_a_limit_is_called_so_wherever_it_is_asked() {
         "--set",
         contact,
     ]);
-    assert!(!text(&said.stderr).contains("no limit"));
+    assert!(!text(&said.stderr).contains("no converged value"));
 }
 
 #[test]

@@ -237,7 +237,7 @@ fn results_that_no_study_has_are_refused() {
     let mut scene = rocker();
     for (figure, words) in [
         ("frequency.0", "counted from 1"),
-        ("cam.rocker.least_radius", "tells nothing of its cam"),
+        ("cam.rocker.least_radius", "does not describe its cam"),
     ] {
         scene["expect"] = json!([{ "figure": figure, "at_least": 0 }]);
         let (_folder, path) = written(&scene);
@@ -563,7 +563,7 @@ fn every_study_judges_its_own_and_names_the_command_for_the_rest() {
         // Another machine than the scene's has no expectations.
         let (code, said) = run(&["--set", "name=other"]);
         assert_eq!(code, Some(0), "{command}: {said}");
-        let words = "expectations: not judged, the options change what the scene asks";
+        let words = "expectations: not judged, the options change the scene's data";
         assert!(said.contains(words), "{command}: {said}");
         assert!(!said.contains("not judged here"), "{command}: {said}");
     }
@@ -646,7 +646,7 @@ fn a_figure_of_a_study_that_is_mistyped_is_not_taken_for_an_object() {
     for (figure, message, hint) in [
         (
             "cam.valve.least_radiu",
-            "`cam.valve` has no figure `least_radiu`",
+            "`cam.valve` has no result `least_radiu`",
             "did you mean `cam.valve.least_radius`?",
         ),
         (
@@ -656,28 +656,28 @@ fn a_figure_of_a_study_that_is_mistyped_is_not_taken_for_an_object() {
         ),
         (
             "cam.valve",
-            "`cam.valve` names no figure",
+            "`cam.valve` names no result",
             "as in `cam.valve.least_radius`",
         ),
         (
             "frequency.x",
-            "there is no figure `frequency.x`",
+            "there is no result `frequency.x`",
             "write `frequency.1`",
         ),
         (
             "frequency",
-            "there is no figure `frequency`",
+            "there is no result `frequency`",
             "write `frequency.1`",
         ),
         (
             "steady",
-            "`steady` names no figure",
+            "`steady` names no result",
             "write `steady.` and one of",
         ),
-        ("run", "`run` names no figure", "write `run.` and one of"),
+        ("run", "`run` names no result", "write `run.` and one of"),
         (
             "valve",
-            "`valve` names no figure",
+            "`valve` names no result",
             "write `valve.` and one of",
         ),
     ] {

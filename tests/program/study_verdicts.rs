@@ -218,7 +218,7 @@ fn a_steady_motion_of_rigid_objects_leaves_their_pairs_open() {
     let output = dam("steady", &[path], &["--json"]);
     assert_eq!(json_of(&output)["verdict"], "not_judged");
     let said = self::text(&dam("steady", &[path], &[]));
-    let words = "Whether the pair of tappet opens is judged by `dam run` alone.";
+    let words = "Whether the contact of tappet separates is judged by `dam run` alone.";
     assert!(said.contains(words), "{said}");
 }
 

@@ -6,13 +6,28 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// A kind of document: its files, and the limits of its sentences in words.
-struct Kind {
-    files: Vec<PathBuf>,
+/// Limits of sentences, in words.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits {
     mean: f64,
     longest: usize,
     /// True where phrases and beginnings of sentences are looked at.
     plain: bool,
+}
+
+impl Limits {
+    /// Of guides, messages and help.
+    pub(super) const GUIDE: Self = Self {
+        mean: 15.0,
+        longest: 30,
+        plain: true,
+    };
+    /// Of theory and of the documentation of code.
+    pub(super) const THEORY: Self = Self {
+        mean: 22.0,
+        longest: 45,
+        plain: false,
+    };
 }
 
 /// Pages of folders of the site.
@@ -26,35 +41,31 @@ fn pages(folders: &[&str]) -> Vec<PathBuf> {
     found
 }
 
-fn kinds() -> [Kind; 2] {
+/// Documents with the limits of their sentences.
+fn kinds() -> [(Vec<PathBuf>, Limits); 2] {
     let top = [
         "README.md",
         "CONTRIBUTING.md",
         "SECURITY.md",
         "CHANGELOG.md",
+        "python/README.md",
+        "scenarios/README.md",
+        "objects/README.md",
+        "docs/model-order.md",
+        "docs/studio-latency.md",
     ];
     let folders = [
         "docs/site",
         "docs/site/guides",
         "docs/site/tutorial",
+        "docs/site/course",
         "docs/site/trust",
     ];
     let mut guides = pages(&folders);
     guides.extend(top.map(|name| root().join(name)));
-    [
-        Kind {
-            files: guides,
-            mean: 15.0,
-            longest: 30,
-            plain: true,
-        },
-        Kind {
-            files: pages(&["docs/site/theory"]),
-            mean: 22.0,
-            longest: 45,
-            plain: false,
-        },
-    ]
+    let mut theory = pages(&["docs/site/theory"]);
+    theory.push(root().join("ARCHITECTURE.md"));
+    [(guides, Limits::GUIDE), (theory, Limits::THEORY)]
 }
 
 /// Text between two marks replaced by one word.
@@ -152,65 +163,71 @@ fn phrases() -> Vec<(String, String)> {
         .collect()
 }
 
-/// What is wrong with a document.
-fn faults(path: &Path, kind: &Kind, phrases: &[(String, String)]) -> Vec<String> {
-    let text = std::fs::read_to_string(path).expect("a document");
-    let name = path.strip_prefix(root()).unwrap_or(path).display();
-    let all: Vec<String> = paragraphs(&text)
-        .iter()
-        .flat_map(|paragraph| sentences(paragraph))
-        .collect();
-    let mut found = Vec::new();
-    let total: usize = all.iter().map(|sentence| words(sentence)).sum();
-    let mean = total as f64 / all.len().max(1) as f64;
-    if mean > kind.mean {
+/// What is wrong with texts, each with the name of its place: their mean, and single sentences.
+pub(super) fn faults_of_text(texts: &[(String, String)], limits: Limits) -> Vec<String> {
+    let phrases = phrases();
+    let (mut found, mut total, mut count) = (Vec::new(), 0, 0);
+    for (name, text) in texts {
+        for sentence in paragraphs(text).iter().flat_map(|own| sentences(own)) {
+            total += words(&sentence);
+            count += 1;
+            let faults = faults_of_sentence(&sentence, limits, &phrases);
+            found.extend(faults.into_iter().map(|fault| format!("{name}: {fault}")));
+        }
+    }
+    let mean = total as f64 / count.max(1) as f64;
+    if mean > limits.mean {
+        let name = texts.first().map_or("", |(name, _)| name.as_str());
         found.push(format!(
             "{name}: {mean:.1} words a sentence, {} at most",
-            kind.mean
+            limits.mean
         ));
     }
-    for sentence in &all {
-        let count = words(sentence);
-        if count > kind.longest {
-            found.push(format!("{name}: {count} words: {sentence}"));
-        }
-        if !kind.plain {
-            continue;
-        }
-        if ["Of a ", "Of an ", "Of the "]
-            .iter()
-            .any(|own| sentence.starts_with(own))
-        {
-            found.push(format!("{name}: begins with \"Of\": {sentence}"));
-        }
-        for (phrase, instead) in phrases {
-            if sentence.contains(phrase.as_str()) {
-                found.push(format!("{name}: \"{phrase}\" ({instead}): {sentence}"));
-            }
+    found
+}
+
+fn faults_of_sentence(sentence: &str, limits: Limits, phrases: &[(String, String)]) -> Vec<String> {
+    let mut found = Vec::new();
+    let count = words(sentence);
+    if count > limits.longest {
+        found.push(format!("{count} words: {sentence}"));
+    }
+    if !limits.plain {
+        return found;
+    }
+    if ["Of a ", "Of an ", "Of the "]
+        .iter()
+        .any(|own| sentence.starts_with(own))
+    {
+        found.push(format!("begins with \"Of\": {sentence}"));
+    }
+    for (phrase, instead) in phrases {
+        if sentence.contains(phrase.as_str()) {
+            found.push(format!("\"{phrase}\" ({instead}): {sentence}"));
         }
     }
     found
 }
 
+/// What is wrong with a document.
+fn faults(path: &Path, limits: Limits) -> Vec<String> {
+    let text = std::fs::read_to_string(path).expect("a document");
+    let name = path.strip_prefix(root()).unwrap_or(path).display();
+    faults_of_text(&[(name.to_string(), text)], limits)
+}
+
 /// What is wrong with a page that is written as guides are.
 pub(super) fn faults_of_guide(path: &Path) -> Vec<String> {
-    let guide = Kind {
-        files: Vec::new(),
-        mean: 15.0,
-        longest: 30,
-        plain: true,
-    };
-    faults(path, &guide, &phrases())
+    faults(path, Limits::GUIDE)
 }
 
 #[test]
 fn documents_are_written_in_short_sentences() {
-    let phrases = phrases();
     let mut found = Vec::new();
-    for kind in kinds() {
-        assert!(kind.files.len() > 5, "the documents are there");
-        for path in &kind.files {
-            found.extend(faults(path, &kind, &phrases));
+    for (files, limits) in kinds() {
+        assert!(files.len() > 5, "the documents are there");
+        for path in &files {
+            found.extend(faults(path, limits));
         }
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
@@ -227,8 +244,7 @@ fn sentences_are_counted_without_code_and_tables() {
         .collect();
     let counts: Vec<usize> = all.iter().map(|sentence| words(sentence)).collect();
     assert_eq!(counts, [4, 3, 2, 2, 1, 3], "{all:?}");
-    let kind = Kind {
-        files: Vec::new(),
+    let limits = Limits {
         mean: 1.0,
         longest: 3,
         plain: true,
@@ -236,6 +252,6 @@ fn sentences_are_counted_without_code_and_tables() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("page.md");
     std::fs::write(&path, "Of a pump that hangs on its pipe.\n").expect("a page");
-    let wrong = faults(&path, &kind, &phrases());
+    let wrong = faults(&path, limits);
     assert_eq!(wrong.len(), 4, "{wrong:?}");
 }

@@ -1,4 +1,4 @@
-//! Dead positions: whatever drives a linkage into one, and whatever the method,
+//! Dead-centre positions: whatever drives a linkage into one, and whatever the method,
 //! the run says so, at the right time, and keeps what was right before.
 
 use dam::integrate::Method;
@@ -8,7 +8,7 @@ use dam::studies::{Control, RunSettings};
 use dam::system::System;
 use std::process::Command;
 
-/// Crank and rod of the slider-crank (m); its dead positions are at ±asin(l/r).
+/// Crank and rod of the slider-crank (m); its dead-centre positions are at ±asin(l/r).
 const CRANK: f64 = 0.25;
 const ROD: f64 = 0.2;
 
@@ -43,7 +43,7 @@ fn behind_a_lever() -> String {
 
 fn solve(objects: &str, duration: f64, method: Method, tolerance: f64) -> RunResult {
     let text = format!(
-        r#"{{ "dam": 1, "name": "dead position", "objects": {{ {objects} }},
+        r#"{{ "dam": 1, "name": "dead-centre position", "objects": {{ {objects} }},
             "run": {{ "duration": {duration}, "start": "on_law" }} }}"#
     );
     let document = Document::parse("scene.json", text.as_bytes()).expect("a scene");
@@ -60,7 +60,7 @@ fn solve(objects: &str, duration: f64, method: Method, tolerance: f64) -> RunRes
     run(&system, &settings, &Control::default(), &mut []).expect("a start")
 }
 
-/// The run ended in the dead position, with all it has found being numbers.
+/// The run ended in the dead-centre position, with all it has found being numbers.
 fn assert_dead(result: &RunResult, what: &str) {
     let figures = &result.figures;
     assert_eq!(

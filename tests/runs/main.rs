@@ -1,4 +1,4 @@
-//! Scenes that are read and run: methods, figures, references, dead positions, bad input.
+//! Scenes that are read and run: methods, figures, references, dead-centre positions, bad input.
 
 mod agreement;
 mod auto;

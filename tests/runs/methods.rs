@@ -223,7 +223,10 @@ fn missed_switches_are_counted_against_the_true_ones() {
     let point = only(&study, Method::Rk4);
     assert_eq!(point.verdict, Verdict::SwitchesMissed, "{}", point.cause);
     let found = point.switches.unwrap();
-    assert_eq!(point.cause, format!("{found} switches, in truth 67"));
+    assert_eq!(
+        point.cause,
+        format!("{found} events, the true number is 67")
+    );
 }
 
 #[test]

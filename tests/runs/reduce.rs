@@ -44,7 +44,7 @@ fn a_closed_rocker_needs_no_coordinates_of_its_own() {
     assert!(is_left_out(&found, &Part::Opening));
     let text = found.document.text();
     assert!(
-        text.contains("a bilateral pair, which never opens"),
+        text.contains("a bilateral contact, which never separates"),
         "{text}"
     );
     assert!(

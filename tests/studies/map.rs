@@ -261,7 +261,7 @@ fn what_is_no_answer_about_the_mechanism_is_not_mixed_with_one() {
             .all(|cell| cell.verdict.family() == Family::Mechanism)
     );
     assert!(found[0].cause.contains("inertia"), "{}", found[0].cause);
-    // A dead position.
+    // A dead-centre position.
     let short = Question {
         figure: Some("slide.peak_speed".to_owned()),
         ..question(

@@ -22,8 +22,8 @@ pub(crate) struct CourseArgs {
     /// Over time, under the motion of the scene's drive; without a value over the scene's duration
     #[arg(long, value_name = "TIME", num_args = 0..=1, default_missing_value = "", group = "over")]
     pub(crate) time: Option<String>,
-    /// Of a linkage of several inputs: one that moves, from and to where, or is held:
-    /// left=0:180 deg, right=40 deg; left alone goes a turn or as far as it can
+    /// With several inputs: one that moves, from and to where, or is held: left=0:180 deg,
+    /// right=40 deg. The name alone: a turn, or as far as it can
     #[arg(
         long = "input",
         value_name = "NAME[=VALUE]",

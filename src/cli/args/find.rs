@@ -12,9 +12,9 @@ pub(crate) struct FindArgs {
     /// of values that are looked at first (33), with :log for equal ratios between them
     #[arg(long, value_name = "PATH=FROM:TO")]
     pub(crate) vary: String,
-    /// A condition on a figure of the run or of another study, in any unit: "valve.pair.max_contact_force <= 900
-    /// N", "steady.fluctuation <= 2 %", "cam.follower.least_radius >= 12 mm" (may be repeated); with =
-    /// the values at which the figure is met
+    /// A condition on a result of the run or of another study, in any unit (may be repeated):
+    /// "valve.pair.max_contact_force <= 900 N", "steady.fluctuation <= 2 %". With = the values at
+    /// which the result is met
     #[arg(long, value_name = "CONDITION")]
     pub(crate) subject: Vec<String>,
     /// Find the greatest: the parameter itself, or a figure

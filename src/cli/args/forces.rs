@@ -19,7 +19,7 @@ pub(crate) struct ForcesArgs {
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub(crate) positions: u32,
     /// The output whose load the dynamic transmission ratio refers to, and by name the forces that
-    /// are this load: ram, or ram=cutting,drag; default the only output with a force on its link
+    /// are this load: ram, or ram=cutting,drag. Default the only output with a force on its link
     #[arg(long, value_name = "OUTPUT[=FORCES]")]
     pub(crate) load: Option<String>,
     /// Sign of the dynamic transmission ratio [default: paper]

@@ -20,8 +20,8 @@ pub(crate) struct MethodsArgs {
     /// Tolerances to try [default: 1e-3, 1e-4, … 1e-13]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = share)]
     pub(crate) tolerances: Vec<f64>,
-    /// Steps to try with methods of fixed step, in seconds; the greatest stable one is
-    /// measured on this motion: the run grows to no more than three times what it should be
+    /// Steps to try with methods of fixed step, in seconds. The greatest stable one is
+    /// measured on this motion. The run grows to no more than three times what it should be.
     /// [default: from just beyond the greatest stable step downwards, halved each time]
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = positive_seconds)]
     pub(crate) steps: Vec<f64>,

@@ -12,9 +12,8 @@ pub(crate) struct ReduceArgs {
     /// be repeated) [default: run.accuracy of the scene, else 1 %]
     #[arg(long, value_name = "[FIGURE=]ACCURACY")]
     pub(crate) accuracy: Vec<String>,
-    /// A figure that is asked for, rocker.delta_abs (may be repeated) [default: those of
-    /// run.accuracy, else those that the scene expects, else of every elastic object the greatest
-    /// |δ| and the contact force]
+    /// A result that must keep its accuracy: rocker.delta_abs (may be repeated) [default: those
+    /// of run.accuracy, else of `expect`, else |δ| and contact force of elastic objects]
     #[arg(long, value_name = "FIGURE")]
     pub(crate) figure: Vec<String>,
     #[command(flatten)]

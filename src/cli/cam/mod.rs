@@ -70,7 +70,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
                 if let (Some(spent), false) = (asker.budget().spent(), args.scene.quiet) {
                     console::print_message(&format!(
                         "warning: the search for the lift-off of the elastic follower was ended \
-                         before it had found it ({spent}): it is left out"
+                         before it had found it ({spent}): it is missing"
                     ));
                 }
             }
@@ -150,12 +150,13 @@ fn chosen(args: &CamArgs, ready: &Ready) -> Result<String, Failure> {
     match objects_with_cam(ready.scene()).as_slice() {
         [only] => Ok((*only).to_owned()),
         [] => Err(Failure::Other(
-            "no object of the scene tells of its cam: give a cam follower or rocker the property \
-             `cam`, as in \"cam\": { \"base_radius\": \"20 mm\", \"contact\": { \"roller\": \"8 mm\" } }"
+            "no object of the scene describes its cam: give a cam follower or rocker the property \
+             `cam`, as in \"cam\": { \"base_radius\": \"20 mm\", \"contact\": { \"roller\": \"8 \
+             mm\" } }"
                 .to_owned(),
         )),
         several => Err(Failure::Other(format!(
-            "several objects tell of their cam: choose one with --object ({})",
+            "several objects describe their cam: choose one with --object ({})",
             several.join(", ")
         ))),
     }

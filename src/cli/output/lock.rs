@@ -7,7 +7,7 @@ use std::path::Path;
 /// The folder is this program's until it is dropped; the system frees it too where
 /// the program is killed.
 #[derive(Debug)]
-pub(super) struct Lock(#[allow(dead_code, reason = "held, not looked at")] File);
+pub(super) struct Lock(#[allow(dead_code, reason = "held, not examined")] File);
 
 /// Why a folder is not to be had.
 #[derive(Debug)]

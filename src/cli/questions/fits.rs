@@ -76,7 +76,7 @@ fn fit(command: &str, ready: &Mechanism, tree: &Value) -> (Choices, Option<Strin
             named(
                 "object",
                 names.collect(),
-                "no object of the scene tells of its cam",
+                "no object of the scene describes its cam",
             )
         }
         "law cycle" => {
@@ -91,7 +91,7 @@ fn fit(command: &str, ready: &Mechanism, tree: &Value) -> (Choices, Option<Strin
         "law compare" => {
             let mut found = Vec::new();
             laws(&tree["objects"], "", &mut found);
-            named("at", found, "no law of motion stands in the scene")
+            named("at", found, "no law of motion is in the scene")
         }
         "law show" => {
             let names = LawName::ALL.map(|name| name.name().to_owned());

@@ -211,7 +211,7 @@ fn what_is_wrong_is_told_in_words() {
     let many = json!({ "command": "kinematics", "options": { "positions": ["1000000"] } });
     assert!(ask(&shaper, many).starts_with("--positions 1000000: at most 10000"));
     let words = ask(&shaper, json!({ "command": "cam" }));
-    assert!(words.starts_with("no object of the scene tells of its cam"));
+    assert!(words.starts_with("no object of the scene describes its cam"));
     let broken = shaper.replace("\"drive\"", "\"driv\"");
     assert!(ask(&broken, json!({ "command": "kinematics" })).contains("did you mean"));
 }

@@ -31,7 +31,7 @@ pub(super) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     apply_arguments(&args.question, &mut spec)?;
     let Some(mean_speed) = spec.mean_speed else {
         return Err(Failure::Other(
-            "no mean speed is asked for; for example --mean-speed \"300 rpm\"".to_owned(),
+            "no mean speed is given; for example --mean-speed \"300 rpm\"".to_owned(),
         ));
     };
     let question = Question {

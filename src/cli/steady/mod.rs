@@ -159,7 +159,7 @@ fn unused(args: &QuestionArgs, spec: &SteadySpec, answer: &Answer) -> Result<(),
         false => Ok(()),
     };
     let [mean, periods] = [args.mean.is_some(), args.periods.is_some()];
-    let decided = "no mean speed is asked for, the scene decides it";
+    let decided = "no mean speed is given, the scene decides it";
     match answer {
         Answer::Rigid(answer) => {
             refuse(periods, "--periods", RIGID_REPEATS)?;

@@ -567,7 +567,7 @@ impl<'s> Judge<'s> {
             }
         }
         if rigid {
-            let what = "forces on drivers: a rigid contact bears what no state tells of";
+            let what = "forces on drivers: no state shows the force of a rigid contact";
             found.unchecked.push(what.to_owned());
         }
         for reduced in &self.system.model().reduced {

@@ -3,9 +3,9 @@
 //! In every run instants and switches are drawn at random ([`sampler`]) and states are kept
 //! there. Afterwards the motions and forces of the scene are evaluated at these states by
 //! laws that are written a second time ([`crate::dynamics::stated`], [`mechanics`],
-//! [`contact`]), and the equations of motion are put to the test ([`judge`]): over a short
-//! time a momentum changes by the integral of the forces; contacts press and do not pull;
-//! at a switch ([`turns`]) nothing jumps but what an impact lets jump; laws are continuous
+//! [`contact`]), and the equations of motion are put to the test ([`judge`]). Over a short
+//! time a momentum changes by the integral of the forces. Contacts press and do not pull.
+//! At a switch ([`turns`]) nothing jumps but what an impact lets jump. Laws are continuous
 //! ([`joints`]), and sums of modes move by the speed that is shown ([`sums`]).
 //!
 //! A defect is measured by the terms of its own equation that are there, and bounded by the

@@ -48,7 +48,7 @@ fn continuity(judge: &mut Judge<'_>, turn: &Turn) {
             };
             for order in orders {
                 let entry = own + order * count;
-                let what = ["displacement at a switch", "speed at a switch"][order];
+                let what = ["displacement at an event", "speed at an event"][order];
                 let scale = judge.scales.entries[entry];
                 if scale > 0.0 {
                     let defect = (one[entry] - other[entry]).abs() / scale;
@@ -118,7 +118,7 @@ fn changed(judge: &mut Judge<'_>, turn: &Turn) {
             let late = LATE * turn.time * pressed.speed.abs();
             let bound = judge.bound() + share(late, depth);
             let id = &judge.system.model().objects[pressed.object].id;
-            let what = "contact force or depth at a switch";
+            let what = "contact force or depth at an event";
             judge.found.include(defect, bound, (turn.time, id), what);
         }
     }

@@ -11,7 +11,7 @@ use crate::math::roots::bisect;
 use crate::units::shown;
 
 /// What is at the ends of a reach.
-pub(super) const DEAD: &str = "in a dead position";
+pub(super) const DEAD: &str = "in a dead-centre position";
 
 /// Most instants looked at when a motion is followed over the run.
 const MOST_INSTANTS: f64 = 200_000.0;
@@ -31,7 +31,7 @@ fn exit_time(way: &Trajectory<'_>, (from, to): (f64, f64), duration: f64) -> Opt
     let most = (MOST_INSTANTS / (way.steps() + 1) as f64).max(1000.0);
     let count = (speed * duration).to_degrees().clamp(1000.0, most) as u32;
     let time = |index: u32| duration * f64::from(index) / f64::from(count);
-    // Beyond a dead position upstream the displacement is not a number, nor
+    // Beyond a dead-centre position upstream the displacement is not a number, nor
     // outside: that position is reported for the object upstream.
     let outside = |time: f64| {
         let end = way.at(time).value;

@@ -47,7 +47,7 @@ pub(super) fn check(at: &Place, spec: &ChainSpec, contact: &ContactSpec, faults:
         faults.add(at.path("pair.contact.restitution"), message, hint);
     }
     if contact.law.is_rigid() && spec.pair.closure == Closure::Form && spec.pair.gap == 0.0 {
-        let message = "without a gap a rigid pair never comes apart, and nothing strikes";
+        let message = "without a gap a rigid contact never separates, and there are no impacts";
         let hint = "give a gap, or the closure bilateral without a contact";
         faults.add(at.path("pair.contact.restitution"), message, hint);
     }

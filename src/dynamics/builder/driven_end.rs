@@ -1,7 +1,7 @@
 //! Balanced chains: inertia at both ends of every cell, and thus at the driven end.
 //!
 //! A uniform elastic object is cut into n cells. A force in it at the share s of its
-//! length (0: the driven end, 1: the output) makes the output give way by s/c: what the
+//! length (0: the driven end, 1: the output) makes the output give way by s/c. What the
 //! output does when the object is moved slowly follows from ∫s dJ, the first moment of
 //! compliance of its inertia. Here the inertia of each cell is split over the two ends of
 //! the cell so that this moment is kept: the quasi-static deviation is right for every n.
@@ -19,7 +19,7 @@ use crate::fault::Faults;
 
 /// What a balanced chain cannot be behind, and why.
 pub(crate) const BALANCED_BEHIND_AN_OPENING_PAIR: &str = "the inertia at the driven end would \
-     stay on the driver when the pair opens";
+                                                          stay on the driver after a separation";
 
 /// What to give in its place.
 pub(crate) const INSTEAD_OF_BALANCED: &str = "\"ends\", where all inertia is behind the pair; \
@@ -76,8 +76,10 @@ impl ChainParameters {
 /// The fault of a balanced chain behind a pair that can open.
 pub(super) fn check(at: &Place, spec: &ChainSpec, faults: &mut Faults) {
     if spec.has_driven_end() && spec.pair.closure != Closure::Bilateral {
-        let message =
-            format!("`balanced` needs a pair that cannot open: {BALANCED_BEHIND_AN_OPENING_PAIR}");
+        let message = format!(
+            "`balanced` needs a contact that cannot separate: \
+                     {BALANCED_BEHIND_AN_OPENING_PAIR}"
+        );
         faults.add(at.path("lumping"), message, INSTEAD_OF_BALANCED);
     }
 }

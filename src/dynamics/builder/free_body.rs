@@ -7,7 +7,7 @@
 //! stays what they give way by under slow forces, the residual flexibilities G₀₀, G₀₁, G₁₁
 //! between the two ends. The shape in which W bends the object, without the modes that are
 //! kept, is one more oscillator (as in Rubin's method), so that whatever loads the output or hangs on
-//! it finds G₁₁ and G₀₁; what then remains of G₀₀ is massless, in series with the contact
+//! it finds G₁₁ and G₀₁. What then remains of G₀₀ is massless, in series with the contact
 //! (as in MacNeal's).
 //!
 //! Seen from the contact that is 1/(1 + τs) times ρ + Σ φ_k(0)²/(z + ω_k²) with

@@ -119,7 +119,7 @@ impl ModelBuilder {
     }
 
     /// Checks that a linkage can be assembled at the start, and ends the run at
-    /// its dead positions.
+    /// its dead-centre positions.
     fn within_reach(
         &mut self,
         at: &Place,

@@ -135,7 +135,7 @@ impl ModalLowering<'_> {
             (0, false) => {
                 let message = "static flexibility needs a motion that is known beforehand with a \
                                continuous acceleration, behind prescribed drives and rigid \
-                               objects, constant loads, and no object that hangs on this one";
+                               objects, constant loads, and no object driven by this one";
                 let hint = "give `modes`, or `masses`";
                 self.into.fault(self.at, "flexibility", message, hint);
             }

@@ -102,7 +102,7 @@ impl ModelBuilder {
         };
         let still = vec![0.0; starts.len()];
         if linkage.workspace::<f64>().solve(&starts, &still).is_err() {
-            let message = "it cannot be assembled where its inputs stand at t = 0, on the side of \
+            let message = "it cannot be assembled where its inputs are at t = 0, on the side of \
                            its singular positions on which it is put together";
             let hint = "start what drives it elsewhere, or give other `start` values to the inputs";
             self.fault(at, "inputs", message, hint);

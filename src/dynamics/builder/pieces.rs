@@ -44,7 +44,7 @@ pub(super) fn repeating_table(points: &[(f64, f64)], period: f64) -> Result<Piec
     let span = last.0 - first.0;
     let closed = (period - span).abs() <= 1e-12 * period;
     if span > period && !closed {
-        let message = format!("the points reach over {span}, more than the period");
+        let message = format!("the points extend over {span}, more than the period");
         faults.add("period", message, "give the points of one period");
     }
     if closed && last.1 != first.1 {

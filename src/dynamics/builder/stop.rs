@@ -56,7 +56,7 @@ pub(super) fn check(
         faults.add(at.path("stops"), message, hint);
     }
     if spec.masses() == 0 {
-        let message = "nothing gives way between a rigid object's driver and a stop";
+        let message = "nothing between a rigid object's driver and a stop is elastic";
         let hint = "give the object at least one mass, or its pair a `contact`";
         faults.add(at.path("stops"), message, hint);
     }
@@ -67,8 +67,8 @@ pub(super) fn check(
     for lower in spec.stops.iter().filter(|stop| stop.side < 0.0) {
         if let Some(upper) = upper().find(|upper| upper.at <= lower.at) {
             let message = format!(
-                "the stop `{}` from below, at {}, stands no lower than `{}` from above, at {}: \
-                 nothing is left between them",
+                "the stop `{}` from below, at {}, is not below `{}` from above, at {}: nothing is \
+                 left between them",
                 lower.name, lower.at, upper.name, upper.at
             );
             let hint = "exchange their sides, or move one of them";

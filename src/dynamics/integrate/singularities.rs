@@ -1,5 +1,5 @@
 //! Singularities: places that a signal cannot pass because the equations end there (a
-//! dead position of a linkage).
+//! dead-centre position of a linkage).
 //!
 //! With z the distance left to an edge, the equations hold √z: their right-hand
 //! side grows without bound as z falls. Two kinds of approach occur. Driven by

@@ -48,11 +48,11 @@ pub struct Units {
 /// Figures of one object; peaks are the greatest absolute values at its last
 /// mass, extremes between samples and both sides of a switch included.
 ///
-/// Speeds, accelerations and forces grow beyond all bounds at a dead position
+/// Speeds, accelerations and forces grow beyond all bounds at a dead-centre position
 /// that a given drive runs into. Figures of a run that stops in one are those
 /// up to the last instant at which everything is regular: a millionth of the
 /// reach of the linkage before the edge (ten times the tolerance, at most a
-/// thousandth, where that is more); samples and the energy audit likewise.
+/// thousandth, where that is more). Samples and the energy audit likewise.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct ObjectFigures {
     /// Greatest |δ|: how far the object strays from its law.
@@ -69,7 +69,7 @@ pub struct ObjectFigures {
     pub peak_acceleration: f64,
     /// Greatest |F| of link 1.
     pub peak_reaction: f64,
-    /// State at the end; before a dead position, the last regular one.
+    /// State at the end; before a dead-centre position, the last regular one.
     #[serde(rename = "final")]
     pub end: FinalState,
     /// The driving pair; null for a bilateral one.
@@ -234,7 +234,7 @@ pub struct RunSummary {
     /// Why it is this one, where it follows from the accuracy that is asked of the figures.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tolerance_why: Option<String>,
-    /// Time reached (s); of a dead position, the time of the position itself.
+    /// Time reached (s); of a dead-centre position, the time of the position itself.
     pub time: f64,
     /// True when the end time was reached.
     pub complete: bool,

@@ -307,7 +307,7 @@ impl<'a> Builder<'a> {
         let Some(chain) = chains.position(|chain| chain.nodes().contains(&node)) else {
             self.faults.push(Fault::new(
                 name,
-                "a stop of what is no mass: nothing gives way between it and its driver",
+                "a stop of what is no mass: nothing between it and its driver is elastic",
                 "an object with masses, or with a contact element",
             ));
             return;

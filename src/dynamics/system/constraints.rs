@@ -2,8 +2,8 @@
 //!
 //! A constrained node moves as φ = G(φ₁, …, φₖ). Forward it is one step among the
 //! others; backward a force on it loads driver i with F·∂G/∂φᵢ. Inertia on it couples
-//! the free coordinates that it follows: with Tᵣ = ∂φ/∂φᵣ for each of these *roots*, the
-//! inertia force λ = J·φ̈ satisfies (1/J + Σ Tᵣ²/Mᵣ)·λ = φ̈₀, where φ̈₀ is the acceleration
+//! the free coordinates that it follows. With Tᵣ = ∂φ/∂φᵣ for each of these *roots*, the
+//! inertia force λ = J·φ̈ satisfies (1/J + Σ Tᵣ²/Mᵣ)·λ = φ̈₀. Here φ̈₀ is the acceleration
 //! without it and Mᵣ the inertia of the roots (Woodbury's formula: the mass matrix is
 //! diagonal but for a term of rank one for each such node). Several of them make a small
 //! linear system. It is solved in between two passes of accelerations, so that nothing

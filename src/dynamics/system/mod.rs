@@ -3,10 +3,10 @@
 //! Immutable and `Sync`. State enters as slices, results leave through
 //! `&mut` slices; nothing here allocates, hashes or walks a graph once built.
 //!
-//! `check` and `build` make the `frozen` layout of a model; `passes`, `constraints` and
-//! `links` are the equations of motion; `pairs`, `loads`, `linkages` and
-//! `switches` what enters them; `balance`, `placing`, `start` and `onset` the state at t = 0;
-//! `observe`, `energy` and `reduce` what is read off; `scales` and `frequencies` what the
+//! `check` and `build` make the `frozen` layout of a model. `passes`, `constraints` and
+//! `links` are the equations of motion. `pairs`, `loads`, `linkages` and
+//! `switches` what enters them. `balance`, `placing`, `start` and `onset` the state at t = 0.
+//! `observe`, `energy` and `reduce` what is read off. `scales` and `frequencies` what the
 //! methods are chosen and steered by.
 //!
 //! Limits: two tables of the system are made at the first request; all else never changes.

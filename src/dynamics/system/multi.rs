@@ -5,7 +5,7 @@
 //! forces Q(q, q̇). With the inertia forces of such linkages and of constrained nodes left out,
 //! all accelerations follow as always; a free coordinate without inertia of its own, a *bare*
 //! one, has none. The inertia forces then give as many linear equations as there are free
-//! coordinates that they act on (the *roots*): (D + TᵀMT)·Δ = F − TᵀM·a⁰, with the inertia D of the
+//! coordinates that they act on (the *roots*): (D + TᵀMT)·Δ = F − TᵀM·a⁰. It has the inertia D of the
 //! roots themselves, the motion T of the inputs over that of the roots, their accelerations
 //! a⁰ so far, the forces F on bare roots, and the accelerations Δ that are missing. It is
 //! solved as L·D·Lᵀ. Scenes without such linkages do nothing of it.
@@ -13,7 +13,7 @@
 //! Each input has a node: a rigid one behind an object, or a rotor without inertia if the input
 //! is free. The outputs are constrained nodes. The linkage's own node is the first input once
 //! more. The margin of each of its groups from a singular position is a signal
-//! (`MultiValue::Distance`); its zero ends a run as a dead position does.
+//! (`MultiValue::Distance`); its zero ends a run as a dead-centre position does.
 
 mod couple;
 mod direct;

@@ -106,7 +106,7 @@ impl System {
     }
 
     /// True when a track over a displacement that ends a run is left in the
-    /// given modes: a dead position has been passed. The object concerned.
+    /// given modes: a dead-centre position has been passed. The object concerned.
     pub fn beyond_reach(&self, first: &Modes, modes: &Modes) -> Option<usize> {
         let left = self.model.tracks.iter().enumerate().find(|(index, track)| {
             let component = self.frozen.track_component(*index);

@@ -1,8 +1,8 @@
 //! Scales of the state: what size of error matters in each entry.
 //!
 //! The scale δ* of an object's deviation is the deflection under its loads and
-//! the inertia load of its law, (ΣW + J·max|U″φ̇² + U′φ̈|)/c, at least its gap; its
-//! speed's scale is δ*·√(c/J); of a body on a rigid contact they are the way and the speed of
+//! the inertia load of its law, (ΣW + J·max|U″φ̇² + U′φ̈|)/c, at least its gap. Its
+//! speed's scale is δ*·√(c/J). Of a body on a rigid contact they are the way and the speed of
 //! its law. J is the sum of its masses, c the stiffness of
 //! its links in series. Followers load it with what they carry, times U′.
 //!

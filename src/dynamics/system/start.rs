@@ -289,7 +289,8 @@ impl System {
                 faults.push(Fault::new(
                     format!("{}.position", part.id),
                     format!(
-                        "at t = 0 the driver is at {}, outside the reach of this position function",
+                        "at t = 0 the driver is at {}, outside the range of motion of this \
+                         position function",
                         shown(place, 7)
                     ),
                     "another position of the drive at t = 0",

@@ -30,7 +30,7 @@ impl System {
             _ if by_inertia => Fault::new(
                 format!("{id}.pair"),
                 format!(
-                    "no quiet start: at t = 0 the inertia load pulls the pair of `{id}` open \
+                    "no quiet start: at t = 0 the inertia load separates the contact of `{id}` \
                      with {reaction}",
                     reaction = shown(reaction, 7)
                 ),
@@ -39,8 +39,8 @@ impl System {
             Some((name, force)) => Fault::new(
                 name.clone(),
                 format!(
-                    "no static balance: `{name}` ({force}) pulls the force-closed pair of \
-                     `{id}` open",
+                    "no static balance: `{name}` ({force}) separates the force-closed contact of \
+                     `{id}`",
                     force = shown(force, 7)
                 ),
                 "a load that closes the pair, \"opens\" turned round, or \"start\": \"on_law\"",
@@ -48,8 +48,8 @@ impl System {
             None => Fault::new(
                 format!("{id}.pair"),
                 format!(
-                    "no static balance: the reactions of its followers pull the force-closed \
-                     pair of `{id}` open with {reaction}",
+                    "no static balance: the reactions of its followers separate the force-closed \
+                     contact of `{id}` with {reaction}",
                     reaction = shown(reaction, 7)
                 ),
                 "a load that closes the pair, or \"start\": \"on_law\"",

@@ -168,7 +168,7 @@ impl System {
         };
     }
 
-    /// The end of a run at an edge: a dead position, or the end of a travel.
+    /// The end of a run at an edge: a dead-centre position, or the end of a travel.
     pub(super) fn end_of_reach(&self, time: f64, edge: &Singularity) -> PhysicalStop {
         let track = &self.frozen.tracks[edge.component - self.frozen.contacts()];
         if let Some(stop) = self.end_at_distance(time, track) {
@@ -183,7 +183,7 @@ impl System {
         let driver = driver.map_or("its driver", |driver| driver.id.as_str());
         let at = format!("{driver} at {place}, reached at t = {} s", shown(time, 9));
         let id = &part.id;
-        // In a dead position speeds and forces grow beyond bounds; at the end of
+        // In a dead-centre position speeds and forces grow beyond bounds; at the end of
         // a travel nothing happens but that it is not given to go further.
         let (name, message) = match self.cause(track.object, edge.place) {
             Some((Cause::Travel, _)) => (
@@ -193,16 +193,16 @@ impl System {
             Some((Cause::Unexplored, _)) => (
                 "not_explored",
                 format!(
-                    "{id} was not looked at beyond {at}: it was not followed further before the run"
+                    "{id} was not examined beyond {at}: it was not followed further before the run"
                 ),
             ),
             Some((Cause::DeadPosition { .. }, group)) => (
                 "dead_position",
-                format!("{id} cannot be assembled beyond {at}: a dead position of {group}"),
+                format!("{id} cannot be assembled beyond {at}: a dead-centre position of {group}"),
             ),
             None => (
                 "dead_position",
-                format!("{id} cannot be assembled beyond {at}: a dead position"),
+                format!("{id} cannot be assembled beyond {at}: a dead-centre position"),
             ),
         };
         PhysicalStop {
@@ -223,7 +223,7 @@ impl System {
             object: id.clone(),
             message: format!(
                 "{id} comes to a singular position of {group}, reached at t = {} s: its inputs do \
-                 not tell how it goes on",
+                 not determine how it goes on",
                 shown(time, 9)
             ),
         })
@@ -241,14 +241,14 @@ impl System {
             name: "dead_position",
             object: id.clone(),
             message: format!(
-                "{id} cannot be assembled beyond: a singular position of {group}, where its inputs \
-                 do not tell how it goes on"
+                "{id} cannot be assembled beyond: a singular position of {group}, where its \
+                 inputs do not determine how it goes on"
             ),
         })
     }
 
     /// Why a linkage goes no further than where its driver has a displacement,
-    /// and the group that is in a dead position there.
+    /// and the group that is in a dead-centre position there.
     fn cause(&self, object: usize, driver: f64) -> Option<(Cause, String)> {
         let mut linkages = self.model.linkages.iter();
         let body = linkages.find(|body| body.object == object)?;

@@ -14,7 +14,7 @@ const LEVEL: f64 = 1e-6;
 /// over whatever they belong to.
 ///
 /// A product of two real parts is half the real part of the product and of
-/// that with the conjugate, and so every pair of lanes gives
+/// that with the conjugate. So every pair of lanes gives
 /// Re(P_jk·z_j z_k(E_j E_k − 1) + Q_jk·z_j z̄_k(E_j Ē_k − 1)), P and Q being the
 /// weights over twice λ_j + λ_k and λ_j + λ̄_k. The difference loses digits where
 /// a sum of exponents is small, but then the dissipation is as small: what is

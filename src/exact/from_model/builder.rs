@@ -256,7 +256,7 @@ impl<'m> Builder<'m> {
             if let TrackSource::Node(node) = track.source
                 && matches!(self.roles[node], Role::Prescribed(..))
             {
-                let reason = "it has dead positions, which a run must look for";
+                let reason = "it has dead-centre positions, which a run must search for";
                 self.refuse(track.object, reason);
             }
         }

@@ -1,6 +1,6 @@
 //! Polynomials for a prescribed motion, to rounding.
 //!
-//! The motion is interpolated at Chebyshev's points of an interval; the
+//! The motion is interpolated at Chebyshev's points of an interval. The
 //! interval is halved until the last coefficients, beyond the degree that is
 //! kept, are below rounding of the function, and until the coefficients in
 //! powers of the time from its start do not cancel either.

@@ -26,7 +26,7 @@ pub struct Rest {
 impl Rest {
     /// The rest of a system that has to be integrated. `None` where there are no trees
     /// or nothing is left to integrate, or what is left looks at what a tree moves, or
-    /// a prescribed motion leads to a dead position, at which everything ends.
+    /// a prescribed motion leads to a dead-centre position, at which everything ends.
     pub fn of(system: &System, parts: &Parts) -> Option<Self> {
         let held = |holder| parts.holders.contains(&holder);
         if parts.trees.is_empty() || !held(Holder::Other) || dead_positions(system.model(), parts) {

@@ -38,7 +38,7 @@ pub const CODES: &[Code] = &[
     code("empty", "The text holds no scene.", "Begin with a template: `dam new cam`."),
     code("file", "The file of the scene cannot be read.", "Check path and permissions."),
     code("implausible", "Warning: a number was likely meant in another unit.", "Write the unit that is meant; the message proposes one."),
-    code("input", "The command cannot be carried out as asked: an option does not fit the scene.", "Follow the message; `dam COMMAND --help` lists the options."),
+    code("input", "The command cannot be carried out: an option does not fit the scene.", "Follow the message; `dam COMMAND --help` lists the options."),
     code("missing", "One of several inputs has no ratio.", "Give every input a `ratio`, or describe a `planetary` set or a `lever`."),
     code("missing-file", "There is no file of this name, or it cannot be read.", "Correct the name; it is relative to the folder of the scene."),
     code("missing-property", "A required property is absent.", "Add it; the message names it."),
@@ -50,7 +50,10 @@ pub const CODES: &[Code] = &[
     code("no-folder", "A scene that was not read from a file refers to a file.", "Read the scene from its file, or write the table into it."),
     code("no-value", "The result exists but has no value in this run.", "Choose another result, or a run in which it occurs."),
     code("not-a-number", "A text that should be a number with a unit does not begin with a number.", "Write a number, with a point and not a comma."),
-    code("not-ascending", "The points of a table are not in ascending order.", "Sort them by the first column; no value may stand there twice."),
+    code("not-ascending", "The points of a table are not in ascending order.", "Sort them by the \
+                                                                                first column; no \
+                                                                                value may occur \
+                                                                                there twice."),
     code("not-finite", "A number is too large, infinite or not a number.", "Write a finite number."),
     code("not-json", "The text is not JSON.", "Correct it at the place that is marked."),
     code("not-trusted", "The checks of the steady motion disagree, so a result of it cannot be used.", "Look at the checks by `dam steady`; a smaller tolerance may help."),

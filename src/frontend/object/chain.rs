@@ -225,7 +225,7 @@ fn position(
         (false, _) => "position",
     };
     let ends = PositionMeasures { output, driver };
-    let doc = "Position function U(φ): where the driver asks this object to be.";
+    let doc = "Position function U(φ): the prescribed position of this object.";
     let read = |slot: crate::frontend::read::Slot<'_>| {
         slot.defined(definition, |slot| {
             position::read(slot, ends, rules.positions)
@@ -302,7 +302,7 @@ fn warn_never_closed(fields: &mut Fields<'_>, chain: &ChainSpec) {
     };
     let opening = forces.iter().sum::<f64>() * chain.pair.opens;
     if chain.pair.closure == Closure::Force && opening > 0.0 {
-        let message = "these loads pull the force-closed pair open and can never close it";
+        let message = "these loads separate the force-closed contact and can never close it";
         let towards = if chain.pair.opens > 0.0 {
             "negative"
         } else {

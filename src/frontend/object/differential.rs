@@ -7,10 +7,10 @@
 //! ```
 //!
 //! Planetary gears, bevel differentials, summing levers. Parameters: `inputs` by name,
-//! each with the `object` that drives it; how they combine, one of `ratio` at every
+//! each with the `object` that drives it. How they combine, one of `ratio` at every
 //! input, `planetary` (tooth numbers or the basic ratio; inputs named `sun`, `ring` or
-//! `carrier`) and `lever` (positions of the inputs and the output along a lever);
-//! `coordinate`, whether it turns or slides; inertia (kg·m² or kg), stiffness and the rest of
+//! `carrier`) and `lever` (positions of the inputs and the output along a lever).
+//! `coordinate`, whether it turns or slides. Inertia (kg·m² or kg), stiffness and the rest of
 //! a chain. Equation: the chain's, with U = Σ iₖ·φₖ; input k is loaded with F·iₖ, so that
 //! no power is lost. Limits: no inertia of planets of their own, no losses of the mesh,
 //! small angles of a lever.

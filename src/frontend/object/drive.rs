@@ -222,14 +222,14 @@ fn place(
     if has_start {
         fields.fill_in(name, json!(start.unwrap_or(0.0)));
     } else if start.is_some() {
-        let message = format!("`{name}` stands beside `speed` or `acceleration` only");
+        let message = format!("`{name}` goes with `speed` or `acceleration` only");
         fields.refuse(name, "contradiction", message);
         return None;
     }
     if has_speed {
         fields.fill_in("start_speed", json!(start_speed.unwrap_or(0.0)));
     } else if start_speed.is_some() {
-        let message = "`start_speed` stands beside `acceleration` only";
+        let message = "`start_speed` goes with `acceleration` only";
         fields.refuse("start_speed", "contradiction", message);
         return None;
     }

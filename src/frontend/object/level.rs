@@ -39,14 +39,14 @@ const MOST_MODES: u64 = 100;
 /// flexibility; `None`: faulty.
 pub(super) fn read_modes(fields: &mut Fields<'_>) -> Option<Option<usize>> {
     let doc = "Number of vibration modes that the uniform object is reduced to, in place of \
-               `masses`: the lowest, of the object held at its driven end; what the others \
-               give way by under slow forces stays. Needs a pair that stays closed, or a \
-               contact element, behind which they are the modes of the free object.";
+               `masses`: the lowest, of the object held at its driven end. The residual \
+               flexibility of the others is kept. Needs a pair that stays closed, or a contact \
+               element, behind which they are the modes of the free object.";
     let modes = fields.maybe("modes", doc, |slot| slot.count(1..=MOST_MODES));
-    let doc = "`static`, in place of `masses`: the uniform object gives way as under slow \
-               forces, without vibrations, and with it a contact element in series; its speed \
-               follows, its acceleration is that of its driven end. Needs a pair that stays \
-               closed and a motion that is known beforehand.";
+    let doc = "`static`, in place of `masses`: the uniform object has its static deflection, \
+               without vibrations, and with it a contact element in series. Its speed follows. \
+               Its acceleration is that of its driven end. Needs a pair that stays closed and a \
+               motion that is known beforehand.";
     let rest = fields.maybe("flexibility", doc, |slot| slot.choice(&[("static", 0)]));
     let (modes, rest) = (modes?, rest?);
     Some(modes.map(|modes| modes as usize).or(rest))
@@ -58,11 +58,10 @@ pub(super) struct Lumped(Option<Lumping>);
 
 /// Reads `lumping`; `None`: faulty.
 pub(super) fn read_lumping(fields: &mut Fields<'_>) -> Option<Lumped> {
-    let doc = "Where the inertia of each of the cells that the object is cut into is put: \
-               `ends`, at the far end of the cell; or `balanced`, at both its ends so that its \
-               first moment of compliance is kept, which needs a pair that cannot open, or a \
-               contact element, behind which the first cell is of the former kind. \
-               Default `ends`.";
+    let doc = "Where the inertia of each cell of the object is put. `ends`: at the far end of the \
+               cell. `balanced`: at both ends, so that the first moment of compliance is kept. It \
+               needs a contact that cannot separate, or a contact element. Behind that the first \
+               cell is of the former kind. Default `ends`.";
     let names = [("ends", Lumping::Ends), ("balanced", Lumping::Balanced)];
     let asked = fields.maybe("lumping", doc, |slot| slot.choice(&names));
     asked.map(Lumped)
@@ -125,7 +124,7 @@ pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
             _ => "form",
         };
         let message = format!(
-            "`balanced` needs a pair that cannot open, this one is {closure}-closed: \
+            "`balanced` needs a contact that cannot separate, this one is {closure}-closed: \
              {BALANCED_BEHIND_AN_OPENING_PAIR}"
         );
         let fault = fields.refuse("lumping", "contradiction", message);

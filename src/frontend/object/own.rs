@@ -46,7 +46,7 @@ impl OwnObject {
 
     fn connect_all(&self, fields: &mut Fields<'_>, context: &Context<'_>) -> Option<()> {
         let ports = self.0.ports().inputs;
-        let doc = "What its inputs hang on, by their names.";
+        let doc = "The drivers of its inputs, by their names.";
         let inputs = fields.need("inputs", doc, |slot| {
             slot.names(|name, mut slot| {
                 if ports.iter().any(|port| port.name == name) {

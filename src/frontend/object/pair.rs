@@ -120,7 +120,7 @@ fn check(fields: &mut Fields<'_>, pair: &PairSpec) -> Option<PairSpec> {
     let rigid = pair.contact.is_some_and(|contact| contact.law.is_rigid());
     if rigid && pair.closure == Closure::Form && pair.gap == 0.0 {
         sound = false;
-        let message = "without a gap a rigid pair never comes apart, and nothing strikes";
+        let message = "without a gap a rigid contact never separates, and there are no impacts";
         let fault = fields.refuse("contact", "contradiction", message);
         let hint = "give a `gap`, or the closure \"bilateral\" without a contact";
         fault.hints.push(hint.to_owned());

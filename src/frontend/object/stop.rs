@@ -65,7 +65,7 @@ pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
     }
     if chain.masses() == 0 {
         return refuse(
-            "a rigid object takes no stop: nothing gives way between its driver and the stop"
+            "a rigid object takes no stop: nothing between its driver and the stop is elastic"
                 .to_owned(),
             "give the object at least one mass, or its pair a `contact`",
         );
@@ -74,7 +74,7 @@ pub(super) fn check(fields: &mut Fields<'_>, chain: &ChainSpec) -> Option<()> {
     for lower in chain.stops.iter().filter(|stop| stop.side < 0.0) {
         if let Some(upper) = upper().find(|upper| upper.at <= lower.at) {
             let message = format!(
-                "`{}`, which holds from below, stands no lower than `{}`, which holds from above",
+                "`{}`, which holds from below, is not below `{}`, which holds from above",
                 lower.name, upper.name
             );
             return refuse(message, "exchange their sides, or move one of them");

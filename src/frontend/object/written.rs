@@ -71,7 +71,7 @@ pub(super) fn unit(fields: &mut Fields<'_>, wanted: QuantityChoice) -> Option<Op
 
 /// Reads `over`, the object whose motion an expression looks at besides.
 pub(super) fn over(fields: &mut Fields<'_>) -> Option<Option<String>> {
-    let doc = "Another object (or output) whose motion `expression` looks at as over_phi and \
+    let doc = "Another object (or output) whose motion `expression` reads as over_phi and \
                over_phi_dot: `press`, `press.ram`.";
     fields.maybe("over", doc, |slot| slot.text())
 }
@@ -94,7 +94,7 @@ pub(super) fn require_expression(fields: &mut Fields<'_>, expressions: &[&str]) 
     }
     let mut wrong = false;
     for name in ["unit", "over"] {
-        let message = format!("`{name}` stands beside `expression` only");
+        let message = format!("`{name}` goes with `expression` only");
         wrong |= fields.has(name)
             && fields.forbid(name, &message, "write the unit with the number: \"3 kN\"");
     }

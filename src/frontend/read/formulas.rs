@@ -37,7 +37,7 @@ pub(super) fn fault(text: &str, mistake: &Mistake, names: &[String]) -> Wrong {
     let unknown = mistake.message.ends_with("is not known");
     let is_unit = known_units().iter().any(|unit| unit == word);
     let hint = match unknown {
-        _ if is_unit => format!("a unit stands after a number: 1 {word}"),
+        _ if is_unit => format!("a unit follows a number: 1 {word}"),
         true => did_you_mean(word, all()).unwrap_or_else(|| match names.is_empty() {
             true => "the scene has no `parameters`".to_owned(),
             false => format!("known are {}", quoted_list(all().take(MOST_LISTED), "and")),

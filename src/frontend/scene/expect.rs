@@ -31,7 +31,7 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
     let mut about = fields.one_of("what is expected");
     about.case(
         "figure",
-        "Address of a figure: `rocker.delta_max`, `run.switches`; `steady.period`; \
+        "Address of a result: `rocker.delta_max`, `run.switches`; `steady.period`; \
          `kinematics.press.ram.time_ratio`, `forces.press.drive.greatest`; \
          `cam.follower.least_radius`, `frequency.1`.",
         |slot| figure(slot, known),
@@ -67,17 +67,18 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
     };
     let value = fields.maybe(
         "value",
-        "Expected value of the figure; true or false where it says so",
+        "Expected value of the result, or true or false",
         |slot| slot.flag_or(|slot| slot.flag().map(f64::from), number),
     );
     let time = fields.maybe("time", "Expected time of the stop", |slot| {
         slot.quantity(q::TIME, Bounds::ANY)
     });
-    let doc = "Greatest value that the figure may have, in place of `value`; with `at_least` both ends of a range";
+    let doc = "Greatest value that the result may have, in place of `value`; with `at_least` both \
+               ends of a range";
     let most = fields.maybe("at_most", doc, number);
-    let doc = "Least value that the figure may have, in place of `value`";
+    let doc = "Least value that the result may have, in place of `value`";
     let least = fields.maybe("at_least", doc, number);
-    let doc = "Least and greatest value that the figure may have: both ends of a range in one";
+    let doc = "Least and greatest value that the result may have: both ends of a range in one";
     let between = fields.maybe("between", doc, |slot| slot.pair(number, number));
     let within = fields.maybe(
         "within",
@@ -91,7 +92,7 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
             }
         },
     );
-    let source = fields.maybe("source", "Where the figure comes from.", |slot| slot.text());
+    let source = fields.maybe("source", "Source of the value.", |slot| slot.text());
     let (about, value, time, within) = (about?, value?, time?, within?);
     let (least, most, between) = (least?, most?, between?);
     let bounded = [
@@ -274,7 +275,7 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
             return Some(About::Figure(address, q::FREQUENCY.into()));
         }
         Some(StudyAddress::Frequency { .. }) => {
-            let fault = slot.refuse("unknown-figure", format!("there is no figure `{address}`"));
+            let fault = slot.refuse("unknown-figure", format!("there is no result `{address}`"));
             let hint = "frequencies are counted from 1, the lowest: `frequency.1`";
             fault.hints.push(hint.to_owned());
             return None;
@@ -297,7 +298,7 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
             }
             "frequency" => {
                 let fault =
-                    slot.refuse("unknown-figure", format!("there is no figure `{address}`"));
+                    slot.refuse("unknown-figure", format!("there is no result `{address}`"));
                 let hint = "write `frequency.1` for the lowest natural frequency with all pairs \
                             closed, `frequency.open.1` with all open";
                 fault.hints.push(hint.to_owned());
@@ -338,7 +339,7 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
             let fault = slot.refuse("unknown-object", format!("unknown object `{owner}`"));
             fault.hints.push(match guess {
                 Some(guess) => format!("did you mean `{guess}`?"),
-                None => "figures are addressed as `object.figure` or `run.figure`".to_owned(),
+                None => "results are addressed as `object.result` or `run.result`".to_owned(),
             });
             return None;
         }
@@ -368,10 +369,10 @@ fn study_figure(slot: &mut Slot<'_>, known: &ObjectTable, address: String) -> Op
     let mut parts = address.splitn(3, '.');
     let (study, object, name) = (parts.next()?, parts.next(), parts.next());
     let (Some(object), Some(_)) = (object, name) else {
-        let message = format!("`{address}` names no figure");
+        let message = format!("`{address}` names no result");
         let fault = slot.refuse("unknown-figure", message);
         let hint = format!(
-            "write {study}.object.figure, as in `{study}.press.{}`",
+            "write {study}.object.result, as in `{study}.press.{}`",
             match study {
                 "forces" => "drive.greatest",
                 _ => "ram.speed.greatest",
@@ -398,12 +399,12 @@ fn no_cam_figure(slot: &mut Slot<'_>, known: &ObjectTable, name: &str) {
         let object = named.map_or(name, |(object, _)| object);
         let hint = match known.objects.contains_key(object) {
             true => Some(format!(
-                "write cam.object.figure, as in `cam.{object}.least_radius`"
+                "write cam.object.result, as in `cam.{object}.least_radius`"
             )),
             false => did_you_mean(object, objects()),
         };
         let message = match known.objects.contains_key(object) {
-            true => format!("`cam.{name}` names no figure"),
+            true => format!("`cam.{name}` names no result"),
             false => format!("unknown object `{object}`"),
         };
         slot.refuse("unknown-figure", message).hints.extend(hint);
@@ -420,8 +421,8 @@ fn unknown<'a>(
     names: impl Iterator<Item = &'a str> + Clone,
 ) {
     let message = match name {
-        "" => format!("`{owner}` names no figure"),
-        name => format!("`{owner}` has no figure `{name}`"),
+        "" => format!("`{owner}` names no result"),
+        name => format!("`{owner}` has no result `{name}`"),
     };
     let fault = slot.refuse("unknown-figure", message);
     fault.hints.push(match closest(name, names.clone()) {

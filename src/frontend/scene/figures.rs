@@ -132,7 +132,8 @@ pub(super) const STOP_FIGURES: &[Figure<OfCoordinate>] = &[
 /// Results of the run.
 #[rustfmt::skip]
 pub(super) const RUN_FIGURES: &[Figure<Quantity>] = &[
-    of_study("time", q::TIME, SIZE, "Time that the run reached; of a dead-centre position its own time."),
+    of_study("time", q::TIME, SIZE, "Time at which the run ended; at a dead-centre position its \
+                                     own time."),
     of_study("steps", q::NUMBER, COUNT, "Accepted steps of the method."),
     of_study("rejected", q::NUMBER, COUNT, "Rejected steps of the method."),
     of_study("evaluations", q::NUMBER, COUNT, "Evaluations of the equations of motion."),
@@ -156,10 +157,13 @@ pub(crate) const STEADY_FIGURES: &[Figure<Quantity>] = &[
     of_study("reference_energy", q::MOMENT, "> 0", "Kinetic energy at the position of the least moment of inertia."),
     of_study("energy_fluctuation", q::MOMENT, SIZE, "Greatest less least kinetic energy."),
     of_study("cycle_work", q::MOMENT, "positive: the forces put energy in", "Work of the forces in a cycle, before it is balanced."),
-    of_study("balance", q::MOMENT, "positive in the direction of rotation", "Constant moment that balances the cycle; absent if none was asked for."),
+    of_study("balance", q::MOMENT, "positive in the direction of rotation", "Constant moment that \
+                                                                             balances the cycle; \
+                                                                             absent if none was \
+                                                                             requested."),
     of_study("multiplier", q::NUMBER, SIZE_OF_MULTIPLIER, "Share of a small disturbance that is left after a period; below 1 the motion is stable."),
     of_study("periods", q::NUMBER, "whole number ≥ 1", "Cycles of the machine in one period of an elastic scene."),
-    of_study("flywheel", q::INERTIA, SIZE, "Moment of inertia of the flywheel that was asked for."),
+    of_study("flywheel", q::INERTIA, SIZE, "Moment of inertia of the flywheel."),
 ];
 
 const SIZE_OF_MULTIPLIER: &str =
@@ -182,7 +186,8 @@ pub(crate) const CAM_FIGURES: &[Figure<Quantity>] = &[
 /// Reasons for which a run may be expected to stop, with their meaning.
 #[rustfmt::skip]
 pub(super) const STOPS: [(&str, &str); 14] = [
-    ("dead_position", "The mechanism reached a dead-centre position: it cannot be assembled beyond."),
+    ("dead_position", "The mechanism came to a dead-centre position: it cannot be assembled \
+                       beyond."),
     ("end_of_travel", "A position function or table has no travel beyond this position."),
     ("held_at_jump", "A jump of a load drives the motion back from both sides."),
     ("jammed", "Rigid contacts and stops leave no motion that satisfies all of them."),

@@ -32,11 +32,11 @@ pub(super) fn read(slot: Slot<'_>, mut known: ObjectTable) -> Option<Root> {
         let run = fields.need("run", "How the scene is run.", |slot| {
             run::read(slot, &known)
         });
-        let doc = "What is asked of the steady motion of the drive (`dam steady`).";
+        let doc = "The wanted steady motion of the drive (`dam steady`).";
         let steady = fields.maybe("steady", doc, |slot| steady::read(slot, &known));
         let expect = fields.or(
             "expect",
-            "What is expected of the run.",
+            "Values that results of the run must have.",
             json!([]),
             |slot| expect::read(slot, &known),
         );

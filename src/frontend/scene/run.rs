@@ -15,9 +15,9 @@ use std::collections::BTreeMap;
 /// Most sample intervals.
 const MOST_SAMPLES: u64 = 1_000_000;
 
-const ACCURACY: &str = "Accuracy wanted of the figures, the error of the model included: a \
-    share of each, \"1 %\", or by the address of a figure a share or a quantity. Objects of \
-    `masses`: \"auto\" are modelled as far as it takes.";
+const ACCURACY: &str = "Accuracy wanted of the results, the error of the model included: a share \
+                        of each, \"1 %\", or by the address of a result a share or a quantity. \
+                        Objects of `masses`: \"auto\" are modelled as finely as this needs.";
 
 const ENDS: &str = "Condition that ends the run before `duration`, at the first time at which it \
     holds: { \"of\": \"rocker\", \"condition\": \"phi > 0.3\" }. The motion is found up to `duration` \
@@ -41,9 +41,9 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
         let tolerance_given = fields.has("tolerance");
         let tolerance = fields.or(
             "tolerance",
-            "Error wanted in each object's δ, relative to its scale. Left out, with the method \
-             `auto` and where figures are to keep an accuracy (`accuracy`, `masses`: \"auto\"), it \
-             is as coarse as that allows: a tenth of it.",
+            "Error wanted in each object's δ, relative to its scale. Without it, and with the \
+             method `auto` and results that must keep an accuracy (`accuracy`, `masses`: \
+             \"auto\"), it is a tenth of that accuracy.",
             json!(1e-6),
             |slot| slot.number(Bounds::between(1e-14, 1e-1)),
         );
@@ -60,7 +60,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
         );
         let switch_rows = fields.or(
             "switch_rows",
-            "True: two rows (before, after) at each switch.",
+            "True: two rows (before, after) at each event.",
             json!(false),
             |slot| slot.flag(),
         );
@@ -71,7 +71,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
         );
         let window = fields.maybe(
             "window",
-            "[from, to]: where steady figures are taken. Default: the last whole cycle of the drive.",
+            "[from, to]: window of the steady results. Default: the last whole cycle of the drive.",
             |slot| {
                 let time = |slot: Slot<'_>| slot.quantity(q::TIME, Bounds::NOT_NEGATIVE);
                 slot.pair(time, time)
@@ -79,7 +79,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<RunSpec> {
         );
         let max_switches = fields.or(
             "max_switches",
-            "Most switches before the run is given up.",
+            "Greatest number of events; the run ends at the next.",
             json!(1_000_000),
             |slot| slot.count(1..=1_000_000_000),
         );

@@ -15,7 +15,7 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<SteadySpec> {
     slot.record(|fields| {
         let drive = fields.maybe(
             "drive",
-            "The drive whose motion is asked for; not needed where there is one.",
+            "The drive whose motion is wanted; not needed if there is one drive.",
             |slot| drive(slot, known),
         );
         let mean_speed = fields.maybe(
@@ -27,8 +27,8 @@ pub(super) fn read(slot: Slot<'_>, known: &ObjectTable) -> Option<SteadySpec> {
         let means = Mean::ALL.map(|mean| (mean.name(), mean));
         let mean = fields.or(
             "mean",
-            "What is meant by the mean: over `time`, over the `angle`, or `midrange`, midway \
-             between the extremes.",
+            "Kind of mean: over `time`, over the `angle`, or `midrange`, midway between the \
+             extremes.",
             json!("time"),
             |slot| slot.choice(&means),
         );

@@ -125,7 +125,7 @@ impl<'a> Closing<'a> {
 
     /// The speed (of the sign of `sense`) at which a spring lets go: with x = 1/ω,
     /// 1/ω* is the greatest over the turn of the positive roots of
-    /// (f + preload + rate·x)·x² + b·x + a = 0; without damping
+    /// (f + preload + rate·x)·x² + b·x + a = 0. Without damping
     /// ω*² = min (f + preload + rate·x)/(−a) over all φ with a < 0.
     pub fn separation_speed(&self, spring: ClosingSpring, sense: f64) -> LetsGo {
         let rest = self.least(spring, 0.0);

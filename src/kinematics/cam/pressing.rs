@@ -26,7 +26,7 @@ pub(crate) enum NoStiffness {
 
 impl DiscCam {
     /// The secant N/p of the contact (N/m, N·m/rad) along the follower's displacement, under a
-    /// load along the normal (N), at an angle of the cam (rad); without one where the
+    /// load along the normal (N), at an angle of the cam (rad). Without one where the
     /// touched profile is most sharply convex, or, where it is nowhere so, at the beginning
     /// of the turn. The approach is counted from the axis of a roller, from the centre of
     /// curvature of a convex profile, from the depths below what is flat or hollow.

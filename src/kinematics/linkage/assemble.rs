@@ -190,7 +190,8 @@ fn placed_by_the_driver(spec: &LinkageSpec, plan: &Plan, state: &State) -> Resul
             faults.add(
                 format!("assembly.{name}"),
                 format!(
-                    "`{name}` is placed by the driver, at the start {}: there is no other way",
+                    "`{name}` is placed by the driver, at the start {}: there is no other \
+                     assembly mode",
                     start_in_words(spec)
                 ),
                 "leave it out, or give another `start`",
@@ -285,7 +286,7 @@ fn agree(
     let name = |index: usize| &spec.links[choices[index].link].name;
     Err((
         format!(
-            "what is said of `{}` asks for the branch +, what is said of `{}` for the branch -",
+            "the entry of `{}` names the branch +, that of `{}` the branch -",
             name(one),
             name(other)
         ),

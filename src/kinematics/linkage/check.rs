@@ -319,7 +319,7 @@ fn over_input(path: &str, points: &[(f64, f64)], period: Option<f64>, found: &mu
     found.positive(&path, period);
     let width = points.last().map_or(0.0, |last| last.0 - points[0].0);
     if width > period {
-        let message = format!("the points reach over {width}, the period is {period}");
+        let message = format!("the points extend over {width}, the period is {period}");
         found.add(path, message, "give points of one period only");
     }
 }

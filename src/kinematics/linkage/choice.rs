@@ -18,7 +18,7 @@ pub(super) fn requested_branch(choices: &[&AssemblySpec]) -> Result<Option<f64>,
         };
         if asked.is_some_and(|other| other != sign) {
             let hint = "give the branch of one of its links only";
-            return Err(("both branches are asked for".to_owned(), hint.to_owned()));
+            return Err(("both branches are named".to_owned(), hint.to_owned()));
         }
         asked = Some(sign);
     }

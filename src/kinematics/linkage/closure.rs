@@ -6,7 +6,7 @@
 //! masses) close in the same way, so that both take the closure from here. They
 //! differ in how they come by what goes in: a linkage subtracts places, a
 //! position function has its dimensions and takes each factor of a discriminant
-//! from terms of one sign, which loses no digits next to a dead position.
+//! from terms of one sign, which loses no digits next to a dead-centre position.
 
 use super::vector::Vector;
 use crate::math::series::Series;
@@ -15,7 +15,7 @@ use crate::math::series::Series;
 /// first outer pin and of radius b about the second, which is f away.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TwoCircles<const N: usize> {
-    /// (a + b)² − f² and f² − (a − b)², zero in the dead positions with the links
+    /// (a + b)² − f² and f² − (a − b)², zero in the dead-centre positions with the links
     /// stretched and folded; or the same with the sides exchanged, since the
     /// product, the square of four times the triangle's area, is the same.
     pub(crate) factors: [Series<N>; 2],
@@ -38,7 +38,7 @@ impl<const N: usize> TwoCircles<N> {
 ///
 /// `short` and `long` are l − d and l + d, the length of the link less and plus
 /// the distance of the inner pin's line from the outer pin; where one of them is
-/// zero the link stands across the guide, a dead position.
+/// zero the link stands across the guide, a dead-centre position.
 #[inline(always)]
 pub(crate) fn circle_and_line<const N: usize>(
     short: Series<N>,

@@ -254,10 +254,7 @@ fn dyad(
         let names = group.map(|body| format!("`{}`", spec.links[bodies.list[body].base].name));
         faults.add(
             "pairs",
-            format!(
-                "{} are joined in a way that holds nothing",
-                names.join(" and ")
-            ),
+            format!("{} are joined so that nothing is held", names.join(" and ")),
             "join each to the rest by one pair, and both to each other by one",
         );
         return (None, GroupKind::Rrr);

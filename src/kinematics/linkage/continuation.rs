@@ -2,9 +2,9 @@
 //! or comes to an end, so that nothing is jumped over.
 //!
 //! Of every dyad the discriminant under its root is followed with its derivative.
-//! A step is taken only when the cubic through both ends agrees with the middle;
-//! a step over a minimum looks at the minimum: above zero it is passed, at zero
-//! (to rounding) it is a change point, below zero there is a dead position
+//! A step is taken only when the cubic through both ends agrees with the middle.
+//! A step over a minimum looks at the minimum: above zero it is passed, at zero
+//! (to rounding) it is a change point, below zero there is a dead-centre position
 //! before it, which is then located to rounding. Towards an end the steps
 //! become shorter in proportion to what is left.
 
@@ -51,7 +51,7 @@ pub(super) enum StepVerdict {
     Shorten(f64),
     /// Something was learnt: look at the same step again.
     Again,
-    /// Dead position of a group.
+    /// Dead-centre position of a group.
     End(f64, usize),
 }
 
@@ -159,7 +159,7 @@ impl<'a> Walker<'a> {
     }
 
     /// Takes a step towards `to`, as far as it may; the place reached, or the
-    /// dead position that is here.
+    /// dead-centre position that is here.
     fn settle(&mut self, to: f64) -> Result<f64, (f64, Cause)> {
         let mut to = to;
         for _ in 0..MOST_TRIALS {

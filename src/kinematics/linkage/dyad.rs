@@ -47,7 +47,7 @@ pub(super) struct Dyad {
     pub(super) sense: f64,
 }
 
-/// Margin of a group: how far it is from a dead position.
+/// Margin of a group: how far it is from a dead-centre position.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Margin {
     /// Dimensionless, positive where the group can be assembled, going through
@@ -77,7 +77,7 @@ impl Margin {
 pub(super) struct Directions<const N: usize> {
     /// (cos θ, sin θ) of the bodies.
     pub(super) of: [Vector<N>; 2],
-    /// Distance from a dead position.
+    /// Distance from a dead-centre position.
     pub(super) margin: Margin,
 }
 

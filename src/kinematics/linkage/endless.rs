@@ -11,7 +11,7 @@ const PLACES: usize = 600;
 const CONSTANT: f64 = 1e-9;
 
 /// True where the margins of all groups stay as they are from end to end of the course: they are
-/// analytic in the input, so that they do so everywhere, and no dead position can come. All angles
+/// analytic in the input, so that they do so everywhere, and no dead-centre position can come. All angles
 /// then go on evenly.
 pub(super) fn assembles_everywhere(plan: &Plan, course: &Course, state: &State) -> bool {
     let rows = course.table.inputs.len();

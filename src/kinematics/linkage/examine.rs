@@ -100,7 +100,7 @@ impl Walker<'_> {
         if b.value < -tolerance(&b) {
             return self.dead(group, to);
         }
-        // Just on a dead position or a change point: nothing can be said here.
+        // Just on a dead-centre position or a change point: nothing can be said here.
         if gap.abs() <= LEFT * self.unit {
             let end = self.just_beyond(group, to, &b);
             return self.end(end, group);
@@ -108,7 +108,7 @@ impl Walker<'_> {
         StepVerdict::Shorten(from + 0.73 * gap)
     }
 
-    /// The dead position next to `to`, where the discriminant is zero but for
+    /// The dead-centre position next to `to`, where the discriminant is zero but for
     /// rounding.
     fn just_beyond(&mut self, group: usize, to: f64, margin: &Margin) -> f64 {
         let left = -margin.value / margin.slope;

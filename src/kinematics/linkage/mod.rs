@@ -284,7 +284,7 @@ fn explore(
         return Err(vec![Fault::new(
             "links",
             format!(
-                "{names} are in a dead position at the start {}",
+                "{names} are in a dead-centre position at the start {}",
                 choice::start_in_words(spec)
             ),
             "give approximate positions for another input",
@@ -309,7 +309,7 @@ fn explore(
     let down = Walker::new(plan, course, state, false).walk(limits[0]);
     for (end, way) in [down, up].into_iter().enumerate() {
         if let WayEnd::Ends(at, cause) = way {
-            // The ends of the travel belong to it, dead positions do not.
+            // The ends of the travel belong to it, dead-centre positions do not.
             course.ends[end] = match (cause, end) {
                 (DeadPosition { .. }, _) => at,
                 (_, 0) => at.next_down(),

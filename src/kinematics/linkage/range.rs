@@ -25,7 +25,7 @@ pub struct Range {
 pub enum Reach {
     /// All.
     Everywhere,
-    /// Coordinates between two ends; dead positions are left out, the ends of the travel
+    /// Coordinates between two ends; dead-centre positions are left out, the ends of the travel
     /// belong to it.
     Interval {
         /// The lower end.
@@ -47,7 +47,7 @@ pub struct End {
 /// Why the input goes no further.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cause {
-    /// A group is in a dead position: velocities grow without bound. Of a group
+    /// A group is in a dead-centre position: velocities grow without bound. Of a group
     /// solved by iteration also a position in which two of its assemblies meet.
     DeadPosition {
         /// Index into [`Structure::groups`].
@@ -93,7 +93,7 @@ impl fmt::Display for OutOfReach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (input, [from, to]) = (self.input, self.reach);
         let cause = match self.end.cause {
-            Cause::DeadPosition { .. } => "a dead position",
+            Cause::DeadPosition { .. } => "a dead-centre position",
             Cause::Travel => "the end of the travel",
             Cause::Unexplored => "the end of what was explored",
         };
@@ -116,7 +116,7 @@ impl Range {
         }
     }
 
-    /// The ends of the reach that are dead positions, each with the other end.
+    /// The ends of the reach that are dead-centre positions, each with the other end.
     pub fn dead_ends(&self) -> Vec<[f64; 2]> {
         let Reach::Interval { lower, upper } = self.reach else {
             return Vec::new();
@@ -142,7 +142,7 @@ impl Range {
             (Reach::Interval { lower, upper }, _) => {
                 let why = |end: &End| match end.cause {
                     Cause::DeadPosition { group } => {
-                        format!("dead position of {}", structure.describe(group))
+                        format!("dead-centre position of {}", structure.describe(group))
                     }
                     Cause::Travel => "end of the travel".to_owned(),
                     Cause::Unexplored => "not explored further".to_owned(),

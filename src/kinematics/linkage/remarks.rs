@@ -117,7 +117,7 @@ impl Linkage {
             .map(|(output, _)| {
                 let why = match output.kind {
                     OutputKind::Angle { .. } => "its link does not turn",
-                    OutputKind::Point { .. } => "its direction is across the way of its point",
+                    OutputKind::Point { .. } => "its direction is across the path of its point",
                     OutputKind::Pair { .. } => "both links of its pair move as one",
                 };
                 format!("the output `{}` never moves: {why}", output.name)

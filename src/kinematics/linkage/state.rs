@@ -62,7 +62,7 @@ pub(super) struct State {
     pub(super) links: Vec<Motion>,
     /// The driven link in the frame of the other link of the driver.
     pub(super) relative: Motion,
-    /// Margins of the groups: how far each is from a dead position.
+    /// Margins of the groups: how far each is from a dead-centre position.
     pub(super) margins: Vec<Margin>,
     /// For the groups solved by iteration.
     pub(super) scratch: Scratch,

@@ -123,6 +123,26 @@ impl Structure {
         }
     }
 
+    /// The assembly mode of every dyad that has another, each in a sentence with how to choose
+    /// the other.
+    pub fn assembly_modes(&self) -> Vec<String> {
+        let dyads = self.groups.iter().filter_map(|group| {
+            let (own, other) = match group.branch? < 0.0 {
+                true => ('-', '+'),
+                false => ('+', '-'),
+            };
+            let links = group.links.iter().map(|&link| self.names[0][link].as_str());
+            let links: Vec<&str> = links.collect();
+            let first = links.first()?;
+            Some(format!(
+                "{} are assembled on branch {own}; the other: \"assembly\": {{ \"{first}\": {{ \
+                 \"branch\": \"{other}\" }} }}",
+                links.join(" and ")
+            ))
+        });
+        dyads.collect()
+    }
+
     /// A group in words: `dyad RRR: coupler, rocker (pairs B, C, D), branch +`.
     pub fn describe(&self, group: usize) -> String {
         let group = &self.groups[group];
@@ -204,7 +224,7 @@ fn welded(spec: &LinkageSpec) -> Vec<String> {
 fn redundant(spec: &LinkageSpec) -> Vec<String> {
     let sentence = |one: &Redundant| {
         format!(
-            "redundant: {} holds what is held already; the linkage moves in the same way without it",
+            "redundant: {} holds what is held already; the linkage moves as it would without it",
             one.describe(spec)
         )
     };

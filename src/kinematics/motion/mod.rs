@@ -140,7 +140,7 @@ impl DriveMotion {
                 let spline = Spline::through(points);
                 if !spline.is_finite() {
                     let message = "the curve through these points has slopes too great for numbers";
-                    faults.add("table", message, "space the points more evenly");
+                    faults.add("table", message, "space the points more regularly");
                 }
                 faults.check()?;
                 Ok(Self::Table(spline))

@@ -32,7 +32,7 @@ impl WrittenMotion {
         let path = "expression";
         let (motion, whole) = Self::of(expression.program(), expression.text(), factor, MOST);
         if !whole {
-            let message = "its pieces change too often to be told";
+            let message = "its pieces change too often";
             let hint = "conditions that repeat, sin(2*pi*t) > 0, or of t itself, t < 2";
             faults.add(path, message, hint);
             faults.check()?;

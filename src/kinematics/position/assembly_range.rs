@@ -35,7 +35,7 @@ impl std::error::Error for OutOfReach {}
 /// The forbidden crank angles of a planar linkage: up to two arcs, each
 /// symmetric about its centre, the centres half a turn apart.
 ///
-/// An arc of half-width 0 is a single angle: a dead position that can be
+/// An arc of half-width 0 is a single angle: a dead-centre position that can be
 /// reached but past which the linkage may go on in two ways (a change point);
 /// it ends the reach like any other.
 #[derive(Clone, Copy, Debug, PartialEq)]

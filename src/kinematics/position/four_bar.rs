@@ -12,12 +12,12 @@ use std::f64::consts::PI;
 ///
 /// Loop: a·(cos θ, sin θ) + coupler b = (d, 0) + c·(cos ψ, sin ψ). The open
 /// branch has the rocker on the same side of the pivots' line as the crank for
-/// 0 < θ < π, its coupler not crossing that line; the crossed one is its mirror
+/// 0 < θ < π, its coupler not crossing that line. The crossed one is its mirror
 /// image, ψ₋(−θ) = −ψ₊(θ). ψ is continuous over any number of turns: with a
 /// crank longer than the frame (a double crank) it gains 2π a turn, otherwise
 /// it comes back.
 ///
-/// Where coupler and rocker are in line is a dead position of the crank: ψ′
+/// Where coupler and rocker are in line is a dead-centre position of the crank: ψ′
 /// grows without bound there and ψ has no value beyond (derivatives, then
 /// values, that are not numbers). A linkage that can fold flat (a
 /// parallelogram) may leave that position in two ways; it is held to be dead.

@@ -121,7 +121,7 @@ proptest! {
             prop_assert!(!position.jet(theta).is_finite());
             return Ok(());
         };
-        // Away from dead positions, where derivatives are without bound.
+        // Away from dead-centre positions, where derivatives are without bound.
         if reach.is_some_and(|(from, to)| (theta - from).min(to - theta) < 0.02) {
             return Ok(());
         }

@@ -122,7 +122,7 @@ impl Interpolated {
     ) -> Result<Self, Fault> {
         let mut function = function;
         if !(from.is_finite() && to.is_finite() && from < to) {
-            return Err(Fault::new("reach", "a reach has its ends in order", ""));
+            return Err(Fault::new("reach", "a range has its ends in order", ""));
         }
         let points = sorted(breaks, from, to)?;
         let mut edges = points.clone();

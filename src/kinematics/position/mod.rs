@@ -206,10 +206,10 @@ impl Position {
     }
 
     /// The open interval of φ around `phi` in which the function exists;
-    /// `None`: everywhere. At its ends the linkage is in a dead position.
+    /// `None`: everywhere. At its ends the linkage is in a dead-centre position.
     ///
     /// # Errors
-    /// The function has no value at `phi` (or `phi` is exactly a dead position).
+    /// The function has no value at `phi` (or `phi` is exactly a dead-centre position).
     pub fn reach_from(&self, phi: f64) -> Result<Option<(f64, f64)>, OutOfReach> {
         match self {
             Self::SliderCrank(linkage) => linkage.reach_from(phi),

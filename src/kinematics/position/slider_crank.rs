@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 ///
 /// The guide runs parallel to θ = 0 at the distance e (towards θ = 90°) from
 /// the crank's axis. Where the rod stands across the guide, |r·sin θ − e| = l,
-/// is a dead position: U′ grows without bound there and U has no value beyond
+/// is a dead-centre position: U′ grows without bound there and U has no value beyond
 /// (derivatives, then values, that are not numbers).
 ///
 /// It is the massless short form of a linkage ([`super::Position::as_linkage`])

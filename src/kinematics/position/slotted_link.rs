@@ -45,6 +45,12 @@ pub struct SlottedLink {
 }
 
 impl SlottedLink {
+    /// The side to which the crank turns where the block drives, +1 or −1; nothing where the crank
+    /// drives: there is one assembly mode then.
+    pub fn branch_of_block(&self) -> Option<f64> {
+        (self.spec.driver == SlottedDriver::Block).then_some(self.spec.branch)
+    }
+
     /// A slotted link of given dimensions.
     ///
     /// # Errors
@@ -161,7 +167,7 @@ impl SlottedLink {
         }
     }
 
-    /// Least and greatest S of a driving block: its dead positions (m).
+    /// Least and greatest S of a driving block: its dead-centre positions (m).
     fn travel(&self) -> [f64; 2] {
         let SlottedLinkSpec {
             crank: l, frame: d, ..

@@ -48,7 +48,7 @@ impl Table {
         };
         if !spline.is_finite() {
             let message = "the curve through these points has slopes too great for numbers";
-            faults.add("table.points", message, "space the points more evenly");
+            faults.add("table.points", message, "space the points more regularly");
         }
         faults.check()?;
         let knots = spline.knots();

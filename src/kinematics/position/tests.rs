@@ -155,7 +155,7 @@ fn agrees_with_differences(position: &Position, phi: f64) -> Result<(), TestCase
     Ok(())
 }
 
-/// Distance from the places where differences do not tell: dead positions and
+/// Distance from the places where differences do not tell: dead-centre positions and
 /// knots of a spline.
 fn well_placed(position: &Position, spec: &PositionSpec, phi: f64) -> bool {
     let near_knot = |points: &[(f64, f64)]| {

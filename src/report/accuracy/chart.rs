@@ -38,7 +38,8 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
     }
     let plot = Plot {
         id: "models".to_owned(),
-        title: "Distance of each figure from its limit, over the size of the model".to_owned(),
+        title: "Distance of each result from its converged value, over the size of the model"
+            .to_owned(),
         x: Axis::new("coordinates of all elastic objects", ""),
         y: Axis {
             log: true,

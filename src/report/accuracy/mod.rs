@@ -38,7 +38,7 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
     vec![
         Section::new("Accuracy, the error of the model included")
             .legend(
-                "How far each figure may be from that of the continuum that the objects' data \
+                "How far each result may be from that of the continuum that the objects' data \
                  describe.",
             )
             .table(figures.rows(certificate.accuracy.iter().map(figure))),
@@ -67,7 +67,7 @@ fn worth(figure: &FigureAccuracy) -> String {
     let sure = match figure.kind {
         Certainty::Bound => "bound",
         Certainty::Estimate => "estimate",
-        Certainty::NoLimit => return "no limit".to_owned(),
+        Certainty::NoLimit => return "no converged value".to_owned(),
         Certainty::NotDetermined => return "not determined by the order of the model".to_owned(),
     };
     let size = match (figure.relative, figure.error) {
@@ -80,7 +80,7 @@ fn worth(figure: &FigureAccuracy) -> String {
     match figure.holds {
         true => format!("{size} ({sure})"),
         false => format!(
-            "{size} ({sure}), asked for ± {}",
+            "{size} ({sure}), required ± {}",
             significant(figure.asked, 2)
         ),
     }

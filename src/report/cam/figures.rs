@@ -213,11 +213,7 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
             force.greatest,
             generalised,
         ),
-        extreme(
-            "least force of the pair (margin)",
-            force.margin,
-            generalised,
-        ),
+        extreme("least contact force (margin)", force.margin, generalised),
     ]);
     if let Some(pressure) = force.pressure {
         rows.push(extreme("greatest Hertzian pressure", pressure, "Pa"));
@@ -237,7 +233,7 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
         LiftOff::Below(speed) => format!("even at {}", rpm(speed)),
     });
     rows.extend(rigid.map(|text| Figure::new("lets go, rigid", text)));
-    rows.extend(elastic.map(|text| Figure::new("lets go, elastic (runs, to 0.1 %)", text)));
+    rows.extend(elastic.map(|text| Figure::new("lift-off, elastic (runs, to 0.1 %)", text)));
     if let Some(answer) = &force.closing {
         spring_rows(rows, force, answer, generalised);
     }

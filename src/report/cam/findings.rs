@@ -96,7 +96,7 @@ pub fn findings<'a>(report: &CamReport<'a>, mut source: Source<'a>) -> Findings<
                 "Dotted: base circle; dashed: pitch curve. The mark on the cam points along the \
                  follower at φ = 0.",
             ),
-        Section::new("Figures").figures(figures(report.cam, report.figures)),
+        Section::new("Results").figures(figures(report.cam, report.figures)),
         Section::new("Over the turn").charts(
             Layout::Grid,
             "turn",
@@ -129,9 +129,9 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
         };
         let text = match report.figures.force {
             Some(_) => {
-                "No undercut, no corner; pressure angle, face and closing force are as asked."
+                "No undercut, no corner; pressure angle, face and closing force are as required."
             }
-            None => "No undercut, no corner; pressure angle and face are as asked.",
+            None => "No undercut, no corner; pressure angle and face are as required.",
         };
         return Verdict::judged(judgement, headline, text);
     };

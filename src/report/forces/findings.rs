@@ -98,7 +98,7 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
             Sentence::from("The driving force is statically indeterminate.")
         }
         true if study.missing() < study.rows.len() => {
-            Sentence::from("Forces grow without bound towards the dead position.")
+            Sentence::from("Forces grow without bound towards the dead-centre position.")
         }
         true => Sentence::from("No position has forces."),
     };
@@ -162,8 +162,8 @@ fn open<'a>(study: &ForceStudy) -> Section<'a> {
     let redundant = study.linkage.redundant.iter();
     let redundant: Vec<String> = redundant.map(|one| one.describe(&study.linkage)).collect();
     let words = format!(
-        "Redundant: {}. How the load is shared out depends on elasticity, clearances and errors of \
-         length, so that the forces of {} have no figures here.",
+        "Redundant: {}. How the load is shared out depends on elasticity, clearances and errors \
+         of length, so that the forces of {} have no values here.",
         redundant.join("; "),
         names.join(", ")
     );
@@ -179,7 +179,7 @@ fn course(report: &ForcesReport<'_>) -> String {
                 false => format!("Whole course of {over}"),
             }
         }
-        None => "Figures".to_owned(),
+        None => "Results".to_owned(),
     }
 }
 

@@ -295,12 +295,14 @@ impl ObjectCharts {
             kind = escape(&self.kind),
             shading = match (shaded, self.runs) {
                 (false, _) => "",
-                (true, 1) => "<span class=\"key\"><span class=\"swatch\"></span>pair open</span>",
-                (true, _) => "<span>strips at the foot: pair open</span>",
+                (true, 1) =>
+                    "<span class=\"key\"><span class=\"swatch\"></span>contact \
+                              open</span>",
+                (true, _) => "<span>strips at the foot: contact open</span>",
             },
             unshaded = match self.unshaded.as_str() {
                 "" => String::new(),
-                words => format!("<p class=\"soft\">Pair open: {}.</p>\n", escape(words)),
+                words => format!("<p class=\"soft\">Contact open: {}.</p>\n", escape(words)),
             },
             single = if self.is_single() { " single" } else { "" },
             rows = rows,

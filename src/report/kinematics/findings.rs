@@ -146,7 +146,7 @@ fn transmission<'a>(found: &Kinematics) -> Section<'a> {
         true => section,
         false => section
             .table(table)
-            .words("90 deg is best; at 0 the pushed link is in a dead position."),
+            .words("90 deg is best; at 0 the pushed link is in a dead-centre position."),
     }
 }
 

@@ -115,8 +115,8 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
         .table(table)
         .words(format!(
             "On these curves the determinant of a group vanishes: speeds and forces grow without \
-             bound. Ranges are those of the points; between them a curve reaches a little further. \
-             Looked at: {looked}."
+             bound. Ranges are those of the points; between them a curve goes a little further. \
+             Examined: {looked}."
         ))
         .charts(Layout::Grid, "", vec![chart(found, plane)])
 }
@@ -147,7 +147,7 @@ fn chart(found: &Kinematics, plane: &Plane) -> Plot {
     }
     series.push(Series {
         look: LineStyle::Theory,
-        ..Series::line("way of the inputs", plane.path.iter().map(point).collect())
+        ..Series::line("path of the inputs", plane.path.iter().map(point).collect())
     });
     let axis = |input: &PlaneInput| Axis {
         range: Some(

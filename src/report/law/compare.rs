@@ -21,7 +21,7 @@ pub fn comparison_findings<'a>(
         true => (Sort::Good, ""),
         false => (
             Sort::Mechanism,
-            " Some runs failed their own check: see the figures.",
+            " Some runs failed their own check: see the results.",
         ),
     };
     let best = match best(laws, by).as_slice() {
@@ -37,7 +37,7 @@ pub fn comparison_findings<'a>(
         warnings: Vec::new(),
         sections: vec![
             Section::new("Diagrams").charts(Layout::Wide(440.0), "law", vec![chart(laws)]),
-            Section::new("Figures, and places among the laws")
+            Section::new("Results, and places among the laws")
                 .table(table(laws, by))
                 .item(Item::Notes(others(laws, by))),
         ],
@@ -154,7 +154,7 @@ fn chart(laws: &[ComparedLaw]) -> Plot {
         (!series.points.is_empty()).then_some(series)
     });
     Plot {
-        title: "Every figure as a multiple of the best law's".to_owned(),
+        title: "Every result as a multiple of the best law's".to_owned(),
         x: Axis {
             log: true,
             ..Axis::new("multiple of the best", "")

@@ -173,7 +173,7 @@ pub fn law_findings(row: &LawRow, law: &Law) -> Findings<'static> {
         significant(found.acceleration.value, 6),
         significant(found.speed.value, 6)
     );
-    let heading = format!("Figures: {kind}; normal form: stroke 1, duration 1");
+    let heading = format!("Results: {kind}; normal form: stroke 1, duration 1");
     Findings {
         title: row.name.clone(),
         subtitle: row.words.clone(),

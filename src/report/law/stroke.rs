@@ -65,7 +65,7 @@ pub fn stroke_findings(
     );
     let mut sections = vec![
         curve(stroke, unit).section(words),
-        Section::new("Figures").figures(figures(stroke, unit)),
+        Section::new("Results").figures(figures(stroke, unit)),
     ];
     sections.extend(extras.sections());
     Findings {

@@ -163,7 +163,7 @@ impl MovingMachine {
         );
         if self.player.magnify.is_some() {
             text.push_str(
-                " Pale: the place that the law requires; in full: the actual one, with the deflection δ \
+                " Pale: the prescribed position; in full: the actual one, its deflection δ \
                  magnified by the factor beside the controls.",
             );
         }

@@ -103,7 +103,7 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
         ),
         (unjudged, "are not judged"),
         (failed, "are not to be trusted"),
-        (undetermined, "are not known to the digits asked for"),
+        (undetermined, "are not known to the required digits"),
         (missing, "are missing: the map was interrupted"),
     ] {
         if count > 0 {

@@ -9,10 +9,10 @@ use crate::studies::spread::CHANGE;
 /// What a ring upon a cell means.
 pub(super) fn not_determined(study: &Study<'_>) -> String {
     format!(
-        "A ring upon a cell: the loads changed by one part in {} move the figure by more than \
-         {} of its scale (ten times the tolerance of a general method, where that is more), so \
-         that nobody knows it to the {} digits asked for. The verdict on the mechanism holds; how \
-         far every figure moves is in map.csv.",
+        "A ring on a cell: a change of the loads by one part in {} moves the result by more than \
+         {} of its scale. (With a general method the bound is at least ten times its tolerance.) \
+         It is not determined to {} digits. The verdict on the mechanism holds; how far every figure \
+         moves is in map.csv.",
         significant(1.0 / CHANGE, 2),
         significant(10f64.powi(-i32::from(study.digits)), 2),
         study.digits
@@ -22,44 +22,45 @@ pub(super) fn not_determined(study: &Study<'_>) -> String {
 /// Meaning of a verdict, with the bounds it rests on.
 pub(super) fn meaning(verdict: Verdict) -> String {
     match verdict {
-        Verdict::InWorkingOrder => "No pair opens in the whole run.".to_owned(),
+        Verdict::InWorkingOrder => "No loss of contact in the whole run.".to_owned(),
         Verdict::LiftOffDiesAway => {
-            "A pair opens after the start, and not in the window of steady figures.".to_owned()
+            "A contact separates after the start, and not in the window of steady results."
+                .to_owned()
         }
         Verdict::LiftOff => {
-            "A pair opens in the window of steady figures: the mechanism is not in \
-             working order. Of a rigid object: its motion needs a pull."
+            "A contact separates in the window of steady results: the mechanism is not in working \
+             order. For a rigid object: its motion needs a pull."
                 .to_owned()
         }
         Verdict::LiftOffNotJudged => {
-            "A pair opens, and the run has no window of steady figures: give it three turns of \
-             the drive or more."
+            "A contact separates, and the run has no window of steady results: give it three \
+             turns of the drive or more."
                 .to_owned()
         }
         Verdict::CreepNotJudged => {
-            "No pair opens, and an object creeps under regularised friction. Dry friction would \
-             hold it: a smaller width makes the creep slower."
+            "No loss of contact, and an object creeps under regularised friction. Dry friction \
+             would hold it: a smaller width makes the creep slower."
                 .to_owned()
         }
         Verdict::NotJudged => {
-            "No pair opens, and the run has no window of steady figures: give it three turns of \
-             the drive or more."
+            "No loss of contact, and the run has no window of steady results: give it three turns \
+             of the drive or more."
                 .to_owned()
         }
         Verdict::ThrownOff => format!(
-            "A pair opens in the window of steady figures and the object leaves its law by more \
-             than {THROWN_OFF} times the amplitude of the law."
+            "A contact separates in the window of steady results, and the object deviates from \
+             its law by more than {THROWN_OFF} times the amplitude of the law."
         ),
         Verdict::Resonance => format!(
-            "No pair opens, and over the last cycle the deviation is at least {RESONANCE} times \
-             the quasi-static one, is not dying away (less than {} % a cycle), and a natural \
-             frequency lies near a harmonic of the drive: one mode would magnify it at least \
+            "No loss of contact. Over the last cycle the deviation is at least {RESONANCE} times \
+             the quasi-static one and does not die away (less than {} % a cycle). A natural \
+             frequency is near a harmonic of the drive: one mode would magnify it at least \
              {NEAR_HARMONIC} times.",
             100.0 * STEADY
         ),
-        Verdict::Stopped => "The mechanism reaches a dead position.".to_owned(),
+        Verdict::Stopped => "The mechanism comes to a dead-centre position.".to_owned(),
         Verdict::NotFinished => format!(
-            "More than {MOST_STEPS} steps, or more switches than `run.max_switches` allows, were \
+            "More than {MOST_STEPS} steps, or more events than `run.max_switches` allows, were \
              needed. Nothing wrong was found up to there, and the cell has no value."
         ),
         Verdict::NumericalFailure => "The computation failed: the method gave up, a number was \

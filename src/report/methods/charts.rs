@@ -68,7 +68,12 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
             study.accuracy,
             format!("asked for: {}", significant(study.accuracy, 2)),
         )],
-        below: shaded.map(|r| (r.resolution, "cannot be told from no error".to_owned())),
+        below: shaded.map(|r| {
+            (
+                r.resolution,
+                "cannot be distinguished from no error".to_owned(),
+            )
+        }),
         lane: "failed".to_owned(),
         ..Plot::default()
     }
@@ -348,7 +353,7 @@ pub fn regions(sweep: &Sweep) -> Plot {
     }
     Plot {
         title: format!(
-            "What becomes of each method at tolerance {}{fixed}",
+            "Verdict on each method at tolerance {}{fixed}",
             significant(accuracy, 2)
         ),
         x: axis(sweep),

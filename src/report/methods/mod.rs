@@ -16,12 +16,13 @@ use crate::studies::methods::Verdict;
 const HEIGHT: f64 = 560.0;
 
 /// What a page says of its marks and times.
-const TIMING: &str = "Filled marks: converged, the error is within the tolerance (of a fixed step, \
-     within the accuracy asked for); open marks: inaccurate or not judged; crosses: failed; marks \
-     with an arrow: the reference, whose error is at most its distance from the nearest other \
-     method. Pointing at a mark tells its cause. Times are wall-clock times from the system ready \
-     to all samples of δ and all switch times, single thread, medians of repeated runs; they vary \
-     from run to run and from machine to machine.";
+const TIMING: &str = "Filled marks: converged, the error is within the tolerance (of a fixed \
+                      step, within the accuracy required). Open marks: inaccurate or not judged. \
+                      Crosses: failed. Marks with an arrow: the reference. Its error is at most \
+                      its distance from the nearest other method. Pointing at a mark tells its \
+                      cause. Times are wall-clock times from the system ready to all samples of δ \
+                      and all event times. They are medians of repeated runs with a single \
+                      thread. They vary from run to run and from machine to machine.";
 
 /// A verdict as good or bad news, with what is to be added.
 fn verdict(verdict: Verdict, note: impl Into<String>) -> Cell {

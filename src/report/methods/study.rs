@@ -147,14 +147,14 @@ fn reference(study: &Study, reference: &Reference) -> Vec<Figure> {
             ),
         ),
         words(
-            "errors are told down to",
+            "errors are shown down to",
             significant(reference.resolution, 2),
         ),
         words("switches", reference.switches.to_string()),
     ];
     if !reference.undetermined.is_empty() {
         let figures = reference.undetermined.join(", ");
-        rows.push(words("figures not determined to 10⁻⁷", figures));
+        rows.push(words("results not determined to 10⁻⁷", figures));
     }
     rows
 }
@@ -277,11 +277,11 @@ fn limits(study: &Study) -> Section<'static> {
             significant(study.fastest_rate, 4)
         ))
         .legend(format!(
-            "In theory, and measured. While a pair is open the motion is slower, so that a scene \
-             with contact may bear a longer step than theory says. Measured is on this motion: the \
-             longest step with which this very run grows to no more than {GROWN} times what it \
-             should be; what would grow more slowly, or from another start, is not seen. Of power \
-             series: the longest step that multiplies no deviation."
+            "In theory, and measured. While a contact is open the motion is slower, so a scene \
+             with contact may allow a longer step than theory says. The measured value belongs to \
+             this motion. It is the longest step with which this run grows to no more than \
+             {GROWN} times what it should be. Slower growth, or growth from another start, is not \
+             seen. Of power series: the longest step that multiplies no deviation."
         ))
         .table(table.rows(study.methods.iter().filter_map(row)))
 }

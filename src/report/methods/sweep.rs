@@ -141,7 +141,7 @@ fn standings(sweep: &Sweep) -> Section<'static> {
     let table = Table::new(std::iter::once(sweep.axis.path.as_str()).chain(heads));
     Section::new("Values")
         .words(format!(
-            "The verdict at the tolerance asked for{fixed}, and the least time to an error of δ \
+            "The verdict at the required tolerance{fixed}, and the least time to an error of δ \
              within {} of max|δ|.",
             significant(accuracy, 1)
         ))

@@ -36,14 +36,14 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
     }
     Some(Plot {
         id: "models".to_owned(),
-        title: "Error of each figure against the time of a run, over models".to_owned(),
+        title: "Error of each result against the time of a run, over models".to_owned(),
         x: Axis {
             log: true,
             ..Axis::new("time of a run", "ms")
         },
         y: Axis {
             log: true,
-            ..Axis::new("error of the figure", "")
+            ..Axis::new("error of the result", "")
         },
         series,
         rules: requested_error_line(&reduction.certificate),

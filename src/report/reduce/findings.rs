@@ -27,7 +27,7 @@ pub fn findings<'a>(
     };
     let mut sections = accuracy::sections(&reduction.certificate);
     sections.extend([
-        Section::new("What can be left out").table(steps(reduction)),
+        Section::new("Parts that the scene does not need").table(steps(reduction)),
         Section::new("Size").table(sizes(reduction)),
     ]);
     if let Some(chart) = chart(reduction) {

@@ -14,12 +14,12 @@ fn answer(reduction: &Reduction) -> String {
     let figures = reduction.certificate.accuracy.values();
     let judged = figures.filter(|figure| figure.error.is_some()).count();
     if judged == 0 {
-        return "No figure that is asked for has a limit: there is nothing to judge a simpler \
-                scene by."
+        return "No wanted result has a converged value: there is nothing to judge a simpler scene \
+                by."
             .to_owned();
     }
     if !reduction.holds() {
-        let none = "Not even the finest model is as accurate as is asked for: nothing is left out.";
+        let none = "Not even the finest model has the required accuracy: nothing is simplified.";
         return format!("{none}{}", excess(reduction));
     }
     let left_out = reduction.removed().count();
@@ -50,14 +50,14 @@ fn answer(reduction: &Reduction) -> String {
     };
     let size = format!("{}{size}", excess(reduction));
     match left_out {
-        0 => format!("Nothing can be left out of the scene within the accuracy asked for.{size}"),
+        0 => format!("Nothing in the scene can be simplified within the required accuracy.{size}"),
         _ => format!(
-            "{} can be left out or made simpler, and {} within {} accuracy.{size}",
+            "{} can be removed or simplified, and {} within {} accuracy.{size}",
             counted(left_out, "thing"),
             match judged {
-                1 => "the figure stays".to_owned(),
-                2 => "both figures stay".to_owned(),
-                _ => format!("all {judged} figures stay"),
+                1 => "the result stays".to_owned(),
+                2 => "both results stay".to_owned(),
+                _ => format!("all {judged} results stay"),
             },
             if judged == 1 { "its" } else { "their" },
         ),
@@ -94,10 +94,10 @@ fn times(cost: &Cost) -> String {
 /// What a step changes most, in words.
 fn greatest(reduction: &Reduction, step: &Step) -> String {
     let Some((figure, change)) = step.greatest() else {
-        return "no figure that is asked for is left to compare".to_owned();
+        return "no wanted result is left to compare".to_owned();
     };
     if change.change == 0.0 {
-        return "changes nothing that is asked for".to_owned();
+        return "changes no wanted result".to_owned();
     }
     let by = with_unit(change.change.abs(), unit(reduction, figure), 2);
     match change.share {
@@ -123,7 +123,7 @@ fn why(reduction: &Reduction, refused: &Refusal) -> String {
             figure,
             error: None,
         } => format!("there would be no {figure}"),
-        Refusal::Opens(id) => format!("the pair of {id} would open"),
+        Refusal::Opens(id) => format!("the contact of {id} would separate"),
         Refusal::Doubt(why) => format!("its run cannot be trusted: {why}"),
         Refusal::Impossible(why) => format!("there is no such scene: {why}"),
     }

@@ -122,7 +122,7 @@ pub(in crate::report) fn objects<'a>(
         ),
     };
     let mut sections = vec![
-        Section::new("Figures")
+        Section::new("Results")
             .table(tables::figures(figures))
             .legend(format!(
                 "Peaks and extremes also cover what lies between the {samples} samples {plots}"
@@ -172,7 +172,7 @@ fn window(figures: &Figures) -> String {
         (None, Some(reason)) => format!(". No steady window: {reason}"),
         (None, None) => String::new(),
     };
-    format!("Figures are taken over the whole run{judged}.")
+    format!("Results are taken over the whole run{judged}.")
 }
 
 /// How far figures move under a tiny change.
@@ -234,7 +234,7 @@ fn switches<'a>(record: &Record, figures: &Figures) -> Section<'a> {
         with_unit(last.time, "s", 6)
     );
     let summary = match count <= MOST_LISTED {
-        true => format!("{count} switches {span}"),
+        true => format!("{count} events {span}"),
         false => format!(
             "the first {MOST_LISTED} of {count} switches, {span}; all of them are in switches.csv"
         ),

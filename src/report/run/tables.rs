@@ -240,7 +240,7 @@ pub(super) fn statistics(figures: &Figures) -> Vec<Figure> {
             format!("{} accepted, {} rejected", run.steps, run.rejected),
         ),
         words("evaluations", run.evaluations.to_string()),
-        words("switches of pairs", run.switches.to_string()),
+        words("events of contacts", run.switches.to_string()),
     ]);
     rows
 }

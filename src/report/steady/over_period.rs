@@ -91,7 +91,7 @@ fn extremes(objects: &[Extremes]) -> Table {
 fn events<'a>(events: &[Event]) -> Section<'a> {
     let section = Section::new("Events over a period");
     if events.is_empty() {
-        return section.words("No pair opens or closes over the period, and nothing strikes.");
+        return section.words("No separation, closure or impact over the period.");
     }
     let row = |event: &Event| {
         vec![

@@ -83,7 +83,7 @@ fn drive_figures(drive: &DriveFigures) -> Vec<Figure> {
     let speed = |name: &str, of: f64| value(name, of, "rad/s");
     let extreme = |name: &str, of: Extreme| at(name, [of.value, of.at], "rad/s");
     let why = match drive.balance {
-        Some(_) => "asked for, held by a constant moment",
+        Some(_) => "required, held by a constant moment",
         None => "a result: motor and load decide",
     };
     let mut figures = vec![
@@ -213,13 +213,11 @@ fn verdict(answer: &PeriodicAnswer) -> Verdict {
     let judgement = answer.judgement();
     let headline = match judgement {
         Judgement::NotToBeTrusted => "A periodic motion was found that is not to be trusted.",
-        Judgement::InWorkingOrder => {
-            "A periodic motion was found that no small disturbance leaves."
-        }
+        Judgement::InWorkingOrder => "A periodic motion was found, and it is stable.",
         Judgement::NotInWorkingOrder | Judgement::NotJudged if any(Stability::Repels) => {
             "A periodic motion was found that repels its neighbours."
         }
-        Judgement::NotInWorkingOrder => "A periodic motion was found in which a pair opens.",
+        Judgement::NotInWorkingOrder => "A periodic motion was found in which a contact separates.",
         Judgement::NotJudged if !any(Stability::Undecided) => match answer.unsettled() {
             Some(part) if part.long_run.missing.is_none() => {
                 "A periodic motion was found on which the scene does not settle from its own start."
@@ -228,11 +226,9 @@ fn verdict(answer: &PeriodicAnswer) -> Verdict {
                 "A periodic motion was found. Whether the scene settles on it is not known: its \
                  long run ended early."
             }
-            None => "A periodic motion was found. Whether a pair opens is not known.",
+            None => "A periodic motion was found. Whether a contact separates is not known.",
         },
-        Judgement::NotJudged => {
-            "A periodic motion was found. Whether small disturbances leave it is not decided."
-        }
+        Judgement::NotJudged => "A periodic motion was found. Whether it is stable is not decided.",
     };
     let checks = answer.checks();
     let text = match checks.iter().find(|check| !check.passed()) {

@@ -89,7 +89,7 @@ pub fn rigid_findings<'a>(shown: &SteadyReport<'_>, source: Source<'a>) -> Findi
         answer: Some(Verdict::judged(judgement, headline, text)),
         warnings: f.warnings.clone(),
         sections: vec![
-            Section::new("Figures").figures(figures(shown)),
+            Section::new("Results").figures(figures(shown)),
             flywheel(wheel),
             flywheel(estimates),
             Section::new("Motion over a cycle").charts(Layout::Grid, "cycle", charts(shown)),
@@ -166,7 +166,7 @@ fn agreement(shown: &SteadyReport<'_>, checks: &[Check]) -> Vec<Figure> {
             short(halving.least_speed),
             short(halving.greatest_speed)
         );
-        add("change with every second sample left out", text);
+        add("change without every second sample", text);
     }
     let f = shown.figures;
     let [low, high] = f.bracket.map(|end| significant(end, 12));

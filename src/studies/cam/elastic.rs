@@ -32,7 +32,7 @@ pub enum Steady {
 /// propagation where the system qualifies, else by the scene's method.
 ///
 /// # Errors
-/// The run has no start, no cycle, or stops (a dead position).
+/// The run has no start, no cycle, or stops (a dead-centre position).
 pub fn steady_contact(
     system: &System,
     object: usize,

@@ -312,8 +312,8 @@ fn answer(
     let rates = closing.rates_for(spring.preload, speed, reserve);
     let no_rate = rates.as_ref().err().map(|none| {
         let missing = format!(
-            "no rate leaves the reserve of {} {unit} with the preload of {} {unit}: \
-             at φ = {:.3} deg {} {unit} are missing. The reserve is asked for in dwells too",
+            "no spring rate keeps the reserve of {} {unit} with the preload of {} {unit}: at φ = \
+             {:.3} deg {} {unit} are missing. The reserve is required in dwells too",
             shown(reserve, 6),
             shown(spring.preload, 6),
             none.lacking.phi.to_degrees(),

@@ -47,7 +47,7 @@ pub fn disc_cam(scene: &TypedScene, model: &Model, id: &str) -> Result<DiscCam, 
         let with = objects_with_cam(scene);
         let message = match object {
             None => format!("there is no object `{id}`"),
-            Some(_) => format!("`{id}` tells nothing of its cam"),
+            Some(_) => format!("`{id}` does not describe its cam"),
         };
         let hint = match with.is_empty() {
             true => {
@@ -71,7 +71,7 @@ pub fn disc_cam(scene: &TypedScene, model: &Model, id: &str) -> Result<DiscCam, 
             _ => 1.0,
         };
         if chain.pair.closure == Closure::Force && away != wanted {
-            let message = "the pair opens towards the cam, which stands in the way";
+            let message = "the contact separates towards the cam, which is in the way";
             let hint = "turn `pair.opens` or `cam.positive` round";
             faults.add("cam.positive", message, hint);
         }

@@ -63,7 +63,7 @@ impl<'m> Reduction<'m> {
         if let Some((several, _)) = (parts.clone()).find(|(one, is)| **is && one.inputs.len() > 1) {
             let id = &several.id;
             return Err(format!(
-                "`{id}` has several inputs: what it loads the cam with is not told"
+                "`{id}` has several inputs: its load on the cam is not determined"
             ));
         }
         let mut nodes: Vec<usize> = parts
@@ -104,7 +104,7 @@ impl<'m> Reduction<'m> {
                 }
                 LoadLaw::Function { function, .. } if function.dry_friction().is_some() => {
                     self.notes
-                        .push(format!("{} (friction) is left out", load.name));
+                        .push(format!("{} (friction) is not counted", load.name));
                 }
                 LoadLaw::Pieces { track, .. }
                     if self.model.tracks[*track].source == TrackSource::Time =>
@@ -113,7 +113,7 @@ impl<'m> Reduction<'m> {
                 }
                 LoadLaw::Stop(_) => {
                     self.notes.push(format!(
-                        "{} (a stop) is left out: the cam is taken to carry the follower",
+                        "{} (a stop) is not counted: the cam is taken to carry the follower",
                         load.name
                     ));
                 }

@@ -1,7 +1,7 @@
 //! The value of a parameter that meets conditions best: the highest speed at which a pair keeps
 //! its force, the least preload, the smallest base circle.
 //!
-//! One parameter goes over a range. It is looked at in a number of places first ([`Span`]); where
+//! One parameter goes over a range. It is looked at in a number of places first ([`Span`]). Where
 //! conditions cease to hold between two of them, the place is narrowed down to one part in 10⁷ of
 //! the range ([`search()`]), and where a figure is to be greatest or least, Brent's method goes on
 //! from the best place. What holds only between two neighbouring places can be missed: where a

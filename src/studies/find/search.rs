@@ -241,7 +241,7 @@ impl RangeSearch<'_> {
             let limit = match inside.share {
                 0.0 | 1.0 => Limit::Range,
                 // Ended from outside before what comes next.
-                _ => Limit::State(State::NotTrusted("nothing was looked at".to_owned())),
+                _ => Limit::State(State::NotTrusted("no place was examined".to_owned())),
             };
             return End {
                 sample: inside.clone(),

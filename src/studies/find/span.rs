@@ -60,7 +60,7 @@ impl Span {
         let count = (ends[1] - ends[0] + 1.0).max(0.0);
         if !(2.0..=MOST_WHOLE as f64).contains(&count) {
             return Err(format!(
-                "`{}` takes whole numbers, of which 2 to {MOST_WHOLE} can be looked at: there are \
+                "`{}` takes whole numbers, of which 2 to {MOST_WHOLE} can be examined: there are \
                  {count} in the range",
                 self.axis.path
             ));

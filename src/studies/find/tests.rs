@@ -139,7 +139,7 @@ fn an_equality_is_met_at_roots_and_not_at_jumps() {
 #[test]
 fn stops_end_a_range_and_what_is_not_known_leaves_it_open() {
     let stops = |x: f64| match x > 7.7 {
-        true => Err(State::Stopped("dead position".to_owned())),
+        true => Err(State::Stopped("dead-centre position".to_owned())),
         false => Ok(vec![]),
     };
     let (found, _) = find(&[], Some((Aim::Maximize, None)), &stops);

@@ -34,8 +34,8 @@ impl ForceStudy {
             return None;
         }
         Some(format!(
-            "the cam of `{name}` does not press at {count} of {} positions: without a closing force of \
-             up to {} N (at {}) the roller lifts off, and what is found here does not hold",
+            "the cam of `{name}` does not press at {count} of {} positions. Without a closing force of \
+             up to {} N (at {}) the roller lifts off, and these results do not hold",
             all.len(),
             shown(-least, 4),
             self.where_in_words(row),

@@ -20,7 +20,7 @@ pub trait PositionSource {
         (Vec::new(), None)
     }
 
-    /// Dead positions at which the reach ends, by input coordinates, as far as they are known.
+    /// Dead-centre positions at which the reach ends, by input coordinates, as far as they are known.
     fn limits(&self) -> Vec<DeadEnd> {
         Vec::new()
     }
@@ -189,7 +189,7 @@ impl Course {
         (from != to && (to - from).is_finite()).then(|| [from.min(to), from.max(to)])
     }
 
-    /// Parameter of a position at a dead position: of an even course that of the dead position
+    /// Parameter of a position at a dead-centre position: of an even course that of the dead-centre position
     /// itself.
     pub(super) fn place_of(&self, index: usize, end: &DeadEnd) -> f64 {
         match self {

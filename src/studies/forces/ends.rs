@@ -1,10 +1,10 @@
-//! Positions at dead positions that end the reach: they have no forces.
+//! Positions at dead-centre positions that end the reach: they have no forces.
 
 use super::row::{Row, Solver, Trouble};
 use super::{Course, Instant, PositionSource};
 use crate::studies::endless::{DeadEnd, approach, unbounded};
 
-/// Takes the forces off the positions of a course at a dead position that ends the reach,
+/// Takes the forces off the positions of a course at a dead-centre position that ends the reach,
 /// towards which they grow without bound: how great they are there tells how near it is.
 pub(super) fn remove_unbounded_forces<S: PositionSource>(
     solver: &mut Solver<'_, S>,
@@ -23,7 +23,7 @@ pub(super) fn remove_unbounded_forces<S: PositionSource>(
     }
 }
 
-/// Stays of a course at a dead position that ends the reach: the parameters of the first and the
+/// Stays of a course at a dead-centre position that ends the reach: the parameters of the first and the
 /// last of positions that follow one another.
 pub(super) fn dwells_at_end(course: &Course, end: &DeadEnd) -> Vec<[f64; 2]> {
     let there: Vec<usize> = (0..course.rows())
@@ -35,7 +35,7 @@ pub(super) fn dwells_at_end(course: &Course, end: &DeadEnd) -> Vec<[f64; 2]> {
     stays.map(|[a, b]| [a.min(b), a.max(b)]).collect()
 }
 
-/// Rows ever nearer to the dead position at the end of the reach at which a place of the course
+/// Rows ever nearer to the dead-centre position at the end of the reach at which a place of the course
 /// lies, in the motion and under the loads that belong to the place.
 pub(super) fn towards<S: PositionSource>(
     solver: &mut Solver<'_, S>,

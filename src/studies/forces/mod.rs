@@ -242,7 +242,7 @@ impl ForceStudy {
         })
     }
 
-    /// Number of positions that have no forces where there should be some: at a dead position
+    /// Number of positions that have no forces where there should be some: at a dead-centre position
     /// that ends the reach there are none.
     pub fn missing(&self) -> usize {
         let rows = self.rows.iter();
@@ -257,13 +257,16 @@ impl ForceStudy {
         let several = count(&|forces| forces.solved.solutions > 1);
         if several > 0 {
             warnings.push(format!(
-                "friction is so strong that {several} positions have more than one solution; the one reached from no friction is given, or, where that way leads to none, the one with the least friction"
+                "friction is so strong that {several} positions have more than one solution. The \
+                 one that continues from no friction is given; if there is none, the one with the \
+                 least friction"
             ));
         }
         let bad = count(&|forces| forces.solved.condition.is_some_and(|c| c > BAD_CONDITION));
         if bad > 0 {
             warnings.push(format!(
-                "{bad} positions are so near to a dead position that the condition number is above {}",
+                "{bad} positions are so near to a dead-centre position that the condition number \
+                 is above {}",
                 shown(BAD_CONDITION, 1)
             ));
         }
@@ -272,13 +275,16 @@ impl ForceStudy {
         let ends = self.rows.len() - self.solved().count() - missing;
         if ends > 0 {
             warnings.push(
-                "the reach ends in a dead position, towards which forces grow without bound: they cannot be known there; a range that ends before it has greatest forces, and work"
+                "the range of motion ends in a dead-centre position, towards which forces grow \
+                 without bound. They cannot be known there. A range that ends before it has \
+                 greatest forces, and work"
                     .to_owned(),
             );
         }
         if self.indeterminate.drive {
             warnings.push(
-                "the friction of statically indeterminate pairs leaves the driving force open: it, its work and its losses are left out"
+                "the friction of statically indeterminate joints leaves the driving force \
+                 undetermined: it, its work and its losses are missing"
                     .to_owned(),
             );
         }
@@ -288,7 +294,8 @@ impl ForceStudy {
             && self.course.panels().is_some()
         {
             warnings.push(
-                "between two positions there are no forces: work, losses and efficiency of the course are left out; more positions show where"
+                "between two positions there are no forces: work, losses and efficiency of the \
+                 course are missing; more positions show where"
                     .to_owned(),
             );
         }

@@ -35,18 +35,19 @@ pub enum Trouble {
     OutOfReach(String),
     /// Kinetostatics found none.
     Failure(ForceFailure),
-    /// The reach ends there in a dead position towards which forces grow without bound.
+    /// The reach ends there in a dead-centre position towards which forces grow without bound.
     EndOfReach,
 }
 
 impl fmt::Display for Trouble {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::OutOfReach(reason) => write!(f, "out of reach: {reason}"),
+            Self::OutOfReach(reason) => write!(f, "outside the range of motion: {reason}"),
             Self::Failure(failure) => write!(f, "{failure}"),
             Self::EndOfReach => write!(
                 f,
-                "end of the reach: forces grow without bound towards the dead position"
+                "end of the range of motion: forces grow without bound towards the dead-centre \
+                 position"
             ),
         }
     }
@@ -167,7 +168,7 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         self.source.singular()
     }
 
-    /// Dead positions at which the reach ends.
+    /// Dead-centre positions at which the reach ends.
     pub(super) fn limits(&self) -> Vec<DeadEnd> {
         self.source.limits()
     }

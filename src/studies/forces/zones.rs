@@ -28,7 +28,7 @@ const SEARCH: u32 = 30;
 /// A zone of this part of the course is none.
 const NO_ZONE: f64 = 1e-9;
 
-/// An interval of the course in which something is wrong; a dead position that is
+/// An interval of the course in which something is wrong; a dead-centre position that is
 /// passed at once is an interval of no width.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Zone {
@@ -51,7 +51,7 @@ pub enum ZoneKind {
     SelfLocking,
     /// No driving force moves the linkage: no reactions agree with their friction.
     Locked,
-    /// The driver cannot balance the links: a dead position.
+    /// The driver cannot balance the links: a dead-centre position.
     Dead,
     /// The linkage cannot be assembled.
     OutOfReach,
@@ -76,7 +76,7 @@ impl ZoneKind {
         match self {
             Self::SelfLocking => "self-locking: the load cannot drive against friction",
             Self::Locked => "locked: no driving force overcomes friction",
-            Self::Dead => "dead position",
+            Self::Dead => "dead-centre position",
             Self::OutOfReach => "cannot be assembled",
             Self::Failed => "no forces",
         }
@@ -155,7 +155,7 @@ pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Cours
     zones
 }
 
-/// The zone of a single position at a dead position that ends the reach.
+/// The zone of a single position at a dead-centre position that ends the reach.
 fn single<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Course) -> Option<Zone> {
     let at = course.instant(0).motion.coordinate;
     let end = solver.limits().into_iter().find(|end| end.is_at(at))?;
@@ -208,12 +208,12 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         }
     }
 
-    /// Adds the dead positions at the end of the reach to which the course comes, where there is
+    /// Adds the dead-centre positions at the end of the reach to which the course comes, where there is
     /// no zone yet. How far the zones are looked at.
     fn limits(&self, zones: &mut Vec<Zone>, [first, last]: [f64; 2]) -> [f64; 2] {
         for end in self.solver.limits() {
             for [from, to] in ends::dwells_at_end(self.course, &end) {
-                // (The dead position may lie just beyond the course.)
+                // (The dead-centre position may lie just beyond the course.)
                 let [low, high] = [from, to].map(|place| place.clamp(first, last));
                 if zones.iter().all(|zone| zone.to < low || high < zone.from) {
                     zones.push(Zone {
@@ -359,7 +359,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     }
 }
 
-/// Rows ever nearer to an end from a free place. At a dead position that ends the reach they go
+/// Rows ever nearer to an end from a free place. At a dead-centre position that ends the reach they go
 /// there by the input coordinate: a motion over time may stop short of it.
 pub(super) fn rows_towards<S: PositionSource>(
     solver: &mut Solver<'_, S>,

@@ -8,7 +8,7 @@ use crate::studies::endless::unbounded;
 /// only.
 const LOCATED: f64 = 1e-9;
 
-/// A dead position at which the rows end, with the values of all columns ever nearer to it; not
+/// A dead-centre position at which the rows end, with the values of all columns ever nearer to it; not
 /// a number where they are not determined.
 pub(super) struct Edge {
     pub(super) at: f64,

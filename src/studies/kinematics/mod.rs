@@ -28,7 +28,7 @@ pub use request::{
     whole_travel,
 };
 pub use study::{even_motion, kinematics};
-pub use subject::{Subject, linkage_of, reaches, several_of};
+pub use subject::{Subject, assembly_modes, linkage_of, reaches, several_of};
 
 use crate::dynamics::model::{Coordinate, Model};
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
@@ -219,7 +219,7 @@ pub struct Column {
     pub error: f64,
     /// Rows at which the error is so great that the value is not determined.
     pub undetermined: usize,
-    /// Dead positions at the ends of the rows towards which it grows without bound.
+    /// Dead-centre positions at the ends of the rows towards which it grows without bound.
     pub unbounded: Vec<f64>,
 }
 
@@ -237,7 +237,7 @@ impl Column {
 }
 
 /// Least and greatest value of a column and where they are on the axis; infinite where it grows
-/// without bound towards a dead position at the end of the reach.
+/// without bound towards a dead-centre position at the end of the reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremes {
     /// (place on the axis, value).
@@ -264,7 +264,7 @@ pub struct Stroke {
 
 /// The transmission angle of a dyad: the acute angle between the link that
 /// pushes and the direction in which the pushed joint cannot give way; 90° is
-/// best, 0 a dead position of the output.
+/// best, 0 a dead-centre position of the output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transmission {
     /// The group: `rod and rocker`.

@@ -6,7 +6,7 @@ use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::linkage::{Cause, Linkage, Reach};
 use crate::math::jet::Jet;
 
-/// Part of a reach that is kept away from dead positions at its ends.
+/// Part of a reach that is kept away from dead-centre positions at its ends.
 const ROOM: f64 = 1e-6;
 
 /// Most rows of a study.
@@ -179,7 +179,7 @@ impl<'a> KinematicsRequest<'a> {
         if asked.also.is_some_and(|also| !asked.within(also)) {
             let [from, to] = span(&asked);
             return Err(format!(
-                "the place {} lies outside what is looked at: {from} to {to}",
+                "the place {} is outside the range: {from} to {to}",
                 asked.also.unwrap_or(f64::NAN)
             ));
         }
@@ -213,7 +213,7 @@ impl<'a> KinematicsRequest<'a> {
                 "a range needs two finite ends, or the same one twice for one position".to_owned(),
             ),
             Over::Range { from, .. } if self.outside(from) => Err(format!(
-                "the range begins outside the reach of `{}`: {}",
+                "the range begins outside the range of motion of `{}`: {}",
                 self.object,
                 self.range_in_words()
             )),
@@ -297,7 +297,7 @@ fn inside_reach(linkage: &Linkage, over: Over) -> Over {
         for (end, inwards) in [(lower, room), (upper, -room)] {
             if (place - end.at).abs() <= room {
                 return match end.cause {
-                    // Dead positions themselves are left out.
+                    // Dead-centre positions themselves are left out.
                     Cause::DeadPosition { .. } => end.at + inwards,
                     Cause::Travel | Cause::Unexplored => end.at,
                 };

@@ -32,7 +32,7 @@ pub(super) trait Course {
     /// Goes on from a row noted earlier, where that makes a difference.
     fn resume(&mut self, _row: usize) {}
 
-    /// Places of dead positions at which the reach ends, as far as they are known.
+    /// Places of dead-centre positions at which the reach ends, as far as they are known.
     fn limits(&self) -> Vec<DeadEnd> {
         Vec::new()
     }
@@ -125,7 +125,7 @@ impl<C: Course> Rows<C> {
         Ok(())
     }
 
-    /// The dead positions at which the rows end.
+    /// The dead-centre positions at which the rows end.
     fn edges(&mut self) -> Vec<Edge> {
         let (Some(&first), Some(&last)) = (self.places.first(), self.places.last()) else {
             return Vec::new();
@@ -194,8 +194,8 @@ pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
     if let Some(names) = named(doubtful.clone()) {
         let most = doubtful.map(|column| column.undetermined).max();
         warnings.push(format!(
-            "{names} cannot be told at up to {} of {rows} positions: so near to a singular position \
-             rounding changes them by more than {} of their size",
+            "{names} are not determined at up to {} of {rows} positions: so near to a singular \
+             position rounding changes them by more than {} of their size",
             most.unwrap_or(0),
             shown(DETERMINED, 1)
         ));

@@ -117,7 +117,7 @@ fn limits(asked: &KinematicsRequest<'_>) -> Vec<Limit> {
 fn cause(asked: &KinematicsRequest<'_>, cause: Cause) -> String {
     match cause {
         Cause::DeadPosition { group } => format!(
-            "dead position: {} in line",
+            "dead-centre position: {} in line",
             asked.linkage.structure().describe(group)
         ),
         Cause::Travel => "end of the travel".to_owned(),

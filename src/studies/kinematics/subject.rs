@@ -144,6 +144,52 @@ pub fn reaches(model: &Model) -> Vec<String> {
     words.chain(redundant).collect()
 }
 
+/// The assembly mode of every linkage that has another, each in a sentence with how to choose the
+/// other.
+pub fn assembly_modes(model: &Model) -> Vec<String> {
+    let single = model.linkages.iter();
+    let single = single.map(|body| (body.object, body.linkage.structure()));
+    let multi = model.multi_linkages.iter();
+    let multi = multi.map(|body| (body.object, body.linkage.structure()));
+    let full = single.chain(multi).flat_map(|(object, structure)| {
+        let id = &model.objects[object].id;
+        let modes = structure.assembly_modes().into_iter();
+        modes.map(move |mode| format!("`{id}`: {mode}"))
+    });
+    let parts = model.objects.iter();
+    let short = parts.filter_map(|part| {
+        let (name, branch) = short_branch(short(model, part)?)?;
+        let (own, other) = match branch < 0.0 {
+            true => ('-', '+'),
+            false => ('+', '-'),
+        };
+        Some(format!(
+            "`{}`: the {name} is assembled on branch {own}; the other: \"{name}\": {{ …, \
+             \"branch\": \"{other}\" }}",
+            part.id
+        ))
+    });
+    full.chain(short).collect()
+}
+
+/// The short form of a linkage by its name in a scene, and its branch.
+fn short_branch(law: &Law) -> Option<(&'static str, f64)> {
+    match &law.position {
+        Position::SliderCrank(own) => Some(("slider_crank", own.branch)),
+        Position::FourBar(own) => Some(("four_bar", own.branch)),
+        Position::SlottedLink(own) => Some(("slotted_link", own.branch_of_block()?)),
+        // (No short forms of linkages.)
+        Position::Ratio { .. }
+        | Position::Sine { .. }
+        | Position::Polynomial(_)
+        | Position::Table(_)
+        | Position::Cam(_)
+        | Position::Plan(_)
+        | Position::Linkage(_)
+        | Position::Custom(_) => None,
+    }
+}
+
 /// The law of an object that moves by the short form of a linkage.
 fn short<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
     let law = model.nodes[*part.nodes.first()?].motion.law()?;
@@ -182,7 +228,13 @@ fn assembled(position: &Position, start: f64) -> Result<Linkage, Vec<Fault>> {
     let at = |phi: f64| {
         let within = position.reach_from(phi).is_ok();
         let spec = position.as_linkage(phi).filter(|_| within);
-        let missing = || vec![Fault::new("", "it is out of reach at the start", "")];
+        let missing = || {
+            vec![Fault::new(
+                "",
+                "it is outside the range of motion at the start",
+                "",
+            )]
+        };
         Linkage::new(spec.ok_or_else(missing)?)
     };
     let reach = position.reach_from(start).ok().flatten();

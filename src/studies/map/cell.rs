@@ -197,7 +197,7 @@ impl Task<'_> {
             steady: &mut |object, begun| self.steady(&found, object, begun, cycle?),
         });
         if found.grazing > 0 {
-            cause.push_str("; a pair grazes, its switches are not certain");
+            cause.push_str("; a contact grazes, its events are not certain");
         }
         // What was interrupted in between may have been judged by half of it.
         if self.control.is_spent() {
@@ -368,7 +368,7 @@ fn mark(cell: &mut Cell, moved: f64, bound: f64) {
             true => format!("moves by {moved} of its scale", moved = shown(moved, 2)),
             false => "is gone".to_owned(),
         };
-        let not = format!("the figure {how} when the loads change by {CHANGE:e}: not determined");
+        let not = format!("the result {how} when the loads change by {CHANGE:e}: not determined");
         cell.cause = match cell.cause.as_str() {
             "" => not,
             cause => format!("{cause}; {not}"),

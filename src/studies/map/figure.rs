@@ -28,8 +28,8 @@ pub(super) fn no_elastic_object_message(model: &Model) -> String {
     let all = ["peak_speed", "peak_acceleration", "peak_reaction"];
     let all = all.map(|name| format!("{id}.{name}")).join(", ");
     format!(
-        "nothing in this scene is elastic at the corners and in the middle of the map, so that \
-         there is no δ to map; name a figure with --figure, every cell has for example {all}"
+        "nothing in this scene is elastic at the corners and in the middle of the map: there is \
+         no δ to map. Name a result with --figure; every cell has for example {all}"
     )
 }
 
@@ -51,7 +51,7 @@ pub(in crate::studies) fn check_figure(figure: &str, model: &Model) -> Result<()
     };
     Err(Fault::new(
         "",
-        format!("there is no figure `{figure}`"),
+        format!("there is no result `{figure}`"),
         hint,
     ))
 }
@@ -94,7 +94,7 @@ fn of_object(figures: &ObjectFigures, name: &str) -> Option<f64> {
 }
 
 /// The object of a figure (index in the model), if it is elastic, with what a run has to
-/// find for the figure and its scale (extremes of δ in any case); `None` where a run has
+/// find for the figure and its scale (extremes of δ in any case). `None` where a run has
 /// to find everything: for other figures, or with rigid pairs, whose margins a mechanism
 /// is judged by.
 pub(super) fn figure_of_object(figure: &str, model: &Model) -> Option<(usize, RequestedFigures)> {

@@ -183,7 +183,7 @@ pub fn read(study: &Study<'_>, bytes: &[u8]) -> Result<Journal, String> {
             .next()
             .and_then(body::<Head>);
         return Err(match known {
-            Some(_) => "it belongs to another study: the scene, the axes, the figure, the \
+            Some(_) => "it belongs to another study: the scene, the axes, the result, the \
                         settings or the program have changed since"
                 .to_owned(),
             None => "it is no journal of a map".to_owned(),

@@ -52,7 +52,8 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
         return match (0..objects).find_map(|object| creeps(evidence, object)) {
             Some(cause) => (Verdict::CreepNotJudged, cause),
             None => {
-                let cause = "no pair opens; there is no window in which to see whether it goes on";
+                let cause = "no loss of contact; there is no window in which to see whether it \
+                             goes on";
                 (Verdict::NotJudged, cause.to_owned())
             }
         };
@@ -62,10 +63,10 @@ pub(super) fn judge(evidence: &mut Evidence<'_>) -> (Verdict, String) {
     }
     let cause = match evidence.rigid.margin {
         Some(margin) => format!(
-            "no pair opens; rigid, the least contact force is {margin}",
+            "no loss of contact; rigid, the least contact force is {margin}",
             margin = shown(margin, 7)
         ),
-        None => "no pair opens".to_owned(),
+        None => "no loss of contact".to_owned(),
     };
     (Verdict::InWorkingOrder, cause)
 }
@@ -132,7 +133,7 @@ fn separation_verdict(evidence: &Evidence<'_>, object: usize) -> Option<(Verdict
     let thrown = amplitude.filter(|&amplitude| greatest > THROWN_OFF * amplitude);
     let leaves = thrown.map(|amplitude| {
         let times = greatest / amplitude;
-        format!("leaves its law by {times:.3} times the law's amplitude")
+        format!("deviates from its law by {times:.3} times the law's amplitude")
     });
     let mut how = in_words(evidence, pair);
     let judgement = Judgement::of_pair(pair);
@@ -160,7 +161,7 @@ fn separation_verdict(evidence: &Evidence<'_>, object: usize) -> Option<(Verdict
 /// How often and how long a pair opens, and in how many cycles.
 fn in_words(evidence: &Evidence<'_>, pair: &PairFigures) -> String {
     let mut text = format!(
-        "opens {} times, for {} s at most",
+        "separates {} times, for {} s at most",
         pair.separations,
         shown(pair.longest_separation, 5)
     );
@@ -173,7 +174,7 @@ fn in_words(evidence: &Evidence<'_>, pair: &PairFigures) -> String {
             .collect();
         cycles.dedup();
         text.push_str(&format!(
-            ", with switches in {} of {all} cycles",
+            ", with events in {} of {all} cycles",
             cycles.len()
         ));
     }

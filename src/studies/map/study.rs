@@ -242,7 +242,7 @@ impl<'a> Study<'a> {
         let model = system.model();
         check_figure(&self.figure, model).map_err(|fault| {
             let hint = match fault.hint.is_empty() {
-                true => "write object.figure, for example rocker.delta_abs",
+                true => "write object.result, for example rocker.delta_abs",
                 false => fault.hint.as_str(),
             };
             StudyFault::Question(format!("{}; {hint}", fault.message))

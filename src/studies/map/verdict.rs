@@ -55,7 +55,7 @@ pub enum Verdict {
     /// Engaged motion, periodic, [`RESONANCE`] times beyond the quasi-static
     /// deflection, with a natural frequency near a harmonic of the drive.
     Resonance,
-    /// The mechanism cannot go on: a dead position.
+    /// The mechanism cannot go on: a dead-centre position.
     Stopped,
     /// The budget of steps or switches was spent before the end of the run. Nothing
     /// wrong was found up to there.
@@ -132,7 +132,7 @@ impl Verdict {
             Self::NotJudged => "run too short to judge",
             Self::ThrownOff => "thrown off",
             Self::Resonance => "resonance",
-            Self::Stopped => "dead position",
+            Self::Stopped => "dead-centre position",
             Self::NotFinished => "run not finished",
             Self::NumericalFailure => "computation failed",
             Self::Refused => "no such mechanism",

@@ -4,7 +4,7 @@
 //! Every method runs the scene at a ladder of tolerances, or of steps. Each
 //! point is timed (from the system ready to all samples of δ and all switch
 //! times, the median of repeated runs), its error is taken against a reference,
-//! and it is judged: a point that is not what it should be is named with its
+//! and it is judged. A point that is not what it should be is named with its
 //! cause. From the points the fastest method for the asked accuracy follows.
 //!
 //! Errors of the trajectory are the greatest difference of δ at the samples

@@ -101,7 +101,7 @@ fn none<'a>(points: impl Iterator<Item = (&'a MethodLine, f64)>, accuracy: f64) 
         error: None,
         measured_seconds: None,
         text: format!(
-            "no method is known to reach an error of {accuracy}; {nearest}",
+            "no method is known to have an error of {accuracy}; {nearest}",
             accuracy = shown(accuracy, 1)
         ),
     }

@@ -64,7 +64,7 @@ impl Verdict {
             Self::Inaccurate => "inaccurate",
             Self::Unstable => "unstable",
             Self::StepFloor => "step at its floor",
-            Self::SwitchesMissed => "switches missed",
+            Self::SwitchesMissed => "events missed",
             Self::Chatter => "chatter",
             Self::Refused => "refused",
             Self::GaveUp => "gave up",
@@ -152,7 +152,7 @@ fn broken_off(
     let (found, total) = (timed.trace.switches.len(), truth.trace.switches.len());
     (found > total + CHATTER.max(total)).then(|| {
         let cause = format!(
-            "{found} switches by t = {} s, where the run was stopped; in truth {total} in all",
+            "{found} events until t = {} s, where the run was stopped; the true number is {total}",
             shown(timed.outcome.time, 7)
         );
         (Verdict::Chatter, with_limit(cause, timed, bound))
@@ -181,7 +181,7 @@ fn stopped(
             format!("stopped {at} after {bound} steps"),
         ),
         Stop::TooManySwitches { bound: most } => {
-            let cause = format!("more than {most} switches {at}");
+            let cause = format!("more than {most} events {at}");
             match known || has_accumulated_events(&timed.trace) {
                 true => (Verdict::Chatter, with_limit(cause, timed, bound)),
                 false => (Verdict::GaveUp, cause),
@@ -291,13 +291,13 @@ fn converged(error: f64, asked: f64, name: &str) -> String {
             "the error is within the {name} of {asked}",
             asked = shown(asked, 1)
         ),
-        false => "as near to the reference as can be told".to_owned(),
+        false => "as near to the reference as can be measured".to_owned(),
     }
 }
 
 /// The verdict on a count of switches that is not the true one.
 fn switches(found: usize, truth: usize) -> Option<(Verdict, String)> {
-    let cause = format!("{found} switches, in truth {truth}");
+    let cause = format!("{found} events, the true number is {truth}");
     if found == truth {
         None
     } else if found > truth + CHATTER.max(truth) {

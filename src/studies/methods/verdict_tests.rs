@@ -43,7 +43,7 @@ fn switches_that_accumulate_at_an_instant_are_chatter() {
         .map(|k| 0.25 - 0.2 * (2.0f64 / 3.0).powi(k))
         .collect();
     times.resize(130, 0.25);
-    let reason = "component 0 switches to and fro 64 times at t = 0.25 s without moving on";
+    let reason = "component 0 changes to and fro 64 times at t = 0.25 s without moving on";
     let (verdict, cause) = gives_up(reason, times.clone());
     assert_eq!((verdict, cause.as_str()), (Verdict::Chatter, reason));
     // The same number of switches, each later than the one before, is none.

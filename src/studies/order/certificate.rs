@@ -124,10 +124,10 @@ impl FigureAccuracy {
             "" => String::new(),
             unit => format!(" {unit}"),
         };
-        let asked = format!("{figure} does not hold the accuracy asked for");
+        let asked = format!("{figure} does not have the required accuracy");
         let words = match (self.error, &self.why) {
             (Some(error), _) => format!(
-                "{asked}: it may be off by {}{unit}, and {}{unit} is allowed",
+                "{asked}: its error may be {}{unit}, and {}{unit} is allowed",
                 shown(error, 2),
                 shown(self.asked, 2)
             ),

@@ -122,7 +122,7 @@ fn measured(
             let unit = fine.figures.unit(&asked.figure);
             let number = |number: f64| format!("{} {unit}", shown(number, 2));
             let words = format!(
-                "the accuracy asked for needs no finer one: {} is {} off by it, measured, where \
+                "the required accuracy needs no finer one: {} has an error of {} by it, measured; \
                  a tenth of its accuracy is {}",
                 asked.figure,
                 number(off).trim_end(),
@@ -133,7 +133,7 @@ fn measured(
         measured.insert(asked.figure.clone(), off);
     }
     coarse.measured = measured;
-    let counts = || "the figures asked for count, and a finer run counts the same".to_owned();
+    let counts = || "the wanted results are counts, and a finer run gives the same".to_owned();
     Some(deciding.map_or_else(counts, |(_, words)| words))
 }
 

@@ -265,7 +265,7 @@ fn figure_accuracy(chosen: &Trial, asked: &RequestedFigure, course: &Course) -> 
 fn undetermined(scatter: f64) -> String {
     match scatter.is_finite() {
         true => format!(
-            "it does not settle as the model is refined: the last models lie {} apart",
+            "it does not settle as the model is refined: the last models differ by {}",
             crate::units::shown(scatter, 3)
         ),
         false => "the model cannot be refined".to_owned(),

@@ -168,7 +168,7 @@ impl<'s> Trials<'s> {
             }
             (Ending::Complete | Ending::OfMechanism, true) => None,
             (Ending::Complete | Ending::OfMechanism | Ending::OfComputation, _) => {
-                Some("its figures are in doubt".to_owned())
+                Some("its results are in doubt".to_owned())
             }
         };
         let left_out = match exact && doubt.is_none() {

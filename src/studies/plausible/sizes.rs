@@ -250,9 +250,9 @@ fn too_soft(model: &Model, ways: &[Option<NodePath>], part: &ObjectPart) -> Opti
     soft.then(|| {
         let hertz = |square: f64| short(square.sqrt() / std::f64::consts::TAU);
         format!(
-            "`{}` does not follow its law: its own vibration of some {} Hz is slower by orders of \
-             magnitude than its motion of some {} Hz; look at its stiffness, {} {}, and inertia, \
-             {} {}",
+            "`{}` does not follow its law. Its natural frequency of some {} Hz is orders of \
+             magnitude below that of its motion, some {} Hz. Check its stiffness, {} {}, and \
+             inertia, {} {}",
             part.id,
             hertz(own),
             hertz(motion),
@@ -303,8 +303,8 @@ pub(super) fn beyond_sense(model: &Model, ways: &[Option<NodePath>]) -> Vec<Stri
                 Coordinate::Sliding => String::new(),
             };
             format!(
-                "`{}` reaches {} {unit}{rpm}: no mechanism moves as fast; look at the unit of \
-                 the speed",
+                "`{}` reaches {} {unit}{rpm}: no mechanism moves as fast; check the unit of the \
+                 speed",
                 part.id,
                 short(speed)
             )

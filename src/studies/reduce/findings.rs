@@ -172,7 +172,7 @@ impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Level { from, to } => write!(f, "{to} in place of {from}"),
-            Self::Opening => f.write_str("a bilateral pair, which never opens"),
+            Self::Opening => f.write_str("a bilateral contact, which never separates"),
             Self::Contact => f.write_str("no contact element in the pair"),
             Self::Load(name) => write!(f, "without `{name}`"),
             Self::Stop(name) => write!(f, "without the stop `{name}`"),

@@ -80,7 +80,7 @@ fn agreed(name: &'static str, value: f64) -> Judged {
 pub fn rigid_checks(figures: &SteadyFigures, agreement: Option<&Agreement>) -> Vec<Judged> {
     let mut checks = agreement.map(Agreement::checks).unwrap_or_default();
     checks.push(Judged {
-        name: "mean speed asked for",
+        name: "mean speed required",
         value: figures.miss,
         bound: figures.tolerance.max(AGREED),
     });

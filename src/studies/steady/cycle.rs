@@ -240,14 +240,14 @@ fn no_common_period() -> String {
 }
 
 /// What repeats together.
-const TOGETHER: &str = "ratios of whole numbers of teeth, \"ratio\": 0.4878048780487805 for 20/41, and \
-                        loads over time whose frequency is to that of the drive as small whole numbers; \
-                        `dam run` follows the scene as it is";
+const TOGETHER: &str = "give ratios of whole numbers of teeth (20/41: \"ratio\": \
+                        0.4878048780487805). Loads over time need a frequency that is to the \
+                        drive's as small whole numbers. `dam run` follows the scene as it is";
 
 /// Why something never repeats, and what does.
 const LEFT_BEHIND: (&str, &str) = (
     "a table that does not repeat, over a displacement that grows with every turn: the machine \
-     leaves it behind",
+     moves past it",
     "a `period`",
 );
 const NO_WHOLE_TURNS: (&str, &str) = (

@@ -49,8 +49,9 @@ pub(super) fn multi_input_objects(model: &Model, moved: &[bool]) -> Vec<Fault> {
     combined
         .map(|part| {
             let id = &part.id;
-            let message =
-                format!("`{id}` has several inputs: its steady motion is not asked of one drive");
+            let message = format!(
+                "`{id}` has several inputs: its steady motion does not belong to one drive"
+            );
             Fault::new(format!("{id}.inputs"), message, "follow it with `dam run`")
         })
         .collect()
@@ -161,7 +162,7 @@ impl Machine {
         {
             let id = &self.system.model().objects[object].id;
             let message = "it cannot be assembled over the whole cycle of its drive";
-            let hint = "a mechanism that turns fully, or swings within its reach";
+            let hint = "a mechanism that turns fully, or swings within its range of motion";
             return Err(vec![Fault::new(format!("{id}.position"), message, hint)]);
         }
         let mut breaks = Vec::new();

@@ -83,7 +83,10 @@ impl Answer {
         match self {
             Self::Rigid(_) if !ids.is_empty() => {
                 let of = ids.join(", ");
-                let words = format!("whether the pair of {of} opens is judged by `dam run` alone");
+                let words = format!(
+                    "whether the contact of {of} separates is judged by `dam run` \
+                                     alone"
+                );
                 Some(words)
             }
             Self::Rigid(_) | Self::Periodic(_) => None,
@@ -201,8 +204,8 @@ fn friction_faults(model: &Model) -> Vec<Fault> {
              motion is found of machines without"
         );
         let hint = format!(
-            "`--set {id}.joint_friction=false`; `dam run` runs it with its friction, `dam \
-             forces` tells what friction costs over a turn"
+            "`--set {id}.joint_friction=false`; `dam run` runs it with its friction, `dam forces` \
+             shows what friction costs over a turn"
         );
         Fault::new(format!("{id}.joint_friction"), message, hint)
     })

@@ -42,7 +42,7 @@ fn contradictions(model: &Model, drive: usize, spec: &SteadySpec) -> Vec<Fault> 
             "mean_speed",
             format!(
                 "the mean speed of `{id}` is a result of its motor and of what it carries, losses \
-                 in elastic objects included: none can be asked for as they are"
+                 in elastic objects included: none can be prescribed as they are"
             ),
             "`balance` adds the constant moment beside the motor that holds this mean speed; or \
              leave `mean_speed` out",
@@ -51,7 +51,7 @@ fn contradictions(model: &Model, drive: usize, spec: &SteadySpec) -> Vec<Fault> 
             "balance",
             format!(
                 "a constant moment beside the motor of `{id}` is found for a mean speed, and none \
-                 is asked for"
+                 is given"
             ),
             "\"steady\": { \"mean_speed\": \"300 rpm\" }, or --mean-speed \"300 rpm\"; without \
              `balance` motor and load balance the cycle by themselves",
@@ -72,7 +72,7 @@ fn obstacles(model: &Model, drive: usize, moved: &[bool]) -> Vec<Fault> {
                  repeats that depends on both",
                 other.id
             );
-            let hint = format!("a scene with `{id}` and what hangs on it alone");
+            let hint = format!("a scene of `{id}` and of what it drives alone");
             Fault::new(&other.id, message, hint)
         })
         .collect();

@@ -143,7 +143,7 @@ impl<'a> PhaseMap<'a> {
             });
         }
         Err(format!(
-            "the drive does not get from φ = {} to {} rad: after {} s it stands at {} rad",
+            "the drive does not get from φ = {} to {} rad: after {} s it is at {} rad",
             shown(start, 7),
             shown(target, 7),
             shown(time, 4),

@@ -49,7 +49,7 @@ pub(super) fn answer(
     } else {
         let Some(mean_speed) = spec.mean_speed.or(speed_of_drive) else {
             let message = "all forces depend on the position alone: every mean speed has its \
-                           steady motion, and none is asked for";
+                           steady motion, and none is given";
             let hint = "\"steady\": { \"mean_speed\": \"300 rpm\" }, or --mean-speed \"300 rpm\"";
             return Err(vec![Fault::new("steady.mean_speed", message, hint)]);
         };

@@ -78,7 +78,7 @@ fn zones_do_not_depend_on_positions() {
         "{text}"
     );
     let words: Vec<&str> = text.split_whitespace().collect();
-    let zone = "90 deg 90 deg dead position";
+    let zone = "90 deg 90 deg dead-centre position";
     assert!(words.join(" ").contains(zone), "{text}");
 }
 
@@ -119,7 +119,7 @@ fn a_range_that_equals_the_reach_is_inside_it() {
     let found = document(&["kinematics", &cylinder, "--range", "900:1400 mm", "--json"]);
     assert!(found["stopped"].is_null(), "{}", found["stopped"]);
     assert_eq!(found["axis"]["values"].as_array().unwrap().len(), 361);
-    // Ends as they are told, dead positions, to the digits that are told.
+    // Ends as they are told, dead-centre positions, to the digits that are told.
     let short = scenario("limits/short_rod.json");
     let found = document(&[
         "kinematics",

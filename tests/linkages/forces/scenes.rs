@@ -73,7 +73,7 @@ fn scenes_are_the_mechanisms_of_the_reference() {
     }
 }
 
-/// Two rockers between dead positions, the second under a couple or not.
+/// Two rockers between dead-centre positions, the second under a couple or not.
 fn two_rockers(couple: &str) -> ForceStudy {
     let scene = format!(
         r#"{{ "dam": 1, "name": "two rockers", "run": {{ "duration": 1 }}, "objects": {{
@@ -143,7 +143,7 @@ fn towards_dead_positions_at_the_ends_forces_grow_without_bound() {
     assert!(found.extremes.iter().all(ends));
 }
 
-/// A slider-crank that its slider drives, between dead positions at 0.15 m and 0.25 m.
+/// A slider-crank that its slider drives, between dead-centre positions at 0.15 m and 0.25 m.
 const PISTON: &str = r#"{ "dam": 1, "name": "piston", "run": { "duration": 1 }, "objects": {
     "drive": { "kind": "drive", "coordinate": "sliding", "motion": { "speed": "25 mm/s", "displacement": "0.2 m" } },
     "engine": { "kind": "linkage", "input": "drive", "driver": "guide", "start": "0.2 m",
@@ -183,7 +183,7 @@ fn sliding([from, to]: [f64; 2], count: usize) -> Course {
     }
 }
 
-/// However long the course is, and on whichever side of it: at a dead position the crank, which
+/// However long the course is, and on whichever side of it: at a dead-centre position the crank, which
 /// has inertia, is driven with any angular acceleration.
 #[test]
 fn no_course_has_forces_at_a_dead_position_that_ends_the_reach() {
@@ -209,7 +209,7 @@ fn no_course_has_forces_at_a_dead_position_that_ends_the_reach() {
                         found
                             .warnings()
                             .iter()
-                            .any(|one| one.contains("dead position"))
+                            .any(|one| one.contains("dead-centre position"))
                     );
                 }
             }
@@ -221,7 +221,7 @@ fn no_course_has_forces_at_a_dead_position_that_ends_the_reach() {
     }
 }
 
-/// A motion over time that turns back at the dead position, and one that ends there.
+/// A motion over time that turns back at the dead-centre position, and one that ends there.
 #[test]
 fn a_motion_over_time_has_no_forces_where_it_touches_a_dead_position() {
     // Cubics between instants go a little beyond the motion.

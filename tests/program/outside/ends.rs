@@ -316,7 +316,7 @@ fn what_once_had_no_end_ends_with_a_reason() {
                 "run.duration=1.5",
             ],
             1,
-            "dead position",
+            "dead-centre position",
         ),
     ];
     for (args, status, reason) in cases {

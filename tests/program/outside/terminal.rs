@@ -143,7 +143,7 @@ fn a_mode_without_a_rate_is_told_in_words() {
     let found = output(&["show", shaft, "--view", "model", "--set", damped]);
     assert_eq!(found.status.code(), Some(0), "{}", text(&found.stderr));
     let told = text(&found.stdout);
-    let reason = "wheel: a mode of it is faster than double precision can tell";
+    let reason = "wheel: a mode of it is faster than double precision can resolve";
     assert!(told.contains(reason), "{told}");
     assert!(!told.contains("not a number"), "{told}");
 }

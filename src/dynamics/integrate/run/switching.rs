@@ -124,7 +124,8 @@ impl<D: Dynamics> Run<'_, D> {
         }
         if self.switches_at_once > MOST_AT_ONCE {
             let reason = format!(
-                "component {} switches to and fro {MOST_AT_ONCE} times at t = {time} s without moving on",
+                "component {} changes to and fro {MOST_AT_ONCE} times at t = {time} s without \
+                 moving on",
                 watch.component
             );
             let method = self.settings.method;

@@ -76,8 +76,7 @@ impl Builder<'_> {
         let id = &self.model.objects[object].id;
         self.faults.push(Fault::new(
             format!("{id}.inputs"),
-            "the free inputs have a motion that moves no inertia: it cannot be told how fast they \
-             would go",
+            "the free inputs have a motion that moves no inertia: their speed is not determined",
             "give mass or a moment of inertia to the links that move alone there, or inertia to \
              the motors",
         ));
@@ -117,8 +116,9 @@ impl Builder<'_> {
             if !frozen.multi.is_empty() && frozen.moves_freely(frozen.laws[own.law].driver) {
                 faults.push(Fault::new(
                     format!("{}.pair.contact.restitution", id()),
-                    "it strikes what moves freely beside a linkage of several inputs: the impulse \
-                     would pass through its mass matrix, which impacts do not know",
+                    "it strikes an object with a free coordinate beside a linkage of several \
+                     inputs: the impulse would pass through the mass matrix of the linkage, which \
+                     impacts do not take",
                     "give the contact a stiffness, or prescribe the motion of its driver",
                 ));
             }
@@ -129,8 +129,8 @@ impl Builder<'_> {
             {
                 faults.push(Fault::new(
                     format!("{}.stops", id()),
-                    "between a rigid pair and a rigid stop a drive that moves freely would be held \
-                     by both at once",
+                    "a drive with a free coordinate between a rigid contact and a rigid stop \
+                     would be held by both at once",
                     "give the pair or the stop a contact with a stiffness",
                 ));
             }

@@ -9,9 +9,9 @@
 //! that friction holds it at rest. Of a linkage whose input does not keep a constant
 //! ratio to the root, or whose motion is given: its own direction. And for every
 //! linkage a track of the places at which pairs change theirs. `standstill` decides
-//! what happens where a group stops, and when it breaks loose again; `sides` where
+//! what happens where a group stops, and when it breaks loose again. `sides` where
 //! corners of blocks begin to press on the other side, and where the reaction of a pin
-//! passes close by zero, so that friction is smooth in between; `unsolved` where there
+//! passes close by zero, so that friction is smooth in between. `unsolved` where there
 //! is no motion, or more than one.
 //!
 //! All that follows a free coordinate rigidly has the acceleration q̈ = a₀ + s·T. The friction

@@ -22,8 +22,8 @@ impl System {
         PhysicalStop {
             name: "several_solutions",
             message: format!(
-                "{id} stands at t = {} s and may start in either direction: with the \
-                 friction of its joints the motion is not determined",
+                "{id} is at rest at t = {} s and may start in either direction: with the friction \
+                 of its joints the motion is not determined",
                 shown(time, 9)
             ),
             object: id,

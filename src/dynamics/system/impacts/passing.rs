@@ -139,8 +139,8 @@ impl System {
             name: "jammed",
             object: id.clone(),
             message: format!(
-                "{id} is pressed together between rigid contacts at t = {at} s: nothing gives way \
-                 there, and no motion goes on"
+                "{id} is pressed together between rigid contacts at t = {at} s: nothing there is \
+                 elastic, and no motion goes on"
             ),
         }
     }
@@ -223,7 +223,7 @@ impl System {
         let depth = crate::units::shown(depth, 6);
         crate::fault::Fault::new(
             format!("run.start.{id}"),
-            format!("at t = 0 {id} stands {depth} within its rigid contact"),
+            format!("at t = 0 {id} is {depth} within its rigid contact"),
             "a start on the flank or clear of it, or a contact with a stiffness",
         )
     }

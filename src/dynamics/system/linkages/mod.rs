@@ -1,14 +1,14 @@
 //! Rigid linkages: solved once an evaluation, for inertia, forces and outputs.
 //!
 //! On its input coordinate q a linkage is one rigid body with the inertia J(q)
-//! and the force −½·J′·q̇² − V′ + Q − D·q̇: Lagrange's equation with T = ½·J·q̇²,
+//! and the force −½·J′·q̇² − V′ + Q − D·q̇. This is Lagrange's equation with T = ½·J·q̇²,
 //! the potential V of weights and springs, all other forces Q and the damping
 //! D, each reduced to q.
 //!
 //! Its outputs are rigid nodes without inertia, and each is an object of its own in the model,
 //! the results and the reports, `press.ram`. If the input is a free coordinate, the right-hand
 //! side takes J, the forces and the outputs that drive something from polynomials (`table`).
-//! Everything else, and positions near dead positions, is solved once an evaluation.
+//! Everything else, and positions near dead-centre positions, is solved once an evaluation.
 
 mod table;
 

@@ -4,7 +4,7 @@
 //! functions of the input coordinate, and so are the outputs on which something
 //! hangs: the equations of motion ask for nothing else. They are interpolated once,
 //! piece by piece, at Chebyshev's points to rounding; where that does not succeed (a
-//! kink of a force, the neighbourhood of a dead position) the linkage is solved as
+//! kink of a force, the neighbourhood of a dead-centre position) the linkage is solved as
 //! anywhere else. The derivatives are those of the polynomials, so that energy is
 //! kept as well as with the functions themselves.
 //!

@@ -98,7 +98,7 @@ pub(super) fn polynomial(middle: Jet, below: Jet, above: Jet, radius: f64) -> [f
 
 /// Factor by which a step is too long for the polynomial of a prescribed motion over a
 /// time `radius` to both sides of `time`, when the last two coefficients may have a share
-/// `allowed`; at least 1, or 0 where the polynomial is the motion itself.
+/// `allowed`. At least 1, or 0 where the polynomial is the motion itself.
 ///
 /// The share is one of the change of speed: what a machine answers to is not the mean speed.
 pub(super) fn excess_in_time(

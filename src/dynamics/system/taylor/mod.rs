@@ -2,7 +2,7 @@
 //!
 //! With s = (t − t₀)/L, every quantity of the passes (see `passes`) is a series
 //! Σ q_k·s^k. Accelerations of order k need displacements up to order k + 1
-//! only, and give those of order k + 2: one pass over the equations for each
+//! only, and give those of order k + 2. One pass over the equations for each
 //! order, each operation by its rule for series (product, quotient, and for
 //! tanh its differential equation), as in the Taylor methods of A. Griewank and
 //! A. Walther, Evaluating derivatives (2008), chapter 13. Laws are taken along
@@ -176,7 +176,7 @@ impl Frozen {
 
     /// Series to the power `degree` over the time `length`: coefficients of all
     /// signals into `out`, one after the other. Returns what they take for
-    /// granted, at 1 just all of it: the longest way that a driver goes, in units
+    /// granted, at 1 just all of it. The longest way that a driver goes, in units
     /// of that for which its law is known, and how many times the length is that
     /// for which the series of the loads can be relied on.
     pub(super) fn expand(

@@ -373,8 +373,8 @@ impl System {
         PhysicalStop {
             name: "held_at_jump",
             message: format!(
-                "{} jumps at t = {} s so that it drives the motion back from both sides: no \
-                 motion goes on from there by this expression; for dry friction give a load \
+                "{} jumps at t = {} s so that it drives the motion back from both sides. No \
+                 motion goes on from there by this expression. For dry friction give a load \
                  `friction`, or a slope in place of the jump: tanh(phi_dot/0.001)",
                 load.name,
                 shown(time, 9)

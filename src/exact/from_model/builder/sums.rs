@@ -67,7 +67,7 @@ impl<'m> Builder<'m> {
         let followed = others.any(|other| other.is_driven_by(object));
         let mut loads = self.model.loads.iter();
         let reason = if followed {
-            "what hangs on it couples the modes that it is reduced to"
+            "what it drives couples the modes that it is reduced to"
         } else if loads.any(|load| part.nodes.contains(&load.node)) {
             "a load that depends on its motion couples the modes that it is reduced to"
         } else {

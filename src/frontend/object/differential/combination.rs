@@ -53,7 +53,7 @@ pub(super) fn combination(fields: &mut Fields<'_>) -> Option<Combination> {
             Some(ratio)
         })
     });
-    let doc = "A lever that sums by its arms: each input stands `at` a place along it.";
+    let doc = "A lever that sums by its arms: each input acts `at` a place along it.";
     let lever = fields.maybe("lever", doc, |slot| {
         slot.record(|fields| {
             let doc = "Place of the output along the lever";
@@ -90,7 +90,7 @@ pub(super) fn combine(
         let message = "one input is nothing to sum";
         let fault = fields.refuse("inputs", "contradiction", message);
         let hint =
-            "name at least two inputs; behind one driver stand `shaft`, `crank` and the like";
+            "name at least two inputs; one driver is enough for `shaft`, `crank` and the like";
         fault.hints.push(hint.to_owned());
         return None;
     }
@@ -137,7 +137,7 @@ fn coded_constraint_ratios(
             );
         }
         if input.at.is_some() {
-            refuse(fields, input, "at", "`at` stands beside `lever` only");
+            refuse(fields, input, "at", "`at` goes with `lever` only");
         }
     }
     Some(vec![Some(1.0); drivers])
@@ -145,7 +145,7 @@ fn coded_constraint_ratios(
 
 fn own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
     if input.at.is_some() {
-        refuse(fields, input, "at", "`at` stands beside `lever` only");
+        refuse(fields, input, "at", "`at` goes with `lever` only");
         return None;
     }
     if input.ratio.is_none() {
@@ -182,7 +182,7 @@ fn planetary(
             refuse(fields, input, "ratio", "the ratio follows from `planetary`");
         }
         if input.at.is_some() {
-            refuse(fields, input, "at", "`at` stands beside `lever` only");
+            refuse(fields, input, "at", "`at` goes with `lever` only");
         }
         if input.driver == Some(Coordinate::Sliding) {
             refuse(
@@ -258,7 +258,7 @@ fn lever(
         .iter()
         .any(|ratio| !ratio.is_finite() || *ratio == 0.0)
     {
-        let message = "both inputs and the output stand at three different places of a lever";
+        let message = "both inputs and the output are at three different places of a lever";
         fields.refuse("lever", "contradiction", message);
         return None;
     }

@@ -188,7 +188,7 @@ fn the_carrier(
     let (message, hint) = match found.as_slice() {
         [carrier] => return Some(*carrier),
         [] if one == other => (
-            format!("`{one}` stands in it twice"),
+            format!("`{one}` occurs in it twice"),
             "name two links".to_owned(),
         ),
         [] => {

@@ -111,7 +111,8 @@ fn strut(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     let damping = fields.or("damping", "Damping", json!(0.0), |slot| {
         slot.quantity(q::LINEAR_DAMPING, Bounds::NOT_NEGATIVE)
     });
-    let doc = "Constant force besides, as of a gas spring or a cylinder: positive pulls the ends together, negative presses them apart";
+    let doc = "Constant force besides, as of a gas spring or a cylinder: positive pulls the ends \
+               together, negative pushes them from each other";
     let force = fields.or("force", doc, json!(0.0), |slot| {
         slot.quantity(q::FORCE, Bounds::ANY)
     });

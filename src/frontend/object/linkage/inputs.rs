@@ -82,7 +82,7 @@ pub(super) fn read(
         let free = !outputs::TAKEN.contains(&name);
         if !free {
             let place = slot.name_place();
-            let message = format!("`{name}` cannot be an input: a figure is called so");
+            let message = format!("`{name}` cannot be an input: a result has this name");
             let fault = slot.refuse("bad-id", message);
             fault.place = Some(place);
             fault.hints.push("choose another name".to_owned());
@@ -146,8 +146,8 @@ fn input(
     let misplaced: &[(&str, &str)] = match driven {
         true => &[("speed", "its object gives the speed of this input")],
         false => &[
-            ("ratio", "a free input hangs on no object"),
-            ("offset", "a free input hangs on no object"),
+            ("ratio", "a free input has no driver"),
+            ("offset", "a free input has no driver"),
         ],
     };
     if !fields.describing() {
@@ -193,7 +193,7 @@ pub(super) fn driven(
     if let Some(one) = written.iter().find(twice) {
         let message = format!("`{}` is the name of an input and of an output", one.name);
         let fault = fields.refuse("outputs", "bad-id", message);
-        let hint = "every input is an output too: leave this output out, or rename it";
+        let hint = "every input is an output too: omit this output, or rename it";
         fault.hints.push(hint.to_owned());
         return None;
     }

@@ -29,16 +29,16 @@ use serde_json::json;
 /// ```
 ///
 /// Parameters: `ground` and `links` with named points (m), masses (kg), centres
-/// of mass and moments of inertia about them (kg·m²); `pairs`; `couplings`, gears, belts, racks and
-/// cams between the links; `driver`, the pair whose coordinate q is the driver's displacement (times `position`);
-/// `assembly` and `start`, which way it is put together; `gravity`, `forces`;
+/// of mass and moments of inertia about them (kg·m²). `pairs`. `couplings`, gears, belts, racks and
+/// cams between the links. `driver`, the pair whose coordinate q is the driver's displacement (times `position`).
+/// `assembly` and `start`, which way it is put together. `gravity`, `forces`.
 /// `outputs`, on which other objects hang.
 ///
 /// Equation: J(q)·q̈ + ½·J′(q)·q̇² = −V′(q) + Q(q) − D(q)·q̇ + the driver's
 /// moment or force, J, V, Q, D the inertia, potential, forces and damping
 /// reduced to q; with `joint_friction` also the friction of the pairs, which
 /// follows from their reactions, these from q, q̇ and q̈. Limits: links do not
-/// bend, pairs have no play, rollers stay on their cams; a run ends in dead positions of the driver.
+/// bend, pairs have no play, rollers stay on their cams; a run ends in dead-centre positions of the driver.
 ///
 /// With `inputs` in place of `driver` there are several coordinates q₁, …, qₘ, as many as its
 /// mobility: of pairs, or x, y and angle of a link that floats; each is moved by an object,
@@ -174,7 +174,9 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<DriveMode> {
         true => refuse_single_input_fields(fields).then_some(OneInput::default()),
         false => one_input(fields, input, driver),
     };
-    let doc = "True: the friction of the pairs acts on the motion in `dam run`, and the linkage, or single pairs of one of several inputs, may come to rest by it; false: it counts in `dam forces` only.";
+    let doc = "True: the friction of the joints acts on the motion in `dam run`. The linkage, or \
+               single joints of one with several inputs, may come to rest by it. False: it counts \
+               in `dam forces` only.";
     let joint_friction = fields.or("joint_friction", doc, json!(false), |slot| slot.flag());
     let assembly = pairs::assembly(fields, &names);
     let gravity = forces::gravity(fields);

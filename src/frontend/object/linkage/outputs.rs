@@ -82,7 +82,7 @@ pub(super) fn read(
             let free = !TAKEN.contains(&name);
             if !free {
                 let place = slot.name_place();
-                let message = format!("`{name}` cannot be an output: a figure is called so");
+                let message = format!("`{name}` cannot be an output: a result has this name");
                 let fault = slot.refuse("bad-id", message);
                 fault.place = Some(place);
                 fault.hints.push("choose another name".to_owned());
@@ -142,7 +142,7 @@ fn output(
             },
             (kind, None) => kind,
             (_, Some(_)) => {
-                let message = "`direction` stands beside `point` only";
+                let message = "`direction` goes with `point` only";
                 fields.refuse("direction", "contradiction", message);
                 return None;
             }

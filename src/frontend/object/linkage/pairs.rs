@@ -75,7 +75,8 @@ fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<Joine
             let (guide, block, kind) = sliding(slot, names)?;
             Some((guide, block, Kind::Pair(kind)))
         });
-        let doc = "Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam forces` tells its force and couple.";
+        let doc = "Two links rigidly joined, one body: no pair that moves, and no coordinate. \
+                   `dam forces` prints its force and couple.";
         kind.case("weld", doc, |slot| weld(slot, names));
         let kind = kind.finish();
         let doc = "Diameter of the pin, for friction; default 0";
@@ -84,8 +85,8 @@ fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<Joine
         });
         let whole = fits_a_block(fields, friction.unwrap_or(0.0)) && fits_a_weld(fields);
         if free && friction.is_some_and(|friction| friction > 0.0) {
-            let message = "this friction counts in `dam forces` alone: in a run the pairs move \
-                           freely, unless the linkage has `joint_friction`";
+            let message = "this friction counts in `dam forces` alone: in a run the joints are \
+                           without friction, unless the linkage has `joint_friction`";
             fields.warn("friction", "no-effect", message);
         }
         let (friction, (on, link, kind), given) = (friction?, kind?, diameter?);
@@ -291,7 +292,7 @@ fn choice(slot: Slot<'_>, link: &str, names: &Names) -> Option<AssemblyChoice> {
             }
             (choice, None) => Some(choice),
             (_, Some(_)) => {
-                let message = "`point` stands beside `near` only";
+                let message = "`point` goes with `near` only";
                 fields.refuse("point", "contradiction", message);
                 None
             }

@@ -38,7 +38,7 @@ impl Mismatch {
     ) -> [String; 2] {
         match self {
             Self::Same(link, hint) => [
-                format!("{} stands in it twice", named(link)),
+                format!("{} occurs in it twice", named(link)),
                 hint.to_owned(),
             ],
             Self::Apart(link, said) => said(&named(link), &named(coupling.carrier)),

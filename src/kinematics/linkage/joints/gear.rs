@@ -39,7 +39,7 @@ fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
             ("diameters", diameters, Sizes::Diameters),
         ],
     );
-    let doc = "True: one of them has internal teeth, and both turn the same way.";
+    let doc = "True: one of them has internal teeth, and both turn in the same sense.";
     let internal = reader.flag("internal", doc);
     let ([one, other], internal) = (sizes?, internal?);
     let sense = if internal { 1.0 } else { -1.0 };

@@ -133,7 +133,7 @@ impl Kinetostatics {
         Ok(solved)
     }
 
-    /// A singular matrix without inertia is no dead position.
+    /// A singular matrix without inertia is no dead-centre position.
     fn why_singular(&self, failure: ForceFailure, w: &ForceWorkspace) -> ForceFailure {
         let none = (0..self.size()).all(|row| self.inertia_row(row, w) == 0.0);
         if none && failure != ForceFailure::NotFinite {

@@ -2,7 +2,7 @@
 //! be a contraction.
 //!
 //! Two solutions would differ by a vector that a matrix M = 1 + f′·K takes to zero, each
-//! pair's slopes f′ being a mean of those that its law has anywhere: with the signs of a
+//! pair's slopes f′ being a mean of those that its law has anywhere. With the signs of a
 //! guide's two corners between −1 and 1, with a direction of at most length one of a pin. The
 //! determinant is linear in the slopes of each pair by itself. Where it has one sign at all
 //! corners of these sets, it is zero nowhere between them.

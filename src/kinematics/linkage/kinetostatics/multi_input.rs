@@ -1,10 +1,10 @@
 //! Joint friction of a linkage of several inputs that moves as a part of a greater mechanism.
 //!
-//! What it is coupled with is known by a few numbers: the accelerations a₀ that the inputs
+//! What it is coupled with is known by a few numbers. The accelerations a₀ that the inputs
 //! would have without this friction, their mobility G = ∂q̈/∂T over the forces T on them
 //! (symmetric; zero where motions are given), and a force and an inertia on every output.
 //! Friction τ of pairs acts on the inputs as T = Aᵀτ, with the rates A = ∂w/∂q̇ of the pairs by
-//! the inputs (its virtual work), so that q̈ = a₀ + G·Aᵀτ, and the reactions, for which the
+//! the inputs (its virtual work). So q̈ = a₀ + G·Aᵀτ, and the reactions, for which the
 //! matrix W of the driven linkage serves, are linear in a₀ and in τ:
 //!
 //! F = W⁻¹·(B·a₀ + … − P) − W⁻¹·(wrenches − B·G·Aᵀ)·τ.

@@ -1,10 +1,10 @@
 //! Joint friction as a force on the input: how much of the input's force the
 //! pairs take while the linkage moves as a part of a greater mechanism.
 //!
-//! What it is coupled with is known by a few numbers: the acceleration a₀ that the
+//! What it is coupled with is known by a few numbers. They are the acceleration a₀ that the
 //! input would have without this friction, the mobility s = ∂q̈/∂T (one over the
-//! inertia of all that moves with the input, reduced to it; 0 where its motion
-//! is given), and a force f and an inertia m on every output. Then q̈ = a₀ + s·T,
+//! inertia of all that moves with the input, reduced to it). It is 0 if the
+//! motion is given. Besides there is a force f and an inertia m on every output. Then q̈ = a₀ + s·T,
 //! and T follows from the reactions, which depend on q̈: the small implicit
 //! equation is solved with z = T in the place of the driver's force,
 //!

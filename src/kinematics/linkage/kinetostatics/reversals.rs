@@ -20,7 +20,7 @@ const EDGE: f64 = 1e-9;
 /// Agreement of a cubic with the rate, relative, and the most halvings.
 const AGREES: f64 = 1e-3;
 const DEEPEST: u32 = 24;
-/// Halvings between two neighbouring places at most: towards a dead position all of
+/// Halvings between two neighbouring places at most: towards a dead-centre position all of
 /// them go one way, and where a rate is rounding no number of them is enough.
 const HALVINGS: u32 = 512;
 /// Bisections, down to rounding.
@@ -255,7 +255,7 @@ impl Course<'_> {
 }
 
 /// Rounding of the rates between two places: a part of what they are there. Elsewhere
-/// they may be greater without bounds, towards a dead position.
+/// they may be greater without bounds, towards a dead-centre position.
 fn noise([low, high]: [f64; 2], [a, b]: [[f64; 3]; 2]) -> f64 {
     let change = (high - low) * a[1].abs().max(b[1].abs());
     AT_REST * a[0].abs().max(b[0].abs()).max(change).max(AT_REST)

@@ -61,7 +61,7 @@ pub struct SolutionQuality {
 /// Why there are no forces at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ForceFailure {
-    /// W is singular: a dead position of the whole mechanism.
+    /// W is singular: a dead-centre position of the whole mechanism.
     DeadPosition {
         /// Condition number of W (moments over the length scale).
         condition: f64,
@@ -86,12 +86,14 @@ impl fmt::Display for ForceFailure {
         match self {
             Self::DeadPosition { condition } => write!(
                 f,
-                "dead position: the driver cannot balance the links (condition number {condition})",
+                "dead-centre position: the driver cannot balance the links (condition number \
+                 {condition})",
                 condition = shown(*condition, 2)
             ),
             Self::NoDirection => write!(
                 f,
-                "the input rests: kinetic friction needs a direction of motion, or friction left out"
+                "the input rests: kinetic friction needs a direction of motion; or omit the \
+                 friction"
             ),
             Self::SelfLocking { change, iterations } => write!(
                 f,

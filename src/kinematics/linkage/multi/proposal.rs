@@ -1,7 +1,7 @@
 //! Inputs that a linkage lacks, as text that can be pasted.
 //!
 //! From the ground outwards pairs are taken as inputs, the nearest to it first and these by their
-//! names, as long as nothing is held more than once; a part that nothing joins to the ground gets x, y
+//! names, as long as nothing is held more than once. A part that nothing joins to the ground gets x, y
 //! and angle of one of its links. Where that can be put together, the rates of all pairs by these
 //! coordinates are known: with others the linkage may be much farther from a singular position. Those
 //! are taken that span the greatest volume (elimination with the greatest row first).

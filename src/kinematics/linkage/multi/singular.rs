@@ -2,7 +2,7 @@
 //!
 //! A group is singular where the determinant of its closing equations vanishes. Of a dyad its
 //! margin, sin² of an angle or the sine of one, is a smooth function of the inputs on both
-//! sides of the curve, also where the dyad cannot be assembled: its sign is looked at on a
+//! sides of the curve, also where the dyad cannot be assembled. Its sign is looked at on a
 //! grid, and every change of sign along a line of the grid is a root that is found to
 //! rounding. A larger group is known on one side only: there the end of what can be assembled
 //! is bracketed, and the square of its determinant, which goes with the distance there, is

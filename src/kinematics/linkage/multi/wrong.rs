@@ -128,7 +128,7 @@ pub(super) fn elsewhere(
             let name = &spec.linkage.links[choice.link].name;
             faults.add(
                 format!("assembly.{name}"),
-                format!("`{name}` is placed by the inputs alone: there is no other way"),
+                format!("`{name}` is placed by the inputs alone: there is no other assembly mode"),
                 "leave it out, or give another `start` to an input",
             );
         }

@@ -73,8 +73,8 @@ fn misleading(spec: &LinkageSpec, entries: &[usize]) -> Vec<Fault> {
         Fault::new(
             format!("assembly.{name}"),
             format!(
-                "this puts the linkage together in a way in which it cannot move; without what is \
-                 said of `{name}` it has one degree of freedom"
+                "this assembles the linkage so that it cannot move; without the entry of `{name}` \
+                 it has one degree of freedom"
             ),
             "leave it out, or give an approximate position",
         )

@@ -331,7 +331,7 @@ fn couplings_that_cannot_be_are_told() {
         "{axis}"
     );
     let twice = refused(|spec| spec.couplings[0].wheels = [CRANK, CRANK]);
-    assert!(twice.contains("`crank` stands in it twice"), "{twice}");
+    assert!(twice.contains("`crank` occurs in it twice"), "{twice}");
     let named = refused(|spec| spec.couplings[0].name = "p4".to_owned());
     assert!(
         named.contains("couplings.p4: a pair or another coupling"),

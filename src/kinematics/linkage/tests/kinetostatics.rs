@@ -50,7 +50,7 @@ proptest! {
         let mut w = solver.workspace();
         let motion = InputMotion { coordinate: q, speed: SPEED, acceleration: ACCELERATION };
         let solved = solver.solve(&at, motion, &Options::default(), &mut w);
-        // A dead position of the driver is a singular matrix, and rightly refused.
+        // A dead-centre position of the driver is a singular matrix, and rightly refused.
         let Ok(solved) = solved else { return Ok(()) };
         if solved.condition.is_some() {
             return Ok(());

@@ -1,5 +1,5 @@
 //! Linkages with known figures: Andrews' mechanism, the position functions,
-//! dead positions, groups that need iteration.
+//! dead-centre positions, groups that need iteration.
 
 use super::examples::{GROUND, andrews, four_bar, slider_crank, triad};
 use super::support::{closure_error, compare_with_differences};

@@ -105,7 +105,8 @@ impl CycleSpec {
         };
         let (reach, index) = (last.at - first.at, stations.len() - 1);
         if reach > period * (1.0 + SLACK) {
-            let message = format!("the stations reach over {reach}, more than the period {period}");
+            let message =
+                format!("the stations extend over {reach}, more than the period {period}");
             let hint = "all stations must lie within one period";
             faults.add(format!("stations[{index}].at"), message, hint);
         } else if reach >= period * (1.0 - SLACK) {

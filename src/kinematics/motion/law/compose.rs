@@ -100,7 +100,7 @@ impl Law {
     fn of_spline(points: &[(f64, f64)], spline: &Spline) -> Result<Self, Vec<Fault>> {
         if !spline.is_finite() {
             let message = "the curve through these points has slopes too great for numbers";
-            let hint = "space the points more evenly";
+            let hint = "space the points more regularly";
             return Err(vec![Fault::new("table", message, hint)]);
         }
         let cubics = spline.coefficients().iter().zip(points);

@@ -35,11 +35,11 @@ use std::borrow::Cow;
 const LONGEST_WRITTEN_OUT: usize = 4;
 
 /// Notation: how to read the letters, above the equations.
-const NOTATION: &str = "\
-Letters with a mass number belong to the object of their section, letters with a word to the \
-object or load of that name: φ_shaft is the displacement of the last mass of shaft, F_rocker and \
-U_rocker are F and U in the section of rocker. Dots: derivatives with respect to time; primes: \
-with respect to the driver's displacement.";
+const NOTATION: &str = "Letters with a mass number belong to the object of their section. Letters \
+                        with a word belong to the object or load of that name. φ_shaft is the \
+                        displacement of the last mass of shaft. The section of rocker has F_rocker \
+                        and U_rocker as F and U. Dots: derivatives with respect to time; primes: \
+                        with respect to the driver's displacement.";
 
 /// The equations of a model.
 #[derive(Clone, Debug, Default, PartialEq)]

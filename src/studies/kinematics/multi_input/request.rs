@@ -114,7 +114,7 @@ impl<'a> AskedSeveral<'a> {
         let within = |also: f64| from.min(to) <= also && also <= from.max(to);
         if let Some(also) = asked.also.filter(|&also| !within(also)) {
             return Err(format!(
-                "the place {also} lies outside what is looked at: {from} to {to}"
+                "the place {also} is outside the range: {from} to {to}"
             ));
         }
         Ok(asked)
@@ -129,14 +129,14 @@ impl<'a> AskedSeveral<'a> {
         }
         if question.speed.or(question.acceleration).is_some() {
             return Err(format!(
-                "`{}` has several inputs: say whose speed or acceleration it is, as in {}=…",
+                "`{}` has several inputs: name the input of this speed or acceleration, as in {}=…",
                 self.object,
                 self.name(0)
             ));
         }
         if let Some(Over::Range { .. }) = question.over {
             return Err(format!(
-                "`{}` has several inputs: say whose range it is, as in {}=0:90 deg",
+                "`{}` has several inputs: name the input of this range, as in {}=0:90 deg",
                 self.object,
                 self.name(0)
             ));
@@ -171,15 +171,15 @@ impl<'a> AskedSeveral<'a> {
     fn over_time(&mut self, to: f64, question: &Question) -> Result<(), String> {
         if !question.inputs.is_empty() {
             return Err(
-                "over time the scene's drives move all inputs: leave the inputs out, or ask for \
-                 their ways"
+                "over time the scene's drives move all inputs: omit the inputs, or give their \
+                 paths"
                     .to_owned(),
             );
         }
         if self.trajectories.is_none() {
             return Err(format!(
                 "not all inputs of `{}` have a prescribed motion: how they move over time follows \
-                 from the forces (`dam run`); ask for the way of an input",
+                 from the forces (`dam run`); give the path of an input",
                 self.object
             ));
         }
@@ -297,7 +297,7 @@ impl<'a> AskedSeveral<'a> {
             .set_inputs(&self.inputs_at(self.span()[0]))
             .map_err(|why| {
                 format!(
-                    "`{}` cannot be assembled where the way of its inputs begins: {}",
+                    "`{}` cannot be assembled where the path of its inputs begins: {}",
                     self.object,
                     self.cause(why)
                 )

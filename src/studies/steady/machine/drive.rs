@@ -31,7 +31,7 @@ pub fn drive_of(model: &Model, named: Option<&str>) -> Result<usize, Vec<Fault>>
     };
     if part.coordinate == Coordinate::Sliding {
         let message = format!(
-            "`{}` slides: a steady motion is asked of a drive that turns",
+            "`{}` slides: a steady motion needs a drive that turns",
             part.id
         );
         return Err(vec![Fault::new("steady.drive", message, "")]);

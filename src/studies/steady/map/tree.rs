@@ -115,7 +115,7 @@ impl Map for TreeMap<'_> {
     }
 
     fn how(&self) -> &'static str {
-        "exact propagation of the variations through every switch"
+        "exact propagation of the variations through every event"
     }
 
     fn check(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
@@ -152,15 +152,14 @@ fn run_to_end(
     }
     match run.halt {
         None => Ok(run),
-        Some(Halt::Switches) => Err(format!("too many switches before t = {} s", run.time)),
+        Some(Halt::Switches) => Err(format!("too many events before t = {} s", run.time)),
         Some(Halt::Steps | Halt::Cancelled) => Err(crawling(run.time)),
     }
 }
 
 fn crawling(time: f64) -> String {
     format!(
-        "its fastest mode makes exact propagation crawl: after {MOST_STEPS} steps it stands at \
-         t = {} s",
+        "its fastest mode makes exact propagation slow: after {MOST_STEPS} steps it is at t = {} s",
         shown(time, 7)
     )
 }

@@ -109,8 +109,8 @@ impl<'a> Ways<'a> {
     /// of a start: positive where something breaks loose; `None` where no forces agree.
     ///
     /// Where the pairs hold one another, each of them by itself could bear anything between its
-    /// limits, and what all can hold together is told by the motions in which they may start:
-    /// those in which as many pairs as possible stay at rest, since the power of the forces less
+    /// limits, and what all can hold together is told by the motions in which they may start.
+    /// Those in which as many pairs as possible stay at rest, since the power of the forces less
     /// the friction is linear between these.
     pub(super) fn loosens(&mut self, resting: &[usize], slack: f64) -> Option<f64> {
         for &pair in resting {

@@ -15,7 +15,7 @@ const MOST_AT_REST: usize = 9;
 /// Rounds in which the rates of pairs at rest are taken out of a state.
 const ROUNDS: usize = 2;
 /// What moves with a pair that has come to rest, and with nothing else, has come to rest with it
-/// where its rate is so many times what is left of that; more, where a pair merely passes a
+/// where its rate is so many times what is left of that. More, where a pair merely passes a
 /// position in which it does not move.
 const QUICKER: f64 = 1e3;
 /// Rounding of the time at which a pair comes to rest.

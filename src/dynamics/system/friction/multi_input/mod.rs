@@ -1,7 +1,7 @@
 //! Joint friction of a linkage of several inputs.
 //!
 //! Its inputs go with any roots, so that it is found where the inertia forces of such linkages
-//! are (`multi/couple`): the accelerations of the inputs without it and their mobility are known
+//! are (`multi/couple`). The accelerations of the inputs without it and their mobility are known
 //! there, `passes` finds friction and accelerations that agree, and the forces go on to the roots.
 //!
 //! Every pair with friction has a mode: in which direction it slides, or that friction holds it.

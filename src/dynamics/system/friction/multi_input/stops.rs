@@ -45,14 +45,14 @@ impl System {
             0 => (
                 "self_locking",
                 format!(
-                    "{object} locks: a pair of it comes to rest at t = {at} s, and neither can its \
-                     friction hold it nor does any sliding agree with the friction that it causes"
+                    "{object} locks: a joint of it comes to rest at t = {at} s. Its friction \
+                     cannot hold it, and no sliding agrees with the friction that it causes"
                 ),
             ),
             _ => (
                 "several_solutions",
                 format!(
-                    "a pair of {object} stands at t = {at} s, and {ways} ways to go on agree with \
+                    "a joint of {object} is at rest at t = {at} s, and {ways} motions agree with \
                      the friction of its joints: the motion is not determined"
                 ),
             ),
@@ -75,8 +75,8 @@ impl System {
         PhysicalStop {
             name: "several_solutions",
             message: format!(
-                "{count} pairs of {object} with friction stand at t = {} s and do not stay so: in \
-                 which of the many ways they start was not looked for",
+                "{count} joints of {object} with friction are at rest at t = {} s and do not stay \
+                 so: which of the many motions follows was not searched for",
                 shown(time, 9)
             ),
             object,

@@ -71,8 +71,8 @@ fn shape(spec: &CamPairSpec, curve: &PitchCurve, path: &str, faults: &mut Faults
             "the lift does not repeat after a turn: {here} m at {} deg, {there} m a turn later",
             degrees(phi)
         );
-        let hint = "give a law with the period of a turn: a `table` with `periodic` from 0 to 360 deg, \
-                    a `sine` with a whole number of oscillations, a `plan` with a `period` of 360 deg";
+        let hint = "give a law with the period of a turn: a `table` with `periodic` over 360 deg, \
+                    a `sine` with whole oscillations, or a `plan` with a `period` of 360 deg";
         faults.add(path, message, hint);
         return;
     }

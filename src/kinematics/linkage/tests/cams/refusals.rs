@@ -57,7 +57,7 @@ fn cams_that_cannot_be_are_told() {
         "{hollow}"
     );
     let twice = refused(|spec, _| spec.couplings[0].wheels = [CAM, CAM]);
-    assert!(twice.contains("`cam` stands in it twice"), "{twice}");
+    assert!(twice.contains("`cam` occurs in it twice"), "{twice}");
     let far = refused(|_, cam| cam.base_radius = 0.3);
     assert!(far.contains("cannot be joined"), "{far}");
     let both = refused(|spec, _| {
