@@ -38,7 +38,7 @@ impl<'a> Motions<'a> {
         let node = *part.nodes.last()?;
         let loads = || {
             let own = model.loads.iter().filter(move |load| load.node == node);
-            own.filter(|load| !load.is_stop())
+            own.filter(|load| !load.law.is_stop())
         };
         loads().next()?;
         let rows = record.times.iter().enumerate();
