@@ -66,7 +66,7 @@ fn not_within(figure: &str, hint: &str) -> Fault {
 
 fn check_of_run(figure: &str, model: &Model) -> Result<(), Fault> {
     if let Err(AddressError::Unknown { close }) = blank(model).value(figure) {
-        let message = format!("there is no figure `{figure}`");
+        let message = format!("there is no result `{figure}`");
         return Err(fault(message, did_you_mean(&close)));
     }
     let known = |id: &str| model.objects.iter().any(|part| part.id == id);
