@@ -165,7 +165,7 @@ fn window(figures: &Figures) -> String {
     let run = &figures.run;
     let judged = match (run.window, &run.window_missing) {
         (Some([from, to]), _) => format!(
-            "; whether a pair is in working order over the steady window from {} to {}",
+            "; whether a contact is in working order over the steady window from {} to {}",
             with_unit(from, "s", 6),
             with_unit(to, "s", 6)
         ),
@@ -218,11 +218,11 @@ const MOST_LISTED: usize = 1000;
 
 /// Switches in order of time, on a page.
 fn switches<'a>(record: &Record, figures: &Figures) -> Section<'a> {
-    let section = Section::new("Switches");
+    let section = Section::new("Events");
     let count = record.switches.len();
     let listed = &record.switches[..count.min(MOST_LISTED)];
     let (Some(first), Some(last)) = (listed.first(), listed.last()) else {
-        return section.legend("No pair opens or closes during the run.");
+        return section.legend("No contact separates or closes during the run.");
     };
     let table = tables::switches(listed, figures);
     if count <= OPEN_LIST {
@@ -236,7 +236,7 @@ fn switches<'a>(record: &Record, figures: &Figures) -> Section<'a> {
     let summary = match count <= MOST_LISTED {
         true => format!("{count} events {span}"),
         false => format!(
-            "the first {MOST_LISTED} of {count} switches, {span}; all of them are in switches.csv"
+            "the first {MOST_LISTED} of {count} events, {span}; all of them are in switches.csv"
         ),
     };
     section.item(Item::Folded(summary, table))

@@ -86,7 +86,7 @@ fn long_lists_of_switches_fold_away_and_short_ones_do_not() {
         speed: 1.0,
     };
     let none = rendered(|_, record| record.switches.clear());
-    assert!(none.contains("No pair opens or closes"));
+    assert!(none.contains("No contact separates or closes"));
     let many =
         rendered(|_, record| record.switches = (0..5000).map(|i| row(f64::from(i))).collect());
     assert!(many.contains(

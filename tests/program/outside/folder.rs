@@ -183,7 +183,7 @@ fn a_page_of_very_many_switches_is_bounded_and_says_what_it_leaves_out() {
     let page = read("report.html");
     assert!(page.len() < 5_000_000, "{}", page.len());
     for words in [
-        format!("the first 1000 of {count} switches"),
+        format!("the first 1000 of {count} events"),
         format!("the first 5000 of {separations} separations are shaded, up to"),
         "in detail after one switch in".to_owned(),
     ] {
