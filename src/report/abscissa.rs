@@ -106,6 +106,21 @@ impl Abscissa {
         }
     }
 
+    /// Over angles: the same with the last turn alone where turns lie over each other, so that one
+    /// value belongs to a place.
+    pub fn one_turn(&self) -> Option<Self> {
+        match self {
+            Self::Time => None,
+            Self::Angle { drive, turns } => Some(Self::Angle {
+                drive: drive.clone(),
+                turns: match turns {
+                    Turns::Behind => Turns::Behind,
+                    Turns::Over | Turns::Last => Turns::Last,
+                },
+            }),
+        }
+    }
+
     /// Values of a record as a curve. Where turns lie over each other, a place that is no number
     /// stands between them.
     pub fn curve(&self, record: &Record, values: &[f64]) -> Vec<(f64, f64)> {

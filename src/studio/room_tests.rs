@@ -204,6 +204,9 @@ fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
         .flat_map(|one| [index(&one["x"]), index(&one["y"])]);
     let moved = second["moving"]["columns"].as_array().unwrap().iter();
     let moved = moved.flat_map(|one| [&one["values"], &one["deviation"]]);
+    // (The constant load of the rocker is an arrow.)
+    let loads = second["moving"]["sets"][0]["on"].as_array().unwrap().iter();
+    let moved = moved.chain(loads.map(|one| &one["column"]));
     let moved = moved.filter(|one| !one.is_null()).map(index);
     let mut wanted: Vec<usize> = own.chain(moved).collect();
     wanted.push(index(&second["moving"]["times"]));

@@ -141,7 +141,7 @@ export class Board {
   }
 
   private move({ moving, pictures }: Answer, source: PlotSource): void {
-    const { machine: place } = this.parts, choices = JSON.stringify([moving?.magnify?.choices, moving?.columns.length]);
+    const { machine: place } = this.parts, choices = JSON.stringify([moving?.magnify?.choices, moving?.columns.length, moving?.sets.length]);
     this.last = moving && [moving, source];
     if (this.playing && moving && choices === this.choices) {
       this.playing.update(moving, source, pictures);

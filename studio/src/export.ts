@@ -1,12 +1,6 @@
 // Charts as files: the picture as it stands on the page, as SVG or PNG, and its numbers as CSV.
 
-export function save(name: string, content: BlobPart): void {
-  const type = name.endsWith(".svg") ? "image/svg+xml" : name.endsWith(".png") ? "image/png" : name.endsWith(".html") ? "text/html" : "text/plain";
-  const url = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));
-  Object.assign(document.createElement("a"), { href: url, download: name }).click();
-  // The browser has taken it by then.
-  setTimeout(() => URL.revokeObjectURL(url), 10_000);
-}
+export const save = (name: string, content: BlobPart): void => picture.save(name, content);
 
 const quoted = (text: string): string => /[",\n]/.test(text) ? `"${text.replaceAll("\"", "\"\"")}"` : text;
 const headed = (name: string, unit: string): string => quoted(unit ? `${name} [${unit}]` : name);
@@ -42,31 +36,8 @@ export function csvOf(charts: PlotChart[]): string {
   return lines.join("\n") + "\n";
 }
 
-const LOOK = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "stroke-linecap", "stroke-linejoin", "stroke-opacity", "opacity", "font-family", "font-size", "font-weight", "font-style", "text-anchor", "visibility", "display", "paint-order"];
-
 // The picture with all colours in it: what reads it need not know the page's style.
-export function svgOf(svg: SVGElement): string {
-  const copy = svg.cloneNode(true) as SVGElement;
-  const own = [...svg.querySelectorAll<SVGElement>("*")], other = [...copy.querySelectorAll<SVGElement>("*")];
-  own.forEach((node, k) => {
-    const look = getComputedStyle(node), before = node.parentElement ? getComputedStyle(node.parentElement) : null;
-    for (const name of LOOK) {
-      const value = look.getPropertyValue(name), inherited = !["opacity", "display"].includes(name);
-      if (value && !(inherited && (node.parentElement as Element) !== svg && before?.getPropertyValue(name) === value)) other[k]!.setAttribute(name, value);
-    }
-  });
-  // What follows the pointer is no part of it.
-  copy.querySelectorAll(".over, .pad").forEach((node) => node.remove());
-  const [,, width, height] = copy.getAttribute("viewBox")!.split(" ").map(Number);
-  const paper = document.createElementNS("http://www.w3.org/2000/svg", "rect");
-  const look = getComputedStyle(document.body);
-  for (const [name, value] of [["width", width], ["height", height], ["fill", look.backgroundColor]]) paper.setAttribute(`${name}`, `${value}`);
-  copy.prepend(paper);
-  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-  copy.setAttribute("width", `${width}`);
-  copy.setAttribute("height", `${height}`);
-  return new XMLSerializer().serializeToString(copy);
-}
+export const svgOf = (svg: SVGElement): string => picture.written(picture.alone(svg));
 
 async function pngOf(svg: SVGElement): Promise<Blob> {
   const url = URL.createObjectURL(new Blob([svgOf(svg)], { type: "image/svg+xml" }));

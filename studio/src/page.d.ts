@@ -1,4 +1,4 @@
-// What plot.js and player.js, the scripts of all pages of dam, leave for the studio.
+// What plot.js, and player.js with picture.js before it, the scripts of all pages of dam, leave for the studio.
 
 interface PlotSource { columns: (number | null)[][]; plots: Record<number, PlotData> | PlotData[] }
 interface PlotAxis { name: string; unit: string; ends: [number, number] }
@@ -14,8 +14,10 @@ declare const live: {
   drop(made: PlotChart[]): void;
   draw(): void;
 };
-interface Moving { magnify: { choices: number[] } | null; columns: unknown[] }
+interface Moving { magnify: { choices: number[] } | null; columns: unknown[]; sets: unknown[] }
 interface Playing { update(moving: Moving, source: PlotSource, pictures?: string): void; stop(): void }
+// Pictures as files: a copy with all colours in it, as text, and what the browser saves.
+declare const picture: { alone(svg: SVGElement): SVGElement; written(svg: SVGElement): string; save(name: string, content: BlobPart): void };
 declare const machine: { player(figure: Element, moving: Moving, source: PlotSource): Playing | null };
 declare const numbers: {
   withUnit(value: number, unit: string, digits: number): string;

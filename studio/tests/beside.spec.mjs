@@ -182,3 +182,40 @@ test("a map is saved with what is told of every cell", async ({ page }) => {
   expect(rows).toHaveLength(400);
   expect(rows[0]).toMatch(/rad/);
 });
+
+// Frames of a GIF, their time (1/100 s) and its size, by its blocks.
+function film(bytes) {
+  const found = { size: [bytes.readUInt16LE(6), bytes.readUInt16LE(8)], frames: 0, time: 0 };
+  let at = 13 + 3 * 2 ** ((bytes[10] & 7) + 1);
+  const skip = () => { while (bytes[at] > 0) at += 1 + bytes[at]; at++; };
+  while (bytes[at] !== 0x3b) {
+    if (bytes[at] === 0x2c) { found.frames++; at += 11; } else {
+      if (bytes[at + 1] === 0xf9) found.time += bytes.readUInt16LE(at + 4);
+      at += 2;
+    }
+    skip();
+  }
+  return { ...found, end: at + 1 === bytes.length };
+}
+
+test("the moving machine is saved as an SVG that runs by itself and as a GIF of one turn", async ({ page }) => {
+  await opened(page);
+  const saved = async (kind) => {
+    const download = page.waitForEvent("download");
+    await page.locator(".machine figure.moving").getByRole("button", { name: kind, exact: true }).click();
+    return readFileSync(await (await download).path());
+  };
+  const svg = (await saved("SVG")).toString();
+  expect(svg).not.toMatch(/var\(|href=/);
+  const [wrongs, turns, wide, high] = await page.evaluate((svg) => {
+    const read = new DOMParser().parseFromString(svg, "image/svg+xml"), turns = [...read.querySelectorAll("animateTransform[type=rotate]")].map((one) => one.getAttribute("values").split(";").map(Number));
+    return [read.querySelectorAll("parsererror").length, turns, +read.documentElement.getAttribute("width"), +read.documentElement.getAttribute("height")];
+  }, svg);
+  expect(wrongs).toBe(0);
+  // The drive turns once, counterclockwise.
+  expect(turns[0].at(-1) - turns[0][0]).toBeCloseTo(-360, 1);
+  // Two seconds and a half a turn, 25 frames a second.
+  const gif = film(await saved("GIF"));
+  expect(gif).toMatchObject({ size: [wide, high], time: 250, end: true });
+  expect(Math.abs(gif.frames - 62.5)).toBeLessThan(1);
+});

@@ -1,6 +1,7 @@
 //! The program and what it reads, prints and writes; the scenarios and the documents.
 
 mod accuracy;
+mod animation;
 mod answers;
 mod bad_numbers;
 mod browser;
@@ -19,6 +20,7 @@ mod options;
 mod outside;
 mod page;
 mod parameters;
+mod pictures;
 mod prices;
 mod public;
 mod reduce;

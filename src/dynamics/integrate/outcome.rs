@@ -75,6 +75,24 @@ impl Method {
             Self::Exact => "exact",
         }
     }
+
+    /// What it is, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Rk4 => "classical Runge–Kutta method of order 4 with a fixed step",
+            Self::Dopri5 => "Runge–Kutta method of Dormand and Prince, order 5(4)",
+            Self::Dop853 => "Runge–Kutta method of Dormand and Prince, order 8(5,3)",
+            Self::Taylor => "Taylor series of an order that follows the tolerance",
+            Self::Rodas5p => "Rosenbrock method of order 5(4), L-stable",
+            Self::Radau => "implicit Runge–Kutta method Radau IIA of order 5, 9 or 13, L-stable",
+            Self::Bdf => "backward differentiation formulas of variable order",
+            Self::TrBdf2 => {
+                "trapezoidal rule with a backward differentiation formula, order 2, L-stable"
+            }
+            Self::Esdirk34 => "diagonally implicit Runge–Kutta method of order 3(4), L-stable",
+            Self::Exact => "closed-form motion between events",
+        }
+    }
 }
 
 impl fmt::Display for Method {

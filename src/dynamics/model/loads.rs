@@ -1,6 +1,6 @@
 //! Loads on nodes.
 
-use super::{NodeIndex, Stop};
+use super::{NodeIndex, Stop, Track, TrackSource};
 use crate::dynamics::load::LoadFunction;
 use crate::math::expression::Expression;
 use std::sync::Arc;
@@ -14,6 +14,19 @@ pub struct Load {
     pub name: String,
     /// Law of the force.
     pub law: LoadLaw,
+}
+
+impl Load {
+    /// The force at a time, where `motion` gives φ and φ̇ of a node; `None` of a stop, which has
+    /// modes, and where a motion is not known.
+    pub fn force(
+        &self,
+        time: f64,
+        motion: impl Fn(NodeIndex) -> Option<(f64, f64)>,
+        tracks: &[Track],
+    ) -> Option<f64> {
+        self.law.force(self.node, time, motion, tracks)
+    }
 }
 
 /// Force law of a load.
@@ -54,6 +67,45 @@ pub struct LinearLoad {
 }
 
 impl LoadLaw {
+    /// True of a one-sided stop against the ground.
+    pub fn is_stop(&self) -> bool {
+        matches!(self, Self::Stop(_))
+    }
+
+    /// The force on a node at a time; `None` of a stop, and where a motion is not known.
+    fn force(
+        &self,
+        node: NodeIndex,
+        time: f64,
+        motion: impl Fn(NodeIndex) -> Option<(f64, f64)>,
+        tracks: &[Track],
+    ) -> Option<f64> {
+        let (displacement, speed) = motion(node)?;
+        match self {
+            Self::Linear(own) => Some(own.force - own.rate * displacement - own.damping * speed),
+            Self::Function { function, factor } => {
+                Some(factor * function.force(displacement, speed).value)
+            }
+            Self::Written(written) => {
+                let known = written.nodes().all(|node| motion(node).is_some());
+                // What the expression does not read may be anything.
+                let read = |node| motion(node).unwrap_or((0.0, 0.0));
+                known.then(|| written.force(time, read))
+            }
+            Self::Pieces { track, pieces } => {
+                let track = tracks.get(*track)?;
+                let (x, sense) = match track.source {
+                    TrackSource::Time => (time, 1.0),
+                    TrackSource::Node(node) => motion(node)?,
+                };
+                let (index, shift) = track.breaks.piece(track.breaks.locate(x, sense));
+                let piece = pieces.get(index.min(pieces.len().checked_sub(1)?))?;
+                Some(piece.value + piece.slope * (x - shift - piece.start))
+            }
+            Self::Stop(_) => None,
+        }
+    }
+
     /// A constant force.
     pub fn constant(force: f64) -> Self {
         Self::Linear(LinearLoad {
@@ -186,6 +238,14 @@ impl WrittenLoad {
             }
             _ => None,
         })
+    }
+
+    /// The node whose motion a variable is; `None`: it is the time.
+    pub fn node_of(&self, variable: usize) -> Option<NodeIndex> {
+        match *self.variables.get(variable)? {
+            LoadVariable::Displacement(node) | LoadVariable::Speed(node) => Some(node),
+            LoadVariable::Time => None,
+        }
     }
 
     /// True where it looks at the time.

@@ -2,7 +2,7 @@
 
 use super::tables::{PLACES, rows};
 use crate::kinematics::cam::{CamState, DiscCam};
-use crate::report::plot::{Axis, Mark, Plot, Series};
+use crate::report::plot::{Axis, Mark, MotionPhase, Plot, Series};
 use crate::studies::cam::{CamFigures, CamForce};
 
 /// Radii beyond this multiple of the prime circle are not drawn.
@@ -72,6 +72,14 @@ pub(super) fn charts(
             });
         }
         add("Torque of the cam", "N m", &column(2));
+    }
+    let lifts: Vec<(f64, f64)> = states
+        .iter()
+        .map(|s| (s.phi.to_degrees(), s.lift))
+        .collect();
+    let phases = MotionPhase::of(&lifts);
+    for plot in &mut list {
+        plot.phases.clone_from(&phases);
     }
     list
 }

@@ -1,7 +1,7 @@
 //! What is known of a cam: the cam turning with its follower, figures, diagrams.
 
 use super::figures::{describe, figures};
-use super::picture::{Follower, bodies, drawing, drawn, style};
+use super::picture::{Follower, bodies, drawing, drawn, marks, style};
 use super::remarks::remarks;
 use super::tables::PLACES;
 use super::view::{View, view};
@@ -9,6 +9,7 @@ use super::{NamedCurve, charts};
 use crate::kinematics::cam::DiscCam;
 use crate::report::findings::{Findings, Item, Layout, Section, Source};
 use crate::report::html::player::{Coordinates, PartDisplacement, Player, Reading, RowAxis, short};
+use crate::report::mechanism::marks::scale_bar;
 use crate::report::plot::Plots;
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Verdict, capitalised};
@@ -145,17 +146,19 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
 fn turning(report: &CamReport<'_>, plots: &Plots) -> String {
     let curves = drawn(report.cam);
     let view = view(report.cam, &curves);
-    let [w, h] = view.size.map(|size| format!("{size:.0}"));
+    let [w, h] = [view.size[0], view.size[1] + 16.0].map(|size| format!("{size:.0}"));
     let picture = format!(
         "<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
-         aria-label=\"cam and follower\">\n{}</svg>\n",
+         aria-label=\"cam and follower\">\n{}{}{}</svg>\n",
         drawing(
             report.cam,
             &curves,
             &view,
             report.cam.motion().range().0,
             None
-        )
+        ),
+        marks(report.cam, &view, true),
+        scale_bar(view.scale, [14.0, view.size[1] + 2.0]),
     );
     plots.style(style()) + &player(report, &view).figure(&picture)
 }

@@ -6,7 +6,9 @@ use super::view::short;
 use super::view::{Mover, View, mover, parts, rim_radius, view};
 use crate::kinematics::cam::{Contact, DiscCam, Guide, Surface};
 use crate::report::html::player::{Body, PartDisplacement};
+use crate::report::mechanism::marks::{scale_bar, sense};
 use crate::report::plot::document;
+use crate::report::quantity::{escape, with_unit};
 use std::fmt::Write as _;
 
 const STYLE: &str = "\
@@ -19,7 +21,12 @@ const STYLE: &str = "\
 .cam-line{fill:none;stroke:var(--faint);stroke-width:1;stroke-dasharray:10 4 2 4}\
 .follower{fill:var(--mechanism-back);stroke:var(--series-1);stroke-width:1.8;stroke-linejoin:round}\
 .follower-arm{fill:none;stroke:var(--series-1);stroke-width:7;stroke-linecap:round;stroke-opacity:.75}\
-.follower-pin{fill:var(--paper);stroke:var(--series-1);stroke-width:1.6}";
+.follower-pin{fill:var(--paper);stroke:var(--series-1);stroke-width:1.6}\
+.dim path{fill:none;stroke:var(--ink-soft);stroke-width:1}\
+.dim .barb{fill:var(--ink-soft);stroke:none}\
+.dim text{font:12px system-ui,-apple-system,'Segoe UI',Roboto,Arial,sans-serif;fill:var(--ink-soft);paint-order:stroke;stroke:var(--paper);stroke-width:3px;stroke-linejoin:round}\
+.sense path{fill:none;stroke:var(--accent);stroke-width:1.8}\
+.sense .barb{fill:var(--accent);stroke:none}";
 
 /// Chord tolerance of drawn curves, of the prime circle: a tenth of a pixel.
 const FINE: f64 = 3e-4;
@@ -33,8 +40,10 @@ pub(in crate::report) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
 pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
     let curves = drawn(cam);
     let view = view(cam, &curves);
-    let body = drawing(cam, &curves, &view, phi, None);
-    document("cam", view.size, title, STYLE, &body)
+    let body = drawing(cam, &curves, &view, phi, None) + &marks(cam, &view, true);
+    let [width, height] = view.size;
+    let bar = scale_bar(view.scale, [14.0, height + 2.0]);
+    document("cam", [width, height + 16.0], title, STYLE, &(body + &bar))
 }
 
 /// The cam at φ as part 0 of a picture and its follower as part 1; with `beside`, an
@@ -78,6 +87,95 @@ pub(in crate::report) fn drawing(
         let _ = writeln!(out, "{}", circle("follower-pin", mover.about, 6.0));
     }
     out
+}
+
+/// Dimensions in the picture, base circle and centre distance or offset, and the sense in which
+/// the cam turns while φ grows (`forward`) or falls.
+pub(in crate::report) fn marks(cam: &DiscCam, view: &View, forward: bool) -> String {
+    let geometry = cam.geometry();
+    let axis = view.origin;
+    let mut out = String::new();
+    // The base circle: a radius to the side on which no follower is.
+    let parts = parts(cam);
+    let away = (-parts.tip[1]).atan2(-parts.tip[0]) - 0.5;
+    let rim = [away.cos(), away.sin()].map(|part| geometry.base_radius * part);
+    out.push_str(&dimension(
+        [axis, view.point(rim)],
+        [false, true],
+        &format!("r = {}", with_unit(geometry.base_radius, "m", 4)),
+    ));
+    match geometry.guide {
+        Guide::Turning {
+            centre_distance, ..
+        } => out.push_str(&dimension(
+            [axis, view.point(parts.end)],
+            [true, true],
+            &format!("a = {}", with_unit(centre_distance, "m", 4)),
+        )),
+        Guide::Translating { offset } if offset != 0.0 => {
+            // From the axis square to the follower's line.
+            let [x, y] = parts.outward;
+            let along = parts.tip[0] * x + parts.tip[1] * y;
+            let foot = [parts.tip[0] - along * x, parts.tip[1] - along * y];
+            let text = format!("e = {}", with_unit(offset, "m", 4));
+            out.push_str(&dimension([axis, view.point(foot)], [true, true], &text));
+        }
+        Guide::Translating { .. } => {}
+    }
+    let radius = (0.42 * view.scale * geometry.base_radius).clamp(14.0, 40.0);
+    let counterclockwise = (geometry.sense > 0.0) == forward;
+    out + &sense(axis, radius, counterclockwise)
+}
+
+/// The pixels of the cam's axis, of the follower's axis or far end, and of its tip where it is
+/// innermost.
+pub(in crate::report) fn ends(cam: &DiscCam, view: &View) -> [[f64; 2]; 3] {
+    let parts = parts(cam);
+    [view.origin, view.point(parts.end), view.point(parts.tip)]
+}
+
+/// Place of the text along a dimension line.
+const TEXT: f64 = 0.66;
+
+/// A dimension line between two pixels, with heads at chosen ends and its text beside it.
+fn dimension([from, to]: [[f64; 2]; 2], heads: [bool; 2], text: &str) -> String {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let size = dx.hypot(dy);
+    if !(size > 1.0) {
+        return String::new();
+    }
+    let [ux, uy] = [dx / size, dy / size];
+    let head = |[x, y]: [f64; 2], way: f64| {
+        let back = |side: f64| {
+            let (x, y) = (
+                x - 8.0 * way * ux - side * uy,
+                y - 8.0 * way * uy + side * ux,
+            );
+            format!("{} {}", short(x), short(y))
+        };
+        format!(
+            "<path class=\"barb\" d=\"M{} {}L{}L{}z\"/>",
+            short(x),
+            short(y),
+            back(2.6),
+            back(-2.6)
+        )
+    };
+    let ends = [(from, -1.0), (to, 1.0)].into_iter().zip(heads);
+    let heads: String = ends
+        .filter(|(_, shown)| *shown)
+        .map(|((end, way), _)| head(end, way))
+        .collect();
+    format!(
+        "<g class=\"dim\"><path d=\"M{} {}L{} {}\"/>{heads}<text text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text></g>\n",
+        short(from[0]),
+        short(from[1]),
+        short(to[0]),
+        short(to[1]),
+        short(from[0] + TEXT * dx),
+        short(from[1] + TEXT * dy - 5.0),
+        escape(text),
+    )
 }
 
 fn circle(class: &str, place: [f64; 2], radius: f64) -> String {

@@ -142,6 +142,11 @@ pub(super) fn parts(cam: &DiscCam) -> Parts {
 
 /// A view that shows the cam at every angle, and the follower in and out.
 pub(in crate::report) fn view(cam: &DiscCam, curves: &[NamedCurve]) -> View {
+    view_within(cam, curves, f64::INFINITY)
+}
+
+/// Such a view of at most so many pixels a metre.
+pub(in crate::report) fn view_within(cam: &DiscCam, curves: &[NamedCurve], most: f64) -> View {
     let pitch = curves.iter().filter(|curve| curve.name == "pitch");
     let pitch = pitch.flat_map(|curve| &curve.polygon.points);
     let radius = pitch
@@ -184,7 +189,7 @@ pub(in crate::report) fn view(cam: &DiscCam, curves: &[NamedCurve]) -> View {
         }
     }
     let spans = [high[0] - low[0], high[1] - low[1]];
-    let scale = (SIZE - 2.0 * MARGIN) / spans[0].max(spans[1]);
+    let scale = ((SIZE - 2.0 * MARGIN) / spans[0].max(spans[1])).min(most);
     View {
         scale,
         origin: [MARGIN - scale * low[0], MARGIN + scale * high[1]],

@@ -1,7 +1,8 @@
 //! Pages that open without a network: style, script and data are in them.
 //!
 //! One player (`player.rs`, `player.js`) moves all drawings: parts are placed anew by tables
-//! over rows or coordinates, turns and slides.
+//! over rows or coordinates, turns and slides. It saves them as SVG that runs by itself and as
+//! animated GIF (`picture.js`); images of the page itself (`data:`) are let in for the frames.
 
 pub(in crate::report) mod player;
 pub mod runs;
@@ -17,8 +18,9 @@ use crate::report::verdict::{Sort, Verdict};
 
 /// The style of pages.
 pub(in crate::report) const STYLE: &str = include_str!("style.css");
-/// The player of what moves.
-pub(in crate::report) const PLAYER: &str = include_str!("player.js");
+/// The player of what moves, behind what writes its pictures as files.
+pub(in crate::report) const PLAYER: &str =
+    concat!(include_str!("picture.js"), include_str!("player.js"));
 
 /// A complete document around `body`, with the data of its plots, and with the
 /// player where something moves.
@@ -33,7 +35,7 @@ pub(in crate::report) fn shell(title: &str, body: &str, data: &str) -> String {
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; \
-         style-src 'unsafe-inline'; script-src 'unsafe-inline'\">\n\
+         style-src 'unsafe-inline'; script-src 'unsafe-inline'; img-src data:\">\n\
          <meta name=\"generator\" content=\"dam\">\n\
          <title>{}</title>\n<style>\n{}{}{STYLE}{moving}</style>\n</head>\n<body>\n{body}\
          <script id=\"data\" type=\"application/json\">{data}</script>\n\

@@ -1,10 +1,11 @@
-"use strict";
 // Moves the machine of a page: one player for linkages, cams and whole scenes. Every
 // moving part is a group that is placed anew; where it goes is a table over the rows, a
 // table over a coordinate, a turn or a slide by a coordinate. The player follows the
 // cursor of the charts, and the charts' cursors follow the player.
 const machine = (() => {
   const { minus, significant } = numbers;
+  // Most instants of a picture that runs by itself, frames of a film a second, and most of them.
+  const MOST = 400, RATE = 25, LONGEST = 250;
 
   // A coordinate over the rows, and its deviation from the law.
   function column(given, columns) {
@@ -42,13 +43,14 @@ const machine = (() => {
   // Plays a figure: what moves in it, over the columns and charts of its page. It can be
   // given another motion, and other pictures of it, later.
   function player(figure, given, source) {
-    let data, axis, key, values, times, closed, timed, count, columns, drawings, sets, words, cells, poses = [];
+    let data, stock, axis, key, values, times, closed, timed, count, columns, cells, poses = [];
     let factor = given.magnify ? given.magnify.factor : 1;
     let place = 0, playing = false, last = null, clock = 0;
     const controls = figure.querySelector(".controls"), grid = given.sliders || null;
 
     function take(next, { columns: all, plots }) {
       data = next;
+      stock = all;
       const clockwork = data.times === null ? null : all[data.times];
       axis = data.axis || { name: "t", unit: "s", values: clockwork, times: clockwork, closed: false };
       // The charts whose horizontal axis this one is.
@@ -61,23 +63,22 @@ const machine = (() => {
       columns = data.columns.map((one) => column(one, all));
     }
 
-    // What moves in the pictures as they are.
-    function look() {
-      drawings = [...figure.querySelectorAll("svg.mechanism")].map((svg) => {
-        const first = +(svg.dataset.first || 0);
-        return {
-          links: [...svg.querySelectorAll("[data-link]")].map((node) => ({ node, body: first + +node.dataset.link })),
-          pins: [...svg.querySelectorAll("[data-on]")].filter((node) => +node.dataset.on >= 0)
-            .map((node) => ({ node, body: first + +node.dataset.on, at: node.dataset.at.split(" ").map(Number) })),
-        };
-      });
-      sets = data.sets.map((_, index) => figure.querySelector(`[data-set="${index}"]`));
-      words = [...figure.querySelectorAll("[data-column]")];
+    // What moves in pictures as they are, those of the page or copies.
+    function parts(root) {
+      // Parts are numbered from the `data-first` on that they are in.
+      const first = (node) => +(node.closest("[data-first]")?.dataset.first ?? 0);
+      return {
+        links: [...root.querySelectorAll("svg.mechanism [data-link]")].map((node) => ({ node, body: first(node) + +node.dataset.link })),
+        pins: [...root.querySelectorAll("svg.mechanism [data-on]")].filter((node) => +node.dataset.on >= 0)
+          .map((node) => ({ node, body: first(node) + +node.dataset.on, at: node.dataset.at.split(" ").map(Number) })),
+        sets: data.sets.map((_, index) => root.querySelector(`[data-set="${index}"]`)),
+        words: [...root.querySelectorAll("[data-column]")],
+      };
     }
 
     take(given, source);
     if (!count) return null;
-    look();
+    let shown = parts(figure);
     cells = data.readings.map((reading) => {
       const list = figure.querySelector(".readings"), name = document.createElement("dt"), value = document.createElement("dd");
       name.textContent = reading.name;
@@ -98,7 +99,7 @@ const machine = (() => {
       if (q === null || !isFinite(q)) return null;
       if (body.kind === "turn") {
         const angle = body.offset + body.sense * q;
-        return [body.at[0], body.at[1], Math.cos(angle), Math.sin(angle)];
+        return [body.at[0], body.at[1], Math.cos(angle), Math.sin(angle), angle];
       }
       if (body.kind === "slide") return [body.at[0] + body.by[0] * q, body.at[1] + body.by[1] * q, 1, 0];
       let share = (q - body.from) / (body.to - body.from);
@@ -106,31 +107,37 @@ const machine = (() => {
       return pose(body.table, share * (body.table.length / 4 - 1));
     }
 
-    function show(at) {
-      place = at;
-      poses = data.bodies.map((body) => placed(body, at));
-      for (const drawing of drawings) {
-        for (const { node, body } of drawing.links) {
-          const pose = poses[body];
-          node.setAttribute("visibility", pose ? "inherit" : "hidden");
-          if (pose) node.setAttribute("transform", `matrix(${pose[2]} ${-pose[3]} ${pose[3]} ${pose[2]} ${pose[0]} ${pose[1]})`);
-        }
-        for (const { node, body, at: [px, py] } of drawing.pins) {
-          const pose = poses[body];
-          node.setAttribute("visibility", pose ? "inherit" : "hidden");
-          if (pose) node.setAttribute("transform", `translate(${(pose[0] + pose[2] * px + pose[3] * py).toFixed(2)} ${(pose[1] - pose[3] * px + pose[2] * py).toFixed(2)})`);
-        }
+    // Where a point of a part is.
+    const pointOf = (pose, [px, py]) => [pose[0] + pose[2] * px + pose[3] * py, pose[1] - pose[3] * px + pose[2] * py];
+    // The arrows of a set at a place: their ends; null where one is too short to be seen.
+    function arrowsAt(set, poses, place) {
+      const row = Math.round(place), long = (x, y, dx, dy) => x !== null && dx !== null && Math.hypot(dx, dy) >= 1 ? { x1: x, y1: y, x2: x + dx, y2: y + dy } : null;
+      const on = (set.on ?? []).map(({ body, origin, at, by, column }) => {
+        const pose = poses[body], force = between(stock[column], place);
+        if (!pose || force === null) return null;
+        const [x, y] = pointOf(pose, at), end = pointOf(pose, [at[0] + force * by[0], at[1] + force * by[1]]);
+        return long(origin[0] + x, origin[1] + y, end[0] - x, end[1] - y);
+      });
+      return [...set.arrows.map((arrow) => long(...arrow.slice(4 * row, 4 * row + 4))), ...on];
+    }
+
+    // Places all parts of pictures, and tells the numbers in them.
+    function paint({ links, pins, sets, words }, poses, at) {
+      for (const { node, body } of links) {
+        const pose = poses[body];
+        node.setAttribute("visibility", pose ? "inherit" : "hidden");
+        if (pose) node.setAttribute("transform", `matrix(${pose[2]} ${-pose[3]} ${pose[3]} ${pose[2]} ${pose[0]} ${pose[1]})`);
       }
-      const row = Math.round(at);
+      for (const { node, body, at: point } of pins) {
+        const pose = poses[body];
+        node.setAttribute("visibility", pose ? "inherit" : "hidden");
+        if (pose) node.setAttribute("transform", `translate(${pointOf(pose, point).map((one) => one.toFixed(2)).join(" ")})`);
+      }
       data.sets.forEach((set, index) => {
         const nodes = sets[index].querySelectorAll("line");
-        set.arrows.forEach((arrow, i) => {
-          const [x, y, dx, dy] = arrow.slice(4 * row, 4 * row + 4), line = nodes[i];
-          const visible = x !== null && dx !== null && Math.hypot(dx, dy) >= 1;
-          line.setAttribute("visibility", visible ? "inherit" : "hidden");
-          if (!visible) return;
-          line.setAttribute("x1", x); line.setAttribute("y1", y);
-          line.setAttribute("x2", x + dx); line.setAttribute("y2", y + dy);
+        arrowsAt(set, poses, at).forEach((ends, i) => {
+          nodes[i].setAttribute("visibility", ends ? "inherit" : "hidden");
+          for (const [name, value] of Object.entries(ends ?? {})) nodes[i].setAttribute(name, value);
         });
       });
       for (const node of words) {
@@ -138,6 +145,13 @@ const machine = (() => {
         const { scale, unit, deltaScale, deltaUnit } = node.dataset;
         node.textContent = `φ ${number(between(own, at) * scale)} ${unit}` + (deviation ? `, δ ${number(between(deviation, at) * deltaScale)} ${deltaUnit}` : "");
       }
+    }
+
+    function show(at) {
+      place = at;
+      poses = data.bodies.map((body) => placed(body, at));
+      const row = Math.round(at);
+      paint(shown, poses, at);
       data.readings.forEach((reading, index) => {
         const value = reading.values[row];
         cells[index].textContent = value === null ? "straight" : `${number(value)} ${reading.unit}`;
@@ -187,6 +201,62 @@ const machine = (() => {
       if (playing) { clock = place >= count - 1 ? 0 : clockAt(place); last = null; requestAnimationFrame(step); }
     }
 
+    // What a picture that runs by itself goes through: rows, the shares of the time at which it is
+    // there, and how long it takes (s). All rows; of a run with turns one of the drive, from the
+    // instant that is shown on or the last; of a grid the first input there and back.
+    function course() {
+      if (grid) {
+        const first = grid[0].values.length, base = Math.floor(place / first) * first, there = Array.from({ length: first }, (_, k) => base + k);
+        const rows = [...there, ...there.toReversed().slice(1)];
+        return { rows, at: rows.map((_, k) => k / (rows.length - 1)), seconds: data.seconds };
+      }
+      let [from, to] = [0, count - 1];
+      if (data.turn && timed && data.turn < times[to] - times[0]) {
+        const begin = Math.min(between(times, place), times[to] - data.turn);
+        [from, to] = [rowOf(begin), rowOf(begin + data.turn)];
+      }
+      const begin = clockAt(from), span = clockAt(to) - begin, step = Math.max(1, Math.ceil((to - from) / MOST)), rows = [from];
+      for (let row = Math.floor(from) + 1; row < to - 1e-9; row += step) rows.push(row);
+      rows.push(to);
+      return { rows, at: rows.map((row) => (clockAt(row) - begin) / span), seconds: data.seconds * span / +pace.value };
+    }
+    const posesAt = (row) => data.bodies.map((body) => placed(body, row));
+    // Copies of the drawings, without the arrows that are not shown.
+    function copied() {
+      const { all, size } = picture.sheet([...figure.querySelectorAll("svg.mechanism")]), own = parts(all);
+      return { all, size, own };
+    }
+    function running() {
+      const { all, own } = copied(), { rows, at, seconds } = course(), steps = rows.map(posesAt);
+      paint(own, steps[0], rows[0]);
+      // Numbers do not run.
+      own.words.forEach((node) => node.remove());
+      const angled = (pose) => pose && [pose[0], pose[1], pose[4] ?? Math.atan2(pose[3], pose[2]), pose[4] !== undefined];
+      for (const { node, body } of own.links) picture.moves(node, at, seconds, steps.map((poses) => angled(poses[body])));
+      for (const { node, body, at: point } of own.pins) picture.moves(node, at, seconds, steps.map((poses) => poses[body] && [...pointOf(poses[body], point), 0]));
+      data.sets.forEach((set, index) => {
+        if (own.sets[index].getAttribute("visibility") === "hidden") { own.sets[index].remove(); return; }
+        const nodes = own.sets[index].querySelectorAll("line"), all = rows.map((row, k) => arrowsAt(set, steps[k], row));
+        nodes.forEach((_, i) => {
+          const ends = all.map((arrows) => arrows[i]);
+          picture.shows(nodes[i], at, seconds, ends.map((one) => one !== null));
+          let last = ends.find((one) => one !== null);
+          if (last) for (const name of ["x1", "y1", "x2", "y2"]) picture.runs(nodes[i], at, seconds, { name, values: ends.map((one) => +(last = one ?? last)[name].toFixed(2)) });
+        });
+      });
+      return picture.written(all);
+    }
+    function filmed(tell) {
+      const { all, size, own } = copied(), { rows, at, seconds } = course(), frames = Math.max(2, Math.min(LONGEST, Math.round(RATE * seconds)));
+      const frame = (k) => {
+        const share = k / frames, above = Math.max(1, at.findIndex((one) => one > share)), span = at[above] - at[above - 1];
+        const row = rows[above - 1] + (rows[above] - rows[above - 1]) * (span > 0 ? (share - at[above - 1]) / span : 0), whole = grid ? Math.round(row) : row;
+        paint(own, posesAt(whole), whole);
+        return all;
+      };
+      return picture.gif({ size, frames, seconds, frame, tell });
+    }
+
     const make = (name, properties) => { const node = Object.assign(document.createElement(name), properties); controls.appendChild(node); return node; };
     const labelled = (name, text, properties) => {
       const label = make("label", {}), node = Object.assign(document.createElement(name), properties);
@@ -226,12 +296,28 @@ const machine = (() => {
       choice.addEventListener("change", () => { factor = +choice.value; show(place); });
     }
     const check = (text, shown, change) => {
-      const label = make("label", {}), box = Object.assign(document.createElement("input"), { type: "checkbox", checked: shown });
-      label.append(box, text);
+      const label = make("label", {}), box = Object.assign(document.createElement("input"), { type: "checkbox", checked: shown }), name = document.createTextNode(text);
+      label.append(box, name);
       box.addEventListener("change", () => change(box.checked));
+      return { box, name };
     };
-    data.sets.forEach((set, index) => check(set.caption, set.shown, (on) => sets[index].setAttribute("visibility", on ? "visible" : "hidden")));
+    const turn = (index, on) => shown.sets[index].setAttribute("visibility", on ? "visible" : "hidden");
+    const switches = data.sets.map((set, index) => check(set.caption, set.shown, (on) => turn(index, on)));
     if (figure.querySelector("[data-path]")) check("paths", true, (on) => figure.querySelectorAll("[data-path]").forEach((node) => node.setAttribute("visibility", on ? "visible" : "hidden")));
+    const offer = (text, title, make) => {
+      const button = Object.assign(document.createElement("button"), { type: "button", textContent: text, title });
+      button.addEventListener("click", async () => {
+        button.disabled = true;
+        try {
+          picture.save(`${figure.id || "machine"}.${text.toLowerCase()}`, await make((share) => { button.textContent = `${text} ${Math.round(100 * share)} %`; }));
+          button.textContent = text;
+        } catch (error) { button.textContent = `${text}: ${error.message}`; }
+        button.disabled = false;
+      });
+      controls.append(button);
+    };
+    offer("SVG", "saves the moving drawing as an SVG that runs by itself, for slides and sites", running);
+    offer("GIF", "saves the moving drawing as an animated GIF", filmed);
     const follow = (event) => {
       const { axis: told, value, by } = event.detail;
       if (by !== "player" && told === key && value !== null && !playing) goTo(value);
@@ -241,8 +327,8 @@ const machine = (() => {
     figure.addEventListener("pointermove", (event) => {
       const svg = event.target.closest("svg.mechanism");
       if (!svg) { pointed(event, null); return; }
-      const node = event.target.closest("[data-link]"), drawing = drawings[[...figure.querySelectorAll("svg.mechanism")].indexOf(svg)];
-      const link = node && drawing.links.find((one) => one.node === node), body = link && data.bodies[link.body], pose = link && poses[link.body];
+      const node = event.target.closest("[data-link]");
+      const link = node && shown.links.find((one) => one.node === node), body = link && data.bodies[link.body], pose = link && poses[link.body];
       const name = link ? data.names[link.body] : null, lines = [];
       if (name) lines.push(name);
       if (data.scale) {
@@ -251,7 +337,7 @@ const machine = (() => {
         if (pose) lines.push(`origin (${length(pose[0] - x0)}, ${length(y0 - pose[1])}), angle ${significant(Math.atan2(pose[3], pose[2]) * 180 / Math.PI, 5)}°`);
         lines.push(`pointer (${length(point.x - x0)}, ${length(y0 - point.y)})`);
       } else if (body && body.column !== undefined) {
-        const word = words.find((one) => +one.dataset.column === body.column);
+        const word = shown.words.find((one) => +one.dataset.column === body.column);
         if (word) lines.push(word.textContent);
       }
       pointed(event, lines);
@@ -264,7 +350,8 @@ const machine = (() => {
       const at = values[Math.min(Math.round(place), count - 1)], row = place;
       take(next, source);
       if (pictures !== undefined) figure.querySelector(".stations").outerHTML = pictures;
-      if (pictures !== undefined) look();
+      if (pictures !== undefined) shown = parts(figure);
+      switches.forEach(({ box, name }, index) => { name.data = data.sets[index].caption; turn(index, box.checked); });
       show(timed && at <= values[count - 1] ? rowOf(at) : Math.min(row, count - 1));
     }
     function stop() {

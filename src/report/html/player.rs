@@ -22,6 +22,10 @@ pub(in crate::report) struct Player {
     pub(in crate::report) start: usize,
     /// How long the whole axis is played at normal speed (s).
     pub(in crate::report) seconds: f64,
+    /// The time of a turn of the drive (s), where it turns evenly: a picture that runs by itself
+    /// shows one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(in crate::report) turn: Option<f64>,
     /// Coordinates that parts follow.
     pub(in crate::report) columns: Vec<Coordinates>,
     /// The parts, by the number that their group bears as `data-link`, counted from
@@ -52,7 +56,9 @@ impl Player {
             Coordinates::Own { .. } => Vec::new(),
         };
         let all = self.columns.iter().flat_map(of);
-        all.chain([self.times]).flatten().collect()
+        let forces = self.sets.iter().flat_map(|set| &set.on);
+        let forces = forces.map(|arrow| Some(arrow.column));
+        all.chain([self.times]).chain(forces).flatten().collect()
     }
 }
 
@@ -179,6 +185,24 @@ pub(in crate::report) struct Arrows {
     pub(in crate::report) shown: bool,
     /// x, y, dx, dy of every row, for every arrow.
     pub(in crate::report) arrows: Vec<Vec<Option<f64>>>,
+    /// Arrows that go with a part, behind the others.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(in crate::report) on: Vec<ForceArrow>,
+}
+
+/// An arrow on a part, as long as a column of the page's charts says.
+#[derive(Clone, Debug, Serialize)]
+pub(in crate::report) struct ForceArrow {
+    /// The part.
+    pub(in crate::report) body: usize,
+    /// Place of the picture that the part is in (pixels).
+    pub(in crate::report) origin: [f64; 2],
+    /// The place in the frame of the part (pixels, y downwards).
+    pub(in crate::report) at: [f64; 2],
+    /// Pixels a unit of the column, in the frame of the part.
+    pub(in crate::report) by: [f64; 2],
+    /// The column.
+    pub(in crate::report) column: usize,
 }
 
 /// A number shown beside the picture.

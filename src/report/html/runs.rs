@@ -3,7 +3,7 @@
 use super::player::Coordinates;
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::report::abscissa::Abscissa;
-use crate::report::plot::{Axis, Band, Plot, Plots, Series};
+use crate::report::plot::{Axis, Band, MotionPhase, Plot, Plots, Series};
 use crate::report::quantity::{escape, with_unit};
 
 /// Samples of a run under a label.
@@ -71,8 +71,44 @@ pub fn chart(
         y: Axis::of(unit),
         series: series.collect(),
         bands,
+        phases: phases(runs.first()?, object),
         ..Plot::default()
     })
+}
+
+/// Rise, dwell and return of an object's law over the angle of the machine; none over time.
+fn phases(run: &RunSeries<'_>, object: &str) -> Vec<MotionPhase> {
+    let column = |quantity| run.record.column(object, quantity);
+    let Some(displacement) = column(Quantity::Displacement) else {
+        return Vec::new();
+    };
+    let Some(one_turn) = run.over.one_turn() else {
+        return Vec::new();
+    };
+    let law: Vec<f64> = match column(Quantity::Delta) {
+        Some(delta) => {
+            let both = displacement.values.iter().zip(&delta.values);
+            both.map(|(displacement, delta)| displacement - delta)
+                .collect()
+        }
+        None => displacement.values.clone(),
+    };
+    let mut points = one_turn.curve(run.record, &law);
+    points.retain(|(at, value)| at.is_finite() && value.is_finite());
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // What goes on from turn to turn, as a shaft does, jumps where turns meet: it neither rises nor
+    // returns.
+    let values = points.iter().map(|(_, value)| *value);
+    let [least, most] = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    let mut steps = points.windows(2).filter(|pair| pair[1].0 > pair[0].0);
+    let first = steps.next();
+    let jumps = first.is_some_and(|pair| (pair[1].1 - pair[0].1).abs() > 0.5 * (most - least));
+    match jumps {
+        true => Vec::new(),
+        false => MotionPhase::of(&points),
+    }
 }
 
 fn columns<'a>(

@@ -5,8 +5,9 @@ use crate::math::jet::Jet;
 use crate::report::course::samples;
 use crate::report::csv::{Rows, head};
 use crate::report::findings::{Layout, Section};
-use crate::report::plot::{Axis, Plot, Series};
+use crate::report::plot::{Axis, MotionPhase, Plot, Series};
 use crate::report::quantity::significant;
+use crate::report::verdict::capitalised;
 
 /// Points of each diagram.
 pub(super) const DIAGRAM_POINTS: usize = 400;
@@ -30,6 +31,9 @@ pub(super) struct Curve<'a> {
 
 const PRIMES: [&str; 4] = ["", "′", "″", "‴"];
 
+/// What the value and its derivatives are, each before its symbol.
+const NAMES: [&str; 4] = ["displacement", "speed", "acceleration", "jerk"];
+
 fn parts(jet: &Jet) -> [f64; 4] {
     [jet.value, jet.first, jet.second, jet.third]
 }
@@ -42,7 +46,7 @@ impl<'a> Curve<'a> {
         Self {
             rows: of_law(law, DIAGRAM_POINTS),
             symbol: "θ",
-            x: Axis::new("τ", ""),
+            x: Axis::new("share τ of the duration", ""),
             unit: "",
             sizes: [
                 1.0,
@@ -73,7 +77,7 @@ impl<'a> Curve<'a> {
     /// All diagrams, each divided by its greatest value.
     fn over_each_other(&self, title: &str) -> Plot {
         let curve = |(order, &size): (usize, &f64)| {
-            let name = format!("{}{}", self.symbol, PRIMES[order]);
+            let name = format!("{} {}{}", NAMES[order], self.symbol, PRIMES[order]);
             let label = match size == 1.0 {
                 true => name,
                 false => format!("{name} / {}", significant(size, 5)),
@@ -82,17 +86,28 @@ impl<'a> Curve<'a> {
         };
         let shown = self.sizes.iter().enumerate();
         let curves = shown.filter(|(_, size)| **size != 0.0).map(curve);
-        Plot::new(title, self.x.clone(), "", curves.collect())
+        Plot {
+            phases: MotionPhase::of(&self.points(0, 1.0)),
+            ..Plot::new(title, self.x.clone(), "", curves.collect())
+        }
     }
 
     /// One diagram in its own unit.
     fn alone(&self, order: usize) -> Plot {
-        Plot::new(
-            format!("{}{}", self.symbol, PRIMES[order]),
-            self.x.clone(),
-            &unit(order, self.unit, &self.x.unit, ["", "", "²", "³"]),
-            vec![Series::line("", self.points(order, 1.0))],
-        )
+        Plot {
+            phases: MotionPhase::of(&self.points(0, 1.0)),
+            ..Plot::new(
+                format!(
+                    "{} {}{}",
+                    capitalised(NAMES[order]),
+                    self.symbol,
+                    PRIMES[order]
+                ),
+                self.x.clone(),
+                &unit(order, self.unit, &self.x.unit, ["", "", "²", "³"]),
+                vec![Series::line("", self.points(order, 1.0))],
+            )
+        }
     }
 }
 

@@ -55,7 +55,8 @@ fn samples_have_both_sides_of_every_joint() {
     let found = law_findings(&row, &law);
     let picture = found.first_chart().unwrap().svg(640.0, 320.0);
     assert!(
-        picture.contains("θ″ / 4.8881") && picture.contains(">τ</text>"),
+        picture.contains("acceleration θ″ / 4.8881")
+            && picture.contains(">share τ of the duration</text>"),
         "{picture}"
     );
 }

@@ -1,25 +1,25 @@
 //! Cams of the machine with their followers, to scale.
 
 use super::Machine;
-use super::object_path::{ObjectPath, Picture};
+use super::object_path::{Grip, ObjectPath, Picture};
 use crate::dynamics::model::ObjectPart;
 use crate::kinematics::cam::{DiscCam, Guide};
-use crate::report::cam::{Follower, bodies, drawing, drawn, view};
-use crate::report::html::player::PartDisplacement;
+use crate::report::cam::{Follower, bodies, drawing, drawn, ends, marks, view_within};
+use crate::report::html::player::{Body, PartDisplacement};
 
 /// The picture of a follower whose cam is known, `columns` being the coordinates of
-/// the cam and of the follower.
+/// the cam and of the follower, of at most so many pixels a metre.
 pub(super) fn picture(
     machine: &Machine<'_>,
     part: &ObjectPart,
     way: &ObjectPath,
-    columns: [usize; 2],
-    elastic: bool,
+    driver: &ObjectPath,
+    (columns, elastic, most): ([usize; 2], bool, f64),
 ) -> Option<Picture> {
     let (_, cam) = machine.cams.iter().find(|(id, _)| *id == part.id)?;
     let lever = machine.model.nodes[*part.nodes.last()?].motion.law()?.lever;
     let curves = drawn(cam);
-    let view = view(cam, &curves);
+    let view = view_within(cam, &curves, most);
     let outward = cam.geometry().outward;
     let follower = |shown: PartDisplacement| Follower {
         column: columns[1],
@@ -38,17 +38,44 @@ pub(super) fn picture(
         all.push(law);
     }
     let start = follower(shown).factor * way.start - follower(shown).base;
+    let parts = drawing(
+        cam,
+        &curves,
+        &view,
+        cam.motion().range().0,
+        Some(start).filter(|_| elastic),
+    );
+    let [inlet, outlet, tip] = ends(cam, &view);
+    let grip = grip(&all[1], [outlet, tip]);
     Some(Picture {
-        drawn: drawing(
-            cam,
-            &curves,
-            &view,
-            cam.motion().range().0,
-            Some(start).filter(|_| elastic),
-        ),
+        drawn: parts + &marks(cam, &view, driver.forward),
         size: view.size,
         bodies: all,
         pixels: pixels(cam, view.scale) / lever.abs(),
+        inlet,
+        outlet,
+        scale: Some(view.scale),
+        shows_driver: true,
+        grip,
+    })
+}
+
+/// Where loads act on the follower, its second part: on a sliding one at its far end, on a turning
+/// one at its tip, square to its arm.
+fn grip(follower: &Body, [end, tip]: [[f64; 2]; 2]) -> Option<Grip> {
+    let (at, along) = match *follower {
+        Body::Slide { by, .. } => (end, by),
+        Body::Turn { at, sense, .. } => {
+            let [x, y] = [tip[0] - at[0], tip[1] - at[1]];
+            ([x, y], [sense.signum() * y, -sense.signum() * x])
+        }
+        Body::Rows { .. } | Body::Over { .. } => return None,
+    };
+    let size = along[0].hypot(along[1]);
+    (size > 0.0).then(|| Grip {
+        part: 1,
+        at,
+        along: along.map(|part| part / size),
     })
 }
 

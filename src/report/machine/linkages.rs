@@ -1,6 +1,6 @@
 //! Linkages of the machine: to scale, over their input coordinate.
 
-use super::object_path::{ObjectPath, Picture};
+use super::object_path::{ObjectPath, Picture, TURNS};
 use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::kinematics::linkage::{Linkage, Pose};
@@ -10,12 +10,13 @@ use crate::report::mechanism::{Axis, Drawing, Placement, View};
 /// Places over the reach that is drawn.
 const PLACES: usize = 361;
 
-/// The picture of an object that is a linkage; `column` is its input coordinate.
+/// The picture of an object that is a linkage, of at most so many pixels a metre; `column` is its
+/// input coordinate.
 pub(super) fn picture(
     model: &Model,
     part: &ObjectPart,
     way: &ObjectPath,
-    column: usize,
+    (column, most): (usize, f64),
 ) -> Option<Picture> {
     let own = |index: usize| {
         model
@@ -24,7 +25,7 @@ pub(super) fn picture(
             .is_some_and(|object| object.id == part.id)
     };
     let body = model.linkages.iter().find(|body| own(body.object))?;
-    Some(drawn(&body.linkage, way, column))
+    Some(drawn(&body.linkage, way, column, most))
 }
 
 /// The picture of an object that is a linkage of several inputs, over the rows of the record.
@@ -32,6 +33,7 @@ pub(super) fn multi_input_picture(
     model: &Model,
     part: &ObjectPart,
     record: &Record,
+    most: f64,
 ) -> Option<Picture> {
     let own = |body: &&MultiLinkageBody| model.objects[body.object].id == part.id;
     let body = model.multi_linkages.iter().find(own)?;
@@ -69,7 +71,7 @@ pub(super) fn multi_input_picture(
         paths: Vec::new(),
         arrows: Vec::new(),
     };
-    let view = View::of(&drawing);
+    let view = View::within(&drawing, most);
     let bodies = (0..spec.links.len()).map(|link| Body::Rows {
         table: drawing.table(&view, link),
     });
@@ -79,6 +81,11 @@ pub(super) fn multi_input_picture(
         size: [view.width, view.height],
         // Its links are rigid.
         pixels: 0.0,
+        inlet: [0.0, 0.5 * view.height],
+        outlet: [view.width, 0.5 * view.height],
+        scale: Some(view.scale),
+        shows_driver: false,
+        grip: None,
     })
 }
 
@@ -101,14 +108,14 @@ pub(super) fn law(
     model: &Model,
     part: &ObjectPart,
     way: &ObjectPath,
-    column: usize,
+    (column, most): (usize, f64),
 ) -> Option<Picture> {
     let law = model.nodes[*part.nodes.last()?].motion.law()?;
     let linkage = Linkage::new(law.position.as_linkage(way.start)?).ok()?;
-    Some(drawn(&linkage, way, column))
+    Some(drawn(&linkage, way, column, most))
 }
 
-fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize) -> Picture {
+fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize, most: f64) -> Picture {
     let (from, to, repeats) = reach(linkage, way);
     let inputs: Vec<f64> = (0..PLACES)
         .map(|place| from + (to - from) * place as f64 / (PLACES - 1) as f64)
@@ -126,7 +133,7 @@ fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize) -> Picture {
         paths: Vec::new(),
         arrows: Vec::new(),
     };
-    let view = View::of(&drawing);
+    let view = View::within(&drawing, most);
     let share = (way.start - from) / (to - from);
     let share = if repeats {
         share.rem_euclid(1.0)
@@ -134,6 +141,11 @@ fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize) -> Picture {
         share.clamp(0.0, 1.0)
     };
     let start = (share * (PLACES - 1) as f64).round() as usize;
+    let sense = match way.one_way {
+        true => drawing.sense_mark(&view, way.forward, TURNS),
+        false => String::new(),
+    };
+    let [inlet, outlet] = drawing.ends(&view);
     let bodies = (0..linkage.spec().links.len()).map(|link| Body::Over {
         column,
         from,
@@ -144,10 +156,15 @@ fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize) -> Picture {
     });
     Picture {
         bodies: bodies.collect(),
-        drawn: drawing.parts(&view, start),
+        drawn: drawing.parts(&view, start) + &sense,
         size: [view.width, view.height],
         // Its links are rigid.
         pixels: 0.0,
+        inlet,
+        outlet,
+        scale: Some(view.scale),
+        shows_driver: true,
+        grip: None,
     }
 }
 

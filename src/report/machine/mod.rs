@@ -1,13 +1,15 @@
-//! The machine of a run, moving: every object as a picture of its own, to scale
-//! where the scene tells its geometry (cams, linkages), else as a lever of unit
-//! length or a slide on its guide. Where objects deflect, the place that the law
-//! asks for is drawn pale beside the true one, the deflection magnified.
+//! The machine of a run, moving, in one picture: cams and linkages to scale with what
+//! drives them, other objects as levers of unit length or slides on their guides beside
+//! them, joined by lines. Where objects deflect, the place that the law requires is drawn
+//! pale beside the true one, the deflection magnified.
 
 mod cams;
 mod linkages;
+mod loads;
 mod magnify;
 mod object_path;
 mod station;
+mod whole;
 
 use super::cam;
 use super::html::player::{Coordinates, Player};
@@ -19,6 +21,7 @@ use crate::dynamics::record::{Figures, Record, drive_cycle};
 use crate::kinematics::cam::DiscCam;
 use magnify::magnify;
 use station::Station;
+use whole::Whole;
 
 /// Most objects that are drawn; more would fill no screen.
 const MOST: usize = 24;
@@ -75,31 +78,39 @@ impl Machine<'_> {
         let mut player = Player {
             id: "machine".to_owned(),
             seconds: self.seconds(record),
+            turn: self.turn(),
             columns,
             times: Some(plots.places(&record.times)),
             ..Player::default()
         };
-        let of = |column: usize| Station::of(self, record, column, &drawn);
-        let stations: Vec<Station> = (0..drawn.len()).flat_map(of).collect();
+        let stations = |most: &[f64]| -> Vec<Station> {
+            let of = |column: usize| Station::of(self, record, (column, most[column]), &drawn);
+            (0..drawn.len()).flat_map(of).collect()
+        };
+        let free = vec![f64::INFINITY; drawn.len()];
+        let most = whole::scales(&stations(&free), drawn.len());
+        let mut stations = stations(&most);
         if stations.is_empty() || record.times.len() < 2 {
             return None;
         }
-        let deflections = stations.iter().map(|station| {
-            let own = figures.objects.get(&station.id);
-            own.map_or(0.0, |own| own.delta_abs) * station.pixels
-        });
+        let delta = |id: &str| figures.objects.get(id).map_or(0.0, |own| own.delta_abs);
+        let deflections = stations
+            .iter()
+            .map(|one| delta(&one.id) * one.picture.pixels);
         player.magnify = magnify(deflections.fold(0.0, f64::max));
-        let mut pictures = "<div class=\"stations\">\n".to_owned();
-        for mut station in stations {
-            let first = player.bodies.len();
-            player.bodies.append(&mut station.bodies);
-            let delta = figures
-                .objects
-                .get(&station.id)
-                .map_or(0.0, |own| own.delta_abs);
-            pictures.push_str(&station.html(first, delta));
-        }
-        pictures.push_str("</div>\n");
+        let mut parts = 0;
+        let firsts = stations.iter().map(|one| {
+            parts += one.picture.bodies.len();
+            parts - one.picture.bodies.len()
+        });
+        let firsts: Vec<usize> = firsts.collect();
+        let whole = Whole::of(self.model, &drawn, &stations, &firsts);
+        let loads = loads::arrows(self.model, (&drawn, &whole), record, plots);
+        let arrows = loads.as_ref().map_or(String::new(), loads::layer);
+        let pictures = whole.html(delta, &arrows);
+        player.sets.extend(loads);
+        let bodies = stations.iter_mut().map(|one| &mut one.picture.bodies);
+        bodies.for_each(|own| player.bodies.append(own));
         Some(MovingMachine {
             player,
             pictures,
@@ -119,10 +130,15 @@ impl Machine<'_> {
 
     fn seconds(&self, record: &Record) -> f64 {
         let duration = record.times.last().copied().unwrap_or(0.0);
-        match drive_cycle(self.model) {
-            Ok(cycle) if cycle > 0.0 => (SECONDS_A_TURN * duration / cycle).max(2.0),
-            _ => SECONDS_A_RUN,
+        match self.turn() {
+            Some(turn) => (SECONDS_A_TURN * duration / turn).max(2.0),
+            None => SECONDS_A_RUN,
         }
+    }
+
+    /// The time of a turn of the drive (s); `None`: it does not turn evenly.
+    fn turn(&self) -> Option<f64> {
+        drive_cycle(self.model).ok().filter(|turn| *turn > 0.0)
     }
 }
 
@@ -142,7 +158,8 @@ impl MovingMachine {
     pub(in crate::report) fn note(&self) -> String {
         let mut text = String::from(
             "Angles are true; cams and linkages are to scale, a lever without geometry has unit \
-             length. The cursors of the plots below go with the machine.",
+             length. A scene does not place its objects in the plane: lines join them along the \
+             flow of motion. The cursors of the charts below follow the machine.",
         );
         if self.player.magnify.is_some() {
             text.push_str(

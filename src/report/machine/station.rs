@@ -1,11 +1,12 @@
 //! One object of the machine: its picture, its moving parts, its readings.
 
 use super::Machine;
-use super::object_path::{ObjectPath, Picture};
+use super::object_path::{Grip, ObjectPath, Picture, TURNS};
 use super::{cams, linkages};
 use crate::dynamics::model::{Coordinate, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
 use crate::report::html::player::{Body, PartDisplacement};
+use crate::report::mechanism::marks::sense;
 use crate::report::plot::coordinate;
 use crate::report::quantity::{escape, scale, with_unit};
 use std::f64::consts::TAU;
@@ -13,13 +14,15 @@ use std::fmt::Write as _;
 
 /// Size of a diagram (pixels).
 const WIDTH: f64 = 210.0;
-const HEIGHT: f64 = 190.0;
+const HEIGHT: f64 = 206.0;
 /// Length of a lever and radius of a wheel (pixels).
 const LEVER: f64 = 76.0;
 const WHEEL: f64 = 56.0;
 /// Travel of a slide on the picture (pixels), and half the size of its block.
 const TRAVEL: f64 = 120.0;
 const BLOCK: [f64; 2] = [19.0, 14.0];
+/// Height of a line of a caption (pixels).
+pub(super) const LINE: f64 = 17.0;
 
 /// Station: an object with its picture.
 #[derive(Clone, Debug)]
@@ -27,25 +30,22 @@ pub(super) struct Station {
     /// Id of the object.
     pub(super) id: String,
     kind: String,
-    /// The picture: what stands within its `<svg>`, and its size.
-    picture: String,
-    size: [f64; 2],
-    /// Moving parts, in the order of their numbers.
-    pub(super) bodies: Vec<Body>,
-    /// Length of a unit of its displacement on the picture (pixels).
-    pub(super) pixels: f64,
-    column: usize,
+    /// The picture with its moving parts, in the order of their numbers.
+    pub(super) picture: Picture,
+    /// Number of the object among those that are drawn, and of its coordinate.
+    pub(super) column: usize,
     coordinate: Coordinate,
 }
 
 impl Station {
     /// The pictures of one of the objects that are drawn, whose coordinates are
     /// numbered in their order: what its geometry is, and where that does not show its
-    /// deflection, a diagram. None where it has no samples.
+    /// deflection, a diagram. None where it has no samples. What is to scale has at most so many
+    /// pixels a metre.
     pub(super) fn of(
         machine: &Machine<'_>,
         record: &Record,
-        column: usize,
+        (column, most): (usize, f64),
         drawn: &[&ObjectPart],
     ) -> Vec<Self> {
         let part = drawn[column];
@@ -59,10 +59,20 @@ impl Station {
             let id = &machine.model.objects[driver].id;
             drawn.iter().position(|one| one.id == *id)
         });
-        let geometry = linkages::picture(machine.model, part, &own, column)
-            .or_else(|| linkages::multi_input_picture(machine.model, part, record))
-            .or_else(|| cams::picture(machine, part, &own, [driver?, column], elastic));
-        let law = || linkages::law(machine.model, part, &way(drawn[driver?])?, driver?);
+        let cam = |driver: usize| {
+            let turned = way(drawn[driver])?;
+            cams::picture(
+                machine,
+                part,
+                &own,
+                &turned,
+                ([driver, column], elastic, most),
+            )
+        };
+        let geometry = linkages::picture(machine.model, part, &own, (column, most))
+            .or_else(|| linkages::multi_input_picture(machine.model, part, record, most))
+            .or_else(|| cam(driver?));
+        let law = || linkages::law(machine.model, part, &way(drawn[driver?])?, (driver?, most));
         let diagram = || match part.coordinate {
             Coordinate::Turning => turning(&own, column, elastic),
             Coordinate::Sliding => sliding(&own, column, elastic),
@@ -82,42 +92,36 @@ impl Station {
         let station = |(kind, picture): (String, Picture)| Self {
             id: part.id.clone(),
             kind,
-            picture: picture.drawn,
-            size: picture.size,
-            bodies: picture.bodies,
-            pixels: picture.pixels,
+            picture,
             column,
             coordinate: part.coordinate,
         };
         pictures.into_iter().map(station).collect()
     }
 
-    /// The picture with its name and readings; its parts are numbered from `first`
-    /// on, `delta` is the greatest deflection.
-    pub(super) fn html(&self, first: usize, delta: f64) -> String {
-        let (unit, factor) = match self.coordinate {
-            Coordinate::Turning => ("deg", 1f64.to_degrees()),
-            Coordinate::Sliding => ("mm", 1e3),
-        };
-        let si = match self.coordinate {
-            Coordinate::Turning => "rad",
-            Coordinate::Sliding => "m",
+    /// SI unit of the forces that act along its coordinate.
+    pub(super) fn force_unit(&self) -> &'static str {
+        match self.coordinate {
+            Coordinate::Turning => "N m",
+            Coordinate::Sliding => "N",
+        }
+    }
+
+    /// Its name and what it shows of its coordinate, as lines from a pixel on; `delta` is the
+    /// greatest deflection.
+    pub(super) fn caption(&self, [x, y]: [f64; 2], delta: f64) -> String {
+        let (unit, factor, si) = match self.coordinate {
+            Coordinate::Turning => ("deg", 1f64.to_degrees(), "rad"),
+            Coordinate::Sliding => ("mm", 1e3, "m"),
         };
         let small = scale(delta, si);
-        let [w, h] = self.size.map(coordinate);
-        let wide = if self.size[0] > 1.5 * WIDTH {
-            " wide"
-        } else {
-            ""
-        };
         let id = escape(&self.id);
+        let [x, y, below] = [x, y, y + LINE].map(coordinate);
         format!(
-            "<div class=\"station{wide}\">\n<svg class=\"mechanism\" data-first=\"{first}\" viewBox=\"0 0 {w} {h}\" \
-             width=\"{w}\" height=\"{h}\" role=\"img\" aria-label=\"{id} moving\">\n{}</svg>\n<p><a \
-             href=\"#object-{id}\">{id}</a> <span class=\"soft\">{}</span><br><span data-column=\"{}\" \
-             data-unit=\"{unit}\" data-scale=\"{factor}\" data-delta-unit=\"{}\" \
-             data-delta-scale=\"{}\"></span></p>\n</div>\n",
-            self.picture,
+            "<text class=\"name\" x=\"{x}\" y=\"{y}\"><a href=\"#object-{id}\">{id}</a> <tspan \
+             class=\"kind\">{}</tspan></text><text class=\"note\" x=\"{x}\" y=\"{below}\" \
+             data-column=\"{}\" data-unit=\"{unit}\" data-scale=\"{factor}\" data-delta-unit=\"{}\" \
+             data-delta-scale=\"{}\"></text>\n",
             escape(&self.kind),
             self.column,
             escape(&small.unit),
@@ -138,9 +142,16 @@ impl ObjectPath {
         let start = finite().next()?;
         let least = finite().fold(start, f64::min);
         let greatest = finite().fold(start, f64::max);
+        let last = finite().last().unwrap_or(start);
         Some(Self {
             start,
             range: [least, greatest],
+            forward: last >= start,
+            one_way: {
+                let values: Vec<f64> = finite().collect();
+                let mut steps = values.windows(2).map(|pair| pair[1] - pair[0]);
+                steps.all(|step| step == 0.0 || (step > 0.0) == (last >= start))
+            },
         })
     }
 
@@ -187,6 +198,8 @@ fn turning(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
     let mut out = Picture {
         size: [WIDTH, HEIGHT],
         pixels: radius,
+        inlet: centre,
+        outlet: centre,
         ..Picture::default()
     };
     if !revolves {
@@ -209,6 +222,14 @@ fn turning(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
             offset,
             shown,
         });
+    }
+    out.grip = Some(Grip {
+        part: displacements(elastic).len() - 1,
+        at: [radius, 0.0],
+        along: [0.0, -1.0],
+    });
+    if revolves || (way.one_way && way.travel() > TURNS) {
+        out.drawn.push_str(&sense(centre, WHEEL + 9.0, way.forward));
     }
     let [x, y] = centre.map(coordinate);
     let _ = writeln!(
@@ -276,6 +297,13 @@ fn sliding(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
     let mut out = Picture {
         size: [WIDTH, HEIGHT],
         pixels: scale,
+        grip: Some(Grip {
+            part: displacements(elastic).len() - 1,
+            at: [0.0, 0.0],
+            along: [1.0, 0.0],
+        }),
+        inlet: [middle - 0.5 * TRAVEL, y],
+        outlet: [middle + 0.5 * TRAVEL, y],
         drawn: guide([middle, y]),
         ..Picture::default()
     };

@@ -5,6 +5,7 @@
 
 mod arrows;
 mod guides;
+pub(in crate::report) mod marks;
 mod names;
 mod parts;
 mod section;

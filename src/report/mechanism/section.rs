@@ -1,7 +1,7 @@
 //! The linkage as a stand-alone picture and as a moving part of a page.
 
 use super::view::View;
-use super::{Drawing, GridAxis, arrows, parts};
+use super::{Drawing, GridAxis, arrows, marks, parts};
 use crate::report::html::player::{Arrows, Body, Player, RowAxis, Slider, short};
 use crate::report::plot::{coordinate, document};
 use crate::report::quantity::{escape, significant};
@@ -12,6 +12,9 @@ pub(in crate::report) const STYLE: &str = include_str!("mechanism.css");
 /// How long all positions are played at normal speed (s).
 const SECONDS: f64 = 4.0;
 
+/// Angle from which on a link is said to turn, not to swing (rad).
+const FULL: f64 = 0.95 * std::f64::consts::TAU;
+
 impl Drawing<'_> {
     /// The picture of one position as a complete SVG document on white ground.
     /// A position that is not there shows the links in their own frames.
@@ -19,9 +22,10 @@ impl Drawing<'_> {
         let view = View::of(self);
         let note = self.note(frame);
         let body = format!(
-            "{markers}\n{parts}{layer}<text class=\"note\" x=\"14\" y=\"{foot}\">{note}</text>\n",
+            "{markers}\n{parts}{marks}{layer}<text class=\"note\" x=\"14\" y=\"{foot}\">{note}</text>\n",
             markers = arrows::markers(self),
             parts = parts::picture(self, &view, frame),
+            marks = self.scale_mark(&view) + &self.sense_mark(&view, true, FULL),
             layer = arrows::layer(self, &view, frame),
             foot = coordinate(view.height + 12.0),
             note = escape(&note),
@@ -51,7 +55,7 @@ impl Drawing<'_> {
     pub fn section(&self, id: &str) -> String {
         let view = View::of(self);
         let player = self.player(id, &view);
-        player.figure(&self.picture(&view, 0))
+        player.figure(&self.picture(&view, 0, &self.sense_mark(&view, true, FULL)))
     }
 
     /// The picture with a slider for each input: the positions are those of a grid over them,
@@ -72,16 +76,35 @@ impl Drawing<'_> {
             start,
             ..self.player(id, &view)
         };
-        player.figure(&self.picture(&view, start))
+        player.figure(&self.picture(&view, start, ""))
     }
 
-    fn picture(&self, view: &View, frame: usize) -> String {
+    /// The scale bar in the margin.
+    fn scale_mark(&self, view: &View) -> String {
+        marks::scale_bar(view.scale, [14.0, view.height - 14.0])
+    }
+
+    /// The sense in which the driving link turns from position to position, or back; empty where
+    /// it turns by less than an angle (rad).
+    pub(in crate::report) fn sense_mark(&self, view: &View, forward: bool, least: f64) -> String {
+        marks::driving_turn(self, view, least).map_or(String::new(), |(pin, counterclockwise)| {
+            marks::sense(pin, marks::ARC, counterclockwise == forward)
+        })
+    }
+
+    /// The pixels at which its motion comes in and goes out.
+    pub(in crate::report) fn ends(&self, view: &View) -> [[f64; 2]; 2] {
+        [marks::inlet(self, view), marks::outlet(self, view)]
+    }
+
+    fn picture(&self, view: &View, frame: usize, sense: &str) -> String {
         let (w, h) = (coordinate(view.width), coordinate(view.height));
         format!(
             "<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" role=\"img\" \
-             aria-label=\"the mechanism, to scale\">\n{markers}\n{parts}{layer}</svg>\n",
+             aria-label=\"the mechanism, to scale\">\n{markers}\n{parts}{scale}{sense}{layer}</svg>\n",
             markers = arrows::markers(self),
             parts = parts::picture(self, view, frame),
+            scale = self.scale_mark(view),
             layer = arrows::layer(self, view, frame),
         )
     }
@@ -121,6 +144,7 @@ impl Drawing<'_> {
                 caption: arrows::caption(set),
                 shown: set.shown,
                 arrows: set.arrows.iter().map(arrow).collect(),
+                on: Vec::new(),
             }
         };
         let links = 0..self.spec.links.len();

@@ -29,6 +29,11 @@ pub(in crate::report) struct View {
 impl View {
     /// The view that holds every position of the drawing.
     pub(in crate::report) fn of(drawing: &Drawing<'_>) -> Self {
+        Self::within(drawing, f64::INFINITY)
+    }
+
+    /// The view that holds every position, of at most so many pixels a metre.
+    pub(in crate::report) fn within(drawing: &Drawing<'_>, most: f64) -> Self {
         let mut area = Area::default();
         for point in &drawing.spec.ground {
             area.take(point.at);
@@ -74,16 +79,16 @@ impl View {
                 }
             }
         }
-        let right = right_margin(drawing, &area, MARGIN);
-        let right = right_margin(drawing, &area, right);
+        let right = right_margin(drawing, &area, MARGIN, most);
+        let right = right_margin(drawing, &area, right, most);
         Self {
             extent,
-            ..Self::around(&area, right)
+            ..Self::around(&area, right, most)
         }
     }
 
     /// A view of an area; margins are [`MARGIN`] wide but for that on the right.
-    fn around(area: &Area, right_margin: f64) -> Self {
+    fn around(area: &Area, right_margin: f64, most: f64) -> Self {
         let Some(extent) = area.extent() else {
             return Self {
                 width: 2.0 * MARGIN,
@@ -96,7 +101,8 @@ impl View {
         let ([left, foot], [right, top]) = (area.low, area.high);
         let (wide, high) = (right - left, top - foot);
         let scale = ((WIDEST - MARGIN - right_margin) / wide.max(1e-9 * extent))
-            .min((HIGHEST - 2.0 * MARGIN) / high.max(1e-9 * extent));
+            .min((HIGHEST - 2.0 * MARGIN) / high.max(1e-9 * extent))
+            .min(most);
         Self {
             width: wide * scale + MARGIN + right_margin,
             height: high * scale + 2.0 * MARGIN,
@@ -124,8 +130,8 @@ impl View {
 }
 
 /// The margin on the right that the names of pins need, at the scale of a given one.
-fn right_margin(drawing: &Drawing<'_>, area: &Area, margin: f64) -> f64 {
-    let scale = View::around(area, margin).scale;
+fn right_margin(drawing: &Drawing<'_>, area: &Area, margin: f64, most: f64) -> f64 {
+    let scale = View::around(area, margin, most).scale;
     let beyond = |([x, _], room): ([f64; 2], f64)| EDGE + room - (area.high[0] - x) * scale;
     let widest = named_pins(drawing).map(beyond);
     let widest = widest.filter(|room| room.is_finite());

@@ -2,6 +2,7 @@
 
 use super::charts::{Against, work_precision};
 use super::{HEIGHT, TIMING, verdict};
+use crate::dynamics::integrate::Method;
 use crate::frontend::scene::in_words;
 use crate::report::diagram::Diagram;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
@@ -21,6 +22,7 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
         let plot = work_precision(study, against);
         Section::new(heading).charts(Layout::Wide(HEIGHT), link, vec![plot])
     };
+    let named = study.methods.iter().map(|line| line.method);
     let mut sections = vec![
         chart("Error against time", Against::Time, "time")
             .legend(TIMING)
@@ -30,6 +32,7 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
             Against::Evaluations,
             "evaluations",
         ),
+        names(named),
         match &study.reference {
             Some(found) => Section::new("Reference").figures(reference(study, found)),
             None => no_reference(study),
@@ -52,6 +55,12 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
         sections,
         source,
     }
+}
+
+/// The names of methods with what they are.
+pub(super) fn names(all: impl Iterator<Item = Method>) -> Section<'static> {
+    let figures = all.map(|method| Figure::new(method.name(), method.words()));
+    Section::new("Methods").figures(figures.collect())
 }
 
 /// Doubt about the reference and cautions are warnings, in every form of the answer.

@@ -1,6 +1,7 @@
 //! What a study of methods over a parameter found.
 
 use super::charts::{cost, height_of_regions, methods, regions, stable_steps};
+use super::study::names;
 use super::{HEIGHT, TIMING, verdict};
 use crate::dynamics::integrate::Method;
 use crate::report::diagram::Diagram;
@@ -34,6 +35,7 @@ pub fn sweep_findings<'a>(
     sections.extend(cost);
     sections.extend(stable);
     sections.extend([
+        names(methods(sweep).into_iter()),
         standings(sweep),
         causes(sweep),
         Section::default().drawing(|plots| mechanism(diagram, plots)),

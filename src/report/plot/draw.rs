@@ -1,7 +1,7 @@
 //! A chart as a picture.
 
 use super::frame::{BAND, Frame, STRIP, is_beyond, stroke};
-use super::{LineStyle, Plot, Series, Shape, coordinate, document, marks, palette};
+use super::{LineStyle, Plot, Series, Shape, coordinate, document, marks, palette, phases};
 use std::fmt::Write as _;
 
 impl Plot {
@@ -60,7 +60,7 @@ impl Plot {
             "<g class=\"grid\">{grid}</g>\n\
              <clipPath id=\"clip-{index}\"><rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\"/></clipPath>\n\
              <g class=\"field\"{clip}>{field}</g>\n<g class=\"inside\" clip-path=\"url(#clip-{index})\">\n\
-             {ground}{curves}</g>\n<g class=\"points\">{marks}</g>\n\
+             {phases}{ground}{curves}</g>\n<g class=\"points\">{marks}</g>\n\
              <g class=\"labels\">{labels}</g>{border}\n\
              <rect class=\"pad\" x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{all}\" fill=\"none\" \
              pointer-events=\"all\"/>\n",
@@ -69,6 +69,7 @@ impl Plot {
                 true => format!(" clip-path=\"url(#clip-{index})\""),
                 false => String::new(),
             },
+            phases = phases::drawn(&self.phases, frame),
             ground = self.ground(frame),
             all = coordinate(frame.height + strip),
         )

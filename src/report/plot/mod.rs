@@ -18,6 +18,7 @@ mod grid;
 mod marks;
 pub(in crate::report) mod page;
 pub(in crate::report) mod palette;
+mod phases;
 pub(in crate::report) mod scale;
 #[cfg(test)]
 mod script_tests;
@@ -27,6 +28,7 @@ mod tests;
 pub use field::{Contour, Field, Kind};
 pub(in crate::report) use frame::{Entry, Frame, STRIP, framed, rows as legend_rows};
 pub use page::Plots;
+pub use phases::{MotionPhase, PhaseKind};
 
 /// A chart as data: quantities over one another.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,6 +45,8 @@ pub struct Plot {
     pub series: Vec<Series>,
     /// Shaded parts of the horizontal axis.
     pub bands: Vec<Band>,
+    /// Rise, dwell and return of a displacement over the horizontal axis.
+    pub phases: Vec<MotionPhase>,
     /// Lines across the frame.
     pub rules: Vec<Rule>,
     /// Values of the vertical axis below this are shaded, with a name.
@@ -67,6 +71,7 @@ impl Default for Plot {
             y: Axis::default(),
             series: Vec::new(),
             bands: Vec::new(),
+            phases: Vec::new(),
             rules: Vec::new(),
             below: None,
             field: None,

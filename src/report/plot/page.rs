@@ -138,6 +138,10 @@ impl Plots {
         if let Some((below, _)) = plot.below {
             value["below"] = json!(below);
         }
+        if !plot.phases.is_empty() {
+            let ends = plot.phases.iter().map(|phase| [phase.from, phase.to]);
+            value["phases"] = json!(ends.collect::<Vec<_>>());
+        }
         if !plot.lane.is_empty() {
             value["lane"] = json!(plot.lane);
         }

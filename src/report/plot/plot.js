@@ -147,6 +147,7 @@ const live = (() => {
       this.paths = [...group.querySelectorAll(".field path, .inside > .below, .inside > [data-band], .inside > .rule")]
         .filter((node) => !node.closest("pattern"))
         .map((node) => ({ node, d: node.getAttribute("d") }));
+      this.phases = [...group.querySelectorAll(".inside > .phase")];
       this.spots = [...group.querySelectorAll(".labels > *")].map((node) => {
         const [x, y] = node.getAttribute("transform").match(/-?[\d.]+/g).map(Number);
         return { node, x, y };
@@ -382,6 +383,12 @@ const live = (() => {
         }
         flush();
         put(node, "d", d);
+      });
+      this.phases.forEach((node, index) => {
+        const [from, to] = this.data.phases[index].map((at) => clamp(this.px(at))), [box, name] = node.children;
+        put(box, "x", fixed(from)); put(box, "width", fixed(to - from)); put(box, "y", top); put(box, "height", height);
+        put(name, "x", fixed((from + to) / 2)); put(name, "y", top + 11);
+        put(name, "visibility", to - from > widthOf(name.textContent) + 4 ? "inherit" : "hidden");
       });
       const rules = this.paths.filter(({ node }) => node.matches(".rule"));
       rules.forEach(({ node }, index) => {

@@ -1,12 +1,12 @@
 //! The steady motion of a machine with rigid objects.
 
 use super::SteadyReport;
-use super::charts::{charts, wittenbauer};
+use super::charts::{charts, origin_is_shown, wittenbauer};
 use crate::dynamics::steady::Row;
 use crate::dynamics::steady::flywheel::{Approximation, Flywheel};
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
-use crate::report::quantity::{result, significant};
+use crate::report::quantity::{result, significant, with_unit};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::Verdict;
 use crate::studies::check::Check;
@@ -76,7 +76,14 @@ pub fn rigid_findings<'a>(shown: &SteadyReport<'_>, source: Source<'a>) -> Findi
             "A straight line from O₂ with the slope ω²/2 meets the curve where the drive has the \
              speed ω: the tangents touch it at the greatest and the least speed. O₂ lies T(0) \
              below the start of the curve.",
-        );
+        )
+        .legend(match origin_is_shown(shown) {
+            true => String::new(),
+            false => format!(
+                "The frame shows the curve alone. O₂ lies outside it, at J = 0 and A = {}.",
+                with_unit(-f.energy_at_start, "J", 4)
+            ),
+        });
     Findings {
         title: shown.title.to_owned(),
         subtitle: "steady motion".to_owned(),

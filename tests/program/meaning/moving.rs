@@ -83,7 +83,9 @@ fn a_linkage_is_drawn_to_scale_where_it_is() {
         assert!(off.abs() < 1e-5, "{place}: {off}");
         assert!((table[4 * place] - table[0]).abs() < 0.02);
     }
-    assert!(page.contains("class=\"station wide\""));
+    // The drive is shown where it turns the crank: the linkage is the only station, to scale.
+    assert_eq!(page.matches("data-first=").count(), 1);
+    assert!(page.contains("class=\"dim scale\""));
 }
 
 #[test]

@@ -1,0 +1,303 @@
+//! The whole machine in one picture: stations in columns along the flow of motion, joined by lines.
+//!
+//! A scene does not say where in the plane its objects are. A cam and its follower, and a linkage
+//! and its crank, have their places to each other; every other object is a station beside them.
+
+use super::station::{LINE, Station};
+use crate::dynamics::model::{Model, OUTPUT, ObjectPart};
+use crate::report::mechanism::marks::scale_bar;
+use crate::report::plot::coordinate;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+/// Widest picture; a longer chain goes on below (pixels).
+const WIDEST: f64 = 1120.0;
+/// Distance of columns, of stations above each other, and of rows of columns (pixels).
+const GUTTER: f64 = 44.0;
+const GAP: f64 = 22.0;
+const MARGIN: f64 = 14.0;
+/// Height of a scale bar below its picture (pixels).
+const BAR: f64 = 18.0;
+/// Largest picture to scale beside others, and the size below which nothing is seen (pixels).
+const BESIDE: [f64; 2] = [500.0, 420.0];
+const LEAST: f64 = 130.0;
+
+/// Most pixels a metre of every object that is drawn: what is to scale is so to one scale, unless
+/// the smallest could not be seen then.
+pub(super) fn scales(stations: &[Station], objects: usize) -> Vec<f64> {
+    let mut most = vec![f64::INFINITY; objects];
+    let to_scale: Vec<(usize, f64, [f64; 2])> = stations
+        .iter()
+        .filter_map(|one| Some((one.column, one.picture.scale?, one.picture.size)))
+        .collect();
+    if stations.len() < 2 {
+        return most;
+    }
+    let fitting = |scale: f64, [wide, high]: [f64; 2]| {
+        scale * (BESIDE[0] / wide).min(BESIDE[1] / high).min(1.0)
+    };
+    let all = to_scale
+        .iter()
+        .map(|&(_, scale, size)| fitting(scale, size));
+    let common = all.fold(f64::INFINITY, f64::min);
+    let seen = |&(_, scale, [wide, high]): &(usize, f64, [f64; 2])| {
+        wide.max(high) * common / scale >= LEAST
+    };
+    let one_scale = to_scale.iter().all(seen);
+    for &(column, scale, size) in &to_scale {
+        most[column] = if one_scale {
+            common
+        } else {
+            fitting(scale, size)
+        };
+    }
+    most
+}
+
+/// A station with its place.
+struct Cell<'a> {
+    station: &'a Station,
+    /// Number of its first part.
+    first: usize,
+    /// Stations that are shown in its picture and have their caption below it.
+    shown: Vec<&'a Station>,
+    /// Cells that drive it.
+    drivers: Vec<usize>,
+    column: usize,
+    at: [f64; 2],
+}
+
+impl Cell<'_> {
+    fn bar(&self) -> f64 {
+        self.station.picture.scale.map_or(0.0, |_| BAR)
+    }
+
+    fn size(&self) -> [f64; 2] {
+        let [wide, high] = self.station.picture.size;
+        let lines = 2.0 * LINE * (1 + self.shown.len()) as f64;
+        [wide.max(210.0), high + self.bar() + lines + 6.0]
+    }
+
+    /// A pixel of its picture in the whole one.
+    fn pixel(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.at[0] + x, self.at[1] + y]
+    }
+}
+
+/// The drawn objects that drive each of them, outputs standing for their linkage.
+fn drivers(model: &Model, drawn: &[&ObjectPart]) -> Vec<Vec<usize>> {
+    let place = |id: &str| drawn.iter().position(|one| one.id == id);
+    let owner = |mut object: usize| {
+        while model.objects[object].kind == OUTPUT {
+            match model.objects[object].driver() {
+                Some(next) => object = next,
+                None => break,
+            }
+        }
+        place(&model.objects[object].id)
+    };
+    let of = |part: &&ObjectPart| {
+        part.inputs
+            .iter()
+            .filter_map(|one| owner(one.driver))
+            .collect()
+    };
+    drawn.iter().map(of).collect()
+}
+
+/// All stations in their places.
+pub(super) struct Whole<'a> {
+    cells: Vec<Cell<'a>>,
+    size: [f64; 2],
+}
+
+impl<'a> Whole<'a> {
+    /// Stations of objects that are drawn; `firsts`: the number of the first part of each.
+    pub(super) fn of(
+        model: &Model,
+        drawn: &[&ObjectPart],
+        stations: &'a [Station],
+        firsts: &[usize],
+    ) -> Self {
+        let mut cells = cells((stations, firsts), &drivers(model, drawn));
+        let size = place(&mut cells);
+        Self { cells, size }
+    }
+
+    /// Every station that is drawn, with the number of its first part and its place.
+    pub(super) fn placed(&self) -> impl Iterator<Item = (&'a Station, usize, [f64; 2])> + '_ {
+        let cells = self.cells.iter();
+        cells.map(|cell| (cell.station, cell.first, cell.at))
+    }
+
+    /// The picture; `delta`: the greatest deflection of an object; `above`: what lies upon it.
+    pub(super) fn html(&self, delta: impl Fn(&str) -> f64, above: &str) -> String {
+        let mut out = String::new();
+        for cell in &self.cells {
+            for &driver in &cell.drivers {
+                out.push_str(&join(&self.cells[driver], cell));
+            }
+        }
+        for cell in &self.cells {
+            out.push_str(&content(cell, &delta));
+        }
+        let [w, h] = self.size.map(coordinate);
+        format!(
+            "<div class=\"stations\">\n<svg class=\"mechanism\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
+             height=\"{h}\" role=\"img\" aria-label=\"the machine moving\">\n{out}{above}</svg>\n</div>\n"
+        )
+    }
+}
+
+/// The stations that are drawn: a drive that all it drives shows in their pictures is none.
+fn cells<'a>(
+    (stations, firsts): (&'a [Station], &[usize]),
+    drivers: &[Vec<usize>],
+) -> Vec<Cell<'a>> {
+    let of = |object: usize| stations.iter().filter(move |one| one.column == object);
+    let driven = |object: usize| {
+        let all = drivers.iter().enumerate();
+        all.filter(move |(_, own)| own.contains(&object))
+            .map(|(index, _)| index)
+    };
+    let shows = |object: usize| {
+        of(object)
+            .next()
+            .is_some_and(|one| one.picture.shows_driver)
+    };
+    let is_within = |object: usize| {
+        drivers[object].is_empty() && driven(object).next().is_some() && driven(object).all(shows)
+    };
+    let mut cells: Vec<Cell<'_>> = Vec::new();
+    let mut captioned = BTreeSet::new();
+    let numbered = stations.iter().zip(firsts);
+    for (station, &first) in numbered.filter(|(one, _)| !is_within(one.column)) {
+        let before = cells
+            .iter()
+            .position(|cell| cell.station.column == station.column);
+        let last = |object: usize| cells.iter().rposition(|cell| cell.station.column == object);
+        let from: Vec<usize> = match before {
+            Some(law) => vec![law],
+            None => drivers[station.column]
+                .iter()
+                .filter_map(|&one| last(one))
+                .collect(),
+        };
+        let within = drivers[station.column]
+            .iter()
+            .filter(|&&one| is_within(one));
+        let shown = within
+            .filter(|_| before.is_none())
+            .filter(|&&one| captioned.insert(one));
+        let shown = shown.flat_map(|&one| of(one)).collect();
+        let columns = from.iter().map(|&driver| cells[driver].column + 1);
+        let column = columns.max().unwrap_or(0);
+        cells.push(Cell {
+            station,
+            first,
+            shown,
+            drivers: from,
+            column,
+            at: [0.0; 2],
+        });
+    }
+    cells
+}
+
+/// Gives every cell its place, columns from left to right in rows that are not too wide; the size
+/// of all.
+fn place(cells: &mut [Cell<'_>]) -> [f64; 2] {
+    let columns = cells.iter().map(|cell| cell.column + 1).max().unwrap_or(0);
+    let sizes: Vec<[f64; 2]> = (0..columns)
+        .map(|column| {
+            let own = cells
+                .iter()
+                .filter(|cell| cell.column == column)
+                .map(Cell::size);
+            own.fold([0.0, -GAP], |[wide, high], [w, h]| {
+                [wide.max(w), high + h + GAP]
+            })
+        })
+        .collect();
+    let (mut begin, mut top, mut widest) = (0, MARGIN, 0.0_f64);
+    while begin < columns {
+        let mut end = begin + 1;
+        let wide = |end: usize| -> f64 {
+            let all = sizes[begin..end].iter().map(|[w, _]| w + GUTTER);
+            all.sum::<f64>() - GUTTER
+        };
+        while end < columns && wide(end + 1) + 2.0 * MARGIN <= WIDEST {
+            end += 1;
+        }
+        let high = sizes[begin..end]
+            .iter()
+            .map(|[_, h]| *h)
+            .fold(0.0, f64::max);
+        let mut left = MARGIN;
+        for column in begin..end {
+            let [w, h] = sizes[column];
+            let mut y = top + 0.5 * (high - h);
+            for cell in cells.iter_mut().filter(|cell| cell.column == column) {
+                let [own, tall] = cell.size();
+                cell.at = [left + 0.5 * (w - own), y];
+                y += tall + GAP;
+            }
+            left += w + GUTTER;
+        }
+        widest = widest.max(left - GUTTER);
+        top += high + GUTTER;
+        begin = end;
+    }
+    [widest + MARGIN, top - GUTTER + MARGIN]
+}
+
+/// The line along which motion goes from one cell to another, with a head before the second.
+fn join(from: &Cell<'_>, to: &Cell<'_>) -> String {
+    let [x0, y0] = from.pixel(from.station.picture.outlet);
+    let [x1, y1] = to.pixel(to.station.picture.inlet);
+    let before = (to.at[0] - 0.5 * GUTTER).max(4.0);
+    let beside = to.at[0] > from.at[0];
+    let mut line = format!("M{} {}", coordinate(x0), coordinate(y0));
+    if !beside {
+        // To a row below.
+        let right = from.at[0] + from.size()[0] + 0.4 * GUTTER;
+        let above = to.at[1] - 0.5 * GUTTER;
+        let _ = write!(line, "H{}V{}", coordinate(right), coordinate(above));
+    }
+    let _ = write!(
+        line,
+        "H{}V{}H{}",
+        coordinate(before),
+        coordinate(y1),
+        coordinate(x1)
+    );
+    let tip = to.at[0].min(x1) + 2.0;
+    format!(
+        "<path class=\"join\" d=\"{line}\"/><path class=\"join-barb\" d=\"M{} {}l-9 -4v8z\"/>\n",
+        coordinate(tip),
+        coordinate(y1)
+    )
+}
+
+/// The picture of a cell with scale bar and captions.
+fn content(cell: &Cell<'_>, delta: impl Fn(&str) -> f64) -> String {
+    let first = cell.first;
+    let picture = &cell.station.picture;
+    let [x, y] = cell.at;
+    let mut foot = y + picture.size[1];
+    let mut out = format!(
+        "<g data-first=\"{first}\" transform=\"translate({} {})\">\n{}</g>\n",
+        coordinate(x),
+        coordinate(y),
+        picture.drawn
+    );
+    if let Some(scale) = picture.scale {
+        out.push_str(&scale_bar(scale, [x + 2.0, foot + 6.0]));
+        foot += BAR;
+    }
+    for station in cell.shown.iter().copied().chain([cell.station]) {
+        out.push_str(&station.caption([x + 2.0, foot + LINE - 2.0], delta(&station.id)));
+        foot += 2.0 * LINE;
+    }
+    out
+}
