@@ -1,5 +1,5 @@
-//! What positions are told over: the input coordinate of a linkage, time, or a path of several
-//! inputs; and where a function of pieces is sampled.
+//! The axis of a course of positions: an input coordinate, time, or a path of several inputs; and
+//! where a function of pieces is sampled.
 
 use super::plot::Axis;
 

@@ -44,7 +44,7 @@ pub struct ForcesReport<'a> {
 }
 
 impl ForcesReport<'_> {
-    /// What the positions are told over.
+    /// Axis along which the positions follow each other.
     fn axis(&self) -> CourseAxis {
         let study = self.study;
         let timed = study.rows.iter().any(|row| row.time.is_some());

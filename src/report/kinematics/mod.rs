@@ -17,7 +17,7 @@ use crate::report::findings::Value;
 use crate::report::sentence::Sentence;
 use crate::studies::kinematics::Kinematics;
 
-/// What the positions are told over.
+/// Axis along which the positions follow each other.
 fn axis(found: &Kinematics) -> CourseAxis {
     CourseAxis {
         name: found.axis.name,
