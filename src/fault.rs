@@ -109,14 +109,19 @@ impl Faults {
 
     /// Adds faults found elsewhere, their paths being relative to `prefix`.
     pub(crate) fn absorb(&mut self, prefix: &str, faults: Vec<Fault>) {
-        self.0.extend(faults.into_iter().map(|mut fault| {
-            fault.path = match fault.path.as_str() {
-                "" => prefix.to_owned(),
-                entry if prefix.is_empty() => entry.to_owned(),
-                entry if entry.starts_with('[') => format!("{prefix}{entry}"),
-                path => format!("{prefix}.{path}"),
-            };
-            fault
-        }));
+        self.0.extend(within(prefix, faults));
     }
+}
+
+/// Faults whose paths are relative to `prefix`, with their whole paths.
+pub(crate) fn within(prefix: &str, mut faults: Vec<Fault>) -> Vec<Fault> {
+    for fault in &mut faults {
+        fault.path = match fault.path.as_str() {
+            "" => prefix.to_owned(),
+            entry if prefix.is_empty() => entry.to_owned(),
+            entry if entry.starts_with('[') => format!("{prefix}{entry}"),
+            path => format!("{prefix}.{path}"),
+        };
+    }
+    faults
 }

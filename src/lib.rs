@@ -23,12 +23,12 @@
 //!             .pair(Pair::force_closed())
 //!             .load("closing", Load::constant("-600 N m")),
 //!     )
-//!     .duration("0.5 s").
-//! Let run = scene.run()?.
-//! Let (times, delta) = (run.times(), run.delta("rocker")?).
-//! Assert_eq!(times.len(), delta.len()).
-//! Let figures = run.figures("rocker")?.
-//! Assert!((figures.delta_max - 0.00750).abs() < 1e-5). // rad
+//!     .duration("0.5 s");
+//! let run = scene.run()?;
+//! let (times, delta) = (run.times(), run.delta("rocker")?);
+//! assert_eq!(times.len(), delta.len());
+//! let figures = run.figures("rocker")?;
+//! assert!((figures.delta_max - 0.00750).abs() < 1e-5); // rad
 //! assert_eq!(run.figure("rocker", Figure::Separations)?, 65.0);
 //! # Ok::<(), Error>(())
 //! ```

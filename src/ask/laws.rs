@@ -2,7 +2,6 @@
 
 use super::Mechanism;
 use crate::Error;
-use crate::dynamics::model::Coordinate;
 use crate::kinematics::position::Position;
 use crate::studies::cycle::{CycleFigures, cycle};
 use serde_json::{Value, json};
@@ -62,17 +61,13 @@ impl Mechanism {
         let law = model.nodes[part.nodes[0]].motion.law();
         let law = law.ok_or_else(|| wrong("it follows no law"))?;
         let figures = cycle(&law.position, law.lever).map_err(|message| wrong(&message))?;
-        let unit = |coordinate: Coordinate| match coordinate {
-            Coordinate::Turning => "rad",
-            Coordinate::Sliding => "m",
-        };
         Ok(FollowedCycle {
             object: &part.id,
             position: &law.position,
             lever: law.lever,
             units: [
-                unit(part.coordinate),
-                unit(model.objects[driver].coordinate),
+                part.coordinate.unit(),
+                model.objects[driver].coordinate.unit(),
             ],
             figures,
         })

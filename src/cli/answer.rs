@@ -25,7 +25,7 @@ pub(crate) struct Answer<'a> {
     /// The same as one JSON document.
     pub(crate) document: Document<'a>,
     /// The files, in their order: names and contents.
-    pub(crate) files: Vec<(String, Content<'a>)>,
+    pub(crate) files: Files<'a>,
     /// True: nothing is said on standard error.
     pub(crate) quiet: bool,
 }
@@ -74,6 +74,14 @@ impl<'a> Content<'a> {
     pub(crate) fn made(make: impl Fn() -> String + 'a) -> Self {
         Self::Made(Box::new(make))
     }
+}
+
+/// The files of an answer by their names, in this order.
+pub(crate) type Files<'a> = Vec<(String, Content<'a>)>;
+
+/// Files of these names with these contents.
+pub(crate) fn files<'a, const N: usize>(names: [&str; N], contents: [Content<'a>; N]) -> Files<'a> {
+    names.map(str::to_owned).into_iter().zip(contents).collect()
 }
 
 /// Adds a warning to the findings and to the document.

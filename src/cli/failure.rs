@@ -48,6 +48,15 @@ impl Failure {
     }
 }
 
+/// # Errors
+/// An option is given that has no effect or no place here.
+pub(crate) fn refuse(given: bool, why: &str) -> Result<(), Failure> {
+    match given {
+        true => Err(Failure::Other(why.to_owned())),
+        false => Ok(()),
+    }
+}
+
 impl From<Diagnostics> for Failure {
     fn from(diagnostics: Diagnostics) -> Self {
         Self::Scene(Box::new(diagnostics))

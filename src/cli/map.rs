@@ -1,6 +1,6 @@
 //! `dam map`: a figure over one or two parameters, with a cause for every point.
 
-use super::answer::{Answer, AnswerForm, Content, Document, PAGE, Warned};
+use super::answer::{Answer, AnswerForm, Content, Document, Files, PAGE, Warned, files};
 use super::args::MapArgs;
 use super::console;
 use super::failure::Failure;
@@ -82,7 +82,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
             document: document(&study, &result),
             warnings: &told,
         }),
-        files: files(&study, &result, seconds),
+        files: files_of(&study, &result, seconds),
         quiet: args.scene.quiet,
     };
     // With the files of the whole map its journal goes.
@@ -193,11 +193,7 @@ fn command_of(args: &MapArgs) -> Vec<String> {
     words
 }
 
-fn files<'a>(
-    study: &'a Study<'a>,
-    result: &'a MapResult,
-    seconds: f64,
-) -> Vec<(String, Content<'a>)> {
+fn files_of<'a>(study: &'a Study<'a>, result: &'a MapResult, seconds: f64) -> Files<'a> {
     let timing = move || {
         let timing = serde_json::json!({
             "dam": 1, "scene": study.scene, "cells": study.cells(), "map_s": seconds,
@@ -211,7 +207,7 @@ fn files<'a>(
         Content::Page,
         Content::made(timing),
     ];
-    FILES.map(str::to_owned).into_iter().zip(contents).collect()
+    files(FILES, contents)
 }
 
 fn print_summary(

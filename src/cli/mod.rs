@@ -31,6 +31,7 @@ mod methods;
 mod new;
 mod output;
 mod progress;
+mod quantity;
 #[cfg(feature = "studio")]
 pub(crate) mod questions;
 mod reduce;

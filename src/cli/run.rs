@@ -1,6 +1,6 @@
 //! `dam run`: the motion of a scene and its figures.
 
-use super::answer::{Answer, AnswerForm, Content, Document as Written, PAGE};
+use super::answer::{Answer, AnswerForm, Content, Document as Written, PAGE, files as files_of};
 use super::args::{Columns, RunArgs};
 use super::asker::Asker;
 use super::console;
@@ -169,7 +169,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
         command: "run",
         findings: &findings(&report, Source::scene(input.text(), &ready.scene().hash)),
         document: Written::made(|| Certified::new(&document, certificate)),
-        files: FILES.map(str::to_owned).into_iter().zip(contents).collect(),
+        files: files_of(FILES, contents),
         // Warnings are told in their time.
         quiet: true,
     };

@@ -122,6 +122,37 @@ pub enum Coordinate {
     Sliding,
 }
 
+impl Coordinate {
+    /// Of something that slides, or turns.
+    pub const fn sliding(slides: bool) -> Self {
+        match slides {
+            true => Self::Sliding,
+            false => Self::Turning,
+        }
+    }
+
+    /// SI units of a displacement, and of the force or moment along it.
+    pub const fn units(self) -> [&'static str; 2] {
+        match self {
+            Self::Turning => ["rad", "N m"],
+            Self::Sliding => ["m", "N"],
+        }
+    }
+
+    /// SI unit of a displacement.
+    pub const fn unit(self) -> &'static str {
+        self.units()[0]
+    }
+
+    /// A displacement for reading, and its unit: degrees or metres.
+    pub const fn shown(self, displacement: f64) -> (f64, &'static str) {
+        match self {
+            Self::Turning => (displacement.to_degrees(), "deg"),
+            Self::Sliding => (displacement, "m"),
+        }
+    }
+}
+
 /// A point of the mechanism with one displacement φ.
 #[derive(Clone, Debug)]
 pub struct Node {

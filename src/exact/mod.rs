@@ -120,7 +120,7 @@ mod functional;
 mod hermite;
 mod impacts;
 #[cfg(test)]
-mod independent;
+mod independent_tests;
 mod lanes;
 mod law;
 mod observe;

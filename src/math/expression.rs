@@ -22,7 +22,7 @@ mod moving;
 mod of_one;
 mod ordered;
 #[cfg(test)]
-mod other_reader;
+mod other_reader_tests;
 mod program;
 mod read;
 mod third;

@@ -16,7 +16,7 @@
 //! * the searches of `exact`, `exact::pencil`, `system::forest` and `methods::limit`;
 //! * the series of `system::taylor` and the fits of `linkages::table`;
 //! * Newton's method for two unknowns in closed form in `cam::findings`;
-//! * the integrators of `steady::extrapolation` and of `exact::independent`, which is a check.
+//! * the integrators of `steady::extrapolation` and of `exact::independent_tests`, which is a check.
 //!
 //! `number`, `jet`, `polynomial` and `expression` are public at the top of the library. A test holds this
 //! folder free of imports from others.

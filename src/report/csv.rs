@@ -94,6 +94,14 @@ fn line<'f>(fields: impl Iterator<Item = &'f str>) -> String {
     fields.map(quoted).collect::<Vec<_>>().join(",") + "\n"
 }
 
+/// The head of a column: its name, and its unit if it has one.
+pub(in crate::report) fn head(name: &str, unit: &str) -> String {
+    match unit {
+        "" => name.to_owned(),
+        unit => format!("{name} [{unit}]"),
+    }
+}
+
 /// The record: a header `time [s],rocker.displacement [rad],…` and a row a sample, so that
 /// nothing is lost.
 ///

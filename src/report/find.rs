@@ -1,7 +1,7 @@
 //! The best value of a parameter, as data.
 
 use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table};
-use crate::report::plot::{Axis, Band, LineStyle, Mark, Plot, Rule, Series, Shape};
+use crate::report::plot::{Axis, Band, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{counted, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::condition::Condition;
@@ -315,25 +315,14 @@ fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
         .map(|one| [one.from.sample.value, one.to.sample.value])
         .collect();
     let limits = answer.conditions.iter().filter(|one| one.figure == name);
-    let limits = limits.map(|one| Rule {
-        at: one.value,
-        label: format!(
-            "{} {}",
-            one.relation.sign(),
-            figure(answer, name, Some(one.value))
-        ),
-        upright: false,
+    let limits = limits.map(|one| {
+        let limit = figure(answer, name, Some(one.value));
+        Rule::level(one.value, format!("{} {limit}", one.relation.sign()))
     });
-    let best = answer.found.best.as_ref().map(|best| Series {
-        look: LineStyle::Points,
-        marks: vec![Mark {
-            shape: Shape::Good,
-            note: parameter(answer, best.sample.value, DIGITS),
-        }],
-        ..Series::line(
-            "the answer",
-            vec![(best.sample.value, value(&best.sample).unwrap_or(f64::NAN))],
-        )
+    let best = answer.found.best.as_ref().map(|best| {
+        let point = (best.sample.value, value(&best.sample).unwrap_or(f64::NAN));
+        let mark = Mark::new(Shape::Good, parameter(answer, best.sample.value, DIGITS));
+        Series::marked("the answer", vec![point], vec![mark])
     });
     Plot {
         id: name.to_owned(),

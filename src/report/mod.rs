@@ -27,6 +27,7 @@ pub mod abscissa;
 pub mod accuracy;
 pub mod cam;
 pub mod compare;
+mod course;
 pub mod csv;
 pub mod diagram;
 pub mod display_units;

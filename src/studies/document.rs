@@ -7,9 +7,9 @@ use super::warning::Warning;
 use crate::dynamics::integrate::{Outcome, Stop};
 use crate::dynamics::model::{Closure, Coordinate, LinkBase, Model, ObjectPart};
 use crate::dynamics::record::{
-    CreepFigures, EnergyAudit, EquationFigures, Figures, ImpactFigures, JointFigures,
-    ObjectFigures, PairFigures, PressingFigures, Recorded, RunSummary, StopFigures, Units,
-    acceleration_rounding, drive_cycle,
+    CreepFigures, EnergyAudit, EquationCheck, Figures, ImpactFigures, JointFigures, ObjectFigures,
+    PairFigures, PressingFigures, Recorded, RunSummary, StopFigures, Units, acceleration_rounding,
+    drive_cycle,
 };
 use crate::units::shown;
 
@@ -51,7 +51,7 @@ pub(super) fn summary(
         evaluations: outcome.statistics.evaluations,
         switches: outcome.statistics.switches,
         energy_error: recorded.audit.error(),
-        equations: EquationFigures::default(),
+        equations: EquationCheck::default(),
         first_times: recorded.first_times.clone(),
         undetermined_times: recorded.undetermined_times.clone(),
         window: window.as_ref().ok().copied(),
@@ -312,14 +312,9 @@ fn is_undamped(model: &Model, part: &ObjectPart) -> bool {
 
 /// Units of an object's figures.
 pub(super) fn units(coordinate: Coordinate) -> Units {
-    match coordinate {
-        Coordinate::Turning => Units {
-            displacement: "rad",
-            force: "N m",
-        },
-        Coordinate::Sliding => Units {
-            displacement: "m",
-            force: "N",
-        },
+    let [displacement, force] = coordinate.units();
+    Units {
+        displacement,
+        force,
     }
 }

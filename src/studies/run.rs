@@ -15,8 +15,8 @@ use crate::dynamics::integrate::{
 };
 use crate::dynamics::model::UNTIL;
 use crate::dynamics::record::{
-    EnergyAudit, EquationFigures, Figures, Record, Recorded, Recorder, RecorderSettings,
-    RunSummary, Tee, choose_window, drive_cycle, judge_confirmed,
+    EnergyAudit, Figures, Record, Recorded, Recorder, RecorderSettings, RunSummary, Tee,
+    choose_window, drive_cycle, judge_confirmed,
 };
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
@@ -88,7 +88,7 @@ pub fn run(
         ..
     } = motion;
     let run = RunSummary {
-        equations: EquationFigures::from(&motion.equations),
+        equations: motion.equations.clone(),
         ..summary(settings, &outcome, &choice, &recorded, window)
     };
     let known_before = system.model().warnings.iter().cloned();

@@ -5,10 +5,7 @@
 //! kinematics` and `dam forces` find when nothing further is asked.
 
 use super::expectations::{Verdict, did_you_mean, judged};
-use super::forces::{
-    ForceSettings, ForceStudy, LinkagePositions, course_of, figures, figures_of_inputs,
-    multi_input_forces, only_loaded_output, study,
-};
+use super::forces::{self, ForceStudy, Refused, figures, figures_of_inputs, only_loaded_output};
 use super::kinematics::{
     self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Question, linkage_of,
     several_of,
@@ -17,7 +14,7 @@ use crate::dynamics::model::Model;
 use crate::fault::Fault;
 use crate::frontend::read::{QuantityChoice, UnitFault, closest};
 use crate::frontend::scene::{Expectation, Expected, Measured};
-use crate::kinematics::linkage::kinetostatics::{Kinetostatics, Options};
+use crate::kinematics::linkage::kinetostatics::Kinetostatics;
 use crate::units::quantities::{ALL, NUMBER};
 use crate::units::{Mismatch, Quantity, parse};
 
@@ -27,7 +24,7 @@ pub use super::kinematics::{DescribedFigure, POSITIONS, ends};
 pub fn described() -> [(&'static str, Vec<DescribedFigure>); 2] {
     [
         ("kinematics", kinematics::described()),
-        ("forces", super::forces::described()),
+        ("forces", forces::described()),
     ]
 }
 
@@ -75,19 +72,11 @@ pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinem
 /// # Errors
 /// What cannot be answered, in words.
 pub fn forces_of(model: &Model, object: &str, duration: f64) -> Result<ForceStudy, String> {
-    if let Some(body) = several_of(model, Some(object)) {
-        let asked = AskedSeveral::new(model, body, &question(object, duration))?;
-        return multi_input_forces(&asked, Options::default()).map_err(in_words);
-    }
-    let linkage = &linkage_of(model, Some(object))?.linkage;
-    let asked = KinematicsRequest::new(model, &question(object, duration))?;
-    let course = course_of(&asked)?;
-    let settings = ForceSettings {
-        output: only_loaded_output(&Kinetostatics::new(linkage.spec()).map_err(in_words)?),
-        ..ForceSettings::default()
-    };
-    let mut positions = LinkagePositions::new(linkage);
-    study(linkage.spec(), &mut positions, course, settings).map_err(in_words)
+    let found = forces::forces_of(model, &question(object, duration));
+    found.map_err(|refused| match refused {
+        Refused::Question(message) => message,
+        Refused::Linkage(faults) => in_words(faults),
+    })
 }
 
 fn in_words(faults: Vec<Fault>) -> String {
@@ -134,41 +123,6 @@ fn check(
         })
     };
     expectations.iter().filter_map(judge).collect()
-}
-
-/// Makes the studies that a scene has expectations of, and judges them all.
-///
-/// # Errors
-/// A study cannot be made, in words.
-pub fn check_all(
-    expectations: &[Expectation],
-    model: &Model,
-    duration: f64,
-) -> Result<Vec<Verdict>, String> {
-    let mut verdicts = Vec::new();
-    let mut made: Vec<[&str; 2]> = Vec::new();
-    for expectation in expectations {
-        let Expected::Figure { figure, .. } = &expectation.what else {
-            continue;
-        };
-        let Some(at) = Address::of(figure) else {
-            continue;
-        };
-        if made.contains(&[at.study, at.object]) {
-            continue;
-        }
-        made.push([at.study, at.object]);
-        verdicts.extend(match at.study {
-            "kinematics" => {
-                check_kinematics(expectations, &kinematics_of(model, at.object, duration)?)
-            }
-            _ => {
-                let found = forces_of(model, at.object, duration)?;
-                check_forces(expectations, at.object, &found)
-            }
-        });
-    }
-    Ok(verdicts)
 }
 
 /// Why a model has no figure at an address of kinematics or forces, with a hint; `None`: it has

@@ -255,7 +255,7 @@ fn what_it_does_not_know_is_refused_in_its_place() {
     };
     for (change, words) in [
         ("bar.start=1", "belongs to a linkage of one input"),
-        ("bar.inputs.left.ratio=2", "hangs on no object"),
+        ("bar.inputs.left.ratio=2", "has no driver"),
         ("bar.inputs.left.pair=C", "4 moving links, 5 pairs"),
     ] {
         let found = faults(&[change]);

@@ -257,7 +257,7 @@ fn what_cannot_be_answered_is_said() {
                 speed: Some(1.0),
                 ..Question::default()
             },
-            "whose speed",
+            "name the input of this speed",
         ),
         (
             Question {

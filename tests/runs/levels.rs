@@ -297,8 +297,8 @@ fn what_has_no_such_level_is_refused_by_name() {
     };
     let body = r#""inertia": 1, "stiffness": 1"#;
     for (level, closure, words) in [
-        (r#""lumping": "balanced""#, "force", "cannot open"),
-        (r#""lumping": "balanced""#, "form", "cannot open"),
+        (r#""lumping": "balanced""#, "force", "cannot separate"),
+        (r#""lumping": "balanced""#, "form", "cannot separate"),
         // Behind a closing force they hold as long as the pair stays closed.
         (r#""modes": 2"#, "form", "stays closed"),
         (r#""flexibility": "static""#, "form", "stays closed"),

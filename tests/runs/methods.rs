@@ -333,7 +333,7 @@ fn too_many_switches_are_chatter() {
     for method in methods {
         let point = only(&study, method);
         assert_eq!(point.verdict, Verdict::GaveUp, "{}", point.cause);
-        assert!(point.cause.contains("more than 3 switches"));
+        assert!(point.cause.contains("more than 3 events"));
     }
 }
 

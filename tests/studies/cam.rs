@@ -350,7 +350,7 @@ fn the_command_answers_in_every_form() {
         String::from_utf8(output.stdout).unwrap()
     };
     let words: Vec<String> = text(&[]).split_whitespace().map(str::to_owned).collect();
-    assert!(words.join(" ").contains("lets go, rigid 461.8 rpm"));
+    assert!(words.join(" ").contains("lift-off, rigid 461.8 rpm"));
     assert!(text(&["--form", "svg"]).starts_with("<svg"));
     assert!(text(&["--form", "cycle"]).starts_with("phi [rad]"));
     assert!(text(&["--form", "profile", "--cutter", "10 mm"]).contains("\ncutter,"));

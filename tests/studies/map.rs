@@ -243,7 +243,7 @@ fn what_is_no_answer_about_the_mechanism_is_not_mixed_with_one() {
             (found[1].value, found[1].verdict.family()),
             (None, Family::Computation)
         );
-        assert!(found[1].cause.contains("5 switches"), "{}", found[1].cause);
+        assert!(found[1].cause.contains("5 events"), "{}", found[1].cause);
     }
     // A scene that is none at some values.
     let found = cells(

@@ -3,7 +3,7 @@
 mod lift_off;
 mod question;
 
-use super::answer::{Answer, AnswerForm, Content, PAGE};
+use super::answer::{Answer, AnswerForm, Content, PAGE, files};
 use super::args::{CamArgs, CamForm};
 use super::asker::Asker;
 use super::console;
@@ -93,26 +93,17 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
         command: "cam",
         findings: &findings(&report, Source::scene(input.text(), hash)),
         document: expected.add_verdicts(report.document(hash)).into(),
-        files: vec![
-            (FILES[0].into(), Content::Document),
-            (
-                FILES[1].into(),
+        files: files(
+            FILES,
+            [
+                Content::Document,
                 Content::made(|| cycle_rows(&cam, found.unit, report.force, ROWS).csv()),
-            ),
-            (
-                FILES[2].into(),
                 Content::made(|| polygon_rows(&curves).csv()),
-            ),
-            (
-                FILES[3].into(),
                 Content::made(|| dxf(&curves, cam.geometry().base_radius)),
-            ),
-            (
-                FILES[4].into(),
                 Content::made(|| picture(&id, &cam, cam.motion().range().0)),
-            ),
-            (FILES[5].into(), Content::Page),
-        ],
+                Content::Page,
+            ],
+        ),
         quiet: args.scene.quiet,
     };
     let shown = match args.form {

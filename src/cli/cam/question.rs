@@ -1,7 +1,8 @@
 //! What the arguments of `dam cam` ask.
 
 use crate::cli::args::CamArgs;
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, refuse};
+use crate::cli::quantity::option;
 use crate::frontend::object::law::read_argument;
 use crate::frontend::read::{Bounds, QuantityChoice};
 use crate::kinematics::cam::DiscCam;
@@ -29,10 +30,6 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<CamRequest, Failure>
         not_zero: false,
     };
     let roller = cam.geometry().roller().is_some();
-    let refuse = |given: bool, why: &str| match given {
-        true => Err(Failure::Other(why.to_owned())),
-        false => Ok(()),
-    };
     refuse(
         args.roller_factor.is_some() && !roller,
         "--roller-factor has no effect: the follower has a flat face and no roller",
@@ -41,16 +38,15 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<CamRequest, Failure>
         args.least_radius.is_some() && roller,
         "--least-radius has no effect: the follower has a roller and no flat face",
     )?;
-    let outward = quantity("--pressure-angle", &args.pressure_angle, q::ANGLE, angle)?;
-    let inward = quantity(
+    let outward = option("--pressure-angle", &args.pressure_angle, q::ANGLE, angle)?;
+    let inward = option(
         "--return-pressure-angle",
         &args.return_pressure_angle,
         q::ANGLE,
         angle,
     )?;
     let outward = outward.unwrap_or_else(|| cam.geometry().guide.customary_pressure_angle());
-    let length =
-        |name: &str, text: &Option<String>, bounds| quantity(name, text, q::LENGTH, bounds);
+    let length = |name: &str, text: &Option<String>, bounds| option(name, text, q::LENGTH, bounds);
     let least = length("--least-radius", &args.least_radius, Bounds::NOT_NEGATIVE)?;
     let tolerance = Some(args.tolerance.clone());
     let tolerance = length("--tolerance", &tolerance, Bounds::POSITIVE)?;
@@ -64,7 +60,7 @@ pub(super) fn read(args: &CamArgs, cam: &DiscCam) -> Result<CamRequest, Failure>
             least_radius: least.unwrap_or(0.0),
             reserve: reserve(args.reserve.as_deref().unwrap_or("0.2"))?,
         },
-        speed: quantity("--speed", &args.speed, q::ANGULAR_SPEED, Bounds::NOT_ZERO)?,
+        speed: option("--speed", &args.speed, q::ANGULAR_SPEED, Bounds::NOT_ZERO)?,
         tolerance: tolerance.unwrap_or(1e-6),
         cutter: length("--cutter", &args.cutter, Bounds::POSITIVE)?,
     })
@@ -85,18 +81,4 @@ fn reserve(text: &str) -> Result<Reserve, Failure> {
         true => Reserve::Share(value),
         false => Reserve::Force(value),
     })
-}
-
-fn quantity(
-    name: &str,
-    text: &Option<String>,
-    wanted: impl Into<QuantityChoice>,
-    bounds: Bounds,
-) -> Result<Option<f64>, Failure> {
-    let Some(text) = text else {
-        return Ok(None);
-    };
-    let wanted = wanted.into();
-    let value = read_argument(name, text, |slot| slot.quantity(wanted, bounds))?;
-    Ok(Some(value))
 }

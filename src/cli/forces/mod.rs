@@ -12,7 +12,7 @@ use crate::cli::input::Ready;
 use crate::cli::output::OutputFolder;
 use crate::cli::status::Status;
 use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
-use crate::fault::Fault;
+use crate::fault::{Fault, within};
 use crate::kinematics::linkage::kinetostatics::{ForceFailure, Kinetostatics};
 use crate::report::findings::Source;
 use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
@@ -239,18 +239,8 @@ fn expectations<'r>(
 
 /// Faults with their place in the scene where they have one.
 fn faults_of(ready: &Ready, object: &str, faults: Vec<Fault>) -> Failure {
-    let placed = faults.into_iter().map(|mut fault| {
-        fault.path = match fault.path.as_str() {
-            "" => object.to_owned(),
-            path => format!("{object}.{path}"),
-        };
-        fault
-    });
-    ready
-        .reading
-        .places
-        .diagnose(&placed.collect::<Vec<_>>())
-        .into()
+    let faults = within(object, faults);
+    ready.reading.places.diagnose(&faults).into()
 }
 
 /// Objects that hang on the linkage's outputs, and outputs that carry loads of their own.

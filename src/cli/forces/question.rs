@@ -127,17 +127,13 @@ pub(super) fn course(
     let question = question(args, ready, &body.linkage, part.coordinate)?;
     let asked = KinematicsRequest::new(model, &question)?;
     let course = course_of(&asked)?;
-    let unit = match part.coordinate {
-        Coordinate::Turning => "rad",
-        Coordinate::Sliding => "m",
-    };
     let motion = match &course {
         Course::Instants { .. } => "motion of the scene's drive".to_owned(),
         Course::Even {
             speed,
             acceleration,
             ..
-        } => even_motion([*speed, *acceleration], unit),
+        } => even_motion([*speed, *acceleration], part.coordinate.unit()),
     };
     Ok((course, motion))
 }

@@ -105,23 +105,12 @@ fn of_input(
 fn measures(linkage: &MultiLinkage, option: &str, name: &str) -> Result<Measures, Failure> {
     let mut inputs = linkage.inputs().iter();
     let Some(input) = inputs.find(|input| input.name == name) else {
-        let names: Vec<&str> = linkage
-            .inputs()
-            .iter()
-            .map(|input| input.name.as_str())
-            .collect();
-        let message = format!(
-            "{option}: there is no input `{name}`; one of {}",
-            names.join(", ")
-        );
+        let names = linkage.input_names().join(", ");
+        let message = format!("{option}: there is no input `{name}`; one of {names}");
         return Err(Failure::Other(message));
     };
-    Ok(Measures(Some(
-        match input.coordinate.slides(&linkage.spec().linkage) {
-            true => Coordinate::Sliding,
-            false => Coordinate::Turning,
-        },
-    )))
+    let slides = input.coordinate.slides(&linkage.spec().linkage);
+    Ok(Measures(Some(Coordinate::sliding(slides))))
 }
 
 /// The place of the picture: a time, the coordinate of the one input that moves, or of several

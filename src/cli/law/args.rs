@@ -12,6 +12,7 @@ pub(crate) enum LawCommand {
     /// Show one law: constants, shocks, samples, diagrams
     Show(ShowArgs),
     /// Work out a stroke of run-up, uniform section and run-out
+    #[command(visible_alias = "synthesise")]
     Synthesize(SynthesizeArgs),
     /// Show the whole cycle of a cam or plan in a scene: joints, extremes, shocks
     Cycle(CycleArgs),

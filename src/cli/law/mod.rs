@@ -5,7 +5,7 @@ mod compare;
 mod cycle;
 mod synthesize;
 
-use super::answer::{Answer, AnswerForm, Content, PAGE, picture};
+use super::answer::{Answer, AnswerForm, Content, PAGE, files, picture};
 use super::args::scene::OutArgs;
 use super::asker::Asker;
 use super::console;
@@ -49,15 +49,15 @@ fn deliver(
         command: "law",
         findings,
         document: document.into(),
-        files: vec![
-            (FILES[0].into(), Content::Document),
-            (FILES[1].into(), Content::made(|| rows.csv())),
-            (
-                FILES[2].into(),
+        files: files(
+            FILES,
+            [
+                Content::Document,
+                Content::made(|| rows.csv()),
                 Content::made(|| picture(findings.first_chart())),
-            ),
-            (FILES[3].into(), Content::Page),
-        ],
+                Content::Page,
+            ],
+        ),
         quiet,
     };
     let form = match form {

@@ -2,7 +2,7 @@
 
 mod bar;
 
-use super::answer::{Answer, AnswerForm, Content, Document, PAGE};
+use super::answer::{Answer, AnswerForm, Content, Document, Files, PAGE, files};
 use super::args::MethodsArgs;
 use super::asker::Asker;
 use super::failure::Failure;
@@ -111,8 +111,6 @@ pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, F
     })
 }
 
-type Files<'a> = Vec<(String, Content<'a>)>;
-
 fn files_of_study(study: &Study) -> Files<'_> {
     let chart = |against| Content::made(move || work_precision(study, against).svg(SIZE.0, SIZE.1));
     let contents = [
@@ -122,11 +120,7 @@ fn files_of_study(study: &Study) -> Files<'_> {
         chart(Against::Evaluations),
         Content::Page,
     ];
-    OF_STUDY
-        .map(str::to_owned)
-        .into_iter()
-        .zip(contents)
-        .collect()
+    files(OF_STUDY, contents)
 }
 
 fn files_of_sweep(sweep: &Sweep) -> Files<'_> {

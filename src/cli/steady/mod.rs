@@ -7,13 +7,13 @@ use super::answer::{self, AnswerForm as Shape, Content, PAGE, ignores_until, war
 use super::asker::Asker;
 use super::console;
 use super::expected::Expectations;
-use super::failure::Failure;
+use super::failure::{Failure, refuse};
 use super::input::Ready;
 use super::output::OutputFolder;
+use super::quantity::option;
 use super::run::doubts;
 use super::status::Status;
 use crate::dynamics::steady::{MOST_TURNS, Mean};
-use crate::frontend::object::law::read_argument;
 use crate::frontend::read::Bounds;
 use crate::frontend::scene::SteadySpec;
 use crate::report::csv::Rows;
@@ -25,7 +25,7 @@ use crate::report::steady::{
 use crate::studies::check::Check;
 use crate::studies::expectations::Verdict;
 use crate::studies::steady::{Answer, ROWS, check, steady_motion_within};
-use crate::units::{Quantity, quantities as q};
+use crate::units::quantities as q;
 use args::{MeanChoice, QuestionArgs, SteadyArgs, SteadyForm};
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -120,18 +120,14 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
 
 /// Puts what the command line asks in place of what the scene asks.
 fn apply_arguments(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Failure> {
-    let quantity = |name: &str, text: &Option<String>, wanted: Quantity, bounds: Bounds| {
-        let read = |text: &String| read_argument(name, text, |slot| slot.quantity(wanted, bounds));
-        text.as_ref().map(read).transpose()
-    };
-    let speed = quantity(
+    let speed = option(
         "--mean-speed",
         &args.mean_speed,
         q::ANGULAR_SPEED,
         Bounds::POSITIVE,
     )?;
     spec.mean_speed = speed.or(spec.mean_speed);
-    let cycle = quantity(
+    let cycle = option(
         "--cycle",
         &args.cycle,
         q::ANGLE,
@@ -139,7 +135,7 @@ fn apply_arguments(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Fai
     )?;
     spec.cycle = cycle.unwrap_or(spec.cycle);
     let bounds = Bounds::between(1e-6, 1.99);
-    let fluctuation = quantity("--fluctuation", &args.fluctuation, q::NUMBER, bounds)?;
+    let fluctuation = option("--fluctuation", &args.fluctuation, q::NUMBER, bounds)?;
     spec.fluctuation = fluctuation.or(spec.fluctuation);
     spec.balance |= args.balance;
     spec.periods = args.periods.map_or(spec.periods, usize::from);
@@ -154,9 +150,8 @@ fn apply_arguments(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Fai
 
 /// Refuses what changes nothing of this answer.
 fn unused(args: &QuestionArgs, spec: &SteadySpec, answer: &Answer) -> Result<(), Failure> {
-    let refuse = |given: bool, option: &str, why: &str| match given {
-        true => Err(Failure::Other(format!("{option} has no effect: {why}"))),
-        false => Ok(()),
+    let refuse = |given: bool, option: &str, why: &str| {
+        refuse(given, &format!("{option} has no effect: {why}"))
     };
     let [mean, periods] = [args.mean.is_some(), args.periods.is_some()];
     let decided = "no mean speed is given, the scene decides it";

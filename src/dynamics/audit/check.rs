@@ -1,11 +1,12 @@
 //! The result of the check of a run.
 
 use crate::units::shown;
+use serde::Serialize;
 use std::fmt;
 
 /// Defect of the equations of motion of a run, found from the scene by another way than the
 /// one that the run was computed by.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct EquationCheck {
     /// Seed by which instants and switches were drawn.
     pub seed: u64,
@@ -43,7 +44,7 @@ impl fmt::Display for EquationCheck {
 }
 
 impl EquationCheck {
-    /// True when every defect is within its bound.
+    /// True when every defect is within its bound; a defect that is not a number is not.
     pub fn is_kept(&self) -> bool {
         self.defect <= self.bound
     }

@@ -115,17 +115,12 @@ impl ModelBuilder {
 const DIGITS: usize = 9;
 
 pub(super) fn place(displacement: f64, coordinate: Coordinate) -> String {
-    match coordinate {
-        Coordinate::Turning => format!("{} deg", shown(displacement.to_degrees(), DIGITS)),
-        Coordinate::Sliding => format!("{} m", shown(displacement, DIGITS)),
-    }
+    let (value, unit) = coordinate.shown(displacement);
+    format!("{} {unit}", shown(value, DIGITS))
 }
 
 pub(super) fn range((from, to): (f64, f64), coordinate: Coordinate) -> String {
-    let (from, to, unit) = match coordinate {
-        Coordinate::Turning => (from.to_degrees(), to.to_degrees(), "deg"),
-        Coordinate::Sliding => (from, to, "m"),
-    };
-    let (from, to) = (shown(from, DIGITS), shown(to, DIGITS));
+    let (from, to) = (coordinate.shown(from), coordinate.shown(to));
+    let (from, to, unit) = (shown(from.0, DIGITS), shown(to.0, DIGITS), to.1);
     format!("between {from} and {to} {unit}")
 }

@@ -1,4 +1,4 @@
-use super::super::problems::{Oscillator, Rocker, Thrown};
+use super::super::tests::problems::{Oscillator, Rocker, Thrown};
 use super::*;
 
 #[test]

@@ -1,7 +1,7 @@
 //! Continuous output against an exact motion.
 
 use super::super::Modes;
-use super::super::problems::Swinging;
+use super::super::tests::problems::Swinging;
 use super::*;
 
 /// Greatest error of both signals, u and u², over a step of length h

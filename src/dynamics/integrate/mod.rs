@@ -28,8 +28,6 @@ mod locate;
 mod ode_solvers_adapter;
 mod outcome;
 mod pace;
-#[cfg(test)]
-pub(crate) mod problems;
 mod radau;
 mod rosenbrock;
 mod run;

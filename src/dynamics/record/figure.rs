@@ -1,6 +1,6 @@
 //! The figures of an object by typed keys.
 
-use super::{ObjectFigures, PairFigures};
+use super::ObjectFigures;
 use std::fmt;
 
 /// A figure of an object.
@@ -88,95 +88,70 @@ pub enum Figure {
     CreepUntil,
 }
 
+/// A figure, its address within the object, and how its value is read.
+type Declared = (Figure, &'static str, fn(&ObjectFigures) -> Option<f64>);
+
+/// All figures in the order of the type.
+#[rustfmt::skip]
+const DECLARED: [Declared; 40] = [
+    (Figure::DeltaAbs, "delta_abs", |own| Some(own.delta_abs)),
+    (Figure::DeltaMax, "delta_max", |own| Some(own.delta_max)),
+    (Figure::DeltaMin, "delta_min", |own| Some(own.delta_min)),
+    (Figure::Sigma, "sigma", |own| Some(own.sigma)),
+    (Figure::PeakSpeed, "peak_speed", |own| Some(own.peak_speed)),
+    (Figure::PeakAcceleration, "peak_acceleration", |own| Some(own.peak_acceleration)),
+    (Figure::PeakReaction, "peak_reaction", |own| Some(own.peak_reaction)),
+    (Figure::FinalDisplacement, "final.displacement", |own| Some(own.end.displacement)),
+    (Figure::FinalSpeed, "final.speed", |own| Some(own.end.speed)),
+    (Figure::Separations, "pair.separations", |own| Some(own.pair.as_ref()?.separations as f64)),
+    (Figure::Closures, "pair.closures", |own| Some(own.pair.as_ref()?.closures as f64)),
+    (Figure::SeparatedTime, "pair.separated_time", |own| Some(own.pair.as_ref()?.separated_time)),
+    (Figure::LongestSeparation, "pair.longest_separation", |own| Some(own.pair.as_ref()?.longest_separation)),
+    (Figure::MaxLift, "pair.max_lift", |own| Some(own.pair.as_ref()?.max_lift)),
+    (Figure::MaxApproachSpeed, "pair.max_approach_speed", |own| Some(own.pair.as_ref()?.max_approach_speed)),
+    (Figure::MaxContactForce, "pair.max_contact_force", |own| Some(own.pair.as_ref()?.max_contact_force)),
+    (Figure::MaxIndentation, "pair.max_indentation", |own| own.pair.as_ref()?.max_indentation),
+    (Figure::Impacts, "pair.impacts.count", |own| Some(own.pair.as_ref()?.impacts?.count as f64)),
+    (Figure::MaxImpulse, "pair.impacts.max_impulse", |own| Some(own.pair.as_ref()?.impacts?.max_impulse)),
+    (Figure::ImpactLoss, "pair.impacts.loss", |own| Some(own.pair.as_ref()?.impacts?.loss)),
+    (Figure::Margin, "pair.margin", |own| own.pair.as_ref()?.margin),
+    (Figure::InWorkingOrder, "pair.in_working_order", |own| own.pair.as_ref()?.in_working_order.map(|holds| f64::from(u8::from(holds)))),
+    (Figure::MaxPressure, "pressing.max_pressure", |own| Some(own.pressing?.max_pressure)),
+    (Figure::PressureTime, "pressing.time", |own| Some(own.pressing?.time)),
+    (Figure::Standstills, "standstills", |own| Some(own.joints.as_ref()?.standstills as f64)),
+    (Figure::TimeAtRest, "time_at_rest", |own| Some(own.joints.as_ref()?.time_at_rest)),
+    (Figure::FrictionLoss, "friction_loss", |own| Some(own.joints.as_ref()?.friction_loss)),
+    (Figure::StopClosures, "stop.closures", |own| Some(own.stop.as_ref()?.closures as f64)),
+    (Figure::StopContactTime, "stop.contact_time", |own| Some(own.stop.as_ref()?.contact_time)),
+    (Figure::StopApproachSpeed, "stop.max_approach_speed", |own| Some(own.stop.as_ref()?.max_approach_speed)),
+    (Figure::StopForce, "stop.max_contact_force", |own| Some(own.stop.as_ref()?.max_contact_force)),
+    (Figure::StopIndentation, "stop.max_indentation", |own| Some(own.stop.as_ref()?.max_indentation)),
+    (Figure::StopImpacts, "stop.impacts.count", |own| Some(own.stop.as_ref()?.impacts?.count as f64)),
+    (Figure::StopMaxImpulse, "stop.impacts.max_impulse", |own| Some(own.stop.as_ref()?.impacts?.max_impulse)),
+    (Figure::StopImpactLoss, "stop.impacts.loss", |own| Some(own.stop.as_ref()?.impacts?.loss)),
+    (Figure::CreepSpeed, "creep.speed", |own| Some(own.creep?.speed)),
+    (Figure::CreepForce, "creep.force", |own| Some(own.creep?.force)),
+    (Figure::CreepLimit, "creep.limit", |own| Some(own.creep?.limit)),
+    (Figure::CreepFrom, "creep.from", |own| Some(own.creep?.from)),
+    (Figure::CreepUntil, "creep.until", |own| Some(own.creep?.until)),
+];
+
 impl Figure {
     /// All figures.
-    pub const ALL: [Self; 40] = [
-        Self::DeltaAbs,
-        Self::DeltaMax,
-        Self::DeltaMin,
-        Self::Sigma,
-        Self::PeakSpeed,
-        Self::PeakAcceleration,
-        Self::PeakReaction,
-        Self::FinalDisplacement,
-        Self::FinalSpeed,
-        Self::Separations,
-        Self::Closures,
-        Self::SeparatedTime,
-        Self::LongestSeparation,
-        Self::MaxLift,
-        Self::MaxApproachSpeed,
-        Self::MaxContactForce,
-        Self::MaxIndentation,
-        Self::Impacts,
-        Self::MaxImpulse,
-        Self::ImpactLoss,
-        Self::Margin,
-        Self::InWorkingOrder,
-        Self::MaxPressure,
-        Self::PressureTime,
-        Self::Standstills,
-        Self::TimeAtRest,
-        Self::FrictionLoss,
-        Self::StopClosures,
-        Self::StopContactTime,
-        Self::StopApproachSpeed,
-        Self::StopForce,
-        Self::StopIndentation,
-        Self::StopImpacts,
-        Self::StopMaxImpulse,
-        Self::StopImpactLoss,
-        Self::CreepSpeed,
-        Self::CreepForce,
-        Self::CreepLimit,
-        Self::CreepFrom,
-        Self::CreepUntil,
-    ];
+    pub const ALL: [Self; 40] = {
+        let mut all = [Self::DeltaAbs; 40];
+        let mut index = 0;
+        while index < all.len() {
+            all[index] = DECLARED[index].0;
+            assert!(all[index] as usize == index, "as in the type");
+            index += 1;
+        }
+        all
+    };
 
     /// Address within the object: `pair.max_lift`.
     pub const fn address(self) -> &'static str {
-        match self {
-            Self::DeltaAbs => "delta_abs",
-            Self::DeltaMax => "delta_max",
-            Self::DeltaMin => "delta_min",
-            Self::Sigma => "sigma",
-            Self::PeakSpeed => "peak_speed",
-            Self::PeakAcceleration => "peak_acceleration",
-            Self::PeakReaction => "peak_reaction",
-            Self::FinalDisplacement => "final.displacement",
-            Self::FinalSpeed => "final.speed",
-            Self::Separations => "pair.separations",
-            Self::Closures => "pair.closures",
-            Self::SeparatedTime => "pair.separated_time",
-            Self::LongestSeparation => "pair.longest_separation",
-            Self::MaxLift => "pair.max_lift",
-            Self::MaxApproachSpeed => "pair.max_approach_speed",
-            Self::MaxContactForce => "pair.max_contact_force",
-            Self::MaxIndentation => "pair.max_indentation",
-            Self::Impacts => "pair.impacts.count",
-            Self::MaxImpulse => "pair.impacts.max_impulse",
-            Self::ImpactLoss => "pair.impacts.loss",
-            Self::Margin => "pair.margin",
-            Self::InWorkingOrder => "pair.in_working_order",
-            Self::MaxPressure => "pressing.max_pressure",
-            Self::PressureTime => "pressing.time",
-            Self::Standstills => "standstills",
-            Self::TimeAtRest => "time_at_rest",
-            Self::FrictionLoss => "friction_loss",
-            Self::StopClosures => "stop.closures",
-            Self::StopContactTime => "stop.contact_time",
-            Self::StopApproachSpeed => "stop.max_approach_speed",
-            Self::StopForce => "stop.max_contact_force",
-            Self::StopIndentation => "stop.max_indentation",
-            Self::StopImpacts => "stop.impacts.count",
-            Self::StopMaxImpulse => "stop.impacts.max_impulse",
-            Self::StopImpactLoss => "stop.impacts.loss",
-            Self::CreepSpeed => "creep.speed",
-            Self::CreepForce => "creep.force",
-            Self::CreepLimit => "creep.limit",
-            Self::CreepFrom => "creep.from",
-            Self::CreepUntil => "creep.until",
-        }
+        DECLARED[self as usize].1
     }
 }
 
@@ -190,60 +165,7 @@ impl ObjectFigures {
     /// The value of a figure; `None`: the object has none such, or it has no value
     /// (a bilateral pair, no window).
     pub fn value(&self, figure: Figure) -> Option<f64> {
-        let (joints, stop) = (self.joints.as_ref(), self.stop.as_ref());
-        Some(match figure {
-            Figure::DeltaAbs => self.delta_abs,
-            Figure::DeltaMax => self.delta_max,
-            Figure::DeltaMin => self.delta_min,
-            Figure::Sigma => self.sigma,
-            Figure::PeakSpeed => self.peak_speed,
-            Figure::PeakAcceleration => self.peak_acceleration,
-            Figure::PeakReaction => self.peak_reaction,
-            Figure::FinalDisplacement => self.end.displacement,
-            Figure::FinalSpeed => self.end.speed,
-            Figure::MaxPressure => self.pressing?.max_pressure,
-            Figure::PressureTime => self.pressing?.time,
-            Figure::Standstills => joints?.standstills as f64,
-            Figure::TimeAtRest => joints?.time_at_rest,
-            Figure::FrictionLoss => joints?.friction_loss,
-            Figure::StopClosures => stop?.closures as f64,
-            Figure::StopContactTime => stop?.contact_time,
-            Figure::StopApproachSpeed => stop?.max_approach_speed,
-            Figure::StopForce => stop?.max_contact_force,
-            Figure::StopIndentation => stop?.max_indentation,
-            Figure::StopImpacts => stop?.impacts?.count as f64,
-            Figure::StopMaxImpulse => stop?.impacts?.max_impulse,
-            Figure::StopImpactLoss => stop?.impacts?.loss,
-            Figure::CreepSpeed => self.creep?.speed,
-            Figure::CreepForce => self.creep?.force,
-            Figure::CreepLimit => self.creep?.limit,
-            Figure::CreepFrom => self.creep?.from,
-            Figure::CreepUntil => self.creep?.until,
-            of_pair => return self.pair.as_ref()?.value(of_pair),
-        })
-    }
-}
-
-impl PairFigures {
-    fn value(&self, figure: Figure) -> Option<f64> {
-        match figure {
-            Figure::Separations => Some(self.separations as f64),
-            Figure::Closures => Some(self.closures as f64),
-            Figure::SeparatedTime => Some(self.separated_time),
-            Figure::LongestSeparation => Some(self.longest_separation),
-            Figure::MaxLift => Some(self.max_lift),
-            Figure::MaxApproachSpeed => Some(self.max_approach_speed),
-            Figure::MaxContactForce => Some(self.max_contact_force),
-            Figure::MaxIndentation => self.max_indentation,
-            Figure::Impacts => Some(self.impacts?.count as f64),
-            Figure::MaxImpulse => Some(self.impacts?.max_impulse),
-            Figure::ImpactLoss => Some(self.impacts?.loss),
-            Figure::Margin => self.margin,
-            Figure::InWorkingOrder => self
-                .in_working_order
-                .map(|holds| f64::from(u8::from(holds))),
-            _ => None,
-        }
+        DECLARED[figure as usize].2(self)
     }
 }
 

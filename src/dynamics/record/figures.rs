@@ -256,7 +256,7 @@ pub struct RunSummary {
     /// dissipated| / max(work in, greatest kinetic energy).
     pub energy_error: f64,
     /// Check of the equations of motion.
-    pub equations: EquationFigures,
+    pub equations: EquationCheck,
     /// First time at which each condition of the scene holds (s), by its name; `until` is the one
     /// that ends the run. Null: it did not hold.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -270,50 +270,4 @@ pub struct RunSummary {
     /// Why there is no window, when null.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub window_missing: Option<String>,
-}
-
-/// Check of the equations of motion of a run, at instants and switches drawn at random.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct EquationFigures {
-    /// Seed of the draws.
-    pub seed: u64,
-    /// Instants looked at.
-    pub instants: usize,
-    /// Switches looked at.
-    pub switches: usize,
-    /// Greatest defect against its bound, as a share of the terms of its equation.
-    pub defect: f64,
-    /// Bound of the defect.
-    pub bound: f64,
-    /// Time of the defect (s).
-    pub time: f64,
-    /// Object that the defect concerns.
-    pub object: String,
-    /// Equation that the defect is one of.
-    pub what: String,
-    /// Parts of the run that were not checked, and why.
-    pub unchecked: Vec<String>,
-}
-
-impl EquationFigures {
-    /// True when every defect is within its bound; a defect that is not a number is not.
-    pub fn is_kept(&self) -> bool {
-        self.defect <= self.bound
-    }
-}
-
-impl From<&EquationCheck> for EquationFigures {
-    fn from(check: &EquationCheck) -> Self {
-        Self {
-            seed: check.seed,
-            instants: check.instants,
-            switches: check.switches,
-            defect: check.defect,
-            bound: check.bound,
-            time: check.time,
-            object: check.object.clone(),
-            what: check.what.to_owned(),
-            unchecked: check.unchecked.clone(),
-        }
-    }
 }

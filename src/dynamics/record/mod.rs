@@ -42,8 +42,8 @@ pub use failure::Failure;
 pub use figure::Figure;
 pub(crate) use figure_collector::FigureCollector;
 pub use figures::{
-    CreepFigures, EquationFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures,
-    PairFigures, PressingFigures, RunSummary, StopFigures, StudyFigure, Units, greatest_magnitude,
+    CreepFigures, Figures, FinalState, ImpactFigures, JointFigures, ObjectFigures, PairFigures,
+    PressingFigures, RunSummary, StopFigures, StudyFigure, Units, greatest_magnitude,
 };
 pub(crate) use log::{Course, Log, Stretch};
 pub use quantity::Quantity;

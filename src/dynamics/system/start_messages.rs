@@ -95,10 +95,7 @@ impl System {
             let left_out = with[chain] - force;
             if left_out.abs() > LEFT_OUT * force.abs() {
                 let part = &self.model.objects[self.part_of_chain(chain)];
-                let unit = match part.coordinate {
-                    crate::dynamics::model::Coordinate::Turning => "N m",
-                    crate::dynamics::model::Coordinate::Sliding => "N",
-                };
+                let [_, unit] = part.coordinate.units();
                 warnings.push(format!(
                     "{}: the static start leaves out an inertia load of {left_out} {unit} \
                      (static load {force} {unit}), so the run begins with a vibration; \

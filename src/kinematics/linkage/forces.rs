@@ -3,6 +3,7 @@
 use super::Linkage;
 use super::spec::{ForceLaw, PointOf};
 use super::workspace::Workspace;
+use crate::kinematics::breaks::Breaks;
 use crate::math::jet::Jet;
 
 /// Contribution of one spring, damper or force on the input coordinate; meanings and
@@ -15,6 +16,24 @@ pub struct ForcePart {
     pub force: [f64; 2],
     /// D, D′.
     pub damping: [f64; 2],
+}
+
+impl ForceLaw {
+    /// The points of a table over the input coordinate; `None` for what has no table.
+    pub fn breaks(&self) -> Option<Breaks> {
+        match self {
+            Self::CoupleTable { points, period, .. } | Self::Table { points, period, .. } => {
+                Some(Breaks {
+                    points: points.iter().map(|point| point.0).collect(),
+                    period: *period,
+                })
+            }
+            Self::Strut { .. }
+            | Self::Force { .. }
+            | Self::Couple { .. }
+            | Self::Torsion { .. } => None,
+        }
+    }
 }
 
 impl Linkage {

@@ -24,6 +24,17 @@ impl Position {
             _ => None,
         }
     }
+
+    /// The property of a scene that states the linkage, and the branch on which it is assembled, +1
+    /// or −1; `None` for functions that have one assembly mode.
+    pub fn branch(&self) -> Option<(&'static str, f64)> {
+        match self {
+            Self::SliderCrank(short) => Some(("slider_crank", short.branch)),
+            Self::FourBar(short) => Some(("four_bar", short.branch)),
+            Self::SlottedLink(short) => Some(("slotted_link", short.branch_of_block()?)),
+            _ => None,
+        }
+    }
 }
 
 const ORIGIN: [f64; 2] = [0.0; 2];

@@ -41,10 +41,7 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
         title: "Distance of each result from its converged value, over the size of the model"
             .to_owned(),
         x: Axis::new("coordinates of all elastic objects", ""),
-        y: Axis {
-            log: true,
-            ..Axis::new("distance from the limit", "")
-        },
+        y: Axis::logarithmic("distance from the limit", ""),
         series,
         rules: requested_error_line(certificate),
         ..Plot::default()
@@ -55,16 +52,13 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
 /// Filled for the model chosen, open for the others.
 fn mark(tried: &Tried, figure: &FigureAccuracy, value: f64) -> Mark {
     let chosen = if tried.chosen { ", chosen" } else { "" };
-    Mark {
-        shape: if tried.chosen {
-            Shape::Good
-        } else {
-            Shape::Open
-        },
-        note: format!(
-            "{}{chosen}: {}",
-            in_words(&tried.levels),
-            with_unit(value, &figure.unit, 6)
-        ),
-    }
+    let shape = match tried.chosen {
+        true => Shape::Good,
+        false => Shape::Open,
+    };
+    let value = with_unit(value, &figure.unit, 6);
+    Mark::new(
+        shape,
+        format!("{}{chosen}: {value}", in_words(&tried.levels)),
+    )
 }

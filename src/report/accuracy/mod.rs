@@ -54,11 +54,8 @@ pub(in crate::report) fn requested_error_line(certificate: &Certificate) -> Vec<
         (share.is_finite() && share > 0.0).then_some(share)
     });
     let least = allowed.min_by(f64::total_cmp);
-    let rule = least.map(|at| Rule {
-        at,
-        label: format!("asked for: {} %", significant(100.0 * at, 2)),
-        upright: false,
-    });
+    let label = |at: f64| format!("asked for: {} %", significant(100.0 * at, 2));
+    let rule = least.map(|at| Rule::level(at, label(at)));
     rule.into_iter().collect()
 }
 

@@ -232,7 +232,7 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
         LiftOff::Above(speed) => format!("not up to {}", rpm(speed)),
         LiftOff::Below(speed) => format!("even at {}", rpm(speed)),
     });
-    rows.extend(rigid.map(|text| Figure::new("lets go, rigid", text)));
+    rows.extend(rigid.map(|text| Figure::new("lift-off, rigid", text)));
     rows.extend(elastic.map(|text| Figure::new("lift-off, elastic (runs, to 0.1 %)", text)));
     if let Some(answer) = &force.closing {
         spring_rows(rows, force, answer, generalised);

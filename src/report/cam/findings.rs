@@ -3,7 +3,7 @@
 use super::figures::{describe, figures};
 use super::picture::{Follower, bodies, drawing, drawn, marks, style};
 use super::remarks::remarks;
-use super::sampled::PLACES;
+use super::tables::PLACES;
 use super::view::{View, view};
 use super::{NamedCurve, charts};
 use crate::kinematics::cam::DiscCam;

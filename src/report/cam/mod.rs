@@ -6,7 +6,6 @@ mod figures;
 mod findings;
 mod picture;
 mod remarks;
-mod sampled;
 mod tables;
 mod view;
 mod words;

@@ -58,48 +58,33 @@ pub(in crate::report) fn drawing(
     let mover = mover(cam, view);
     let (piece, at) = cam.motion().locate(phi);
     let lift = cam.motion().jet(piece, at).value;
-    let mut out = String::new();
-    let base = cam.geometry().base_radius;
+    let part = |class: &str, link: usize, transform: String, place: [f64; 2], drawn: String| {
+        format!(
+            "<g{class} data-link=\"{link}\" transform=\"{transform}\">{}\n{drawn}</g></g>\n",
+            about(place)
+        )
+    };
+    let behind = |class: &str, link: usize, lift: f64| {
+        let transform = follower_transform(&mover, lift);
+        part(class, link, transform, mover.about, follower(cam, view))
+    };
+    let turned = rotation_attribute(mover.axis, mover.cam * phi);
+    let mut out = part("", 0, turned, mover.axis, body(cam, curves, view));
     let [x, y] = mover.axis.map(short);
-    let _ = writeln!(
-        out,
-        "<g data-link=\"0\" transform=\"{}\">{}\n{}</g></g>",
-        rotation_attribute(mover.axis, mover.cam * phi),
-        about(mover.axis),
-        body(cam, curves, view)
+    let base = circle(
+        "cam-base",
+        mover.axis,
+        view.scale * cam.geometry().base_radius,
     );
-    let _ = writeln!(
-        out,
-        "<circle class=\"cam-base\" cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>",
-        short(view.scale * base)
-    );
-    let _ = writeln!(
-        out,
-        "<circle class=\"cam-axis\" cx=\"{x}\" cy=\"{y}\" r=\"6\"/><path class=\"cam-mark\" d=\"M{x} {y}m-9 0h18m-9 -9v18\"/>"
-    );
+    let axis = circle("cam-axis", mover.axis, 6.0);
+    let cross = format!("<path class=\"cam-mark\" d=\"M{x} {y}m-9 0h18m-9 -9v18\"/>");
+    let _ = writeln!(out, "{base}\n{axis}{cross}");
     if let Some(law) = beside {
-        let _ = writeln!(
-            out,
-            "<g class=\"law\" data-link=\"2\" transform=\"{}\">{}\n{}</g></g>",
-            follower_transform(&mover, law),
-            about(mover.about),
-            follower(cam, view)
-        );
+        out += &behind(" class=\"law\"", 2, law);
     }
-    let lift = beside.unwrap_or(lift);
-    let _ = writeln!(
-        out,
-        "<g data-link=\"1\" transform=\"{}\">{}\n{}</g></g>",
-        follower_transform(&mover, lift),
-        about(mover.about),
-        follower(cam, view)
-    );
+    out += &behind("", 1, beside.unwrap_or(lift));
     if let Guide::Turning { .. } = cam.geometry().guide {
-        let [x, y] = mover.about.map(short);
-        let _ = writeln!(
-            out,
-            "<circle class=\"follower-pin\" cx=\"{x}\" cy=\"{y}\" r=\"6\"/>"
-        );
+        let _ = writeln!(out, "{}", circle("follower-pin", mover.about, 6.0));
     }
     out
 }
@@ -191,6 +176,12 @@ fn dimension([from, to]: [[f64; 2]; 2], heads: [bool; 2], text: &str) -> String 
         short(from[1] + TEXT * dy - 5.0),
         escape(text),
     )
+}
+
+fn circle(class: &str, place: [f64; 2], radius: f64) -> String {
+    let [x, y] = place.map(short);
+    let r = short(radius);
+    format!("<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>")
 }
 
 /// Opens a group whose own origin is a pixel of the picture.
@@ -306,14 +297,8 @@ fn body(cam: &DiscCam, curves: &[NamedCurve], view: &View) -> String {
         cam.geometry().direction.cos(),
         cam.geometry().direction.sin(),
     ];
-    let mark = 0.62 * cam.geometry().base_radius;
-    let [x, y] = view.point([mark * direction[0], mark * direction[1]]);
-    let _ = writeln!(
-        out,
-        "<circle class=\"cam-mark\" cx=\"{}\" cy=\"{}\" r=\"4\"/>",
-        short(x),
-        short(y)
-    );
+    let mark = direction.map(|part| 0.62 * cam.geometry().base_radius * part);
+    let _ = writeln!(out, "{}", circle("cam-mark", view.point(mark), 4.0));
     out
 }
 
@@ -338,51 +323,28 @@ fn follower(cam: &DiscCam, view: &View) -> String {
         Some([_, far]) if matches!(cam.geometry().guide, Guide::Turning { .. }) => far,
         _ => parts.tip,
     };
+    let line = |class: &str, from: [f64; 2], to: [f64; 2], more: &str| {
+        let (from, to) = (view.text(from), view.text(to));
+        format!("<path class=\"{class}\" d=\"M{from}L{to}\"{more}/>")
+    };
     let start = match (cam.geometry().guide, parts.face) {
         (Guide::Turning { .. }, Some([near, _])) => {
-            let _ = write!(
-                out,
-                "<path class=\"follower-arm\" d=\"M{}L{}\"/>",
-                view.text(parts.end),
-                view.text(near)
-            );
+            out += &line("follower-arm", parts.end, near, "");
             near
         }
         _ => parts.end,
     };
-    let _ = writeln!(
-        out,
-        "<path class=\"follower-arm\" d=\"M{}L{}\"/>",
-        view.text(start),
-        view.text(arm_end)
-    );
-    let [x, y] = view.point(parts.tip).map(short);
-    match cam.geometry().contact {
-        Contact::Roller { radius } => {
-            let _ = writeln!(
-                out,
-                "<circle class=\"follower\" cx=\"{x}\" cy=\"{y}\" r=\"{}\"/>\
-                 <circle class=\"follower-pin\" cx=\"{x}\" cy=\"{y}\" r=\"2.5\"/>",
-                short(view.scale * radius)
-            );
+    let _ = writeln!(out, "{}", line("follower-arm", start, arm_end, ""));
+    let tip = view.point(parts.tip);
+    let end = match (cam.geometry().contact, parts.face) {
+        (Contact::Roller { radius }, _) => {
+            circle("follower", tip, view.scale * radius) + &circle("follower-pin", tip, 2.5)
         }
-        Contact::KnifeEdge => {
-            let _ = writeln!(
-                out,
-                "<circle class=\"follower\" cx=\"{x}\" cy=\"{y}\" r=\"1.5\"/>"
-            );
-        }
-        Contact::Flat { .. } => {
-            if let Some([a, b]) = parts.face {
-                let _ = writeln!(
-                    out,
-                    "<path class=\"follower\" d=\"M{}L{}\" stroke-width=\"4\"/>",
-                    view.text(a),
-                    view.text(b)
-                );
-            }
-        }
-    }
+        (Contact::KnifeEdge, _) => circle("follower", tip, 1.5),
+        (Contact::Flat { .. }, Some([a, b])) => line("follower", a, b, " stroke-width=\"4\""),
+        (Contact::Flat { .. }, None) => return out,
+    };
+    let _ = writeln!(out, "{end}");
     out
 }
 

@@ -2,8 +2,12 @@
 
 use super::NamedCurve;
 use crate::kinematics::cam::DiscCam;
+use crate::report::course::samples;
 use crate::report::csv::{Field, Rows};
 use crate::studies::cam::CamForce;
+
+/// Places over the turn of charts, and of the cam that turns.
+pub(super) const PLACES: usize = 720;
 
 /// One turn in `count` equal steps, and both sides of every joint of the law:
 /// motion, pressure angle, radii of curvature, profile, force and torque (left
@@ -48,19 +52,9 @@ pub fn cycle_rows(cam: &DiscCam, unit: &str, force: Option<&CamForce<'_>>, count
 /// Pieces and angles of a table: equal steps, and the ends of every piece.
 pub(super) fn rows(cam: &DiscCam, count: usize) -> Vec<(usize, f64)> {
     let (from, to) = cam.motion().range();
-    let count = count.max(1);
-    let mut found = Vec::new();
-    for (index, piece) in cam.motion().pieces().iter().enumerate() {
-        found.push((index, piece.from));
-        let steps = (0..=count).map(|step| from + (to - from) * step as f64 / count as f64);
-        found.extend(
-            steps
-                .filter(|&phi| piece.from < phi && phi < piece.to)
-                .map(|phi| (index, phi)),
-        );
-        found.push((index, piece.to));
-    }
-    found
+    let pieces = cam.motion().pieces().iter();
+    let pieces = pieces.map(|piece| [piece.from, piece.to]);
+    samples(pieces, [from, to - from], count, |piece, phi| (piece, phi))
 }
 
 /// The corners of curves: curve, angle of the cam, x, y in the cam's frame.

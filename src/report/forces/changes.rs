@@ -40,18 +40,11 @@ pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         return Section::default();
     };
     let study = report.study;
-    let columns = study.columns();
-    let unit = |name: &str| {
-        let column = columns.iter().find(|column| column.name == name);
-        column.map_or("", |column| column.unit.as_str())
-    };
+    let [load, chi, speed] = ["load", "chi", "speed"].map(|name| study.unit(name));
     let figures = vec![
         Figure::new("moving mass", value(found.mass, "kg")),
-        Figure::new("load", value(found.load, unit("load"))),
-        Figure::new(
-            "greatest |χ| without masses",
-            value(found.greatest, unit("chi")),
-        ),
+        Figure::new("load", value(found.load, &load)),
+        Figure::new("greatest |χ| without masses", value(found.greatest, &chi)),
     ];
     let rows = found.points.iter().map(|point| {
         let missing = match point.missing {
@@ -60,12 +53,12 @@ pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         };
         vec![
             Value::new(point.parameter, "", 4),
-            value(point.speed, unit("speed")),
+            value(point.speed, &speed),
             Value::new(100.0 * point.deviation, "%", 3),
             missing.into(),
         ]
     });
-    let parameter = format!(">{}", parameter_name(study.coordinate_unit(), unit("load")));
+    let parameter = format!(">{}", parameter_name(study.coordinate_unit(), &load));
     let table = Table::new([parameter.as_str(), ">speed", ">greatest change", ""]).rows(rows);
     Section::new("Massless against full model")
         .figures(figures)

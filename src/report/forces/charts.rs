@@ -5,111 +5,100 @@ use crate::math::order::by_first;
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Band, Plot, Series};
 use crate::report::quantity::significant;
-use crate::studies::forces::Column;
+use crate::studies::forces::{Column, ForceStudy, Forces};
 
 /// All curves over the course.
 pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
-    let study = report.study;
+    let (study, linkage) = (report.study, &report.study.linkage);
     let all = study.columns();
-    let chart = |title: &str, names: &[(String, &str)]| over_course(report, &all, title, names);
-    let one = |title: &str, name: &str| chart(title, &[(name.to_owned(), "")]);
-    let mut drive = match &study.several {
-        None => vec![one("Driving force", "drive")],
-        Some(several) => (several.spec.inputs.iter())
-            .map(|input| {
-                let name = format!("drive.{}", input.name);
-                one(&format!("Driving force at {}", input.name), &name)
-            })
-            .collect(),
+    let chart = |title: &str, names: Vec<(String, &str)>| over_course(report, &all, title, &names);
+    let parts = |title: &str, owner: &str, parts: &[(&str, &'static str)]| {
+        let names = parts
+            .iter()
+            .map(|(part, label)| (format!("{owner}.{part}"), *label));
+        chart(title, names.collect())
     };
-    if let Some(several) = &study.several {
-        let names = several.spec.inputs.iter();
-        let names: Vec<(String, &str)> = names
-            .map(|input| (format!("power.{}", input.name), input.name.as_str()))
-            .collect();
-        drive.push(chart("Power of the drivers", &names));
-    }
-    drive.push(chart(
-        "Power",
-        &[
-            ("power.drive".to_owned(), "driver"),
-            ("power.forces".to_owned(), "forces"),
-            ("power.weights".to_owned(), "weights"),
-            ("power.inertia".to_owned(), "into motion"),
-            ("power.loss".to_owned(), "friction"),
-        ],
-    ));
-    drive.push(one("Efficiency", "efficiency"));
-    if study.settings.output.is_some() {
-        drive.push(one("Dynamic transmission ratio χ", "chi"));
-    }
-    let pairs = study.linkage.pairs.iter().map(|pair| {
-        let part = |what: &str| format!("{}.{what}", pair.name);
-        chart(
-            &format!("Reaction in {}", pair.name),
-            &[
-                (part("force"), "size"),
-                (part("x"), "x"),
-                (part("y"), "y"),
-                (part("n1"), "corner 1"),
-                (part("n2"), "corner 2"),
-            ],
-        )
-    });
-    let welds = study.linkage.welds.iter().flat_map(|weld| {
-        let part = |what: &str| format!("{}.{what}", weld.name);
-        let force = [(part("force"), "size"), (part("x"), "x"), (part("y"), "y")];
-        let couple = [(part("couple"), "")];
-        [
-            chart(&format!("Force in {}", weld.name), &force),
-            chart(&format!("Couple in {}", weld.name), &couple),
-        ]
-    });
-    let couplings = study.linkage.couplings.iter().map(|coupling| {
-        let title = format!("{} {}", coupling.kind.words().force, coupling.name);
-        one(&title, &format!("{}.force", coupling.name))
-    });
-    let frame = ["shaking", "frame"].map(|name| {
-        let part = |what: &str| format!("{name}.{what}");
-        let title = match name {
-            "shaking" => "Shaking force of the links' inertia",
-            _ => "Force of all pairs on the frame",
-        };
-        chart(
-            title,
-            &[(part("force"), "size"), (part("x"), "x"), (part("y"), "y")],
-        )
-    });
-    let names = study.linkage.pairs.iter();
-    let by_friction: Vec<(String, &str)> = names
-        .map(|pair| {
-            (
-                format!("drive_by.{}.friction", pair.name),
-                pair.name.as_str(),
-            )
-        })
-        .collect();
-    let names = study.linkage.links.iter();
-    let by_mass: Vec<(String, &str)> = names
-        .map(|link| (format!("drive_by.{}.mass", link.name), link.name.as_str()))
-        .collect();
-    let changes = [
-        chart(
-            "Change of the driving force by coefficients of friction",
-            &by_friction,
-        ),
-        chart("Change of the driving force by masses", &by_mass),
-    ];
     let section = |title: &str, charts: Vec<Plot>| {
         let shown = charts.into_iter().filter(|chart| !chart.series.is_empty());
         Section::new(title).charts(Layout::Grid, "course", shown.collect())
     };
+    let force = [("force", "size"), ("x", "x"), ("y", "y")];
+    let corners = [force.as_slice(), &[("n1", "corner 1"), ("n2", "corner 2")]].concat();
+    let mut reactions = Vec::new();
+    for pair in &linkage.pairs {
+        let title = format!("Reaction in {}", pair.name);
+        reactions.push(parts(&title, &pair.name, &corners));
+    }
+    for weld in &linkage.welds {
+        let name = &weld.name;
+        reactions.push(parts(&format!("Force in {name}"), name, &force));
+        reactions.push(parts(&format!("Couple in {name}"), name, &[("couple", "")]));
+    }
+    for coupling in &linkage.couplings {
+        let title = format!("{} {}", coupling.kind.words().force, coupling.name);
+        reactions.push(parts(&title, &coupling.name, &[("force", "")]));
+    }
+    let frame = vec![
+        parts("Shaking force of the links' inertia", "shaking", &force),
+        parts("Force of all pairs on the frame", "frame", &force),
+    ];
+    let by_friction = linkage
+        .pairs
+        .iter()
+        .map(|pair| change(&pair.name, "friction"));
+    let by_mass = linkage.links.iter().map(|link| change(&link.name, "mass"));
+    let title = "Change of the driving force by";
+    let sensitivity = vec![
+        chart(
+            &format!("{title} coefficients of friction"),
+            by_friction.collect(),
+        ),
+        chart(&format!("{title} masses"), by_mass.collect()),
+    ];
     vec![
-        section("Driving force, power, efficiency", drive),
-        section("Reactions", pairs.chain(welds).chain(couplings).collect()),
-        section("The frame", frame.into()),
-        section("Sensitivity", changes.into()),
+        section("Driving force, power, efficiency", drive(study, &chart)),
+        section("Reactions", reactions),
+        section("The frame", frame),
+        section("Sensitivity", sensitivity),
     ]
+}
+
+/// Name and label of the change of the driving force by something of a pair or link.
+fn change<'n>(name: &'n str, what: &str) -> (String, &'n str) {
+    (format!("drive_by.{name}.{what}"), name)
+}
+
+/// Driving forces, powers, efficiency and the dynamic transmission ratio.
+fn drive(study: &ForceStudy, chart: &dyn Fn(&str, Vec<(String, &str)>) -> Plot) -> Vec<Plot> {
+    let one = |title: &str, name: &str| chart(title, vec![(name.to_owned(), "")]);
+    let mut charts = Vec::new();
+    match &study.several {
+        None => charts.push(one("Driving force", "drive")),
+        Some(several) => {
+            let names = || several.spec.inputs.iter().map(|input| input.name.as_str());
+            let of_one = |name: &str| {
+                let title = format!("Driving force at {name}");
+                one(&title, &format!("drive.{name}"))
+            };
+            charts.extend(names().map(of_one));
+            let powers = names().map(|name| (format!("power.{name}"), name));
+            charts.push(chart("Power of the drivers", powers.collect()));
+        }
+    }
+    let powers = [
+        ("drive", "driver"),
+        ("forces", "forces"),
+        ("weights", "weights"),
+        ("inertia", "into motion"),
+        ("loss", "friction"),
+    ];
+    let powers = powers.map(|(part, label)| (format!("power.{part}"), label));
+    charts.push(chart("Power", powers.into()));
+    charts.push(one("Efficiency", "efficiency"));
+    if study.settings.output.is_some() {
+        charts.push(one("Dynamic transmission ratio χ", "chi"));
+    }
+    charts
 }
 
 /// Quantities over the course in one chart; those without any value left out.
@@ -120,6 +109,7 @@ fn over_course(
     names: &[(String, &str)],
 ) -> Plot {
     let study = report.study;
+    let axis = report.axis();
     let mut unit = String::new();
     let mut curves = Vec::new();
     for (name, label) in names {
@@ -132,7 +122,7 @@ fn over_course(
             .iter()
             .enumerate()
             .map(|(index, row)| {
-                let at = report.axis_value(study.course.parameter(index));
+                let at = axis.shown(study.course.parameter(index));
                 (at, column.value(row).unwrap_or(f64::NAN))
             })
             .collect();
@@ -140,12 +130,8 @@ fn over_course(
         curves.push(Series::line(label, points));
     }
     Plot {
-        title: title.to_owned(),
-        y: Axis::of(&unit),
-        series: curves,
         bands: Band::plain(shaded(report)),
-        x: Axis::new(report.axis_symbol(), report.axis_unit()),
-        ..Plot::default()
+        ..Plot::new(title, axis.of_chart(), &unit, curves)
     }
 }
 
@@ -153,7 +139,7 @@ fn over_course(
 fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
     let zones = report.study.zones.iter();
     zones
-        .map(|zone| [zone.from, zone.to].map(|at| report.axis_value(at)))
+        .map(|zone| [zone.from, zone.to].map(|at| report.axis().shown(at)))
         .collect()
 }
 
@@ -161,7 +147,7 @@ fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
 pub(super) fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let study = report.study;
     study.settings.output?;
-    let point = |forces: &crate::studies::forces::Forces| {
+    let point = |forces: &Forces| {
         let found = forces.transmission?;
         Some((found.ratio, forces.chi?, found))
     };
@@ -189,24 +175,16 @@ pub(super) fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let mut ideal: Vec<(f64, f64)> = found.iter().map(|(i, ..)| (*i, sign * i.abs())).collect();
     ideal.push((0.0, 0.0));
     by_first(&mut ideal);
-    let unit = |name: &str| {
-        let all = study.columns();
-        let column = all.into_iter().find(|column| column.name == name);
-        column.map_or(String::new(), |column| column.unit)
-    };
-    Some(Plot {
-        title: format!(
-            "χ against i, convention `{}`",
-            study.settings.convention.name()
-        ),
-        y: Axis::of(&unit("chi")),
-        series: vec![
+    let convention = study.settings.convention.name();
+    Some(Plot::new(
+        format!("χ against i, convention {convention}"),
+        Axis::new("i", &study.unit("ratio")),
+        &study.unit("chi"),
+        vec![
             Series::line("with friction and masses", points),
             Series::line("without", ideal),
         ],
-        x: Axis::new("i", &unit("ratio")),
-        ..Plot::default()
-    })
+    ))
 }
 
 /// χ over the input coordinate without masses and for each m·ω²/P; `None`
@@ -214,14 +192,13 @@ pub(super) fn ratio_chart(report: &ForcesReport<'_>) -> Option<Plot> {
 pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let found = report.massless?;
     let study = report.study;
-    let all = study.columns();
-    let unit = all.into_iter().find(|column| column.name == "chi");
+    let axis = report.axis();
     let points = |chi: &[Option<f64>]| -> Vec<(f64, f64)> {
-        let at = found.coordinates.iter().map(|q| report.axis_value(*q));
+        let at = found.coordinates.iter().map(|q| axis.shown(*q));
         let values = chi.iter().map(|chi| chi.unwrap_or(f64::NAN));
         let mut points: Vec<(f64, f64)> = at.zip(values).collect();
         if let (Some(period), Some(first)) = (study.course.period(), points.first().copied()) {
-            points.push((first.0 + report.axis_value(period), first.1));
+            points.push((first.0 + axis.shown(period), first.1));
         }
         points
     };
@@ -234,14 +211,13 @@ pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Plot> {
         );
         Series::line(&label, points(&point.chi))
     });
-    Some(Plot {
-        title: format!(
-            "Dynamic transmission ratio χ without masses and with them, convention `{}`",
-            study.settings.convention.name()
+    let convention = study.settings.convention.name();
+    Some(Plot::new(
+        format!(
+            "Dynamic transmission ratio χ without masses and with them, convention {convention}"
         ),
-        y: Axis::of(&unit.map_or(String::new(), |column| column.unit)),
-        series: std::iter::once(without).chain(with).collect(),
-        x: Axis::new("q", report.axis_unit()),
-        ..Plot::default()
-    })
+        Axis::new("q", axis.unit()),
+        &study.unit("chi"),
+        std::iter::once(without).chain(with).collect(),
+    ))
 }

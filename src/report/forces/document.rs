@@ -1,55 +1,38 @@
 //! A study as one JSON document.
 
 use super::ForcesReport;
-use crate::studies::forces::{
-    Counterweight, CycleForces, Extreme, ForceStudy, MasslessComparison, NEGLIGIBLE,
-};
+use crate::studies::forces::{Counterweight, CycleForces, Extreme, ForceStudy, NEGLIGIBLE};
 use serde_json::{Map, Value, json};
 
 /// Everything that a study found, in SI units: figures, zones, checks, and all
 /// columns.
 pub fn document(report: &ForcesReport<'_>) -> Value {
-    let (study, massless) = (report.study, report.massless);
-    let linkage = &study.linkage;
-    let output = study
-        .settings
-        .output
-        .map(|index| &linkage.outputs[index].name);
-    let mut object = Map::new();
-    object.insert("dam".into(), json!(1));
-    object.insert("scene".into(), json!(report.name));
-    object.insert("hash".into(), json!(report.hash));
-    object.insert("object".into(), json!(report.object));
-    object.insert("motion".into(), json!(report.motion));
-    object.insert("convention".into(), json!(study.settings.convention.name()));
-    object.insert("output".into(), json!(output));
-    object.insert("positions".into(), json!(study.rows.len()));
-    object.insert("extremes".into(), extremes(study));
-    object.insert(
-        "cycle".into(),
-        study
-            .cycle
-            .as_ref()
-            .map_or(Value::Null, |c| cycle(c, study)),
-    );
-    object.insert("zones".into(), zones(study));
-    object.insert("indeterminate".into(), indeterminate(study));
-    object.insert(
-        "counterweight".into(),
-        study
-            .counterweight
-            .as_ref()
-            .map_or(Value::Null, |c| counterweight(c, study)),
-    );
-    object.insert("checks".into(), json!(study.checks()));
-    let unique = study.solved().all(|(_, forces)| forces.solved.unique);
-    object.insert("unique".into(), json!(unique));
-    object.insert("warnings".into(), json!(report.warnings));
-    object.insert("columns".into(), values(study));
-    if let Some(found) = massless {
-        object.insert("massless".into(), comparison(found));
+    let study = report.study;
+    let output = study.settings.output;
+    let mut document = json!({
+        "dam": 1,
+        "scene": report.name,
+        "hash": report.hash,
+        "object": report.object,
+        "motion": report.motion,
+        "convention": study.settings.convention.name(),
+        "output": output.map(|index| &study.linkage.outputs[index].name),
+        "positions": study.rows.len(),
+        "extremes": extremes(study),
+        "cycle": study.cycle.as_ref().map(|found| cycle(found, study)),
+        "zones": zones(study),
+        "indeterminate": indeterminate(study),
+        "counterweight": study.counterweight.as_ref().map(|found| counterweight(found, study)),
+        "checks": study.checks(),
+        "unique": study.solved().all(|(_, forces)| forces.solved.unique),
+        "warnings": report.warnings,
+        "columns": values(study),
+    });
+    if let Some(found) = report.massless {
+        document["massless"] = json!(found);
+        document["massless"]["negligible"] = json!(NEGLIGIBLE);
     }
-    Value::Object(object)
+    document
 }
 
 /// What rigid links leave open, and which constraints are redundant.
@@ -77,27 +60,15 @@ fn extremes(study: &ForceStudy) -> Value {
         });
         (found.name.clone(), value)
     });
-    let mut all = Map::new();
-    all.extend(entries);
-    Value::Object(all)
+    Value::Object(entries.collect())
 }
 
 fn cycle(cycle: &CycleForces, study: &ForceStudy) -> Value {
     let pairs = study.linkage.pairs.iter().zip(&cycle.pair_losses);
-    let mut losses = Map::new();
-    losses.extend(pairs.map(|(p, loss)| (p.name.clone(), json!(loss))));
-    json!({
-        "closed": cycle.closed,
-        "duration": cycle.duration,
-        "drive_work": cycle.drive_work,
-        "load_work": cycle.load_work,
-        "applied_work": cycle.applied_work,
-        "loss": cycle.loss,
-        "losses": losses,
-        "efficiency": cycle.efficiency,
-        "mean_drive": cycle.mean_drive,
-        "rms_drive": cycle.rms_drive,
-    })
+    let losses = pairs.map(|(pair, loss)| (pair.name.clone(), json!(loss)));
+    let mut document = json!(cycle);
+    document["losses"] = Value::Object(losses.collect());
+    document
 }
 
 fn zones(study: &ForceStudy) -> Value {
@@ -116,15 +87,12 @@ fn zones(study: &ForceStudy) -> Value {
 }
 
 fn counterweight(found: &Counterweight, study: &ForceStudy) -> Value {
-    json!({
-        "link": study.linkage.links[found.link].name,
-        "mass_radius": found.mass_radius,
-        "angle": found.angle,
-        "rms_without": found.rms[0],
-        "rms_with": found.rms[1],
-        "greatest_without": found.greatest[0],
-        "greatest_with": found.greatest[1],
-    })
+    let figures = found
+        .figures()
+        .map(|(name, value)| (name.to_owned(), json!(value)));
+    let link = &study.linkage.links[found.link].name;
+    let link = ("link".to_owned(), json!(link));
+    Value::Object(figures.into_iter().chain([link]).collect())
 }
 
 fn values(study: &ForceStudy) -> Value {
@@ -148,26 +116,4 @@ fn values(study: &ForceStudy) -> Value {
         object.insert(column.name.clone(), told);
     }
     Value::Object(object)
-}
-
-fn comparison(found: &MasslessComparison) -> Value {
-    let points = found.points.iter().map(|point| {
-        json!({
-            "parameter": point.parameter,
-            "speed": point.speed,
-            "deviation": point.deviation,
-            "missing": point.missing,
-            "chi": point.chi,
-        })
-    });
-    json!({
-        "mass": found.mass,
-        "load": found.load,
-        "greatest_chi": found.greatest,
-        "coordinates": found.coordinates,
-        "chi": found.massless,
-        "points": points.collect::<Vec<_>>(),
-        "negligible": NEGLIGIBLE,
-        "negligible_up_to": found.negligible_up_to,
-    })
 }

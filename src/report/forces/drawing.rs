@@ -2,7 +2,7 @@
 
 use super::ForcesReport;
 use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, MOST_FRAMES, Placement};
-use crate::studies::forces::{Forces, Row};
+use crate::studies::forces::{Forces, LinkPlace, Row};
 
 /// The drawing: reactions on link j from link i, those of couplings on their second wheel or
 /// roller, and the shaking force.
@@ -17,51 +17,37 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
     let stride = solved.len().div_ceil(MOST_FRAMES).max(1);
     let kept: Vec<_> = solved.into_iter().step_by(stride).collect();
     let placed = |forces: &Forces| {
-        let links = forces.links.iter();
-        links
-            .map(|link| Placement {
-                at: link.origin,
-                turn: link.direction,
-            })
-            .collect()
+        let place = |link: &LinkPlace| Placement {
+            at: link.origin,
+            turn: link.direction,
+        };
+        forces.links.iter().map(place).collect()
     };
     let arrow = |name: String, read: &dyn Fn(&Forces) -> [[f64; 2]; 2]| {
-        let (at, vector) = kept
-            .iter()
-            .map(|(_, _, forces)| read(forces).into())
-            .unzip();
+        let ends = kept.iter().map(|(_, _, forces)| read(forces).into());
+        let (at, vector) = ends.unzip();
         Arrow { name, at, vector }
     };
-    let named = |name: &str| format!("force in {name}");
-    let pairs = study.linkage.pairs.iter().enumerate();
-    let reactions = pairs
-        .filter(|(pair, _)| !study.is_open(*pair))
-        .map(|(pair, spec)| {
-            arrow(named(&spec.name), &|forces| {
-                let own = &forces.pairs[pair];
-                [own.point, own.force]
-            })
-        });
-    let open = &study.indeterminate.welds;
-    let welds = study.linkage.welds.iter().enumerate();
-    let welds = welds
-        .filter(|(weld, _)| open.get(*weld) != Some(&true))
-        .map(|(weld, spec)| {
-            arrow(named(&spec.name), &|forces| {
-                let own = &forces.welds[weld];
-                [own.point, own.force]
-            })
-        });
-    let open = &study.indeterminate.couplings;
-    let couplings = study.linkage.couplings.iter().enumerate();
-    let couplings = couplings
-        .filter(|(index, spec)| spec.kind.words().is_one_force && open.get(*index) != Some(&true))
-        .map(|(index, spec)| {
-            arrow(named(&spec.name), &|forces| {
-                let own = &forces.couplings[index];
-                [own.point, own.force]
-            })
-        });
+    let mut reactions = Vec::new();
+    let mut add = |open: Option<&bool>, name: &str, read: &dyn Fn(&Forces) -> [[f64; 2]; 2]| {
+        if open != Some(&true) {
+            reactions.push(arrow(format!("force in {name}"), read));
+        }
+    };
+    let (linkage, open) = (&study.linkage, &study.indeterminate);
+    for (k, pair) in linkage.pairs.iter().enumerate() {
+        let read = |f: &Forces| [f.pairs[k].point, f.pairs[k].force];
+        add(open.pairs.get(k), &pair.name, &read);
+    }
+    for (k, weld) in linkage.welds.iter().enumerate() {
+        let read = |f: &Forces| [f.welds[k].point, f.welds[k].force];
+        add(open.welds.get(k), &weld.name, &read);
+    }
+    let couplings = linkage.couplings.iter().enumerate();
+    for (k, coupling) in couplings.filter(|(_, one)| one.kind.words().is_one_force) {
+        let read = |f: &Forces| [f.couplings[k].point, f.couplings[k].force];
+        add(open.couplings.get(k), &coupling.name, &read);
+    }
     let shaking = arrow("shaking force".to_owned(), &|forces| {
         let [x, y, _] = forces.shaking;
         [[0.0; 2], [x, y]]
@@ -72,9 +58,12 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
         shown,
         arrows,
     };
-    let first = kept
-        .first()
-        .map_or(0.0, |(_, row, _)| row.motion.coordinate);
+    let first = kept.first();
+    let first = first.map_or(0.0, |(_, row, _)| row.motion.coordinate);
+    let axis = report.axis();
+    let places = kept
+        .iter()
+        .map(|(index, ..)| study.course.parameter(*index));
     let time = |row: &Row| {
         let speed = row.motion.speed.abs();
         let uniform = (row.motion.coordinate - first).abs() / if speed > 0.0 { speed } else { 1.0 };
@@ -84,22 +73,15 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
         spec: &study.linkage,
         frames: kept.iter().map(|(_, _, forces)| placed(forces)).collect(),
         axis: Axis {
-            name: report.axis_name().to_owned(),
-            unit: report.axis_unit().to_owned(),
-            values: kept
-                .iter()
-                .map(|(index, _, _)| report.axis_value(study.course.parameter(*index)))
-                .collect(),
+            name: axis.name.to_owned(),
+            unit: axis.unit().to_owned(),
+            values: places.map(|at| axis.shown(at)).collect(),
             times: kept.iter().map(|(_, row, _)| time(row)).collect(),
             closed: study.course.is_closed() && stride == 1,
         },
         paths: Vec::new(),
         arrows: vec![
-            set(
-                "reactions",
-                true,
-                reactions.chain(welds).chain(couplings).collect(),
-            ),
+            set("reactions", true, reactions),
             set("shaking force at the origin", false, vec![shaking]),
         ],
     }

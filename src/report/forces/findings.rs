@@ -4,7 +4,7 @@ use super::changes::{massless, sensitivities};
 use super::charts::{groups, ratio_chart};
 use super::{ForcesReport, WIDE, drawing, value};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
-use crate::report::csv::{Field, Rows};
+use crate::report::csv::{Field, Rows, head};
 use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table};
 use crate::report::plot::{Plot, page::hodograph};
@@ -34,10 +34,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
             study.settings.convention,
         );
         let name = convention.name();
-        let _ = write!(
-            subtitle,
-            "; output `{output}`, χ in the convention `{name}`"
-        );
+        let _ = write!(subtitle, "; output {output}, χ in the convention {name}");
     }
     let drawn = *report;
     let mechanism = match study.solved().next() {
@@ -261,10 +258,7 @@ pub fn rows(study: &ForceStudy) -> Rows {
             true => " (statically indeterminate)",
             false => "",
         };
-        match column.unit.as_str() {
-            "" => format!("{name}{open}"),
-            unit => format!("{name} [{unit}]{open}"),
-        }
+        head(&name, &column.unit) + open
     });
     let time = timed.then(|| "time [s]".to_owned());
     let coordinate = match study.several.as_ref().map(|several| several.axis) {

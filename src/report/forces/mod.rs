@@ -11,6 +11,7 @@ pub use document::document;
 pub use drawing::drawing;
 pub use findings::{findings, rows};
 
+use crate::report::course::CourseAxis;
 use crate::report::findings::{Layout, Value};
 use crate::report::quantity::{DIGITS, significant};
 use crate::studies::forces::{ForceStudy, MasslessComparison, Zone};
@@ -43,55 +44,22 @@ pub struct ForcesReport<'a> {
 }
 
 impl ForcesReport<'_> {
-    /// True when the course runs over time.
-    fn over_time(&self) -> bool {
-        let several = self.study.several.as_ref();
-        self.study.rows.iter().any(|row| row.time.is_some())
-            || several.is_some_and(|several| several.unit == "s")
-    }
-
-    /// Name of the course's parameter.
-    fn axis_name(&self) -> &'static str {
-        match (&self.study.several, self.over_time()) {
-            (Some(several), _) => several.axis,
-            (None, true) => "time",
-            (None, false) => "input coordinate",
-        }
-    }
-
-    /// Its symbol in charts.
-    fn axis_symbol(&self) -> &'static str {
-        match self.axis_name() {
-            "time" => "t",
-            "path" => "path",
-            _ => "q",
-        }
-    }
-
-    /// Unit of the course's parameter, angles in degrees.
-    fn axis_unit(&self) -> &'static str {
-        match (self.over_time(), self.study.coordinate_unit()) {
-            (true, _) => "s",
-            (false, "rad") => "deg",
-            (false, unit) => unit,
-        }
-    }
-
-    /// A value of the course's parameter as it is shown.
-    fn axis_value(&self, at: f64) -> f64 {
-        match self.axis_unit() {
-            "deg" => at.to_degrees(),
-            _ => at,
-        }
+    /// What the positions are told over.
+    fn axis(&self) -> CourseAxis {
+        let study = self.study;
+        let timed = study.rows.iter().any(|row| row.time.is_some());
+        let (name, si) = match &study.several {
+            Some(several) => (several.axis, several.unit),
+            None if timed => ("time", "s"),
+            None => ("input coordinate", study.coordinate_unit()),
+        };
+        CourseAxis { name, si }
     }
 
     /// A place on the course for reading.
     fn place(&self, at: f64) -> String {
-        let place = format!(
-            "{} {}",
-            significant(self.axis_value(at), 6),
-            self.axis_unit()
-        );
+        let axis = self.axis();
+        let place = format!("{} {}", significant(axis.shown(at), 6), axis.unit());
         place.trim_end().to_owned()
     }
 }

@@ -1,6 +1,5 @@
 //! The kinematics as one JSON document.
 
-use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::SingularCurve;
 use crate::studies::kinematics::{Kinematics, Plane, PlaneInput};
 use serde_json::{Map, Value, json};
@@ -36,14 +35,12 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
         "object": found.object,
         "mobility": structure.explanation,
         "groups": groups,
-        "input": { "motion": found.motion, "limits": limits(found) },
-        "axis": { "name": found.axis.name, "unit": found.axis.unit, "values": found.axis.values },
+        "input": { "motion": found.motion, "limits": found.limits },
+        "axis": found.axis,
         "strokes": strokes(found),
         "transmission_angles": transmission(found),
         "equilibria": equilibria(found),
-        "stopped": found.stopped.as_ref().map(|stop| json!({
-            "at": stop.at, "input": stop.input, "because": stop.cause,
-        })),
+        "stopped": found.stopped,
         "checks": found.checks(),
         "warnings": found.warnings,
         "columns": columns,
@@ -57,10 +54,7 @@ pub fn document(scene: &str, hash: &str, found: &Kinematics) -> Value {
 /// The singular positions over two inputs.
 fn singular(found: &Kinematics, plane: &Plane) -> Value {
     let input = |input: &PlaneInput| {
-        let unit = match input.coordinate {
-            Coordinate::Turning => "rad",
-            Coordinate::Sliding => "m",
-        };
+        let unit = input.coordinate.unit();
         json!({ "name": input.name, "unit": unit, "from": input.range[0], "to": input.range[1] })
     };
     let structure = found.linkage.structure();
@@ -75,11 +69,6 @@ fn singular(found: &Kinematics, plane: &Plane) -> Value {
         "inputs": plane.inputs.each_ref().map(input),
         "curves": plane.curves.iter().map(curve).collect::<Vec<_>>(),
     })
-}
-
-fn limits(found: &Kinematics) -> Vec<Value> {
-    let limit = |limit: &crate::studies::kinematics::Limit| json!({ "at": limit.at, "because": limit.cause });
-    found.limits.iter().map(limit).collect()
 }
 
 fn strokes(found: &Kinematics) -> Vec<Value> {

@@ -1,5 +1,6 @@
 //! The linkage over the rows, as a drawing that moves.
 
+use super::axis;
 use super::endless::Endless;
 use crate::report::mechanism::{Arrow, ArrowSet, Axis, Drawing, MOST_FRAMES, Path, Placement};
 use crate::studies::kinematics::{Kinematics, Quantity};
@@ -23,17 +24,7 @@ fn thinned(count: usize) -> Vec<usize> {
 }
 
 fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
-    let placed = |row: &usize| {
-        let links = found.frames[*row].iter();
-        links
-            .map(|&[x, y, cos, sin]| Placement {
-                at: [x, y],
-                turn: [cos, sin],
-            })
-            .collect()
-    };
     let points: Vec<MovingPoint<'_>> = points(found);
-    let take = |values: &[f64]| -> Vec<f64> { rows.iter().map(|&row| values[row]).collect() };
     let vectors = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
         rows.iter().map(|&row| [x[row], y[row]]).collect()
     };
@@ -41,12 +32,9 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
         let endless = Endless::of(found, |column| column.quantity == quantity);
         let vector = |x: &[f64], y: &[f64]| -> Vec<[f64; 2]> {
             let near = |row: &usize| endless.is_near(found.axis.values[*row]);
-            let value = |row: &usize| {
-                if near(row) {
-                    [f64::NAN; 2]
-                } else {
-                    [x[*row], y[*row]]
-                }
+            let value = |row: &usize| match near(row) {
+                true => [f64::NAN; 2],
+                false => [x[*row], y[*row]],
             };
             rows.iter().map(value).collect()
         };
@@ -66,16 +54,18 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
                 .collect(),
         }
     };
-    let degrees = found.axis.unit == "rad";
-    let shown = |value: f64| if degrees { value.to_degrees() } else { value };
+    let axis = axis(found);
     Drawing {
         spec: found.linkage.spec(),
-        frames: rows.iter().map(placed).collect(),
+        frames: rows.iter().map(|&row| placed(&found.frames[row])).collect(),
         axis: Axis {
-            name: found.axis.name.to_owned(),
-            unit: if degrees { "deg" } else { found.axis.unit }.to_owned(),
-            values: take(&found.axis.values).into_iter().map(shown).collect(),
-            times: take(&found.times),
+            name: axis.name.to_owned(),
+            unit: axis.unit().to_owned(),
+            values: rows
+                .iter()
+                .map(|&row| axis.shown(found.axis.values[row]))
+                .collect(),
+            times: rows.iter().map(|&row| found.times[row]).collect(),
             closed: found.closed,
         },
         paths: (points.iter())
@@ -93,6 +83,15 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
             ),
         ],
     }
+}
+
+/// The links of a position.
+pub(super) fn placed(frame: &[[f64; 4]]) -> Vec<Placement> {
+    let place = |&[x, y, cos, sin]: &[f64; 4]| Placement {
+        at: [x, y],
+        turn: [cos, sin],
+    };
+    frame.iter().map(place).collect()
 }
 
 /// A named point that moves: x, y, speed, acceleration over the rows.

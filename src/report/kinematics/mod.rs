@@ -12,9 +12,18 @@ pub use drawing::{drawing, picture};
 pub use findings::{findings, rows};
 
 use crate::dynamics::model::Coordinate;
+use crate::report::course::CourseAxis;
 use crate::report::findings::Value;
 use crate::report::sentence::Sentence;
 use crate::studies::kinematics::Kinematics;
+
+/// What the positions are told over.
+fn axis(found: &Kinematics) -> CourseAxis {
+    CourseAxis {
+        name: found.axis.name,
+        si: found.axis.unit,
+    }
+}
 
 /// A place on the axis for reading: angles in degrees.
 fn place(found: &Kinematics, at: f64) -> String {
@@ -23,7 +32,7 @@ fn place(found: &Kinematics, at: f64) -> String {
 
 /// An input coordinate in a sentence.
 fn input_sentence(found: &Kinematics, at: f64) -> Sentence {
-    Sentence::default().angle_or(at, unit_of(found.input), 6)
+    Sentence::default().angle_or(at, found.input.unit(), 6)
 }
 
 /// An input coordinate for reading.
@@ -31,14 +40,7 @@ fn input(found: &Kinematics, at: f64) -> String {
     coordinate(found.input, at)
 }
 
-fn unit_of(own: Coordinate) -> &'static str {
-    match own {
-        Coordinate::Turning => "rad",
-        Coordinate::Sliding => "m",
-    }
-}
-
 /// A value of a coordinate for reading.
 fn coordinate(own: Coordinate, at: f64) -> String {
-    Value::angle_or(at, unit_of(own), 6).words()
+    Value::angle_or(at, own.unit(), 6).words()
 }

@@ -1,12 +1,12 @@
 //! What linkages of several inputs have beside those of one: the machine with a slider for
 //! each input, and their singular positions.
 
+use super::drawing::placed;
 use super::{coordinate, input};
-use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
 use crate::report::findings::{Layout, Section, Table};
-use crate::report::mechanism::{Drawing, GridAxis, Placement};
-use crate::report::plot::{Axis, LineStyle, Plot, Series};
+use crate::report::mechanism::{Drawing, GridAxis};
+use crate::report::plot::{Axis, Plot, Series};
 use crate::studies::kinematics::{Kinematics, Plane, PlaneInput};
 
 /// Meaning of all inputs, and how far the one that moves goes.
@@ -34,43 +34,19 @@ pub(super) fn machine<'a>(found: &'a Kinematics) -> Section<'a> {
 
 fn over_inputs(found: &Kinematics) -> Option<String> {
     let grid = found.grid.as_ref()?;
-    let placed = |frame: &Vec<[f64; 4]>| {
-        let links = frame.iter().map(|&[x, y, cos, sin]| Placement {
-            at: [x, y],
-            turn: [cos, sin],
-        });
-        links.collect()
-    };
     let axes = grid.axes.iter().map(|(name, own, values)| GridAxis {
         name: name.clone(),
-        unit: unit(*own).to_owned(),
-        values: values
-            .iter()
-            .map(|&value| in_display_unit(*own, value))
-            .collect(),
+        unit: own.shown(0.0).1.to_owned(),
+        values: values.iter().map(|&value| own.shown(value).0).collect(),
     });
     let drawing = Drawing {
         spec: found.linkage.spec(),
-        frames: grid.frames.iter().map(placed).collect(),
+        frames: grid.frames.iter().map(|frame| placed(frame)).collect(),
         axis: crate::report::mechanism::Axis::default(),
         paths: Vec::new(),
         arrows: Vec::new(),
     };
     Some(drawing.section_over("inputs", &axes.collect::<Vec<_>>(), grid.start))
-}
-
-fn unit(own: Coordinate) -> &'static str {
-    match own {
-        Coordinate::Turning => "deg",
-        Coordinate::Sliding => "m",
-    }
-}
-
-fn in_display_unit(own: Coordinate, value: f64) -> f64 {
-    match own {
-        Coordinate::Turning => value.to_degrees(),
-        Coordinate::Sliding => value,
-    }
 }
 
 /// The singular positions: curves in the plane of two inputs.
@@ -123,12 +99,7 @@ pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
 
 fn chart(found: &Kinematics, plane: &Plane) -> Plot {
     let [one, other] = &plane.inputs;
-    let point = |&[x, y]: &[f64; 2]| {
-        (
-            in_display_unit(one.coordinate, x),
-            in_display_unit(other.coordinate, y),
-        )
-    };
+    let point = |&[x, y]: &[f64; 2]| (one.coordinate.shown(x).0, other.coordinate.shown(y).0);
     let mut groups: Vec<usize> = plane.curves.iter().map(|curve| curve.group).collect();
     groups.sort_unstable();
     groups.dedup();
@@ -145,17 +116,11 @@ fn chart(found: &Kinematics, plane: &Plane) -> Plot {
             points,
         ));
     }
-    series.push(Series {
-        look: LineStyle::Theory,
-        ..Series::line("path of the inputs", plane.path.iter().map(point).collect())
-    });
+    let path = plane.path.iter().map(point);
+    series.push(Series::theory("path of the inputs", path.collect()));
     let axis = |input: &PlaneInput| Axis {
-        range: Some(
-            input
-                .range
-                .map(|value| in_display_unit(input.coordinate, value)),
-        ),
-        ..Axis::new(&input.name, unit(input.coordinate))
+        range: Some(input.range.map(|value| input.coordinate.shown(value).0)),
+        ..Axis::new(&input.name, input.coordinate.shown(0.0).1)
     };
     Plot {
         id: "singular".to_owned(),

@@ -1,8 +1,9 @@
 //! Plots over the axis, one a quantity.
 
+use super::axis;
 use super::endless::Endless;
 use crate::report::findings::{Layout, Section};
-use crate::report::plot::{Axis, Plot, Rule, Series, framed};
+use crate::report::plot::{Plot, Rule, Series, framed};
 use crate::studies::kinematics::{Column, Kinematics, Quantity};
 
 /// The plots: links, points, sliding pairs, outputs.
@@ -100,13 +101,7 @@ fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity)
         };
         match charts.iter_mut().find(|chart| chart.y.unit == unit) {
             Some(chart) => chart.series.push(curve),
-            None => charts.push(Plot {
-                title: name.to_owned(),
-                y: Axis::of(unit),
-                series: vec![curve],
-                x: axis(found),
-                ..Plot::default()
-            }),
+            None => charts.push(Plot::new(name, axis(found).of_chart(), unit, vec![curve])),
         }
     }
     let own = |column: &Column| owners.contains(&column.owner) && column.quantity == quantity;
@@ -128,43 +123,22 @@ fn frame_unbounded(chart: &mut Plot, found: &Kinematics, endless: &Endless) {
         points.filter(|(_, at)| !endless.is_near(**at))
     });
     chart.y.range = framed(shown.map(|(point, _)| point.1));
-    chart.rules.extend(endless.ends.iter().map(|&at| Rule {
-        at: degrees(found, at),
-        label: String::new(),
-        upright: true,
-    }));
+    let ends = endless.ends.iter().map(|&at| axis(found).shown(at));
+    chart.rules.extend(ends.map(Rule::upright));
     if let Some(rule) = chart.rules.last_mut() {
         rule.label = "grows without bound towards here".to_owned();
     }
 }
 
-fn axis(found: &Kinematics) -> Axis {
-    let (symbol, unit) = match found.axis.unit {
-        "rad" => ("q", "deg"),
-        "m" => ("q", "m"),
-        "" => ("path", ""),
-        unit => ("t", unit),
-    };
-    Axis::new(symbol, unit)
-}
-
 fn curve(found: &Kinematics, column: &Column) -> Series {
     let points = found.axis.values.iter().zip(&column.values);
-    let points = points.map(|(&at, &value)| (degrees(found, at), value));
+    let points = points.map(|(&at, &value)| (axis(found).shown(at), value));
     let owner = short(&column.owner);
     let label = match &column.by {
         Some(input) => format!("{owner} by {input}"),
         None => owner.to_owned(),
     };
     Series::line(&label, points.collect())
-}
-
-/// A place on the axis as charts show it.
-fn degrees(found: &Kinematics, at: f64) -> f64 {
-    match found.axis.unit {
-        "rad" => at.to_degrees(),
-        _ => at,
-    }
 }
 
 /// An owner without the word that says what it is: the heading says that.

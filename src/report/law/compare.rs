@@ -2,7 +2,7 @@
 
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table, Value};
-use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series, Shape};
+use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
 use crate::report::verdict::{Sort, Verdict};
 use crate::studies::law::{ComparedLaw, Figure, LiftOff};
@@ -136,29 +136,16 @@ fn chart(laws: &[ComparedLaw]) -> Plot {
                 continue;
             };
             points.push((value / best, row as f64 + 0.5));
-            marks.push(Mark {
-                shape: Shape::Good,
-                note: format!(
-                    "{}: {} = {}",
-                    law.name,
-                    figure.words(),
-                    with_unit(value, figure.unit(law), 6)
-                ),
-            });
+            let value = with_unit(value, figure.unit(law), 6);
+            let note = format!("{}: {} = {value}", law.name, figure.words());
+            marks.push(Mark::new(Shape::Good, note));
         }
-        let series = Series {
-            look: LineStyle::Points,
-            marks,
-            ..Series::line(figure.words(), points)
-        };
+        let series = Series::marked(figure.words(), points, marks);
         (!series.points.is_empty()).then_some(series)
     });
     Plot {
         title: "Every result as a multiple of the best law's".to_owned(),
-        x: Axis {
-            log: true,
-            ..Axis::new("multiple of the best", "")
-        },
+        x: Axis::logarithmic("multiple of the best", ""),
         y: Axis {
             rows: laws.iter().map(|law| law.name.clone()).collect(),
             ..Axis::default()

@@ -2,7 +2,8 @@
 
 use crate::kinematics::motion::law::{Law, LawConstants};
 use crate::math::jet::Jet;
-use crate::report::csv::Rows;
+use crate::report::course::samples;
+use crate::report::csv::{Rows, head};
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, MotionPhase, Plot, Series};
 use crate::report::quantity::significant;
@@ -84,29 +85,24 @@ impl<'a> Curve<'a> {
             Series::line(&label, self.points(order, size))
         };
         let shown = self.sizes.iter().enumerate();
+        let curves = shown.filter(|(_, size)| **size != 0.0).map(curve);
         Plot {
-            title: title.to_owned(),
-            series: shown.filter(|(_, size)| **size != 0.0).map(curve).collect(),
-            x: self.x.clone(),
             phases: MotionPhase::of(&self.points(0, 1.0)),
-            ..Plot::default()
+            ..Plot::new(title, self.x.clone(), "", curves.collect())
         }
     }
 
     /// One diagram in its own unit.
     fn alone(&self, order: usize) -> Plot {
+        let name = capitalised(NAMES[order]);
         Plot {
-            title: format!(
-                "{} {}{}",
-                capitalised(NAMES[order]),
-                self.symbol,
-                PRIMES[order]
-            ),
-            x: self.x.clone(),
-            y: Axis::of(&unit(order, self.unit, &self.x.unit, ["", "", "²", "³"])),
-            series: vec![Series::line("", self.points(order, 1.0))],
             phases: MotionPhase::of(&self.points(0, 1.0)),
-            ..Plot::default()
+            ..Plot::new(
+                format!("{name} {}{}", self.symbol, PRIMES[order]),
+                self.x.clone(),
+                &unit(order, self.unit, &self.x.unit, ["", "", "²", "³"]),
+                vec![Series::line("", self.points(order, 1.0))],
+            )
         }
     }
 }
@@ -127,33 +123,22 @@ pub(super) fn rows(
     [own, per]: [&str; 2],
     rows: &[(f64, Jet)],
 ) -> Rows {
-    let named = |name: String, unit: String| match unit.as_str() {
-        "" => name,
-        unit => format!("{name} [{unit}]"),
-    };
     let derivative = |order: usize| {
         let name = match order {
             0 => value.to_owned(),
             order => format!("{value}{order}"),
         };
-        named(name, unit(order, own, per, ["", "", "^2", "^3"]))
+        head(&name, &unit(order, own, per, ["", "", "^2", "^3"]))
     };
-    let head = std::iter::once(named(argument.to_owned(), per.to_owned()));
+    let first = std::iter::once(head(argument, per));
     let row = |(at, jet): &(f64, Jet)| std::iter::once(*at).chain(parts(jet));
-    Rows::new(head.chain((0..4).map(derivative)), rows.iter().map(row))
+    Rows::new(first.chain((0..4).map(derivative)), rows.iter().map(row))
 }
 
 /// Arguments of a law: `count` equal steps, and both sides of every joint.
 pub(super) fn of_law(law: &Law, count: usize) -> Vec<(f64, Jet)> {
-    let count = count.max(1);
-    let mut rows = Vec::new();
-    for (piece, from, to) in law.pieces() {
-        rows.push((from, law.jet(piece, from)));
-        let first = (from * count as f64).floor() as usize + 1;
-        let inner = (first..count).map(|i| i as f64 / count as f64);
-        let inner = inner.take_while(|&tau| tau < to).filter(|&tau| tau > from);
-        rows.extend(inner.map(|tau| (tau, law.jet(piece, tau))));
-        rows.push((to, law.jet(piece, to)));
-    }
-    rows
+    let pieces = law.pieces().map(|(_, from, to)| [from, to]);
+    samples(pieces, [0.0, 1.0], count, |piece, tau| {
+        (tau, law.jet(piece, tau))
+    })
 }

@@ -5,6 +5,7 @@ use super::{shock_verdict, shocks};
 use crate::kinematics::motion::law::Peak;
 use crate::kinematics::position::Position;
 use crate::math::jet::Jet;
+use crate::report::course::samples;
 use crate::report::csv::Rows;
 use crate::report::findings::{Figure, Findings, Section, Source, Table, Value};
 use crate::report::plot::Axis;
@@ -93,19 +94,10 @@ fn sampled(position: &Position, lever: f64, count: usize) -> Vec<(f64, Jet)> {
     let (Some(period), Some(&first)) = (breaks.period, breaks.points.first()) else {
         return Vec::new();
     };
-    let count = count.max(1);
-    let mut rows = Vec::new();
-    for segment in 0..breaks.points.len() as i64 {
-        let (from, to) = breaks.edges(segment);
-        let mut put = |phi: f64| rows.push((phi, position.jet(segment, phi).scaled(lever)));
-        put(from);
-        let inner = (0..=count).map(|i| first + period * i as f64 / count as f64);
-        inner
-            .filter(|&phi| from < phi && phi < to)
-            .for_each(&mut put);
-        put(to);
-    }
-    rows
+    let pieces = (0..breaks.points.len() as i64).map(|segment| breaks.edges(segment).into());
+    samples(pieces, [first, period], count, |piece, phi| {
+        (phi, position.jet(piece as i64, phi).scaled(lever))
+    })
 }
 
 /// U and its derivatives over one cycle, both sides of every joint.

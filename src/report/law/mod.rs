@@ -57,26 +57,24 @@ impl LawRow {
     }
 }
 
-/// The constants shown in tables: heading and value.
-fn columns(constants: &LawConstants) -> [(&'static str, f64); 7] {
-    [
-        ("C_v", constants.speed.value),
-        ("C_a", constants.acceleration.value),
-        ("least θ″", constants.deceleration.value),
-        ("C_j", constants.jerk.value),
-        ("C_m", constants.torque_factor),
-        ("σ", constants.filling),
-        ("τ*", constants.centre),
-    ]
-}
+/// The constants shown in tables: heading, name in files and value.
+const CONSTANTS: [(&str, &str, fn(&LawConstants) -> f64); 7] = [
+    (">C_v", "speed", |law| law.speed.value),
+    (">C_a", "acceleration", |law| law.acceleration.value),
+    (">least θ″", "deceleration", |law| law.deceleration.value),
+    (">C_j", "jerk", |law| law.jerk.value),
+    (">C_m", "torque_factor", |law| law.torque_factor),
+    (">σ", "filling", |law| law.filling),
+    (">τ*", "centre", |law| law.centre),
+];
 
 /// Laws side by side: greatest speed, acceleration, deceleration, jerk, torque
 /// factor, filling coefficient and centre of gravity, continuity class.
 fn constants_table(rows: &[LawRow]) -> Table {
-    let heads = [">C_v", ">C_a", ">least θ″", ">C_j", ">C_m", ">σ", ">τ*"];
+    let heads = CONSTANTS.map(|(head, ..)| head);
     let names = std::iter::once("law").chain(heads).chain(["class"]);
     let row = |row: &LawRow| {
-        let values = columns(&row.constants).map(|(_, value)| Value::new(value, "", 7));
+        let values = CONSTANTS.map(|(.., read)| Value::new(read(&row.constants), "", 7));
         let name = std::iter::once(row.name.as_str().into());
         let class = class(row.constants.continuity).into();
         name.chain(values).chain([class]).collect::<Vec<Value>>()
@@ -106,20 +104,11 @@ pub fn list_findings(strokes: &[(LawRow, Option<&str>)], run_ups: &[LawRow]) -> 
 
 /// Constants of laws, a row each.
 pub fn constants_rows<'r>(rows: impl IntoIterator<Item = &'r LawRow>) -> Rows {
-    let header = [
-        "law",
-        "speed",
-        "acceleration",
-        "deceleration",
-        "jerk",
-        "torque_factor",
-        "filling",
-        "centre",
-        "continuity",
-    ];
+    let names = CONSTANTS.map(|(_, name, _)| name);
+    let header = std::iter::once("law").chain(names).chain(["continuity"]);
     let rows = rows.into_iter().map(|row| {
         let mut cells = vec![Field::from(row.name.as_str())];
-        cells.extend(columns(&row.constants).map(|(_, value)| value.into()));
+        cells.extend(CONSTANTS.map(|(.., read)| read(&row.constants).into()));
         cells.push(row.constants.continuity.to_string().into());
         cells
     });

@@ -141,11 +141,7 @@ impl Panel<'_> {
             strip: true,
             ..self.field(&x, &[0.0, 1.0])
         };
-        let edges = self.rigid_edges(&x).into_iter().map(|at| Rule {
-            at,
-            label: String::new(),
-            upright: true,
-        });
+        let edges = self.rigid_edges(&x).into_iter().map(Rule::upright);
         Plot {
             id,
             rules: edges.collect(),

@@ -3,9 +3,9 @@
 use crate::dynamics::integrate::Method;
 use crate::frontend::scene::in_words;
 use crate::report::plot::palette::method_verdicts as colours;
-use crate::report::plot::{Axis, Field, Kind, LineStyle, Mark, Plot, Rule, Series, Shape};
+use crate::report::plot::{Axis, Field, Kind, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{shortened, significant, with_unit};
-use crate::studies::methods::sweep::Sweep;
+use crate::studies::methods::sweep::{Standing, Sweep};
 use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict, all_methods};
 use crate::units::shown;
 
@@ -52,28 +52,18 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
     let methods: Vec<Series> = methods.filter(|series| !series.points.is_empty()).collect();
     let reference = study.reference.as_ref();
     let shaded = reference.filter(|r| r.resolution > 3e-15);
+    let asked = format!("asked for: {}", significant(study.accuracy, 2));
+    let noise = "cannot be distinguished from no error";
     Plot {
         title: format!("{}: error against {name}", study.scene),
-        x: Axis {
-            log: true,
-            ..Axis::new(label, unit)
-        },
+        x: Axis::logarithmic(label, unit),
         y: Axis {
-            log: true,
             ceiling: Some(CEILING),
-            ..Axis::new("error of δ relative to max|δ|", "")
+            ..Axis::logarithmic("error of δ relative to max|δ|", "")
         },
         series: with_floors(study, methods),
-        rules: vec![rule(
-            study.accuracy,
-            format!("asked for: {}", significant(study.accuracy, 2)),
-        )],
-        below: shaded.map(|r| {
-            (
-                r.resolution,
-                "cannot be distinguished from no error".to_owned(),
-            )
-        }),
+        rules: vec![Rule::level(study.accuracy, asked)],
+        below: shaded.map(|r| (r.resolution, noise.to_owned())),
         lane: "failed".to_owned(),
         ..Plot::default()
     }
@@ -118,28 +108,17 @@ fn with_floors(study: &Study, mut methods: Vec<Series>) -> Vec<Series> {
             in_words(&model.levels),
             significant(100.0 * model.error, 2)
         );
-        methods.push(Series {
-            look: LineStyle::Theory,
-            ..Series::line(
-                &shortened(&label, MOST_OF_LABEL),
-                vec![(from, model.error), (to, model.error)],
-            )
-        });
+        let label = shortened(&label, MOST_OF_LABEL);
+        methods.push(Series::theory(
+            &label,
+            vec![(from, model.error), (to, model.error)],
+        ));
     }
     methods
 }
 
 /// Longest label of a line (characters).
 const MOST_OF_LABEL: usize = 60;
-
-/// A line across the frame.
-fn rule(at: f64, label: String) -> Rule {
-    Rule {
-        at,
-        label,
-        upright: false,
-    }
-}
 
 /// A series of a method, with the colour and shape that it has on every chart.
 fn marked(label: String, method: Method, points: Vec<((f64, f64), Mark)>) -> Series {
@@ -158,10 +137,7 @@ fn series(line: &MethodLine, against: Against) -> Series {
             // A method that evaluates no right-hand side has no place here.
             Against::Evaluations => point.evaluations.filter(|&count| count > 0)? as f64,
         };
-        let mark = Mark {
-            shape: shape(point),
-            note: note(line.method, point),
-        };
+        let mark = Mark::new(shape(point), note(line.method, point));
         Some(((x, position(point).unwrap_or(f64::NAN)), mark))
     });
     marked(line.method.name().to_owned(), line.method, points.collect())
@@ -221,6 +197,12 @@ pub(super) fn methods(sweep: &Sweep) -> Vec<Method> {
     lines.map(|line| line.method).collect()
 }
 
+/// What became of a method at a value of the parameter.
+fn standing_note(sweep: &Sweep, x: f64, method: Method, standing: &Standing) -> String {
+    let (place, verdict) = (sweep.axis.written(x), standing.verdict.words());
+    format!("{method} at {place}: {verdict}: {}", standing.cause)
+}
+
 /// Least time to the asked accuracy over the parameter; `None` without slices.
 pub fn cost(sweep: &Sweep) -> Option<Plot> {
     let study = &sweep.slices.first()?.study;
@@ -228,19 +210,11 @@ pub fn cost(sweep: &Sweep) -> Option<Plot> {
         let point = |slice: &crate::studies::methods::sweep::Slice| {
             let standing = slice.standing(method)?;
             let reached = standing.measured_seconds;
-            let mark = Mark {
-                shape: if reached.is_some() {
-                    Shape::Good
-                } else {
-                    Shape::Cross
-                },
-                note: format!(
-                    "{method} at {}: {}: {}",
-                    sweep.axis.written(slice.x),
-                    standing.verdict.words(),
-                    standing.cause
-                ),
+            let shape = match reached {
+                Some(_) => Shape::Good,
+                None => Shape::Cross,
             };
+            let mark = Mark::new(shape, standing_note(sweep, slice.x, method, &standing));
             let place = (slice.x, reached.unwrap_or(f64::NAN));
             (standing.verdict != Verdict::Refused).then_some((place, mark))
         };
@@ -254,10 +228,7 @@ pub fn cost(sweep: &Sweep) -> Option<Plot> {
             significant(study.accuracy, 2)
         ),
         x: axis(sweep),
-        y: Axis {
-            log: true,
-            ..Axis::new("least median wall-clock time", "s")
-        },
+        y: Axis::logarithmic("least median wall-clock time", "s"),
         series: series.filter(|series| !series.points.is_empty()).collect(),
         lane: "not reached".to_owned(),
         ..Plot::default()
@@ -274,13 +245,9 @@ pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
             slices.filter_map(move |slice| Some((slice.x, slice.standing(method)?)))
         };
         let point = |x: f64, y: f64| {
-            let note = format!(
-                "{method} at {}: {y} s",
-                sweep.axis.written(x),
-                y = shown(y, 4)
-            );
-            let shape = Shape::Good;
-            ((x, y), Mark { shape, note })
+            let place = sweep.axis.written(x);
+            let note = format!("{method} at {place}: {} s", shown(y, 4));
+            ((x, y), Mark::new(Shape::Good, note))
         };
         let measured: Vec<_> = standings()
             .filter_map(|(x, s)| Some(point(x, s.stable_step?)))
@@ -291,19 +258,15 @@ pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
         let theory = standings().filter_map(|(x, s)| Some((x, s.stable_step_by_theory?)));
         series.push(Series {
             style: Some(style(method)),
-            look: LineStyle::Theory,
-            ..Series::line(&format!("{method}, theory"), theory.collect())
+            ..Series::theory(&format!("{method}, theory"), theory.collect())
         });
         series.push(marked(format!("{method}, measured"), method, measured));
     }
-    let named = |step: f64| rule(step, "step of the verdicts".to_owned());
+    let named = |step: f64| Rule::level(step, "step of the verdicts");
     (!series.is_empty()).then(|| Plot {
         title: "Greatest stable step".to_owned(),
         x: axis(sweep),
-        y: Axis {
-            log: true,
-            ..Axis::new("step", "s")
-        },
+        y: Axis::logarithmic("step", "s"),
         series,
         rules: sweep.fixed_step.map(named).into_iter().collect(),
         ..Plot::default()
@@ -341,14 +304,8 @@ pub fn regions(sweep: &Sweep) -> Plot {
                 .and_then(|standing| kind(standing.verdict));
             field.kind.push(own);
             field.fill.push(own.map(|kind| VERDICTS[kind].1));
-            field.notes.push(standing.map_or(String::new(), |standing| {
-                format!(
-                    "{method} at {}: {}: {}",
-                    sweep.axis.written(slice.x),
-                    standing.verdict.words(),
-                    standing.cause
-                )
-            }));
+            let note = standing.map(|standing| standing_note(sweep, slice.x, method, &standing));
+            field.notes.push(note.unwrap_or_default());
         }
     }
     Plot {

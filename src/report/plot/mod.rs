@@ -82,6 +82,24 @@ impl Default for Plot {
     }
 }
 
+impl Plot {
+    /// Curves of a quantity, which the title names, with its unit over an axis.
+    pub fn new(title: impl Into<String>, x: Axis, unit: &str, series: Vec<Series>) -> Self {
+        Self {
+            title: title.into(),
+            x,
+            y: Axis::of(unit),
+            series,
+            ..Self::default()
+        }
+    }
+
+    /// The same over the angle φ of a drive or cam.
+    pub fn over_angle(title: impl Into<String>, unit: &str, series: Vec<Series>) -> Self {
+        Self::new(title, Axis::new("φ", "deg"), unit, series)
+    }
+}
+
 /// A quantity along an axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Axis {
@@ -108,6 +126,14 @@ impl Axis {
             name: name.to_owned(),
             unit: unit.to_owned(),
             ..Self::default()
+        }
+    }
+
+    /// A logarithmic axis.
+    pub fn logarithmic(name: &str, unit: &str) -> Self {
+        Self {
+            log: true,
+            ..Self::new(name, unit)
         }
     }
 
@@ -141,6 +167,23 @@ impl Series {
             ..Self::default()
         }
     }
+
+    /// A thin dashed line: theory, a limit.
+    pub fn theory(label: &str, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            look: LineStyle::Theory,
+            ..Self::line(label, points)
+        }
+    }
+
+    /// Marks alone, one a point.
+    pub fn marked(label: &str, points: Vec<(f64, f64)>, marks: Vec<Mark>) -> Self {
+        Self {
+            look: LineStyle::Points,
+            marks,
+            ..Self::line(label, points)
+        }
+    }
 }
 
 /// Look of a series.
@@ -164,6 +207,14 @@ pub struct Mark {
     pub shape: Shape,
     /// Note on the point; may be empty.
     pub note: String,
+}
+
+impl Mark {
+    /// A mark with a note.
+    pub fn new(shape: Shape, note: impl Into<String>) -> Self {
+        let note = note.into();
+        Self { shape, note }
+    }
 }
 
 /// Shape of a point's mark.
@@ -227,6 +278,25 @@ pub struct Rule {
     pub label: String,
     /// True: upright, at a value of the horizontal axis.
     pub upright: bool,
+}
+
+impl Rule {
+    /// A line at a value of the vertical axis.
+    pub fn level(at: f64, label: impl Into<String>) -> Self {
+        Self {
+            at,
+            label: label.into(),
+            upright: false,
+        }
+    }
+
+    /// A line without a name at a value of the horizontal axis.
+    pub fn upright(at: f64) -> Self {
+        Self {
+            upright: true,
+            ..Self::level(at, "")
+        }
+    }
 }
 
 /// Characters per line that fit `width` at a font size, for a sans-serif face.

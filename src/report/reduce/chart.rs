@@ -2,7 +2,7 @@
 
 use crate::frontend::scene::in_words;
 use crate::report::accuracy::{LEAST, requested_error_line};
-use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series, Shape};
+use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
 use crate::studies::order::FigureAccuracy;
 use crate::studies::reduce::{ModelTried, Reduction, Role};
@@ -23,11 +23,7 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
             let mut points: Vec<_> = points.collect();
             points.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
             let (points, marks): (Vec<_>, Vec<_>) = points.into_iter().unzip();
-            Some(Series {
-                marks,
-                look: LineStyle::Points,
-                ..Series::line(name, points)
-            })
+            Some(Series::marked(name, points, marks))
         })
         .filter(|series| !series.points.is_empty())
         .collect();
@@ -37,14 +33,8 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
     Some(Plot {
         id: "models".to_owned(),
         title: "Error of each result against the time of a run, over models".to_owned(),
-        x: Axis {
-            log: true,
-            ..Axis::new("time of a run", "ms")
-        },
-        y: Axis {
-            log: true,
-            ..Axis::new("error of the result", "")
-        },
+        x: Axis::logarithmic("time of a run", "ms"),
+        y: Axis::logarithmic("error of the result", ""),
         series,
         rules: requested_error_line(&reduction.certificate),
         ..Plot::default()
@@ -54,22 +44,14 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
 /// Filled for the reduced scene, crossed for the scene as given, open for the others.
 fn mark(model: &ModelTried, figure: &FigureAccuracy, error: f64) -> Mark {
     let levels = in_words(&model.levels);
-    let words: Vec<String> = Some(levels)
-        .filter(|levels| !levels.is_empty())
-        .into_iter()
-        .chain(model.without.iter().cloned())
-        .collect();
+    let levels = Some(levels).filter(|levels| !levels.is_empty());
+    let words = levels.into_iter().chain(model.without.iter().cloned());
+    let words: Vec<String> = words.collect();
     let (shape, role) = match model.role {
         Role::Given => (Shape::Cross, "as given, "),
         Role::Tried => (Shape::Open, ""),
         Role::Reduced => (Shape::Good, "the reduced scene, "),
     };
-    Mark {
-        shape,
-        note: format!(
-            "{role}{}: {} off",
-            words.join("; "),
-            with_unit(error, &figure.unit, 2)
-        ),
-    }
+    let off = with_unit(error, &figure.unit, 2);
+    Mark::new(shape, format!("{role}{}: {off} off", words.join("; ")))
 }

@@ -2,7 +2,7 @@
 
 use crate::dynamics::model::UNTIL;
 use crate::dynamics::record::{
-    EquationFigures, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
+    EquationCheck, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
 };
 use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Figure, Table, Value};
@@ -268,7 +268,7 @@ fn tolerance(run: &RunSummary) -> String {
 }
 
 /// The check of the equations of motion.
-fn equations(check: &EquationFigures) -> String {
+fn equations(check: &EquationCheck) -> String {
     let judged = match check.is_kept() {
         true => "within",
         false => "BEYOND",

@@ -103,9 +103,8 @@ fn masses(model: &Model) -> Table {
             let motion = match several {
                 None => motion,
                 Some(body) => {
-                    let inputs = body.linkage.inputs().iter();
-                    let inputs: Vec<&str> = inputs.map(|input| input.name.as_str()).collect();
-                    format!("rigid, by its inputs {}", inputs.join(", "))
+                    let inputs = body.linkage.input_names().join(", ");
+                    format!("rigid, by its inputs {inputs}")
                 }
             };
             let reduced = model.linkages.iter().any(|body| body.node == index);

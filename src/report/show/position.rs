@@ -49,14 +49,8 @@ pub fn summary(law: &Law, coordinate: Coordinate) -> String {
             format!("slotted link {} mm{lever}", lengths.join("/"))
         }
         Position::Cam(cam) => {
-            let unit = match coordinate {
-                Coordinate::Turning => "rad",
-                Coordinate::Sliding => "m",
-            };
-            format!(
-                "cam, lift {}",
-                with_unit(cam.spec().lift * law.lever, unit, 4)
-            )
+            let lift = cam.spec().lift * law.lever;
+            format!("cam, lift {}", with_unit(lift, coordinate.unit(), 4))
         }
         Position::Plan(plan) => format!("plan of {} stations{lever}", plan.spec().stations.len()),
         Position::Table(table) if table.is_periodic() => format!("periodic table{lever}"),

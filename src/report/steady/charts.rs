@@ -2,116 +2,63 @@
 
 use super::SteadyReport;
 use crate::dynamics::steady::Row;
-use crate::report::plot::{Axis, LineStyle, Plot, Series};
-
-fn curve(label: &str, rows: &[Row], of: impl Fn(&Row) -> f64) -> Series {
-    let points = rows.iter().map(|row| (row.position.to_degrees(), of(row)));
-    Series::line(label, points.collect())
-}
-
-fn level(label: &str, cycle: f64, value: f64) -> Series {
-    Series {
-        look: LineStyle::Theory,
-        ..Series::line(label, vec![(0.0, value), (cycle.to_degrees(), value)])
-    }
-}
+use crate::report::plot::{Axis, Plot, Series};
 
 /// ω(φ), ε(φ), the moment, work and energy, the inertia.
 pub(super) fn charts(shown: &SteadyReport<'_>) -> Vec<Plot> {
-    let (rows, cycle) = (shown.rows, shown.cycle);
-    let chart = |title: &str, unit: &str, curves: Vec<Series>| Plot {
-        title: title.to_owned(),
-        y: Axis::of(unit),
-        series: curves,
-        x: Axis::new("φ", "deg"),
-        ..Plot::default()
+    let curve = |label: &str, of: fn(&Row) -> f64| {
+        let points = (shown.rows.iter()).map(|row| (row.position.to_degrees(), of(row)));
+        Series::line(label, points.collect())
     };
-    let f = shown.figures;
+    let one = |title: &str, unit: &str, of: fn(&Row) -> f64| {
+        Plot::over_angle(title, unit, vec![curve("", of)])
+    };
+    let mean = shown.figures.mean_speed;
+    let mean = vec![(0.0, mean), (shown.cycle.to_degrees(), mean)];
+    let speed = vec![curve("ω", |row| row.speed), Series::theory("mean", mean)];
+    let energies = vec![curve("A", |row| row.work), curve("T", |row| row.energy)];
     vec![
-        chart(
-            "Angular speed ω",
-            "rad/s",
-            vec![
-                curve("ω", rows, |row| row.speed),
-                level("mean", cycle, f.mean_speed),
-            ],
-        ),
-        chart(
-            "Angular acceleration ε",
-            "rad/s²",
-            vec![curve("", rows, |row| row.acceleration)],
-        ),
-        chart(
-            "Reduced moment M",
-            "N m",
-            vec![curve("", rows, |row| row.moment)],
-        ),
-        chart(
-            "Work A since φ = 0 and kinetic energy T",
-            "J",
-            vec![
-                curve("A", rows, |row| row.work),
-                curve("T", rows, |row| row.energy),
-            ],
-        ),
-        chart(
-            "Reduced moment of inertia J",
-            "kg m²",
-            vec![curve("", rows, |row| row.inertia)],
-        ),
+        Plot::over_angle("Angular speed ω", "rad/s", speed),
+        one("Angular acceleration ε", "rad/s²", |row| row.acceleration),
+        one("Reduced moment M", "N m", |row| row.moment),
+        Plot::over_angle("Work A since φ = 0 and kinetic energy T", "J", energies),
+        one("Reduced moment of inertia J", "kg m²", |row| row.inertia),
     ]
 }
 
 /// Wittenbauer's diagram: work over reduced inertia, with its two tangents, that
 /// touch where ω is greatest and least, and the origin O₂ in which they meet.
 pub fn wittenbauer(shown: &SteadyReport<'_>) -> Plot {
-    let f = shown.figures;
+    let (f, rows) = (shown.figures, shown.rows);
     let origin = -f.energy_at_start;
-    let inertias = shown.rows.iter().map(|row| row.inertia);
-    let [inertia, work] = frame(shown, origin).map_or([None; 2], |ends| ends.map(Some));
-    let end = inertia.map_or(1.06 * inertias.fold(0.0, f64::max), |ends| ends[1]);
-    let line = |label: &str, speed: f64| {
+    let inertias = || rows.iter().map(|row| row.inertia);
+    let framed = frame(shown, origin);
+    let end = framed.map_or(1.06 * inertias().fold(0.0, f64::max), |[inertia, _]| {
+        inertia[1]
+    });
+    let line = |label: &str, speed: f64, end: f64| {
         let far = origin + 0.5 * speed * speed * end;
         Series::line(label, vec![(0.0, origin), (end, far)])
     };
-    let least = shown
-        .rows
-        .iter()
-        .map(|row| row.inertia)
-        .fold(f64::INFINITY, f64::min);
+    let least = inertias().fold(f64::INFINITY, f64::min);
     let reference = (2.0 * f.reference_energy / least).max(0.0).sqrt();
-    Plot {
-        title: "Energy-mass diagram (Wittenbauer): work A over reduced inertia J".to_owned(),
-        y: Axis {
-            range: work,
-            ..Axis::of("J")
-        },
-        series: vec![
-            Series::line(
-                "A(J)",
-                shown
-                    .rows
-                    .iter()
-                    .map(|row| (row.inertia, row.work))
-                    .collect(),
-            ),
-            line("O₂, ω_max", f.greatest_speed.value),
-            line("O₂, ω_min", f.least_speed.value),
-            line("O₂, ω_av", f.mean_speed),
-            Series::line(
-                "O₂O₁, ω₀ at the least J",
-                vec![
-                    (0.0, origin),
-                    (least, origin + 0.5 * reference * reference * least),
-                ],
-            ),
+    let work = rows.iter().map(|row| (row.inertia, row.work));
+    let mut plot = Plot::new(
+        "Energy-mass diagram (Wittenbauer): work A over reduced inertia J",
+        Axis::new("J", "kg m²"),
+        "J",
+        vec![
+            Series::line("A(J)", work.collect()),
+            line("O₂, ω_max", f.greatest_speed.value, end),
+            line("O₂, ω_min", f.least_speed.value, end),
+            line("O₂, ω_av", f.mean_speed, end),
+            line("O₂O₁, ω₀ at the least J", reference, least),
         ],
-        x: Axis {
-            range: inertia,
-            ..Axis::new("J", "kg m²")
-        },
-        ..Plot::default()
+    );
+    if let Some([inertia, work]) = framed {
+        (plot.x.range, plot.y.range) = (Some(inertia), Some(work));
     }
+    plot
 }
 
 /// Share of the frame that the curve takes at least, in width times height.

@@ -3,16 +3,16 @@
 use super::over_period;
 use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
 use crate::dynamics::steady::Extreme;
-use crate::report::csv::{Field, Rows};
+use crate::report::csv::{Field, Rows, head};
 use crate::report::findings::table::judged;
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
-use crate::report::plot::{Axis, LineStyle, Mark, Plot, Series, Shape};
+use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::{significant, with_unit};
 use crate::report::verdict::{Verdict, capitalised};
 use crate::studies::check::Check;
 use crate::studies::judgement::Judgement;
 use crate::studies::steady::{
-    DriveFigures, DriveRow, LongRun, PartMotion, PeriodicAnswer, Stability,
+    DriveFigures, DriveRow, LongRun, Multiplier, PartMotion, PeriodicAnswer, Stability,
 };
 use std::fmt::Write as _;
 
@@ -103,28 +103,14 @@ fn drive_figures(drive: &DriveFigures) -> Vec<Figure> {
 
 /// ω and ε over the angle.
 fn drive_charts(drive: &DriveFigures) -> [Plot; 2] {
-    let curve = |of: &dyn Fn(&DriveRow) -> f64| {
+    let chart = |quantity: &str, unit: &str, of: fn(&DriveRow) -> f64| {
         let points = (drive.rows.iter()).map(|row| (row.position.to_degrees(), of(row)));
-        Series::line("", points.collect())
-    };
-    let chart = |title: String, unit: &str, curve: Series| Plot {
-        title,
-        y: Axis::of(unit),
-        series: vec![curve],
-        x: Axis::new("φ", "deg"),
-        ..Plot::default()
+        let curve = Series::line("", points.collect());
+        Plot::over_angle(format!("{quantity} of {}", drive.id), unit, vec![curve])
     };
     [
-        chart(
-            format!("Angular speed ω of {}", drive.id),
-            "rad/s",
-            curve(&|row| row.speed),
-        ),
-        chart(
-            format!("Angular acceleration ε of {}", drive.id),
-            "rad/s²",
-            curve(&|row| row.acceleration),
-        ),
+        chart("Angular speed ω", "rad/s", |row| row.speed),
+        chart("Angular acceleration ε", "rad/s²", |row| row.acceleration),
     ]
 }
 
@@ -144,12 +130,8 @@ pub fn periodic_rows(answer: &PeriodicAnswer) -> Rows {
     };
     let header = ["phi [rad]", "t [s]", "omega [rad/s]", "epsilon [rad/s^2]"];
     let deviations = answer.parts.iter().flat_map(|part| {
-        let unit = match part.unit.as_str() {
-            "" => String::new(),
-            unit => format!(" [{unit}]"),
-        };
         let names = part.orbit.iter();
-        names.map(move |(name, _)| format!("{name}: deviation{unit}"))
+        names.map(|(name, _)| head(&format!("{name}: deviation"), &part.unit))
     });
     let rows = drive.rows.iter().map(|row| {
         let own = [row.position, row.time, row.speed, row.acceleration];
@@ -240,55 +222,38 @@ fn verdict(answer: &PeriodicAnswer) -> Verdict {
 
 /// The multipliers in the unit circle.
 fn circle(part: &PartMotion) -> Plot {
-    let points = (0..=180).map(|i| (f64::from(i) * 2.0f64.to_radians()).sin_cos());
-    let mark = |note: String| Mark {
-        shape: Shape::Good,
-        note,
+    let circle = (0..=180).map(|i| (f64::from(i) * 2.0f64.to_radians()).sin_cos());
+    let circle = circle.map(|(sin, cos)| (cos, sin)).collect();
+    let mark = |m: &Multiplier| {
+        let [re, im] = [m.re, m.im].map(|part| significant(part, 6));
+        let note = format!("{re} + {im}i, error {}", significant(m.error, 2));
+        Mark::new(Shape::Good, note)
     };
-    let multipliers = &part.multipliers;
-    let found = Series {
-        look: LineStyle::Points,
-        marks: multipliers
-            .iter()
-            .map(|m| {
-                mark(format!(
-                    "{} + {}i, error {}",
-                    significant(m.re, 6),
-                    significant(m.im, 6),
-                    significant(m.error, 2)
-                ))
-            })
-            .collect(),
-        ..Series::line(
-            "multipliers",
-            multipliers.iter().map(|m| (m.re, m.im)).collect(),
-        )
-    };
+    let all = part.multipliers.iter();
+    let (points, marks) = all.map(|m| ((m.re, m.im), mark(m))).unzip();
     Plot {
-        title: format!("Floquet multipliers of {}", part.objects.join(", ")),
-        x: Axis::default(),
         plane: true,
-        series: vec![
-            found,
-            Series::line("unit circle", points.map(|(sin, cos)| (cos, sin)).collect()),
-        ],
-        ..Plot::default()
+        ..Plot::new(
+            format!("Floquet multipliers of {}", part.objects.join(", ")),
+            Axis::default(),
+            "",
+            vec![
+                Series::marked("multipliers", points, marks),
+                Series::line("unit circle", circle),
+            ],
+        )
     }
 }
 
 /// Deviations over a period.
 fn orbit(part: &PartMotion) -> Plot {
-    Plot {
-        title: format!(
-            "Deviation from the law over a period: {}",
-            part.objects.join(", ")
-        ),
-        y: Axis::of(&part.unit),
-        series: part
-            .orbit
-            .iter()
-            .map(|(label, points)| Series::line(label, points.clone()))
-            .collect(),
-        ..Plot::default()
-    }
+    let objects = part.objects.join(", ");
+    let curves = part.orbit.iter();
+    let curves = curves.map(|(label, points)| Series::line(label, points.clone()));
+    Plot::new(
+        format!("Deviation from the law over a period: {objects}"),
+        Axis::new("t", "s"),
+        &part.unit,
+        curves.collect(),
+    )
 }

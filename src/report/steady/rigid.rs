@@ -2,6 +2,7 @@
 
 use super::SteadyReport;
 use super::charts::{charts, origin_is_shown, wittenbauer};
+use crate::dynamics::steady::Row;
 use crate::dynamics::steady::flywheel::{Approximation, Flywheel};
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
@@ -210,27 +211,19 @@ pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
 
 /// The motion over the cycle, a row a place.
 pub fn rigid_rows(shown: &SteadyReport<'_>) -> Rows {
-    let header = [
-        "phi [rad]",
-        "t [s]",
-        "omega [rad/s]",
-        "epsilon [rad/s^2]",
-        "J [kg m^2]",
-        "M [N m]",
-        "A [J]",
-        "T [J]",
+    let columns: [(&str, fn(&Row) -> f64); 8] = [
+        ("phi [rad]", |row| row.position),
+        ("t [s]", |row| row.time),
+        ("omega [rad/s]", |row| row.speed),
+        ("epsilon [rad/s^2]", |row| row.acceleration),
+        ("J [kg m^2]", |row| row.inertia),
+        ("M [N m]", |row| row.moment),
+        ("A [J]", |row| row.work),
+        ("T [J]", |row| row.energy),
     ];
-    let rows = shown.rows.iter().map(|row| {
-        [
-            row.position,
-            row.time,
-            row.speed,
-            row.acceleration,
-            row.inertia,
-            row.moment,
-            row.work,
-            row.energy,
-        ]
-    });
-    Rows::new(header, rows)
+    let rows = shown
+        .rows
+        .iter()
+        .map(|row| columns.map(|(_, read)| read(row)));
+    Rows::new(columns.map(|(head, _)| head), rows)
 }

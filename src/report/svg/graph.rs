@@ -269,15 +269,11 @@ fn pair_symbol(one: &ObjectBox, x: f64, y: f64) -> String {
             word("force-closed")
         ),
         Closure::Form => {
-            let unit = match one.coordinate {
-                Coordinate::Turning => "rad",
-                Coordinate::Sliding => "m",
-            };
             format!(
                 "<g><title>form-closed pair, gap {}</title>\
                  <path class=\"pair-mark\" d=\"M{l} {t} h20 M{l} {b} h20\"/>\
                  <circle class=\"pair\" cx=\"{cx}\" cy=\"{cy}\" r=\"5\"/>{}</g>",
-                with_unit(one.gap, unit, 4),
+                with_unit(one.gap, one.coordinate.unit(), 4),
                 word("form-closed"),
                 l = coordinate(x - 10.0),
                 t = coordinate(y - 8.0),

@@ -1,7 +1,7 @@
 //! Contact force, lift-off and closing spring of a cam in a scene.
 
 use super::reduction::Reduction;
-use crate::dynamics::model::{Closure, Coordinate, Model};
+use crate::dynamics::model::{Closure, Model};
 use crate::dynamics::trajectory::Trajectory;
 use crate::kinematics::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
 use crate::kinematics::cam::search::greatest_over;
@@ -158,10 +158,7 @@ impl<'m> CamForce<'m> {
             reduction,
             speed,
             rigid: Rigid::label(model, &["dam run", "dam cam --lift-off"]),
-            unit: match model.objects[object].coordinate {
-                Coordinate::Turning => "N m",
-                Coordinate::Sliding => "N",
-            },
+            unit: model.objects[object].coordinate.units()[1],
         })
     }
 

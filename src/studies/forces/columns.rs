@@ -2,6 +2,7 @@
 
 use super::Rests;
 use super::row::{Forces, Row};
+use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind, PairKind};
 
@@ -24,28 +25,6 @@ pub struct Column {
 }
 
 impl Column {
-    fn new(
-        name: impl Into<String>,
-        unit: &str,
-        figure: bool,
-        read: impl Fn(&Row, &Forces) -> Option<f64> + 'static,
-    ) -> Self {
-        Self {
-            name: name.into(),
-            unit: unit.to_owned(),
-            figure,
-            indeterminate: false,
-            rests: Vec::new(),
-            read: Box::new(read),
-        }
-    }
-
-    /// The same, reckoned from these forces.
-    fn resting(mut self, rests: &[Rests]) -> Self {
-        self.rests = rests.to_vec();
-        self
-    }
-
     /// Value at a position; `None` without forces, where it has none, or where it is
     /// statically indeterminate.
     pub fn value(&self, row: &Row) -> Option<f64> {
@@ -54,97 +33,122 @@ impl Column {
     }
 }
 
+/// Columns under way, each after those before it.
+#[derive(Default)]
+struct ColumnList {
+    all: Vec<Column>,
+    /// What the names of the next ones begin with, and the forces that they are reckoned from.
+    prefix: String,
+    rests: Vec<Rests>,
+}
+
+impl ColumnList {
+    /// The next columns have this before their names and are reckoned from these forces.
+    fn of(&mut self, prefix: impl Into<String>, rests: &[Rests]) -> &mut Self {
+        self.prefix = prefix.into();
+        self.rests = rests.to_vec();
+        self
+    }
+
+    fn add(
+        &mut self,
+        name: &str,
+        unit: &str,
+        figure: bool,
+        read: impl Fn(&Row, &Forces) -> Option<f64> + 'static,
+    ) {
+        self.all.push(Column {
+            name: format!("{}{name}", self.prefix),
+            unit: unit.to_owned(),
+            figure,
+            indeterminate: false,
+            rests: self.rests.clone(),
+            read: Box::new(read),
+        });
+    }
+
+    /// A quantity whose extremes are figures of the course.
+    fn figure(&mut self, name: &str, unit: &str, read: impl Fn(&Forces) -> f64 + 'static) {
+        self.add(name, unit, true, move |_, forces| Some(read(forces)));
+    }
+
+    /// Any other quantity.
+    fn plain(&mut self, name: &str, unit: &str, read: impl Fn(&Forces) -> f64 + 'static) {
+        self.add(name, unit, false, move |_, forces| Some(read(forces)));
+    }
+}
+
 /// Units of a pair's coordinate and force.
 pub(super) fn units(kind: &PairKind) -> [&'static str; 2] {
-    match kind.slides() {
-        true => ["m", "N"],
-        false => ["rad", "N m"],
-    }
+    Coordinate::sliding(kind.slides()).units()
 }
 
 /// All quantities of a linkage, in the order of tables.
 pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
-    let [coordinate, force] = units(&linkage.pairs[linkage.driver].kind);
-    let mut list = vec![
-        Column::new("speed", &format!("{coordinate}/s"), false, |row, _| {
-            Some(row.motion.speed)
-        }),
-        Column::new(
-            "acceleration",
-            &format!("{coordinate}/s²"),
-            false,
-            |row, _| Some(row.motion.acceleration),
-        ),
-        Column::new("drive", force, true, |_, forces| Some(forces.drive)).resting(&[Rests::Drive]),
-    ];
+    let input = units(&linkage.pairs[linkage.driver].kind);
+    let output = output.map(|output| of_kind(&linkage.outputs[output].kind, linkage));
+    let [coordinate, force] = input;
+    let mut list = ColumnList::default();
+    let speed = |row: &Row, _: &Forces| Some(row.motion.speed);
+    list.add("speed", &format!("{coordinate}/s"), false, speed);
+    let acceleration = |row: &Row, _: &Forces| Some(row.motion.acceleration);
+    list.add(
+        "acceleration",
+        &format!("{coordinate}/s²"),
+        false,
+        acceleration,
+    );
+    list.of("", &[Rests::Drive])
+        .figure("drive", force, |f| f.drive);
     if let Some(output) = output {
-        let kind = &linkage.outputs[output].kind;
-        list.extend(of_output([coordinate, force], of_kind(kind, linkage)));
+        of_output(&mut list, input, output);
     }
-    list.extend(of_joints(linkage));
-    list.extend(of_power());
-    list.extend(of_frame());
-    list.extend(of_changes(linkage, force));
-    if let Some(output) = output {
-        let kind = &linkage.outputs[output].kind;
-        let unit = over([force, of_kind(kind, linkage)[1]]);
-        list.extend(of_ratio_changes(linkage, &unit));
+    of_joints(&mut list, linkage);
+    of_power(&mut list);
+    of_frame(&mut list);
+    of_changes(&mut list, linkage, force);
+    if let Some([_, load]) = output {
+        of_ratio_changes(&mut list, linkage, &over([force, load]));
     }
-    list.push(solutions());
-    list
+    solutions(list)
 }
 
 /// All quantities of a linkage of several inputs, in the order of tables; `power.drive` is
 /// that of all drivers together.
 pub fn columns_of_inputs(spec: &MultiSpec) -> Vec<Column> {
     let linkage = &spec.linkage;
-    let mut list = Vec::new();
-    for (index, input) in spec.inputs.iter().enumerate() {
-        let [coordinate, force] = match input.coordinate.slides(linkage) {
-            true => ["m", "N"],
-            false => ["rad", "N m"],
-        };
-        let mut add = |what: &str, unit: String, figure, read: fn(&Forces, usize) -> f64| {
-            let name = match what {
-                "drive" | "power" => format!("{what}.{}", input.name),
-                _ => format!("{}.{what}", input.name),
-            };
-            list.push(Column::new(name, &unit, figure, move |_, f| {
-                Some(read(f, index))
-            }));
-        };
-        let unit = |per: &str| format!("{coordinate}{per}");
-        add("displacement", unit(""), false, |f, k| {
-            f.inputs[k].coordinate
-        });
-        add("speed", unit("/s"), false, |f, k| f.inputs[k].speed);
-        add("acceleration", unit("/s²"), false, |f, k| {
-            f.inputs[k].acceleration
-        });
-        add("drive", force.to_owned(), true, |f, k| f.drives[k]);
-        add("power", "W".to_owned(), true, |f, k| {
-            f.drives[k] * f.inputs[k].speed
-        });
+    let mut list = ColumnList::default();
+    for (k, input) in spec.inputs.iter().enumerate() {
+        let [unit, force] = Coordinate::sliding(input.coordinate.slides(linkage)).units();
+        let name = &input.name;
+        let own = list.of(format!("{name}."), &[]);
+        own.plain("displacement", unit, move |f| f.inputs[k].coordinate);
+        own.plain("speed", &format!("{unit}/s"), move |f| f.inputs[k].speed);
+        let rate = format!("{unit}/s²");
+        own.plain("acceleration", &rate, move |f| f.inputs[k].acceleration);
+        list.of("drive.", &[])
+            .figure(name, force, move |f| f.drives[k]);
+        let power = move |f: &Forces| f.drives[k] * f.inputs[k].speed;
+        list.of("power.", &[]).figure(name, "W", power);
     }
-    list.extend(of_joints(linkage));
-    list.extend(of_power());
-    list.extend(of_frame());
-    list.push(solutions());
-    list
+    of_joints(&mut list, linkage);
+    of_power(&mut list);
+    of_frame(&mut list);
+    solutions(list)
 }
 
-fn solutions() -> Column {
-    Column::new("solutions", "", false, |_, f| {
-        Some(f.solved.solutions as f64)
-    })
-    .resting(&[Rests::Drive])
+/// The list with the number of solutions behind it.
+fn solutions(mut list: ColumnList) -> Vec<Column> {
+    let last = list.of("", &[Rests::Drive]);
+    last.plain("solutions", "", |f| f.solved.solutions as f64);
+    list.all
 }
 
 /// Units of an output's displacement and load.
 fn of_kind(kind: &OutputKind, linkage: &LinkageSpec) -> [&'static str; 2] {
     match kind {
-        OutputKind::Angle { .. } => ["rad", "N m"],
-        OutputKind::Point { .. } => ["m", "N"],
+        OutputKind::Angle { .. } => Coordinate::Turning.units(),
+        OutputKind::Point { .. } => Coordinate::Sliding.units(),
         OutputKind::Pair { pair } => units(&linkage.pairs[*pair].kind),
     }
 }
@@ -159,206 +163,127 @@ fn over([above, below]: [&str; 2]) -> String {
     }
 }
 
-fn of_output(input: [&str; 2], output: [&str; 2]) -> [Column; 3] {
-    let ratio = over([output[0], input[0]]);
-    let chi = over([input[1], output[1]]);
-    [
-        Column::new("ratio", &ratio, true, |_, forces| {
-            forces.transmission.map(|found| found.ratio)
-        }),
-        Column::new("load", output[1], false, |_, forces| {
-            forces.transmission.and_then(|found| found.load)
-        }),
-        Column::new("chi", &chi, true, |_, forces| forces.chi).resting(&[Rests::Drive]),
-    ]
+fn of_output(list: &mut ColumnList, input: [&str; 2], output: [&str; 2]) {
+    list.of("", &[]);
+    let ratio = |_: &Row, f: &Forces| f.transmission.map(|found| found.ratio);
+    list.add("ratio", &over([output[0], input[0]]), true, ratio);
+    let load = |_: &Row, f: &Forces| f.transmission.and_then(|found| found.load);
+    list.add("load", output[1], false, load);
+    let chi = list.of("", &[Rests::Drive]);
+    chi.add("chi", &over([input[1], output[1]]), true, |_, f| f.chi);
 }
 
-/// What joins the links: pairs, welds, couplings.
-fn of_joints(linkage: &LinkageSpec) -> Vec<Column> {
-    let mut list = Vec::new();
+/// What joins the links: pairs, welds, couplings with their forces, which are circumferential
+/// of gears, belts and racks.
+fn of_joints(list: &mut ColumnList, linkage: &LinkageSpec) {
     for (index, pair) in linkage.pairs.iter().enumerate() {
-        list.extend(of_pair(index, &pair.name, &pair.kind));
+        of_pair(list, index, &pair.name, &pair.kind);
     }
     for (index, weld) in linkage.welds.iter().enumerate() {
-        list.extend(of_weld(index, &weld.name));
+        // On its second link.
+        let own = list.of(format!("{}.", weld.name), &[Rests::Weld(index)]);
+        own.figure("force", "N", move |f| {
+            let [x, y] = f.welds[index].force;
+            x.hypot(y)
+        });
+        own.plain("x", "N", move |f| f.welds[index].force[0]);
+        own.plain("y", "N", move |f| f.welds[index].force[1]);
+        own.figure("couple", "N m", move |f| f.welds[index].couple);
     }
-    list.extend(of_couplings(linkage));
-    list
+    for (index, coupling) in linkage.couplings.iter().enumerate() {
+        let own = list.of(format!("{}.", coupling.name), &[Rests::Coupling(index)]);
+        own.figure("force", "N", move |f| f.couplings[index].size);
+    }
 }
 
-fn of_pair(index: usize, name: &str, kind: &PairKind) -> Vec<Column> {
-    let part = |what: &str| format!("{name}.{what}");
-    let mut list = vec![
-        Column::new(part("force"), "N", true, move |_, f| {
-            Some(f.pairs[index].size())
-        }),
-        Column::new(part("x"), "N", false, move |_, f| {
-            Some(f.pairs[index].force[0])
-        }),
-        Column::new(part("y"), "N", false, move |_, f| {
-            Some(f.pairs[index].force[1])
-        }),
-    ];
-    let friction = match kind {
-        PairKind::Sliding { corners, .. } => {
-            let given = corners[0] > corners[1];
-            for corner in 0..if given { 2 } else { 0 } {
-                let name = part(&format!("n{}", corner + 1));
-                list.push(Column::new(name, "N", true, move |_, f| {
-                    f.pairs[index].corners.map(|corners| corners[corner])
-                }));
-            }
-            list.push(Column::new(part("couple"), "N m", false, move |_, f| {
-                Some(f.pairs[index].couple)
-            }));
-            "N"
+fn of_pair(list: &mut ColumnList, index: usize, name: &str, kind: &PairKind) {
+    let own = list.of(format!("{name}."), &[Rests::Pair(index)]);
+    own.figure("force", "N", move |f| f.pairs[index].size());
+    own.plain("x", "N", move |f| f.pairs[index].force[0]);
+    own.plain("y", "N", move |f| f.pairs[index].force[1]);
+    let mut friction = "N m";
+    if let PairKind::Sliding { corners, .. } = kind {
+        let given = corners[0] > corners[1];
+        for corner in 0..if given { 2 } else { 0 } {
+            let force = move |_: &Row, f: &Forces| f.pairs[index].corners.map(|two| two[corner]);
+            own.add(&format!("n{}", corner + 1), "N", true, force);
         }
-        _ => "N m",
-    };
-    list.push(Column::new(
-        part("friction"),
-        friction,
-        false,
-        move |_, f| Some(f.pairs[index].friction),
-    ));
-    list.push(Column::new(part("loss"), "W", false, move |_, f| {
-        Some(f.pairs[index].loss)
-    }));
-    let resting = |column: Column| column.resting(&[Rests::Pair(index)]);
-    list.into_iter().map(resting).collect()
+        own.plain("couple", "N m", move |f| f.pairs[index].couple);
+        friction = "N";
+    }
+    own.plain("friction", friction, move |f| f.pairs[index].friction);
+    own.plain("loss", "W", move |f| f.pairs[index].loss);
 }
 
-/// Force and couple of a weld, on its second link.
-fn of_weld(index: usize, name: &str) -> [Column; 4] {
-    let part = |what: &str| format!("{name}.{what}");
-    let size = move |_: &Row, f: &Forces| {
-        let [x, y] = f.welds[index].force;
-        Some(x.hypot(y))
-    };
-    [
-        Column::new(part("force"), "N", true, size),
-        Column::new(part("x"), "N", false, move |_, f| {
-            Some(f.welds[index].force[0])
-        }),
-        Column::new(part("y"), "N", false, move |_, f| {
-            Some(f.welds[index].force[1])
-        }),
-        Column::new(part("couple"), "N m", true, move |_, f| {
-            Some(f.welds[index].couple)
-        }),
-    ]
-    .map(|column| column.resting(&[Rests::Weld(index)]))
+fn of_power(list: &mut ColumnList) {
+    let drive = &[Rests::Drive];
+    list.of("power.", drive)
+        .figure("drive", "W", |f| f.balance.drive);
+    let given = list.of("power.", &[]);
+    given.plain("weights", "W", |f| f.balance.weights);
+    given.plain("forces", "W", |f| f.balance.forces);
+    given.plain("inertia", "W", |f| f.balance.inertia);
+    let rest = list.of("power.", drive);
+    rest.figure("loss", "W", |f| f.balance.loss);
+    rest.plain("residual", "", |f| f.balance.residual);
+    list.of("", drive)
+        .add("efficiency", "", true, |_, f| f.balance.efficiency);
 }
 
-/// Circumferential forces of gears, belts and racks, forces of cams.
-fn of_couplings(linkage: &LinkageSpec) -> impl Iterator<Item = Column> {
-    linkage
-        .couplings
-        .iter()
-        .enumerate()
-        .map(|(index, coupling)| {
-            let name = format!("{}.force", coupling.name);
-            let read = move |_: &Row, f: &Forces| Some(f.couplings[index].size);
-            Column::new(name, "N", true, read).resting(&[Rests::Coupling(index)])
-        })
-}
-
-fn of_power() -> Vec<Column> {
-    vec![
-        Column::new("power.drive", "W", true, |_, f| Some(f.balance.drive))
-            .resting(&[Rests::Drive]),
-        Column::new("power.weights", "W", false, |_, f| Some(f.balance.weights)),
-        Column::new("power.forces", "W", false, |_, f| Some(f.balance.forces)),
-        Column::new("power.inertia", "W", false, |_, f| Some(f.balance.inertia)),
-        Column::new("power.loss", "W", true, |_, f| Some(f.balance.loss)).resting(&[Rests::Drive]),
-        Column::new("power.residual", "", false, |_, f| Some(f.balance.residual))
-            .resting(&[Rests::Drive]),
-        Column::new("efficiency", "", true, |_, f| f.balance.efficiency).resting(&[Rests::Drive]),
-    ]
-}
-
-fn of_frame() -> Vec<Column> {
-    let mut list = Vec::new();
+fn of_frame(list: &mut ColumnList) {
     for (name, read) in [
         ("shaking", (|f| f.shaking) as fn(&Forces) -> [f64; 3]),
         ("frame", |f| f.on_frame),
     ] {
-        let part = |what: &str| format!("{name}.{what}");
-        list.push(Column::new(part("force"), "N", true, move |_, f| {
-            Some(read(f)[0].hypot(read(f)[1]))
-        }));
-        list.push(Column::new(part("x"), "N", false, move |_, f| {
-            Some(read(f)[0])
-        }));
-        list.push(Column::new(part("y"), "N", false, move |_, f| {
-            Some(read(f)[1])
-        }));
-        list.push(Column::new(part("moment"), "N m", true, move |_, f| {
-            Some(read(f)[2])
-        }));
+        let own = list.of(format!("{name}."), &[]);
+        own.figure("force", "N", move |f| read(f)[0].hypot(read(f)[1]));
+        own.plain("x", "N", move |f| read(f)[0]);
+        own.plain("y", "N", move |f| read(f)[1]);
+        own.figure("moment", "N m", move |f| read(f)[2]);
     }
-    list
 }
 
 /// Derivatives of the driving force.
-fn of_changes(linkage: &LinkageSpec, force: &str) -> Vec<Column> {
-    let mut list = Vec::new();
-    for (index, pair) in linkage.pairs.iter().enumerate() {
-        let name = format!("drive_by.{}.friction", pair.name);
-        let change = Column::new(name, force, false, move |_, f| {
-            f.sensitivities.as_ref().map(|found| found.friction[index])
-        });
-        list.push(change.resting(&[Rests::Drive, Rests::Pair(index)]));
-    }
-    for (index, link) in linkage.links.iter().enumerate() {
-        let name = format!("drive_by.{}.mass", link.name);
-        list.push(
-            Column::new(name, &format!("{force}/kg"), false, move |_, f| {
-                f.sensitivities.as_ref().map(|found| found.mass[index])
-            })
-            .resting(&[Rests::Drive]),
+fn of_changes(list: &mut ColumnList, linkage: &LinkageSpec, force: &str) {
+    for (k, pair) in linkage.pairs.iter().enumerate() {
+        let own = list.of(
+            format!("drive_by.{}.", pair.name),
+            &[Rests::Drive, Rests::Pair(k)],
         );
-        let name = format!("drive_by.{}.moment", link.name);
-        list.push(
-            Column::new(name, &format!("{force}/(kg m²)"), false, move |_, f| {
-                f.sensitivities.as_ref().map(|found| found.moment[index])
-            })
-            .resting(&[Rests::Drive]),
-        );
+        let change = move |_: &Row, f: &Forces| Some(f.sensitivities.as_ref()?.friction[k]);
+        own.add("friction", force, false, change);
     }
-    list
+    for (k, link) in linkage.links.iter().enumerate() {
+        let own = list.of(format!("drive_by.{}.", link.name), &[Rests::Drive]);
+        let change = move |_: &Row, f: &Forces| Some(f.sensitivities.as_ref()?.mass[k]);
+        own.add("mass", &format!("{force}/kg"), false, change);
+        let change = move |_: &Row, f: &Forces| Some(f.sensitivities.as_ref()?.moment[k]);
+        own.add("moment", &format!("{force}/(kg m²)"), false, change);
+    }
 }
 
 /// Derivatives of the dynamic transmission ratio: those of the driving force
 /// over the load.
-fn of_ratio_changes(linkage: &LinkageSpec, unit: &str) -> Vec<Column> {
+fn of_ratio_changes(list: &mut ColumnList, linkage: &LinkageSpec, unit: &str) {
     let per_mass = match unit {
         "" => "1/kg".to_owned(),
         unit => format!("{unit}/kg"),
     };
-    let per_drive = |f: &Forces| {
-        let found = f.transmission?;
-        // χ is proportional to the driving force.
-        found.dynamic_ratio(1.0, f.convention)
-    };
-    let mut list = Vec::new();
-    for (index, pair) in linkage.pairs.iter().enumerate() {
-        let name = format!("chi_by.{}.friction", pair.name);
-        list.push(
-            Column::new(name, unit, false, move |_, f| {
-                Some(per_drive(f)? * f.sensitivities.as_ref()?.friction[index])
-            })
-            .resting(&[Rests::Drive, Rests::Pair(index)]),
+    // χ is proportional to the driving force.
+    let per_drive = |f: &Forces| f.transmission?.dynamic_ratio(1.0, f.convention);
+    for (k, pair) in linkage.pairs.iter().enumerate() {
+        let own = list.of(
+            format!("chi_by.{}.", pair.name),
+            &[Rests::Drive, Rests::Pair(k)],
         );
+        let change =
+            move |_: &Row, f: &Forces| Some(per_drive(f)? * f.sensitivities.as_ref()?.friction[k]);
+        own.add("friction", unit, false, change);
     }
-    for (index, link) in linkage.links.iter().enumerate() {
-        let name = format!("chi_by.{}.mass", link.name);
-        list.push(
-            Column::new(name, &per_mass, false, move |_, f| {
-                Some(per_drive(f)? * f.sensitivities.as_ref()?.mass[index])
-            })
-            .resting(&[Rests::Drive]),
-        );
+    for (k, link) in linkage.links.iter().enumerate() {
+        let own = list.of(format!("chi_by.{}.", link.name), &[Rests::Drive]);
+        let change =
+            move |_: &Row, f: &Forces| Some(per_drive(f)? * f.sensitivities.as_ref()?.mass[k]);
+        own.add("mass", &per_mass, false, change);
     }
-    list
 }

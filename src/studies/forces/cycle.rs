@@ -3,6 +3,7 @@
 use super::row::{Forces, Row, Solver};
 use super::{Course, PositionSource};
 use crate::math::quadrature::Integrals;
+use serde::Serialize;
 
 /// Error of a sum that a panel may have, as a share of what flows to and fro.
 const AGREES: f64 = 1e-13;
@@ -15,7 +16,7 @@ const EVALUATIONS: usize = 100;
 const AT_LEAST: usize = 20_000;
 
 /// Sums over a course.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct CycleForces {
     /// True: a whole cycle, over which inertia and weights do no work.
     pub closed: bool,
@@ -30,6 +31,7 @@ pub struct CycleForces {
     /// Work lost to friction (J).
     pub loss: f64,
     /// Work lost in each pair (J).
+    #[serde(skip)]
     pub pair_losses: Vec<f64>,
     /// 1 − loss over the work put in by the driver and by all that is applied
     /// ([`Self::applied_work`]), each if it puts in any over the whole course;

@@ -1,34 +1,40 @@
 //! Figures of a study by name, as a scene's expectations address them.
 
-use super::{Column, CycleForces, Extremes, ForceStudy, columns, columns_of_inputs};
+use super::{Column, Counterweight, CycleForces, ForceStudy, columns, columns_of_inputs};
 use crate::kinematics::linkage::multi::spec::MultiSpec;
 use crate::kinematics::linkage::spec::LinkageSpec;
-use crate::studies::kinematics::{DescribedFigure, NamedFigure};
+use crate::studies::kinematics::{DescribedFigure, NamedFigure, end};
 
-/// A sum with its unit (`None`: that of the driving force) and its meaning.
-type Sum = (&'static str, Option<&'static str>, &'static str);
+/// A figure of a sum over the course: name, unit (`None`: that of the driving force), meaning,
+/// and how it is read.
+type Sum<T> = (
+    &'static str,
+    Option<&'static str>,
+    &'static str,
+    fn(&T) -> Option<f64>,
+);
 
 /// Sums over the cycle.
 #[rustfmt::skip]
-const CYCLE: [Sum; 8] = [
-    ("duration", Some("s"), "Duration of the course, > 0."),
-    ("drive_work", Some("N m"), "Work of the driver, positive where it puts energy in."),
-    ("load_work", Some("N m"), "Work of the load on the linkage, negative where it resists."),
-    ("applied_work", Some("N m"), "Work of weights, springs, dampers and forces, the load included."),
-    ("loss", Some("N m"), "Work lost to friction, ≥ 0."),
-    ("efficiency", Some(""), "1 less the loss over the work put in; absent if the course is no cycle."),
-    ("mean_drive", None, "Mean driving force over time; absent with several inputs."),
-    ("rms_drive", None, "Root mean square of the driving force over time, ≥ 0; absent with several inputs."),
+const CYCLE: [Sum<CycleForces>; 8] = [
+    ("duration", Some("s"), "Duration of the course, > 0.", |sums| Some(sums.duration)),
+    ("drive_work", Some("N m"), "Work of the driver, positive where it puts energy in.", |sums| Some(sums.drive_work)),
+    ("load_work", Some("N m"), "Work of the load on the linkage, negative where it resists.", |sums| Some(sums.load_work)),
+    ("applied_work", Some("N m"), "Work of weights, springs, dampers and forces, the load included.", |sums| Some(sums.applied_work)),
+    ("loss", Some("N m"), "Work lost to friction, ≥ 0.", |sums| Some(sums.loss)),
+    ("efficiency", Some(""), "1 less the loss over the work put in; absent if the course is no cycle.", |sums| sums.efficiency),
+    ("mean_drive", None, "Mean driving force over time; absent with several inputs.", |sums| Some(sums.mean_drive)),
+    ("rms_drive", None, "Root mean square of the driving force over time, ≥ 0; absent with several inputs.", |sums| Some(sums.rms_drive)),
 ];
 /// Results of the counterweight.
 #[rustfmt::skip]
-const COUNTERWEIGHT: [Sum; 6] = [
-    ("mass_radius", Some("kg m"), "Mass times distance from the pivot of the best counterweight, ≥ 0."),
-    ("angle", Some("rad"), "Direction of the counterweight from the pivot, in the frame of its link."),
-    ("rms_without", Some("N"), "Root mean square of the shaking force without the counterweight, ≥ 0."),
-    ("rms_with", Some("N"), "Root mean square of the shaking force with it, ≥ 0."),
-    ("greatest_without", Some("N"), "Greatest shaking force without it, ≥ 0."),
-    ("greatest_with", Some("N"), "Greatest shaking force with it, ≥ 0."),
+const COUNTERWEIGHT: [Sum<Counterweight>; 6] = [
+    ("mass_radius", Some("kg m"), "Mass times distance from the pivot of the best counterweight, ≥ 0.", |found| Some(found.mass_radius)),
+    ("angle", Some("rad"), "Direction of the counterweight from the pivot, in the frame of its link.", |found| Some(found.angle)),
+    ("rms_without", Some("N"), "Root mean square of the shaking force without the counterweight, ≥ 0.", |found| Some(found.rms[0])),
+    ("rms_with", Some("N"), "Root mean square of the shaking force with it, ≥ 0.", |found| Some(found.rms[1])),
+    ("greatest_without", Some("N"), "Greatest shaking force without it, ≥ 0.", |found| Some(found.greatest[0])),
+    ("greatest_with", Some("N"), "Greatest shaking force with it, ≥ 0.", |found| Some(found.greatest[1])),
 ];
 /// SI units of driving forces.
 const DRIVE: &[&str] = &["N m", "N"];
@@ -68,16 +74,16 @@ pub fn described() -> Vec<DescribedFigure> {
     for (name, units, meaning) in EXTREMES {
         all.push(DescribedFigure::new(&format!("{name}.END"), units, meaning));
     }
-    for (owner, sums) in [("cycle", &CYCLE[..]), ("counterweight", &COUNTERWEIGHT[..])] {
-        for (name, unit, meaning) in sums {
-            let units: &[&str] = match unit {
-                Some("") => &["1"],
-                Some(unit) => &[*unit],
-                None => DRIVE,
-            };
-            let address = format!("{owner}.{name}");
-            all.push(DescribedFigure::new(&address, units, meaning));
-        }
+    let cycle = CYCLE.map(|(name, unit, meaning, _)| (format!("cycle.{name}"), unit, meaning));
+    let counterweight = COUNTERWEIGHT
+        .map(|(name, unit, meaning, _)| (format!("counterweight.{name}"), unit, meaning));
+    for (address, unit, meaning) in cycle.into_iter().chain(counterweight) {
+        let units: &[&str] = match &unit {
+            Some("") => &["1"],
+            Some(unit) => &[*unit],
+            None => DRIVE,
+        };
+        all.push(DescribedFigure::new(&address, units, meaning));
     }
     let others = OTHERS.map(|(name, units, meaning)| DescribedFigure::new(name, units, meaning));
     all.extend(others);
@@ -91,12 +97,12 @@ pub fn figures(linkage: &LinkageSpec, output: Option<usize>, place: &str) -> Vec
     let columns = columns(linkage, output);
     let drive = columns.iter().find(|column| column.name == "drive");
     let drive = drive.map_or("", |column| column.unit.as_str());
-    let sum = |(name, unit, _): Sum, of: &str| {
-        NamedFigure::new(format!("{of}.{name}"), unit.unwrap_or(drive))
-    };
     let mut all = of_columns(&columns, linkage, place);
-    all.extend(CYCLE.map(|one| sum(one, "cycle")));
-    all.extend(COUNTERWEIGHT.map(|one| sum(one, "counterweight")));
+    let cycle = CYCLE.map(|(name, unit, ..)| (format!("cycle.{name}"), unit));
+    let counterweight =
+        COUNTERWEIGHT.map(|(name, unit, ..)| (format!("counterweight.{name}"), unit));
+    let sums = cycle.into_iter().chain(counterweight);
+    all.extend(sums.map(|(name, unit)| NamedFigure::new(name, unit.unwrap_or(drive))));
     all
 }
 
@@ -104,10 +110,9 @@ pub fn figures(linkage: &LinkageSpec, output: Option<usize>, place: &str) -> Vec
 pub fn figures_of_inputs(spec: &MultiSpec, place: &str) -> Vec<NamedFigure> {
     let mut all = of_columns(&columns_of_inputs(spec), &spec.linkage, place);
     // There is no one driving force that has a mean.
-    let sums = CYCLE.into_iter().filter_map(|(name, unit, _)| {
-        let unit = unit?;
-        Some(NamedFigure::new(format!("cycle.{name}"), unit))
-    });
+    let sums = CYCLE
+        .into_iter()
+        .filter_map(|(name, unit, ..)| Some(NamedFigure::new(format!("cycle.{name}"), unit?)));
     all.extend(sums);
     all
 }
@@ -121,6 +126,13 @@ fn of_columns(columns: &[Column], linkage: &LinkageSpec, place: &str) -> Vec<Nam
     all.extend(pairs.map(|pair| NamedFigure::new(format!("cycle.losses.{}", pair.name), "N m")));
     all.push(NamedFigure::new("zones.count", ""));
     all
+}
+
+impl Counterweight {
+    /// The figures with their names.
+    pub fn figures(&self) -> [(&'static str, f64); 6] {
+        COUNTERWEIGHT.map(|(name, .., read)| (name, read(self).unwrap_or(f64::NAN)))
+    }
 }
 
 impl ForceStudy {
@@ -139,21 +151,13 @@ impl ForceStudy {
             return self.of_cycle(self.cycle.as_ref()?, name);
         }
         if let Some(name) = name.strip_prefix("counterweight.") {
-            let found = self.counterweight.as_ref()?;
-            let values = [
-                found.mass_radius,
-                found.angle,
-                found.rms[0],
-                found.rms[1],
-                found.greatest[0],
-                found.greatest[1],
-            ];
-            let index = COUNTERWEIGHT.iter().position(|known| known.0 == name)?;
-            return Some(values[index]);
+            let mut figures = self.counterweight.as_ref()?.figures().into_iter();
+            return figures.find(|known| known.0 == name).map(|known| known.1);
         }
         let (column, what) = name.rsplit_once('.')?;
         let extremes = self.extremes.iter().find(|found| found.name == column)?;
-        end(extremes, what)
+        let ends = [extremes.least, extremes.greatest];
+        end(ends.map(|end| (end.at, end.value)), what)
     }
 
     fn of_zone(&self, name: &str) -> Option<f64> {
@@ -178,27 +182,8 @@ impl ForceStudy {
                 .position(|pair| pair.name == name)?;
             return cycle.pair_losses.get(index).copied();
         }
-        match name {
-            "duration" => Some(cycle.duration),
-            "drive_work" => Some(cycle.drive_work),
-            "load_work" => Some(cycle.load_work),
-            "applied_work" => Some(cycle.applied_work),
-            "loss" => Some(cycle.loss),
-            "efficiency" => cycle.efficiency,
-            "mean_drive" if self.several.is_none() => Some(cycle.mean_drive),
-            "rms_drive" if self.several.is_none() => Some(cycle.rms_drive),
-            _ => None,
-        }
-    }
-}
-
-fn end(extremes: &Extremes, what: &str) -> Option<f64> {
-    let finite = |value: f64| value.is_finite().then_some(value);
-    match what {
-        "least" => finite(extremes.least.value),
-        "greatest" => finite(extremes.greatest.value),
-        "least_at" => Some(extremes.least.at),
-        "greatest_at" => Some(extremes.greatest.at),
-        _ => None,
+        let (_, unit, _, read) = CYCLE.iter().find(|known| known.0 == name)?;
+        // Of several inputs there is no one driving force.
+        read(cycle).filter(|_| unit.is_some() || self.several.is_none())
     }
 }

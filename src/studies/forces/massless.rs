@@ -10,6 +10,7 @@ use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::kinetostatics::Kinetostatics;
 use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::math::roots::bisect;
+use serde::Serialize;
 
 /// Deviation that counts as negligible.
 pub const NEGLIGIBLE: f64 = 0.01;
@@ -17,13 +18,15 @@ pub const NEGLIGIBLE: f64 = 0.01;
 const BISECTIONS: u32 = 40;
 
 /// The comparison of χ without and with masses over one course.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MasslessComparison {
     /// Input coordinates.
     pub coordinates: Vec<f64>,
     /// χ without masses at each.
+    #[serde(rename = "chi")]
     pub massless: Vec<Option<f64>>,
     /// Greatest |χ| without masses.
+    #[serde(rename = "greatest_chi")]
     pub greatest: f64,
     /// Mass of the moving links (kg).
     pub mass: f64,
@@ -37,7 +40,7 @@ pub struct MasslessComparison {
 }
 
 /// The full model at one parameter.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MasslessPoint {
     /// m·ω²/P.
     pub parameter: f64,

@@ -28,7 +28,9 @@ pub use figures::{described, figures, figures_of_inputs};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
 pub use multi_input::{SeveralDrives, multi_input_forces};
 pub use open::Rests;
-pub use request::{LinkagePositions, course_of, course_of_record, only_loaded_output};
+pub use request::{
+    LinkagePositions, Refused, course_of, course_of_record, forces_of, only_loaded_output,
+};
 pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
 pub use zones::{Zone, ZoneKind};
 
@@ -177,6 +179,13 @@ impl ForceStudy {
         };
         open::mark(&mut list, &self.indeterminate);
         list
+    }
+
+    /// SI unit of a quantity; empty where there is none of this name.
+    pub fn unit(&self, name: &str) -> String {
+        let mut all = self.columns().into_iter();
+        let column = all.find(|column| column.name == name);
+        column.map_or(String::new(), |column| column.unit)
     }
 
     /// Unit of what leads from row to row where that is not the time of a record: the input

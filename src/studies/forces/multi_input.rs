@@ -36,14 +36,14 @@ pub fn multi_input_forces(
     asked: &AskedSeveral<'_>,
     options: Options,
 ) -> Result<ForceStudy, Vec<Fault>> {
-    let spec = asked.linkage().spec();
+    let spec = asked.linkage.spec();
     let kinetostatics = Kinetostatics::of_inputs(spec)?;
     let [from, to] = asked.span();
-    let closed = asked.is_closed();
+    let closed = asked.closed;
     let course = Course::Even {
         from,
         to,
-        count: count(asked.positions(), [from, to], closed),
+        count: count(asked.positions, [from, to], closed),
         // Where the inputs have speeds that are not those of their way, no work is done on it.
         speed: match asked.is_uniform() {
             true => asked.axis_rate(),
@@ -54,7 +54,7 @@ pub fn multi_input_forces(
     };
     let mut source = Source {
         asked,
-        motion: MultiMotion::new(asked.linkage()),
+        motion: MultiMotion::new(&asked.linkage),
     };
     let settings = ForceSettings {
         options,
@@ -85,7 +85,7 @@ impl PositionSource for Source<'_, '_> {
         let inputs = self.asked.inputs_at(place);
         if let Err(why) = self.motion.set_inputs(&inputs) {
             // From a singular position on it does not find its way: it starts anew.
-            let mut anew = MultiMotion::new(self.asked.linkage());
+            let mut anew = MultiMotion::new(&self.asked.linkage);
             anew.set_inputs(&inputs)
                 .map_err(|_| self.asked.cause(why))?;
             self.motion = anew;

@@ -1,10 +1,16 @@
 //! From a question about a scene's linkage to a course and its positions.
 
-use super::{Course, Instant, PositionSource, loads};
-use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics};
+use super::{
+    Course, ForceSettings, ForceStudy, Instant, PositionSource, loads, multi_input_forces, study,
+};
+use crate::dynamics::model::Model;
+use crate::fault::{Fault, within};
+use crate::kinematics::linkage::kinetostatics::{InputMotion, Kinetostatics, Options};
 use crate::kinematics::linkage::{Linkage, Workspace};
 use crate::studies::endless::DeadEnd;
-use crate::studies::kinematics::{KinematicsRequest, Over};
+use crate::studies::kinematics::{
+    AskedSeveral, KinematicsRequest, Over, Question, linkage_of, several_of, whole_travel,
+};
 
 /// Positions of a linkage, solved one after another.
 #[derive(Debug)]
@@ -43,6 +49,53 @@ impl PositionSource for LinkagePositions<'_> {
         let ends = self.linkage.range().dead_ends();
         ends.into_iter().map(DeadEnd::new).collect()
     }
+}
+
+/// Why there are no forces.
+#[derive(Debug)]
+pub enum Refused {
+    /// The question has no answer.
+    Question(String),
+    /// Something of the linkage is wrong.
+    Linkage(Vec<Fault>),
+}
+
+impl From<String> for Refused {
+    fn from(message: String) -> Self {
+        Self::Question(message)
+    }
+}
+
+/// The forces of a linkage with one input or several, of the only loaded output if there is
+/// one, with friction.
+///
+/// # Errors
+/// See [`AskedSeveral::new`], [`KinematicsRequest::new`], [`course_of`], [`study`].
+pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, Refused> {
+    let object = question.object.as_deref();
+    let wrong = |object: usize| {
+        let id = &model.objects[object].id;
+        |faults| Refused::Linkage(within(id, faults))
+    };
+    if let Some(body) = several_of(model, object) {
+        let asked = AskedSeveral::new(model, body, question)?;
+        return multi_input_forces(&asked, Options::default()).map_err(wrong(body.object));
+    }
+    let body = linkage_of(model, object)?;
+    let spec = body.linkage.spec();
+    let solver = Kinetostatics::new(spec).map_err(wrong(body.object))?;
+    let mut question = question.clone();
+    // A speed is meant for the whole travel.
+    if question.over.is_none() && question.speed.or(question.acceleration).is_some() {
+        question.over = Some(whole_travel(&body.linkage));
+    }
+    let course = course_of(&KinematicsRequest::new(model, &question)?)?;
+    let settings = ForceSettings {
+        output: only_loaded_output(&solver),
+        ..ForceSettings::default()
+    };
+    let mut positions = LinkagePositions::new(&body.linkage);
+    study(spec, &mut positions, course, settings).map_err(wrong(body.object))
 }
 
 /// Number of positions that lie `intervals` apart: of a range without length a single one.

@@ -1,9 +1,8 @@
 //! The quantities of a linkage: their names, units and columns. Their values are in
 //! [`super::values`], in the same order.
 
-use super::request::KinematicsRequest;
 use crate::dynamics::model::Coordinate;
-use crate::kinematics::linkage::spec::PairKind;
+use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::math::jet::Jet;
 
 /// Quantity that a column shows.
@@ -92,136 +91,73 @@ enum Unit {
 }
 
 impl Quantity {
-    /// Name in addresses and headers.
-    pub fn name(self) -> &'static str {
+    /// What is declared of a quantity: its name in addresses and headers, the shape of its unit,
+    /// and its meaning in a few words, with the sign.
+    #[rustfmt::skip]
+    fn declared(self) -> (&'static str, Unit, &'static str) {
         match self {
-            Self::Displacement => "displacement",
-            Self::Speed => "speed",
-            Self::Acceleration => "acceleration",
-            Self::First => "first_transfer",
-            Self::Second => "second_transfer",
-            Self::Third => "third_transfer",
-            Self::Angle => "angle",
-            Self::AngularSpeed => "angular_speed",
-            Self::AngularAcceleration => "angular_acceleration",
-            Self::X => "x",
-            Self::Y => "y",
-            Self::SpeedX => "speed_x",
-            Self::SpeedY => "speed_y",
-            Self::SpeedSize => "speed",
-            Self::AccelerationX => "acceleration_x",
-            Self::AccelerationY => "acceleration_y",
-            Self::AccelerationSize => "acceleration",
-            Self::AccelerationAlong => "acceleration_along_path",
-            Self::AccelerationAcross => "acceleration_across_path",
-            Self::CurvatureRadius => "radius_of_curvature",
-            Self::InstantCentreX => "instant_centre_x",
-            Self::InstantCentreY => "instant_centre_y",
-            Self::FirstX => "first_transfer_x",
-            Self::FirstY => "first_transfer_y",
-            Self::SecondX => "second_transfer_x",
-            Self::SecondY => "second_transfer_y",
-            Self::ThirdX => "third_transfer_x",
-            Self::ThirdY => "third_transfer_y",
-            Self::GuideDirection => "guide_direction",
-            Self::RelativeSpeed => "relative_speed",
-            Self::RelativeAcceleration => "relative_acceleration",
-            Self::TransportSpeedAlong => "transport_speed_along",
-            Self::TransportSpeedAcross => "transport_speed_across",
-            Self::TransportAccelerationAlong => "transport_acceleration_along",
-            Self::TransportAccelerationAcross => "transport_acceleration_across",
-            Self::CoriolisAcceleration => "coriolis_acceleration",
+            Self::Displacement => ("displacement", Unit::Time(0), "Displacement"),
+            Self::Speed => ("speed", Unit::Time(1), "Speed of the displacement"),
+            Self::Acceleration => ("acceleration", Unit::Time(2), "Acceleration of the displacement"),
+            Self::First => ("first_transfer", Unit::Transfer(1), "First transfer function: derivative by the input"),
+            Self::Second => ("second_transfer", Unit::Transfer(2), "Second transfer function: second derivative by the input"),
+            Self::Third => ("third_transfer", Unit::Transfer(3), "Third transfer function: third derivative by the input"),
+            Self::Angle => ("angle", Unit::Time(0), "Angle of the frame of the link, counterclockwise, continuous"),
+            Self::AngularSpeed => ("angular_speed", Unit::Time(1), "Angular speed of the link, counterclockwise"),
+            Self::AngularAcceleration => ("angular_acceleration", Unit::Time(2), "Angular acceleration of the link, counterclockwise"),
+            Self::X => ("x", Unit::Time(0), "x of the point in the frame of the ground"),
+            Self::Y => ("y", Unit::Time(0), "y of the point in the frame of the ground"),
+            Self::SpeedX => ("speed_x", Unit::Time(1), "x component of its speed"),
+            Self::SpeedY => ("speed_y", Unit::Time(1), "y component of its speed"),
+            Self::SpeedSize => ("speed", Unit::Time(1), "Size of its speed, ≥ 0"),
+            Self::AccelerationX => ("acceleration_x", Unit::Time(2), "x component of its acceleration"),
+            Self::AccelerationY => ("acceleration_y", Unit::Time(2), "y component of its acceleration"),
+            Self::AccelerationSize => ("acceleration", Unit::Time(2), "Size of its acceleration, ≥ 0"),
+            Self::AccelerationAlong => ("acceleration_along_path", Unit::Time(2), "Acceleration along its path; positive: it becomes faster"),
+            Self::AccelerationAcross => ("acceleration_across_path", Unit::Time(2), "Acceleration across its path; positive: to the left of its motion"),
+            Self::CurvatureRadius => ("radius_of_curvature", Unit::Time(0), "Radius of curvature of its path; positive: the path bends to the left"),
+            Self::InstantCentreX => ("instant_centre_x", Unit::Time(0), "x of the instant centre of the link; absent where it does not turn"),
+            Self::InstantCentreY => ("instant_centre_y", Unit::Time(0), "y of the instant centre of the link; absent where it does not turn"),
+            Self::FirstX => ("first_transfer_x", Unit::Transfer(1), "First transfer function of x"),
+            Self::FirstY => ("first_transfer_y", Unit::Transfer(1), "First transfer function of y"),
+            Self::SecondX => ("second_transfer_x", Unit::Transfer(2), "Second transfer function of x"),
+            Self::SecondY => ("second_transfer_y", Unit::Transfer(2), "Second transfer function of y"),
+            Self::ThirdX => ("third_transfer_x", Unit::Transfer(3), "Third transfer function of x"),
+            Self::ThirdY => ("third_transfer_y", Unit::Transfer(3), "Third transfer function of y"),
+            Self::GuideDirection => ("guide_direction", Unit::Time(0), "Direction of the guide in the plane, counterclockwise"),
+            Self::RelativeSpeed => ("relative_speed", Unit::Time(1), "Speed of the block along its guide"),
+            Self::RelativeAcceleration => ("relative_acceleration", Unit::Time(2), "Acceleration of the block along its guide"),
+            Self::TransportSpeedAlong => ("transport_speed_along", Unit::Time(1), "Speed of the guide's point under the block, along the guide"),
+            Self::TransportSpeedAcross => ("transport_speed_across", Unit::Time(1), "Speed of the guide's point under the block, 90° to the left of the guide"),
+            Self::TransportAccelerationAlong => ("transport_acceleration_along", Unit::Time(2), "Acceleration of the guide's point under the block, along the guide"),
+            Self::TransportAccelerationAcross => ("transport_acceleration_across", Unit::Time(2), "Acceleration of the guide's point under the block, 90° to the left of the guide"),
+            Self::CoriolisAcceleration => ("coriolis_acceleration", Unit::Time(2), "Coriolis acceleration 2·ω·v_r, 90° to the left of the guide"),
         }
     }
 
-    /// SI units of the quantity itself, of something whose own units are these.
-    pub(super) fn own_units<'a>(self, own: &'a [&'a str]) -> &'a [&'a str] {
+    /// Name in addresses and headers.
+    pub fn name(self) -> &'static str {
+        self.declared().0
+    }
+
+    fn shape(self) -> Unit {
+        self.declared().1
+    }
+
+    /// Meaning in a few words, with the sign.
+    pub(super) fn meaning(self) -> &'static str {
+        self.declared().2
+    }
+
+    /// SI unit of the quantity itself, of something whose own unit is this.
+    fn own_unit(self, own: &str) -> &str {
         match self {
-            Self::GuideDirection => &["rad"],
+            Self::GuideDirection => "rad",
+            Self::InstantCentreX | Self::InstantCentreY => "m",
             _ => own,
         }
     }
 
-    /// Meaning in a few words, with the sign.
-    #[rustfmt::skip]
-    pub(super) fn meaning(self) -> &'static str {
-        match self {
-            Self::Displacement => "Displacement",
-            Self::Speed => "Speed of the displacement",
-            Self::Acceleration => "Acceleration of the displacement",
-            Self::First => "First transfer function: derivative by the input",
-            Self::Second => "Second transfer function: second derivative by the input",
-            Self::Third => "Third transfer function: third derivative by the input",
-            Self::Angle => "Angle of the frame of the link, counterclockwise, continuous",
-            Self::AngularSpeed => "Angular speed of the link, counterclockwise",
-            Self::AngularAcceleration => "Angular acceleration of the link, counterclockwise",
-            Self::X => "x of the point in the frame of the ground",
-            Self::Y => "y of the point in the frame of the ground",
-            Self::SpeedX => "x component of its speed",
-            Self::SpeedY => "y component of its speed",
-            Self::SpeedSize => "Size of its speed, ≥ 0",
-            Self::AccelerationX => "x component of its acceleration",
-            Self::AccelerationY => "y component of its acceleration",
-            Self::AccelerationSize => "Size of its acceleration, ≥ 0",
-            Self::AccelerationAlong => "Acceleration along its path; positive: it becomes faster",
-            Self::AccelerationAcross => "Acceleration across its path; positive: to the left of its motion",
-            Self::CurvatureRadius => "Radius of curvature of its path; positive: the path bends to the left",
-            Self::InstantCentreX => "x of the instant centre of the link; absent where it does not turn",
-            Self::InstantCentreY => "y of the instant centre of the link; absent where it does not turn",
-            Self::FirstX => "First transfer function of x",
-            Self::FirstY => "First transfer function of y",
-            Self::SecondX => "Second transfer function of x",
-            Self::SecondY => "Second transfer function of y",
-            Self::ThirdX => "Third transfer function of x",
-            Self::ThirdY => "Third transfer function of y",
-            Self::GuideDirection => "Direction of the guide in the plane, counterclockwise",
-            Self::RelativeSpeed => "Speed of the block along its guide",
-            Self::RelativeAcceleration => "Acceleration of the block along its guide",
-            Self::TransportSpeedAlong => "Speed of the guide's point under the block, along the guide",
-            Self::TransportSpeedAcross => "Speed of the guide's point under the block, 90° to the left of the guide",
-            Self::TransportAccelerationAlong => "Acceleration of the guide's point under the block, along the guide",
-            Self::TransportAccelerationAcross => "Acceleration of the guide's point under the block, 90° to the left of the guide",
-            Self::CoriolisAcceleration => "Coriolis acceleration 2·ω·v_r, 90° to the left of the guide",
-        }
-    }
-
-    fn shape(self) -> Unit {
-        match self {
-            Self::Displacement
-            | Self::Angle
-            | Self::X
-            | Self::Y
-            | Self::GuideDirection
-            | Self::CurvatureRadius
-            | Self::InstantCentreX
-            | Self::InstantCentreY => Unit::Time(0),
-            Self::Speed
-            | Self::AngularSpeed
-            | Self::SpeedX
-            | Self::SpeedY
-            | Self::SpeedSize
-            | Self::RelativeSpeed
-            | Self::TransportSpeedAlong
-            | Self::TransportSpeedAcross => Unit::Time(1),
-            Self::Acceleration
-            | Self::AngularAcceleration
-            | Self::AccelerationX
-            | Self::AccelerationY
-            | Self::AccelerationSize
-            | Self::AccelerationAlong
-            | Self::AccelerationAcross
-            | Self::RelativeAcceleration
-            | Self::TransportAccelerationAlong
-            | Self::TransportAccelerationAcross
-            | Self::CoriolisAcceleration => Unit::Time(2),
-            Self::First | Self::FirstX | Self::FirstY => Unit::Transfer(1),
-            Self::Second | Self::SecondX | Self::SecondY => Unit::Transfer(2),
-            Self::Third | Self::ThirdX | Self::ThirdY => Unit::Transfer(3),
-        }
-    }
-}
-
-impl Quantity {
     /// True for a quantity that goes through infinity in ordinary motion.
     pub fn passes_infinity(self) -> bool {
         matches!(
@@ -240,14 +176,6 @@ impl Quantity {
             Unit::Time(_) => own * (rate * rate + q.second.abs() / input),
             Unit::Transfer(order) => own / input.powi(i32::from(order)),
         }
-    }
-}
-
-/// SI unit of a coordinate.
-pub(super) fn unit_of(coordinate: Coordinate) -> &'static str {
-    match coordinate {
-        Coordinate::Turning => "rad",
-        Coordinate::Sliding => "m",
     }
 }
 
@@ -272,6 +200,7 @@ pub(super) struct Heading {
 }
 
 pub(super) fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
+    let own = quantity.own_unit(own);
     let unit = match quantity.shape() {
         Unit::Time(0) => own.to_owned(),
         Unit::Time(1) => format!("{own}/s"),
@@ -297,89 +226,124 @@ fn transfer_unit(own: &str, input: &str, order: u8) -> String {
     }
 }
 
-pub(super) const LINK: [Quantity; 6] = [
-    Quantity::Angle,
-    Quantity::AngularSpeed,
-    Quantity::AngularAcceleration,
-    Quantity::First,
-    Quantity::Second,
-    Quantity::Third,
-];
-pub(super) const CENTRE: [Quantity; 2] = [Quantity::InstantCentreX, Quantity::InstantCentreY];
-pub(super) const POINT: [Quantity; 17] = [
-    Quantity::X,
-    Quantity::Y,
-    Quantity::SpeedX,
-    Quantity::SpeedY,
-    Quantity::SpeedSize,
-    Quantity::AccelerationX,
-    Quantity::AccelerationY,
-    Quantity::AccelerationSize,
-    Quantity::FirstX,
-    Quantity::FirstY,
-    Quantity::SecondX,
-    Quantity::SecondY,
-    Quantity::ThirdX,
-    Quantity::ThirdY,
-    Quantity::AccelerationAlong,
-    Quantity::AccelerationAcross,
-    Quantity::CurvatureRadius,
-];
-pub(super) const OUTPUT: [Quantity; 6] = [
-    Quantity::Displacement,
-    Quantity::Speed,
-    Quantity::Acceleration,
-    Quantity::First,
-    Quantity::Second,
-    Quantity::Third,
-];
-pub(super) const SLIDE: [Quantity; 12] = [
-    Quantity::Displacement,
-    Quantity::RelativeSpeed,
-    Quantity::RelativeAcceleration,
-    Quantity::First,
-    Quantity::Second,
-    Quantity::Third,
-    Quantity::GuideDirection,
-    Quantity::TransportSpeedAlong,
-    Quantity::TransportSpeedAcross,
-    Quantity::TransportAccelerationAlong,
-    Quantity::TransportAccelerationAcross,
-    Quantity::CoriolisAcceleration,
-];
+/// The quantities of an owner, in the order of its columns with one input.
+pub(super) struct Quantities {
+    /// Its motion over time.
+    pub(super) motion: &'static [Quantity],
+    /// Its transfer functions, of ascending order.
+    pub(super) transfer: &'static [Quantity],
+    /// What follows from its motion.
+    pub(super) more: &'static [Quantity],
+}
+
+impl Quantities {
+    /// All of them.
+    pub(super) fn all(&self) -> impl Iterator<Item = Quantity> {
+        let parts = [self.motion, self.transfer, self.more];
+        parts.into_iter().flatten().copied()
+    }
+
+    /// The first transfer functions: all that there is of several inputs.
+    pub(super) fn first(&self) -> impl Iterator<Item = Quantity> {
+        let transfer = self.transfer.iter().copied();
+        transfer.filter(|quantity| matches!(quantity.shape(), Unit::Transfer(1)))
+    }
+}
+
+use Quantity as Q;
+pub(super) const LINK: Quantities = Quantities {
+    motion: &[Q::Angle, Q::AngularSpeed, Q::AngularAcceleration],
+    transfer: &[Q::First, Q::Second, Q::Third],
+    more: &[Q::InstantCentreX, Q::InstantCentreY],
+};
+#[rustfmt::skip]
+pub(super) const POINT: Quantities = Quantities {
+    motion: &[
+        Q::X, Q::Y, Q::SpeedX, Q::SpeedY, Q::SpeedSize,
+        Q::AccelerationX, Q::AccelerationY, Q::AccelerationSize,
+    ],
+    transfer: &[Q::FirstX, Q::FirstY, Q::SecondX, Q::SecondY, Q::ThirdX, Q::ThirdY],
+    more: &[Q::AccelerationAlong, Q::AccelerationAcross, Q::CurvatureRadius],
+};
+pub(super) const OUTPUT: Quantities = Quantities {
+    motion: &[Q::Displacement, Q::Speed, Q::Acceleration],
+    transfer: LINK.transfer,
+    more: &[],
+};
+pub(super) const SLIDE: Quantities = Quantities {
+    motion: &[Q::Displacement, Q::RelativeSpeed, Q::RelativeAcceleration],
+    transfer: LINK.transfer,
+    more: &[
+        Q::GuideDirection,
+        Q::TransportSpeedAlong,
+        Q::TransportSpeedAcross,
+        Q::TransportAccelerationAlong,
+        Q::TransportAccelerationAcross,
+        Q::CoriolisAcceleration,
+    ],
+};
+
+/// What moves a linkage.
+pub(super) enum Inputs<'a> {
+    /// One input: its transfer functions stand amid the other quantities.
+    One(Coordinate),
+    /// Several: first transfer functions by each of them stand behind.
+    Several(Vec<(&'a str, Coordinate)>),
+}
+
+impl Inputs<'_> {
+    /// Columns of an owner whose own unit is this.
+    fn of_owner(&self, owner: &str, quantities: &Quantities, own: &str) -> Vec<Heading> {
+        let inputs = match self {
+            Self::One(only) => {
+                let heading = |what| heading(owner, what, own, only.unit());
+                return quantities.all().map(heading).collect();
+            }
+            Self::Several(inputs) => inputs,
+        };
+        let moved = quantities.motion.iter().chain(quantities.more);
+        let moved = moved.map(|&what| heading(owner, what, own, ""));
+        let by = inputs.iter().flat_map(|&(input, coordinate)| {
+            quantities.first().map(move |what| Heading {
+                by: Some(input.to_owned()),
+                ..heading(owner, what, own, coordinate.unit())
+            })
+        });
+        moved.chain(by).collect()
+    }
+}
 
 /// The columns of a linkage, in the order in which `values` fills them:
-/// input, links, their named points, sliding pairs, outputs.
-pub(super) fn headings(asked: &KinematicsRequest<'_>) -> Vec<Heading> {
-    let spec = asked.linkage.spec();
-    let input = unit_of(asked.input);
+/// inputs, links, their named points, sliding pairs, outputs.
+pub(super) fn headings(
+    spec: &LinkageSpec,
+    inputs: &Inputs<'_>,
+    outputs: &[Coordinate],
+) -> Vec<Heading> {
+    let named = match inputs {
+        Inputs::One(only) => &vec![("input", *only)],
+        Inputs::Several(inputs) => inputs,
+    };
     let mut out = Vec::new();
-    for quantity in &OUTPUT[..3] {
-        out.push(heading("input", *quantity, input, input));
+    for (name, own) in named {
+        let motion = OUTPUT.motion.iter();
+        out.extend(motion.map(|&what| heading(name, what, own.unit(), own.unit())));
     }
+    let mut add = |owner: &str, quantities: &Quantities, own: &str| {
+        out.extend(inputs.of_owner(owner, quantities, own));
+    };
     for link in &spec.links {
         let name = format!("links.{}", link.name);
-        out.extend(LINK.map(|quantity| heading(&name, quantity, "rad", input)));
-        out.extend(CENTRE.map(|quantity| heading(&name, quantity, "m", input)));
+        add(&name, &LINK, "rad");
         for point in &link.points {
-            let owner = format!("{name}.{}", point.name);
-            out.extend(POINT.map(|quantity| heading(&owner, quantity, "m", input)));
+            add(&format!("{name}.{}", point.name), &POINT, "m");
         }
     }
-    for pair in &spec.pairs {
-        if matches!(pair.kind, PairKind::Sliding { .. }) {
-            let name = format!("pairs.{}", pair.name);
-            let slide = |quantity| {
-                let angle = quantity == Quantity::GuideDirection;
-                let own = if angle { "rad" } else { "m" };
-                heading(&name, quantity, own, input)
-            };
-            out.extend(SLIDE.map(slide));
-        }
+    for pair in spec.pairs.iter().filter(|pair| pair.slides()) {
+        add(&format!("pairs.{}", pair.name), &SLIDE, "m");
     }
-    for (index, output) in spec.outputs.iter().enumerate() {
-        let own = unit_of(asked.outputs[index]);
-        out.extend(OUTPUT.map(|quantity| heading(&output.name, quantity, own, input)));
+    for (output, own) in spec.outputs.iter().zip(outputs) {
+        add(&output.name, &OUTPUT, own.unit());
     }
     out
 }

@@ -1,6 +1,6 @@
 //! The results of kinematics with their addresses, units and meaning, for people.
 
-use super::columns::{CENTRE, LINK, OUTPUT, POINT, Quantity, SLIDE, heading};
+use super::columns::{LINK, OUTPUT, POINT, Quantities, Quantity, SLIDE, heading};
 use super::figures::{ENDS, LIMITS, STROKE, TRANSMISSION};
 
 /// SI units of what turns or slides.
@@ -55,23 +55,31 @@ fn extremes(owner: &str, quantity: Quantity, own: &[&str], by: &str) -> Describe
 /// All results that kinematics can have.
 pub fn described() -> Vec<DescribedFigure> {
     let mut all = Vec::new();
-    let mut add = |owner: &str, quantities: &[Quantity], own: &[&str], by: &str| {
-        let one = |quantity: &Quantity| extremes(owner, *quantity, quantity.own_units(own), by);
+    let mut add = |owner: &str, own: &[&str], by: &str, quantities: &[Quantity]| {
+        let one = |quantity: &Quantity| extremes(owner, *quantity, own, by);
         all.extend(quantities.iter().map(one));
     };
-    add("input", &OUTPUT[..3], BOTH, "");
-    add("OUTPUT", &OUTPUT, BOTH, "");
-    add("links.LINK", &LINK, &["rad"], "");
-    add("links.LINK", &CENTRE, &["m"], "");
-    add("links.LINK.POINT", &POINT, &["m"], "");
-    add("pairs.PAIR", &SLIDE, &["m"], "");
+    let owners: [(&str, &Quantities, &[&str]); 4] = [
+        ("OUTPUT", &OUTPUT, BOTH),
+        ("links.LINK", &LINK, &["rad"]),
+        ("links.LINK.POINT", &POINT, &["m"]),
+        ("pairs.PAIR", &SLIDE, &["m"]),
+    ];
+    add("input", BOTH, "", OUTPUT.motion);
+    for (owner, quantities, own) in owners {
+        add(owner, own, "", &quantities.all().collect::<Vec<_>>());
+    }
     // Of several inputs: each has its name, and a transfer function that of its input.
-    add("INPUT", &OUTPUT[..3], BOTH, "");
-    add("OUTPUT", &[Quantity::First], BOTH, ".INPUT");
-    add("links.LINK", &[Quantity::First], &["rad"], ".INPUT");
-    add("pairs.PAIR", &[Quantity::First], &["m"], ".INPUT");
-    let point = [Quantity::FirstX, Quantity::FirstY];
-    add("links.LINK.POINT", &point, &["m"], ".INPUT");
+    add("INPUT", BOTH, "", OUTPUT.motion);
+    for index in [0, 1, 3, 2] {
+        let (owner, quantities, own) = owners[index];
+        add(
+            owner,
+            own,
+            ".INPUT",
+            &quantities.first().collect::<Vec<_>>(),
+        );
+    }
     for (owner, own) in [("OUTPUT", BOTH), ("pairs.PAIR", &["m"])] {
         for (what, meaning) in STROKE {
             let units = match what {

@@ -1,7 +1,8 @@
 //! Figures of a study by name, as a scene's expectations address them.
 
-use super::columns::{Heading, headings, name, unit_of};
-use super::{Extremes, Kinematics, KinematicsRequest, Over};
+use super::columns::{Inputs, headings, name};
+use super::{Kinematics, KinematicsRequest, Over};
+use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::spec::LinkageSpec;
 
 /// Ends of a quantity, value and place, with their meaning.
@@ -80,22 +81,20 @@ impl NamedFigure {
 impl KinematicsRequest<'_> {
     /// All figures that a study of this question can have.
     pub fn figures(&self) -> Vec<NamedFigure> {
-        let input = unit_of(self.input);
+        let input = self.input.unit();
         let places = Places {
             rows: self.axis_unit(),
             input,
-            limits: input,
         };
-        let outputs = self.outputs.iter().map(|output| unit_of(*output));
-        let outputs: Vec<_> = outputs.collect();
-        figures_of(&headings(self), self.linkage.spec(), &outputs, places)
+        let inputs = Inputs::One(self.input);
+        figures_of(self.linkage.spec(), &inputs, &self.outputs, places)
     }
 
     /// SI unit of what leads from row to row.
     pub(in crate::studies) fn axis_unit(&self) -> &'static str {
         match self.over {
             Over::Time { .. } => "s",
-            Over::Turn | Over::Range { .. } => unit_of(self.input),
+            Over::Turn | Over::Range { .. } => self.input.unit(),
         }
     }
 }
@@ -107,23 +106,22 @@ pub(super) struct Places {
     pub(super) rows: &'static str,
     /// Of the input while something rises and falls.
     pub(super) input: &'static str,
-    /// Of the ends of the reach.
-    pub(super) limits: &'static str,
 }
 
-/// All figures of a study with these columns; `outputs`: the units of what the outputs do.
+/// All figures of a study of a linkage with these inputs; `outputs`: how its outputs move.
 pub(super) fn figures_of(
-    headings: &[Heading],
     spec: &LinkageSpec,
-    outputs: &[&str],
+    inputs: &Inputs<'_>,
+    outputs: &[Coordinate],
     places: Places,
 ) -> Vec<NamedFigure> {
     let mut all = Vec::new();
-    for heading in headings {
+    for heading in headings(spec, inputs, outputs) {
         let column = name(&heading.owner, heading.quantity, heading.by.as_deref());
         all.extend(NamedFigure::ends(&column, &heading.unit, places.rows));
     }
-    let outputs = (spec.outputs.iter().zip(outputs)).map(|(one, unit)| (one.name.clone(), *unit));
+    let outputs =
+        (spec.outputs.iter().zip(outputs)).map(|(one, own)| (one.name.clone(), own.unit()));
     let slides = spec.pairs.iter().filter(|pair| pair.slides());
     let slides = slides.map(|pair| (format!("pairs.{}", pair.name), "m"));
     for (owner, unit) in outputs.chain(slides) {
@@ -138,7 +136,7 @@ pub(super) fn figures_of(
         all.extend(NamedFigure::ends(&owner, "rad", places.rows));
     }
     let limits = LIMITS.map(|(end, _)| format!("limits.{end}"));
-    all.extend(limits.map(|name| NamedFigure::new(name, places.limits)));
+    all.extend(limits.map(|name| NamedFigure::new(name, places.input)));
     all
 }
 
@@ -157,13 +155,7 @@ impl Kinematics {
         if let Some(link) = owner.strip_prefix("transmission_angles.") {
             let of = |owner: &str| owner.split(" and ").any(|name| name == link);
             let angle = self.transmission.iter().find(|angle| of(&angle.owner))?;
-            return end(
-                Extremes {
-                    least: angle.least,
-                    greatest: angle.greatest,
-                },
-                what,
-            );
+            return end([angle.least, angle.greatest], what);
         }
         if let Some(stroke) = self.strokes.iter().find(|stroke| stroke.owner == owner) {
             let [rising, falling] = stroke.rise_and_return;
@@ -179,12 +171,13 @@ impl Kinematics {
             .columns
             .iter()
             .position(|column| column.name() == owner)?;
-        end(*self.extremes.get(index)?, what)
+        let extremes = self.extremes.get(index)?;
+        end([extremes.least, extremes.greatest], what)
     }
 }
 
-fn end(extremes: Extremes, what: &str) -> Option<f64> {
-    let ((least_at, least), (greatest_at, greatest)) = (extremes.least, extremes.greatest);
+pub(in crate::studies) fn end(ends: [(f64, f64); 2], what: &str) -> Option<f64> {
+    let [(least_at, least), (greatest_at, greatest)] = ends;
     let value = match what {
         "least" => least,
         "greatest" => greatest,

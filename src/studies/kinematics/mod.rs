@@ -22,6 +22,7 @@ pub use columns::Quantity;
 pub use described::{DescribedFigure, described, ends};
 pub use equilibria::Equilibrium;
 pub use figures::NamedFigure;
+pub(in crate::studies) use figures::end;
 pub use multi_input::{AskedSeveral, multi_input_kinematics};
 pub use request::{
     InputCourse, InputOver, KinematicsRequest, MOST_POSITIONS, Over, POSITIONS, Question,
@@ -36,6 +37,7 @@ use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::kinematics::linkage::{Linkage, Structure};
 use crate::studies::check::Check;
 use crate::studies::judgement::{Ending, Judgement};
+use serde::Serialize;
 
 /// Positions, speeds and accelerations of the linkage that a question names, of one input or
 /// of several.
@@ -189,7 +191,7 @@ pub struct Grid {
 }
 
 /// Axis: the quantity that leads from row to row.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Axis {
     /// `input coordinate`, `time`, or of several inputs that move together `path`, from 0 to
     /// 1.
@@ -276,21 +278,23 @@ pub struct Transmission {
 }
 
 /// An end of the input's travel.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Limit {
     /// Input coordinate there.
     pub at: f64,
     /// Cause in words.
+    #[serde(rename = "because")]
     pub cause: String,
 }
 
 /// Why the rows end early.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Stopped {
     /// Place on the axis, located to rounding.
     pub at: f64,
     /// Input coordinate there.
     pub input: f64,
     /// Cause in words.
+    #[serde(rename = "because")]
     pub cause: String,
 }

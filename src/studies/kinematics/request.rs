@@ -31,6 +31,9 @@ pub enum Over {
     },
 }
 
+/// Why a time is none.
+pub(super) const NO_TIME: &str = "the time must be a number above zero";
+
 /// Number of intervals between rows, unless another is asked for.
 pub const POSITIONS: usize = 360;
 
@@ -106,6 +109,28 @@ impl Default for Question {
     }
 }
 
+impl Question {
+    /// # Errors
+    /// No positions, or too many.
+    pub(super) fn check_positions(&self) -> Result<(), String> {
+        match self.positions {
+            1..=MOST_POSITIONS => Ok(()),
+            count => Err(format!("{count} positions: give 1 to {MOST_POSITIONS}")),
+        }
+    }
+
+    /// # Errors
+    /// The place that is looked at besides lies outside.
+    pub(super) fn check_place(&self, [from, to]: [f64; 2]) -> Result<(), String> {
+        match self.also {
+            Some(also) if !(from.min(to) <= also && also <= from.max(to)) => Err(format!(
+                "the place {also} is outside the range: {from} to {to}"
+            )),
+            _ => Ok(()),
+        }
+    }
+}
+
 /// A question that can be answered.
 #[derive(Clone, Debug)]
 pub struct KinematicsRequest<'a> {
@@ -176,23 +201,12 @@ impl<'a> KinematicsRequest<'a> {
             unit_rate: question.speed.is_none() && uniform.is_none(),
         };
         asked.check(question)?;
-        if asked.also.is_some_and(|also| !asked.within(also)) {
-            let [from, to] = span(&asked);
-            return Err(format!(
-                "the place {} is outside the range: {from} to {to}",
-                asked.also.unwrap_or(f64::NAN)
-            ));
-        }
+        question.check_place(span(&asked))?;
         Ok(asked)
     }
 
     fn check(&self, question: &Question) -> Result<(), String> {
-        if !(1..=MOST_POSITIONS).contains(&self.positions) {
-            return Err(format!(
-                "{} positions: give 1 to {MOST_POSITIONS}",
-                self.positions
-            ));
-        }
+        question.check_positions()?;
         if !self.rate.iter().all(|value| value.is_finite()) {
             return Err("speed and acceleration must be finite numbers".to_owned());
         }
@@ -217,9 +231,7 @@ impl<'a> KinematicsRequest<'a> {
                 self.object,
                 self.range_in_words()
             )),
-            Over::Time { to } if !(to.is_finite() && to > 0.0) => {
-                Err("the time must be a number above zero".to_owned())
-            }
+            Over::Time { to } if !(to.is_finite() && to > 0.0) => Err(NO_TIME.to_owned()),
             Over::Time { .. } if question.speed.or(question.acceleration).is_some() => Err(
                 "over time the scene's drive gives speed and acceleration: leave them out, or ask \
                  for a turn or a range"
@@ -232,11 +244,6 @@ impl<'a> KinematicsRequest<'a> {
             )),
             _ => Ok(()),
         }
-    }
-
-    fn within(&self, place: f64) -> bool {
-        let [from, to] = span(self);
-        from.min(to) <= place && place <= from.max(to)
     }
 
     fn outside(&self, at: f64) -> bool {

@@ -27,7 +27,7 @@ pub(super) trait Course {
     fn ordinary(&self, place: f64, heading: &Heading) -> f64;
 
     /// Notes the place gone to last as a row; the frames of all links: x, y, cos, sin.
-    fn note(&mut self, place: f64) -> Vec<[f64; 4]>;
+    fn note(&mut self) -> Vec<[f64; 4]>;
 
     /// Goes on from a row noted earlier, where that makes a difference.
     fn resume(&mut self, _row: usize) {}
@@ -55,6 +55,15 @@ pub(super) fn evenly([from, to]: [f64; 2], count: usize, also: Option<f64>) -> V
         }
     }
     places
+}
+
+/// Times of places that are passed at this rate, from the first one on; at rest as if it were 1.
+pub(super) fn times(places: &[f64], rate: f64) -> Vec<f64> {
+    let rate = rate.abs();
+    let rate = if rate > 0.0 { rate } else { 1.0 };
+    let from = places.first().copied().unwrap_or(0.0);
+    let time = |place: &f64| (place - from).abs() / rate;
+    places.iter().map(time).collect()
 }
 
 /// Rows under construction.
@@ -120,7 +129,7 @@ impl<C: Course> Rows<C> {
                 column.values.push(*value);
             }
         }
-        self.frames.push(self.course.note(place));
+        self.frames.push(self.course.note());
         self.places.push(place);
         Ok(())
     }

@@ -1,16 +1,15 @@
 //! The study of a linkage of one input.
 
-use super::columns::{self, Heading, unit_of};
+use super::columns::{Heading, Inputs, headings};
 use super::equilibria::equilibria;
 use super::request::span;
 use super::request::{KinematicsRequest, Over};
-use super::rows::{Course, Rows, evenly, warnings};
+use super::rows::{Course, Rows, evenly, times, warnings};
 use super::summary;
 use super::values;
 use super::{AnyLinkage, Axis, Kinematics, Limit, Stopped};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::{Cause, OutOfReach, Reach, Rounding, Workspace};
-use crate::math::jet::Jet;
 use crate::math::roots::bisect;
 use crate::studies::endless::DeadEnd;
 use crate::units::shown;
@@ -22,7 +21,6 @@ pub fn kinematics(asked: &KinematicsRequest<'_>) -> Kinematics {
     let stopped = stopped.map(|(before, place, why)| stop(asked, [before, place], &why));
     let extremes = rows.extremes();
     let Rows {
-        course,
         places,
         columns,
         frames,
@@ -34,7 +32,10 @@ pub fn kinematics(asked: &KinematicsRequest<'_>) -> Kinematics {
         linkage: AnyLinkage::One(asked.linkage.clone()),
         input: asked.input,
         motion: motion(asked),
-        times: times(asked, &places, &course.inputs),
+        times: match asked.over {
+            Over::Time { .. } => places.clone(),
+            Over::Turn | Over::Range { .. } => times(&places, asked.rate[0]),
+        },
         extremes,
         strokes: summary::strokes(asked),
         equilibria: equilibria(asked),
@@ -65,7 +66,7 @@ fn axis(asked: &KinematicsRequest<'_>, values: Vec<f64>) -> Axis {
 
 /// Motion of the input, in words.
 fn motion(asked: &KinematicsRequest<'_>) -> String {
-    let unit = unit_of(asked.input);
+    let unit = asked.input.unit();
     let [speed, acceleration] = asked.rate;
     match asked.over {
         Over::Time { .. } => "by the scene's drive".to_owned(),
@@ -85,20 +86,6 @@ pub fn even_motion([speed, acceleration]: [f64; 2], unit: &str) -> String {
     }
     let acceleration = shown(acceleration, 8);
     format!("speed {speed} {unit}/s and acceleration {acceleration} {unit}/s² at every position")
-}
-
-/// Time of each row: at constant speed over a turn or range.
-fn times(asked: &KinematicsRequest<'_>, places: &[f64], inputs: &[Jet]) -> Vec<f64> {
-    match asked.over {
-        Over::Time { .. } => places.to_vec(),
-        _ => {
-            let speed = asked.rate[0].abs();
-            let speed = if speed > 0.0 { speed } else { 1.0 };
-            let from = inputs.first().map_or(0.0, |jet| jet.value);
-            let time = |jet: &Jet| (jet.value - from).abs() / speed;
-            inputs.iter().map(time).collect()
-        }
-    }
 }
 
 fn limits(asked: &KinematicsRequest<'_>) -> Vec<Limit> {
@@ -130,8 +117,6 @@ struct OneInput<'q, 'a> {
     asked: &'q KinematicsRequest<'a>,
     work: Workspace,
     rounding: Rounding,
-    /// Motion of the input at every row.
-    inputs: Vec<Jet>,
 }
 
 impl<'q, 'a> OneInput<'q, 'a> {
@@ -140,7 +125,6 @@ impl<'q, 'a> OneInput<'q, 'a> {
             asked,
             work: asked.linkage.workspace(),
             rounding: Rounding::of(&asked.linkage),
-            inputs: Vec::new(),
         }
     }
 }
@@ -149,7 +133,12 @@ impl Course for OneInput<'_, '_> {
     type Outside = OutOfReach;
 
     fn headings(&self) -> Vec<Heading> {
-        columns::headings(self.asked)
+        let asked = self.asked;
+        headings(
+            asked.linkage.spec(),
+            &Inputs::One(asked.input),
+            &asked.outputs,
+        )
     }
 
     fn limits(&self) -> Vec<DeadEnd> {
@@ -185,8 +174,7 @@ impl Course for OneInput<'_, '_> {
         heading.quantity.scale(unit(heading.turning), input, q)
     }
 
-    fn note(&mut self, place: f64) -> Vec<[f64; 4]> {
-        self.inputs.push(self.asked.input_at(place));
+    fn note(&mut self) -> Vec<[f64; 4]> {
         let links = self.asked.linkage.spec().links.len();
         let frame = (0..links).map(|link| {
             let pose = self.work.pose(link);

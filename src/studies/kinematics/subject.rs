@@ -31,16 +31,10 @@ impl Subject {
     /// # Errors
     /// There is none, or more than one and no id; in words.
     pub fn of(model: &Model, id: Option<&str>) -> Result<Self, String> {
-        let shorts = || {
-            model
-                .objects
-                .iter()
-                .filter(|part| short(model, part).is_some())
-        };
-        let by_id = |id: &str| shorts().find(|part| part.id == id);
+        let by_id = |id: &str| shorts(model).find(|part| part.id == id);
         let part = match (id, model.linkages.is_empty()) {
             (Some(id), _) => by_id(id),
-            (None, true) => match shorts().collect::<Vec<_>>().as_slice() {
+            (None, true) => match shorts(model).collect::<Vec<_>>().as_slice() {
                 [] => None,
                 [only] => Some(*only),
                 several => return Err(say_which(several.iter().map(|part| part.id.as_str()))),
@@ -86,10 +80,7 @@ impl Subject {
 
 /// Whether a pair turns or slides.
 fn of_pair(spec: &LinkageSpec, pair: usize) -> Coordinate {
-    match spec.pairs[pair].slides() {
-        true => Coordinate::Sliding,
-        false => Coordinate::Turning,
-    }
+    Coordinate::sliding(spec.pairs[pair].slides())
 }
 
 /// Whether each output turns or slides.
@@ -144,6 +135,12 @@ pub fn reaches(model: &Model) -> Vec<String> {
     words.chain(redundant).collect()
 }
 
+/// The objects whose position function is the short form of a linkage.
+fn shorts(model: &Model) -> impl Iterator<Item = &ObjectPart> {
+    let parts = model.objects.iter();
+    parts.filter(|part| short(model, part).is_some())
+}
+
 /// The assembly mode of every linkage that has another, each in a sentence with how to choose the
 /// other.
 pub fn assembly_modes(model: &Model) -> Vec<String> {
@@ -158,7 +155,7 @@ pub fn assembly_modes(model: &Model) -> Vec<String> {
     });
     let parts = model.objects.iter();
     let short = parts.filter_map(|part| {
-        let (name, branch) = short_branch(short(model, part)?)?;
+        let (name, branch) = short(model, part)?.position.branch()?;
         let (own, other) = match branch < 0.0 {
             true => ('-', '+'),
             false => ('+', '-'),
@@ -170,24 +167,6 @@ pub fn assembly_modes(model: &Model) -> Vec<String> {
         ))
     });
     full.chain(short).collect()
-}
-
-/// The short form of a linkage by its name in a scene, and its branch.
-fn short_branch(law: &Law) -> Option<(&'static str, f64)> {
-    match &law.position {
-        Position::SliderCrank(own) => Some(("slider_crank", own.branch)),
-        Position::FourBar(own) => Some(("four_bar", own.branch)),
-        Position::SlottedLink(own) => Some(("slotted_link", own.branch_of_block()?)),
-        // (No short forms of linkages.)
-        Position::Ratio { .. }
-        | Position::Sine { .. }
-        | Position::Polynomial(_)
-        | Position::Table(_)
-        | Position::Cam(_)
-        | Position::Plan(_)
-        | Position::Linkage(_)
-        | Position::Custom(_) => None,
-    }
 }
 
 /// The law of an object that moves by the short form of a linkage.
@@ -268,12 +247,6 @@ fn held(linkage: Linkage, (from, to): (f64, f64)) -> Result<Linkage, Vec<Fault>>
 /// There is none, or more than one and no id; in words.
 pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageBody, String> {
     let name = |body: &LinkageBody| model.objects[body.object].id.as_str();
-    let shorts = || {
-        model
-            .objects
-            .iter()
-            .filter(|part| short(model, part).is_some())
-    };
     let found = match id {
         Some(id) => model.linkages.iter().find(|body| name(body) == id),
         None => model.linkages.first().filter(|_| model.linkages.len() == 1),
@@ -281,7 +254,7 @@ pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageB
     if let Some(body) = found {
         return Ok(body);
     }
-    if let Some(part) = shorts().find(|part| id.is_none_or(|id| part.id == id)) {
+    if let Some(part) = shorts(model).find(|part| id.is_none_or(|id| part.id == id)) {
         return Err(format!(
             "`{}` moves by a position function, which has no pairs that could carry forces; write \
              it as a linkage, as with \"from\": \"linkage/slider-crank\"",
@@ -307,7 +280,7 @@ pub fn linkage_of<'m>(model: &'m Model, id: Option<&str>) -> Result<&'m LinkageB
             .to_owned(),
         (None, false) => say_which(names),
         (Some(id), false) => {
-            let names = names.chain(shorts().map(|part| part.id.as_str()));
+            let names = names.chain(shorts(model).map(|part| part.id.as_str()));
             let names: Vec<&str> = names.collect();
             format!(
                 "`{id}` is no linkage of the scene; one of {}",

@@ -1,6 +1,5 @@
 //! Strokes and transmission angles.
 
-use super::columns::unit_of;
 use super::extremes::{greatest_row, located};
 use super::request::KinematicsRequest;
 use super::{Stroke, Transmission};
@@ -20,7 +19,7 @@ pub(super) fn strokes(asked: &KinematicsRequest<'_>) -> Vec<Stroke> {
     };
     let spec = asked.linkage.spec();
     let outputs = (0..spec.outputs.len()).map(|index| {
-        let unit = unit_of(asked.outputs[index]);
+        let unit = asked.outputs[index].unit();
         (
             Moving::Output(index),
             spec.outputs[index].name.clone(),
@@ -33,7 +32,7 @@ pub(super) fn strokes(asked: &KinematicsRequest<'_>) -> Vec<Stroke> {
             (
                 Moving::Pair(index),
                 format!("pairs.{}", pair.name),
-                unit_of(Coordinate::Sliding),
+                Coordinate::Sliding.unit(),
             )
         })
     });

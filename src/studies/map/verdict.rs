@@ -98,22 +98,28 @@ impl Verdict {
         Self::Refused,
     ];
 
+    /// What is declared of a verdict: name, words, family, and what `dam run` says.
+    #[rustfmt::skip]
+    fn declared(self) -> (&'static str, &'static str, Family, Option<Judgement>) {
+        match self {
+            Self::InWorkingOrder => ("in_working_order", "in working order", Family::Mechanism, Some(Judgement::InWorkingOrder)),
+            Self::LiftOffDiesAway => ("lift_off_dies_away", "lift-off that dies away", Family::Mechanism, Some(Judgement::InWorkingOrder)),
+            Self::LiftOff => ("lift_off", "repeated lift-off", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
+            Self::LiftOffNotJudged => ("lift_off_not_judged", "lift-off, run too short to judge", Family::Mechanism, Some(Judgement::NotJudged)),
+            Self::CreepNotJudged => ("creep_not_judged", "creep, not judged", Family::Mechanism, Some(Judgement::NotJudged)),
+            Self::NotJudged => ("not_judged", "run too short to judge", Family::Mechanism, Some(Judgement::NotJudged)),
+            Self::ThrownOff => ("thrown_off", "far off its law", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
+            Self::Resonance => ("resonance", "resonance", Family::Mechanism, Some(Judgement::InWorkingOrder)),
+            Self::Stopped => ("stopped", "dead-centre position", Family::Mechanism, Some(Judgement::NotInWorkingOrder)),
+            Self::NotFinished => ("not_finished", "run not finished", Family::Computation, Some(Judgement::NotJudged)),
+            Self::NumericalFailure => ("numerical_failure", "computation failed", Family::Computation, Some(Judgement::NotToBeTrusted)),
+            Self::Refused => ("refused", "no such mechanism", Family::Scene, None),
+        }
+    }
+
     /// Short stable name, as in files: `in_working_order`.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::InWorkingOrder => "in_working_order",
-            Self::LiftOffDiesAway => "lift_off_dies_away",
-            Self::LiftOff => "lift_off",
-            Self::LiftOffNotJudged => "lift_off_not_judged",
-            Self::CreepNotJudged => "creep_not_judged",
-            Self::NotJudged => "not_judged",
-            Self::ThrownOff => "thrown_off",
-            Self::Resonance => "resonance",
-            Self::Stopped => "stopped",
-            Self::NotFinished => "not_finished",
-            Self::NumericalFailure => "numerical_failure",
-            Self::Refused => "refused",
-        }
+        self.declared().0
     }
 
     /// The verdict of a name.
@@ -123,52 +129,17 @@ impl Verdict {
 
     /// In words, for legends.
     pub fn words(self) -> &'static str {
-        match self {
-            Self::InWorkingOrder => "in working order",
-            Self::LiftOffDiesAway => "lift-off that dies away",
-            Self::LiftOff => "lift-off again and again",
-            Self::LiftOffNotJudged => "lift-off, run too short to judge",
-            Self::CreepNotJudged => "creep, not judged",
-            Self::NotJudged => "run too short to judge",
-            Self::ThrownOff => "thrown off",
-            Self::Resonance => "resonance",
-            Self::Stopped => "dead-centre position",
-            Self::NotFinished => "run not finished",
-            Self::NumericalFailure => "computation failed",
-            Self::Refused => "no such mechanism",
-        }
-    }
-
-    /// The verdict that `dam run` gives; `None` where there is no such mechanism.
-    pub fn judgement(self) -> Option<Judgement> {
-        match self {
-            Self::InWorkingOrder | Self::LiftOffDiesAway | Self::Resonance => {
-                Some(Judgement::InWorkingOrder)
-            }
-            Self::LiftOff | Self::ThrownOff | Self::Stopped => Some(Judgement::NotInWorkingOrder),
-            Self::LiftOffNotJudged | Self::NotJudged | Self::CreepNotJudged | Self::NotFinished => {
-                Some(Judgement::NotJudged)
-            }
-            Self::NumericalFailure => Some(Judgement::NotToBeTrusted),
-            Self::Refused => None,
-        }
+        self.declared().1
     }
 
     /// Family of the verdict.
     pub fn family(self) -> Family {
-        match self {
-            Self::NotFinished | Self::NumericalFailure => Family::Computation,
-            Self::Refused => Family::Scene,
-            Self::InWorkingOrder
-            | Self::LiftOffDiesAway
-            | Self::LiftOff
-            | Self::LiftOffNotJudged
-            | Self::CreepNotJudged
-            | Self::NotJudged
-            | Self::ThrownOff
-            | Self::Resonance
-            | Self::Stopped => Family::Mechanism,
-        }
+        self.declared().2
+    }
+
+    /// The verdict that `dam run` gives; `None` where there is no such mechanism.
+    pub fn judgement(self) -> Option<Judgement> {
+        self.declared().3
     }
 }
 

@@ -81,10 +81,8 @@ fn travelled(model: &Model, record: &Record, node: usize) -> Option<[f64; 2]> {
 
 /// A displacement for reading: `12.5 deg`, `0.012 m`.
 fn place(displacement: f64, coordinate: Coordinate) -> String {
-    match coordinate {
-        Coordinate::Turning => format!("{} deg", short(displacement.to_degrees())),
-        Coordinate::Sliding => format!("{} m", short(displacement)),
-    }
+    let (value, unit) = coordinate.shown(displacement);
+    format!("{} {unit}", short(value))
 }
 
 /// A number of a doubt, to six digits.

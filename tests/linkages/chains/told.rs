@@ -241,7 +241,7 @@ fn what_rigid_links_leave_open_is_marked() {
     let text = forces(&[]);
     assert!(text.contains("Statically indeterminate"), "{text}");
     assert!(
-        text.contains("the forces of A1, A2, A3, O1, O2, O3 have no figures"),
+        text.contains("the forces of A1, A2, A3, O1, O2, O3 have no values"),
         "{text}"
     );
     assert!(!text.contains("A1.force"), "{text}");

@@ -86,7 +86,7 @@ fn figures_of_comparisons_carry_their_units() {
     };
     let table = called(&with(&["-q"]));
     let line = |figure: &str| {
-        let of_rocker = |line: &&str| !line.starts_with("Figures of rocker");
+        let of_rocker = |line: &&str| !line.starts_with("Results of rocker");
         let mut rows = table.lines().skip_while(of_rocker);
         let found = rows.find(|line| line.trim_start().starts_with(figure));
         found

@@ -108,7 +108,7 @@ fn coupled_inertia_is_felt_by_the_natural_frequencies() {
     assert_eq!(modes.len(), 2);
     assert_relative_eq!(
         system.fastest_rate(),
-        system.fastest_frequency(),
+        modes[1].frequency,
         max_relative = 1e-9
     );
 }

@@ -96,7 +96,7 @@ fn loads_that_never_repeat_have_no_periodic_motion() {
         ),
         (
             r#"{ "position_table": { "points": [[0, 0], ["90 deg", -50], ["180 deg", 0]] } }"#,
-            "leaves it behind",
+            "moves past it",
         ),
         (
             r#"{ "harmonic": { "amplitude": 20, "frequency": "7.31 Hz" } }"#,

@@ -292,7 +292,7 @@ fn questions_without_an_answer_are_refused_at_their_place() {
             crank(ROTOR, RIGID, ""),
             None,
             "steady.mean_speed",
-            "none is asked for",
+            "none is given",
         ),
         (
             crank(ROTOR, LOADED, ""),

@@ -1,6 +1,6 @@
 //! How runs end: on time, at breaks, by limits, by faults.
 
-use super::super::problems::{Collapsing, Ending, Oscillator, Stepped, Swinging, Thrown};
+use super::problems::{Collapsing, Ending, Oscillator, Stepped, Swinging, Thrown};
 use super::*;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;

@@ -2,6 +2,7 @@
 
 mod ends;
 mod orders;
+pub(super) mod problems;
 mod reference;
 mod switches;
 mod traps;

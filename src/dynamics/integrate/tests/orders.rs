@@ -1,6 +1,6 @@
 //! Orders of the methods and of the continuous output, measured.
 
-use super::super::problems::Oscillator;
+use super::problems::Oscillator;
 use super::*;
 
 /// Error at the end after steps of a fixed length: the scales are so great

@@ -2,7 +2,7 @@
 //! elastic-rocker.json (modal closed form between switches, 80-bit arithmetic,
 //! event-exact), cases one_mass_damped, two_mass_damped, ten_mass_damped.
 
-use super::super::problems::Rocker;
+use super::problems::Rocker;
 use super::*;
 
 struct Case {

@@ -1,6 +1,6 @@
 //! Switches: none lost, none twice, each where it belongs.
 
-use super::super::problems::{Bouncing, Follow, Thrown};
+use super::problems::{Bouncing, Follow, Thrown};
 use super::*;
 
 fn close(found: &[f64], expected: &[f64], within: f64) {

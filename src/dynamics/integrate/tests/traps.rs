@@ -2,7 +2,7 @@
 //! know, and for what the adapter makes of it. A test of the first kind that
 //! fails after an upgrade says that a precaution may be dropped.
 
-use super::super::problems::{Oscillator, Rocker};
+use super::problems::{Oscillator, Rocker};
 use super::*;
 use ode_solvers::{DVector, Dop853, Dopri5, OutputType, Rk4, System};
 use std::cell::RefCell;

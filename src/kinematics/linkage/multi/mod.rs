@@ -185,6 +185,12 @@ impl MultiLinkage {
         &self.core.spec.inputs
     }
 
+    /// Names of the inputs.
+    pub fn input_names(&self) -> Vec<&str> {
+        let inputs = self.inputs().iter();
+        inputs.map(|input| input.name.as_str()).collect()
+    }
+
     /// The outputs.
     pub fn outputs(&self) -> &[OutputSpec] {
         &self.core.spec.linkage.outputs

@@ -72,43 +72,22 @@ impl Law {
         let last = self.last_at_speed(speed);
         let after = !self.run_up;
         let jumps = self.jumps();
-        Law::assemble(Parts {
+        let lowest = jumps.iter().map(|jump| jump.order).min();
+        LawConstants {
+            torque_factor: torque.value.max(-braking.value),
+            continuity: lowest.map_or(3, |order| order - 1),
             filling_after: after.then(|| speed.value / ((1.0 - last) * deceleration.value.abs())),
             centre_after: after.then(|| last + (1.0 - self.at(last).value) / speed.value),
             filling: speed.value / (speed.at * acceleration.value),
-            centre: speed.at - self.value_before(speed.at) / speed.value,
+            centre: speed.at - self.at(speed.at).value / speed.value,
             jerk: self.peak_of(&|j| j.third.abs()),
             speed,
             acceleration,
             deceleration,
             torque,
-            braking,
+            braking_torque: braking,
             jumps,
-        })
-    }
-
-    fn assemble(parts: Parts) -> LawConstants {
-        let lowest = parts.jumps.iter().map(|jump| jump.order).min();
-        LawConstants {
-            torque_factor: parts.torque.value.max(-parts.braking.value),
-            continuity: lowest.map_or(3, |order| order - 1),
-            speed: parts.speed,
-            acceleration: parts.acceleration,
-            deceleration: parts.deceleration,
-            jerk: parts.jerk,
-            torque: parts.torque,
-            braking_torque: parts.braking,
-            filling: parts.filling,
-            centre: parts.centre,
-            filling_after: parts.filling_after,
-            centre_after: parts.centre_after,
-            jumps: parts.jumps,
         }
-    }
-
-    /// θ just before or at `tau`.
-    fn value_before(&self, tau: f64) -> f64 {
-        self.at(tau).value
     }
 
     /// The last τ with the greatest speed: the end of a uniform section, if there is one.
@@ -157,21 +136,6 @@ impl Law {
         }
         jumps
     }
-}
-
-/// What constants are made of.
-struct Parts {
-    speed: Peak,
-    acceleration: Peak,
-    deceleration: Peak,
-    jerk: Peak,
-    torque: Peak,
-    braking: Peak,
-    filling: f64,
-    centre: f64,
-    filling_after: Option<f64>,
-    centre_after: Option<f64>,
-    jumps: Vec<Jump>,
 }
 
 impl Peak {

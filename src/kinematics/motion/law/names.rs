@@ -39,46 +39,34 @@ impl LawName {
         Self::Polynomial4567,
     ];
 
+    /// What is declared of a law: its name in scenes, that in the guideline VDI 2143, and words.
+    #[rustfmt::skip]
+    fn declared(self) -> (&'static str, Option<&'static str>, &'static str) {
+        match self {
+            Self::Parabolic => ("parabolic", Some("Quadratische Parabel"), "constant acceleration and deceleration"),
+            Self::Harmonic => ("harmonic", Some("Einfache Sinuslinie"), "(1 − cos πτ)/2"),
+            Self::Cycloidal => ("cycloidal", Some("Geneigte Sinuslinie (Sinoide von Bestehorn)"), "τ − sin(2πτ)/2π"),
+            Self::ModifiedTrapezoid => ("modified_trapezoid", Some("Modifiziertes Beschleunigungstrapez"), "SCCA with b = 1/4, c = 1/2, d = 1/4"),
+            Self::ModifiedSine => ("modified_sine", Some("Modifizierte Sinuslinie"), "SCCA with b = 1/4, c = 0, d = 3/4"),
+            Self::ModifiedConstantVelocity => ("modified_constant_velocity", None, "modified sine, uniform over the middle half"),
+            Self::Polynomial345 => ("3-4-5", Some("Polynom 5. Grades"), "10τ³ − 15τ⁴ + 6τ⁵"),
+            Self::Polynomial4567 => ("4-5-6-7", Some("Polynom 7. Grades"), "35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷"),
+        }
+    }
+
     /// Name in scenes.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Parabolic => "parabolic",
-            Self::Harmonic => "harmonic",
-            Self::Cycloidal => "cycloidal",
-            Self::ModifiedTrapezoid => "modified_trapezoid",
-            Self::ModifiedSine => "modified_sine",
-            Self::ModifiedConstantVelocity => "modified_constant_velocity",
-            Self::Polynomial345 => "3-4-5",
-            Self::Polynomial4567 => "4-5-6-7",
-        }
+        self.declared().0
     }
 
     /// Name in the guideline VDI 2143; `None`: it has none there.
     pub fn vdi_name(self) -> Option<&'static str> {
-        match self {
-            Self::Parabolic => Some("Quadratische Parabel"),
-            Self::Harmonic => Some("Einfache Sinuslinie"),
-            Self::Cycloidal => Some("Geneigte Sinuslinie (Sinoide von Bestehorn)"),
-            Self::ModifiedTrapezoid => Some("Modifiziertes Beschleunigungstrapez"),
-            Self::ModifiedSine => Some("Modifizierte Sinuslinie"),
-            Self::ModifiedConstantVelocity => None,
-            Self::Polynomial345 => Some("Polynom 5. Grades"),
-            Self::Polynomial4567 => Some("Polynom 7. Grades"),
-        }
+        self.declared().1
     }
 
     /// Description in a few words.
     pub fn words(self) -> &'static str {
-        match self {
-            Self::Parabolic => "constant acceleration and deceleration",
-            Self::Harmonic => "(1 − cos πτ)/2",
-            Self::Cycloidal => "τ − sin(2πτ)/2π",
-            Self::ModifiedTrapezoid => "SCCA with b = 1/4, c = 1/2, d = 1/4",
-            Self::ModifiedSine => "SCCA with b = 1/4, c = 0, d = 3/4",
-            Self::ModifiedConstantVelocity => "modified sine, uniform over the middle half",
-            Self::Polynomial345 => "10τ³ − 15τ⁴ + 6τ⁵",
-            Self::Polynomial4567 => "35τ⁴ − 84τ⁵ + 70τ⁶ − 20τ⁷",
-        }
+        self.declared().2
     }
 }
 
@@ -113,29 +101,26 @@ impl RunLawName {
         Self::ModifiedSine,
     ];
 
+    /// Name in scenes and shares.
+    fn declared(self) -> (&'static str, (f64, f64)) {
+        match self {
+            Self::Rectangular => ("rectangular", (0.0, 0.0)),
+            Self::EquilateralTrapezoid => ("equilateral_trapezoid", (0.25, 0.25)),
+            Self::Sine => ("sine", (0.5, 0.5)),
+            Self::Cosine => ("cosine", (0.0, 1.0)),
+            Self::ReversedCosine => ("reversed_cosine", (1.0, 0.0)),
+            Self::UnequalTrapezoid => ("unequal_trapezoid", (0.125, 0.5)),
+            Self::ModifiedSine => ("modified_sine", (0.25, 0.75)),
+        }
+    }
+
     /// Name in scenes.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::Rectangular => "rectangular",
-            Self::EquilateralTrapezoid => "equilateral_trapezoid",
-            Self::Sine => "sine",
-            Self::Cosine => "cosine",
-            Self::ReversedCosine => "reversed_cosine",
-            Self::UnequalTrapezoid => "unequal_trapezoid",
-            Self::ModifiedSine => "modified_sine",
-        }
+        self.declared().0
     }
 
     /// Shares (s1, s2) of the trapezoid.
     pub fn shares(self) -> (f64, f64) {
-        match self {
-            Self::Rectangular => (0.0, 0.0),
-            Self::EquilateralTrapezoid => (0.25, 0.25),
-            Self::Sine => (0.5, 0.5),
-            Self::Cosine => (0.0, 1.0),
-            Self::ReversedCosine => (1.0, 0.0),
-            Self::UnequalTrapezoid => (0.125, 0.5),
-            Self::ModifiedSine => (0.25, 0.75),
-        }
+        self.declared().1
     }
 }

@@ -62,10 +62,8 @@ fn entries(body: &MultiLinkageBody, mass: &dyn Fn(usize, usize) -> Symbol, secti
     }
     space.reduce(true);
     for (k, input) in inputs.iter().enumerate() {
-        let coordinate = match input.coordinate.slides(&linkage.spec().linkage) {
-            true => Coordinate::Sliding,
-            false => Coordinate::Turning,
-        };
+        let slides = input.coordinate.slides(&linkage.spec().linkage);
+        let coordinate = Coordinate::sliding(slides);
         let value = space.reduced.mass[k * inputs.len() + k];
         let meaning = "mass matrix, a function of all inputs; here where it is put together";
         section.entry(mass(k, k), value, units(coordinate).inertia, meaning);

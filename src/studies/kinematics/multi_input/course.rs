@@ -1,6 +1,6 @@
 //! A linkage of several inputs from place to place on the axis.
 
-use super::super::columns::Heading;
+use super::super::columns::{Heading, headings};
 use super::super::rows::Course;
 use super::request::AskedSeveral;
 use super::values;
@@ -38,7 +38,8 @@ impl Course for SeveralInputs<'_, '_> {
     type Outside = NotAssembled;
 
     fn headings(&self) -> Vec<Heading> {
-        values::headings(self.asked)
+        let spec = &self.asked.linkage.spec().linkage;
+        headings(spec, &self.asked.named(), &self.asked.outputs)
     }
 
     fn limits(&self) -> Vec<DeadEnd> {
@@ -89,7 +90,7 @@ impl Course for SeveralInputs<'_, '_> {
         heading.quantity.scale(own, 1.0, all)
     }
 
-    fn note(&mut self, _place: f64) -> Vec<[f64; 4]> {
+    fn note(&mut self) -> Vec<[f64; 4]> {
         self.angles.push(self.motion.angles().to_vec());
         frames(&self.motion, self.asked.linkage.spec().linkage.links.len())
     }

@@ -10,9 +10,9 @@ mod values;
 
 pub use request::AskedSeveral;
 
-use super::columns::unit_of;
+use super::columns::Inputs;
 use super::figures::{NamedFigure, Places, figures_of};
-use super::rows::{Course, Rows, evenly, warnings};
+use super::rows::{Course, Rows, evenly, times, warnings};
 use super::summary::{stroke_of, transmission_of};
 use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, Stopped, Stroke, Transmission};
 use crate::dynamics::model::Coordinate;
@@ -46,7 +46,7 @@ pub fn multi_input_kinematics(asked: &AskedSeveral<'_>) -> Kinematics {
         linkage: AnyLinkage::Several(asked.linkage.clone()),
         input: asked.first_coordinate(),
         motion: asked.motion(),
-        times: asked.times(&places),
+        times: times(&places, asked.axis_rate()),
         closed,
         extremes,
         strokes,
@@ -70,11 +70,19 @@ impl AskedSeveral<'_> {
         let places = Places {
             rows: way,
             input: way,
-            limits: way,
         };
-        let outputs: Vec<_> = self.outputs.iter().map(|output| unit_of(*output)).collect();
         let spec = &self.linkage.spec().linkage;
-        figures_of(&values::headings(self), spec, &outputs, places)
+        figures_of(spec, &self.named(), &self.outputs, places)
+    }
+
+    /// The inputs with their names.
+    pub(super) fn named(&self) -> Inputs<'_> {
+        let inputs = self.inputs.iter().enumerate();
+        Inputs::Several(
+            inputs
+                .map(|(input, own)| (self.name(input), *own))
+                .collect(),
+        )
     }
 
     /// Why a group cannot be assembled, in words.
@@ -137,7 +145,7 @@ fn strokes(asked: &AskedSeveral<'_>, rows: &mut Rows<SeveralInputs<'_, '_>>) -> 
         }
         let coordinate = output.map_or(Coordinate::Sliding, |output| asked.outputs[output]);
         // Speeds stand behind their displacements.
-        let owner = (column.owner.clone(), unit_of(coordinate));
+        let owner = (column.owner.clone(), coordinate.unit());
         let course = &mut rows.course;
         let sense = asked.axis_rate();
         let mut look = |place: f64, value: bool| match course.at(place, &mut values) {

@@ -1,6 +1,6 @@
 //! What is asked of a linkage of several inputs.
 
-use super::super::request::{InputCourse, InputOver, MOST_POSITIONS, Over, Question};
+use super::super::request::{InputCourse, InputOver, NO_TIME, Over, Question};
 use super::super::subject::{of_outputs, start_of};
 use super::input_range::{InputReach, reach};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
@@ -14,7 +14,7 @@ const ROOM: f64 = 1e-6;
 #[derive(Clone, Debug)]
 pub struct AskedSeveral<'a> {
     pub(super) object: String,
-    pub(super) linkage: MultiLinkage,
+    pub(in crate::studies) linkage: MultiLinkage,
     /// Whether each input turns or slides.
     pub(super) inputs: Vec<Coordinate>,
     /// Whether each output turns or slides.
@@ -24,10 +24,10 @@ pub struct AskedSeveral<'a> {
     pub(super) trajectories: Option<Vec<Trajectory<'a>>>,
     pub(super) way: Advance,
     /// True: the one input that moves goes through a turn.
-    pub(super) closed: bool,
+    pub(in crate::studies) closed: bool,
     /// Ends of what it can go through.
     pub(super) limits: Vec<(f64, NotAssembled)>,
-    pub(super) positions: usize,
+    pub(in crate::studies) positions: usize,
     pub(super) also: Option<f64>,
 }
 
@@ -69,19 +69,14 @@ impl<'a> AskedSeveral<'a> {
     ) -> Result<Self, String> {
         let linkage = MultiLinkage::clone(&body.linkage);
         let spec = &linkage.spec().linkage;
-        let slides = |input: &crate::kinematics::linkage::multi::spec::InputSpec| match input
-            .coordinate
-            .slides(spec)
-        {
-            true => Coordinate::Sliding,
-            false => Coordinate::Turning,
-        };
         let trajectories: Option<Vec<_>> = (body.inputs.iter())
             .map(|&node| Trajectory::of(model, node))
             .collect();
         let mut asked = Self {
             object: model.objects[body.object].id.clone(),
-            inputs: linkage.inputs().iter().map(slides).collect(),
+            inputs: (linkage.inputs().iter())
+                .map(|input| Coordinate::sliding(input.coordinate.slides(spec)))
+                .collect(),
             outputs: of_outputs(spec),
             starts: body
                 .inputs
@@ -110,23 +105,12 @@ impl<'a> AskedSeveral<'a> {
             Some(to) => asked.over_time(to, question)?,
             None => asked.over_path(question)?,
         }
-        let [from, to] = asked.span();
-        let within = |also: f64| from.min(to) <= also && also <= from.max(to);
-        if let Some(also) = asked.also.filter(|&also| !within(also)) {
-            return Err(format!(
-                "the place {also} is outside the range: {from} to {to}"
-            ));
-        }
+        question.check_place(asked.span())?;
         Ok(asked)
     }
 
     fn check(&self, question: &Question) -> Result<(), String> {
-        if !(1..=MOST_POSITIONS).contains(&self.positions) {
-            return Err(format!(
-                "{} positions: give 1 to {MOST_POSITIONS}",
-                self.positions
-            ));
-        }
+        question.check_positions()?;
         if question.speed.or(question.acceleration).is_some() {
             return Err(format!(
                 "`{}` has several inputs: name the input of this speed or acceleration, as in {}=…",
@@ -184,7 +168,7 @@ impl<'a> AskedSeveral<'a> {
             ));
         }
         if !(to.is_finite() && to > 0.0) {
-            return Err("the time must be a number above zero".to_owned());
+            return Err(NO_TIME.to_owned());
         }
         self.way = Advance::Time { to };
         Ok(())
@@ -305,9 +289,7 @@ impl<'a> AskedSeveral<'a> {
     }
 
     fn input(&self, name: &str) -> Result<usize, String> {
-        let names: Vec<&str> = (0..self.inputs.len())
-            .map(|input| self.name(input))
-            .collect();
+        let names = self.linkage.input_names();
         let found = names.iter().position(|known| *known == name);
         found.ok_or_else(|| {
             format!(

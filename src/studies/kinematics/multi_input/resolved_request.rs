@@ -1,9 +1,8 @@
 //! What is known of a question about a linkage of several inputs: its way, and where that leads.
 
-use super::super::columns::unit_of;
 use super::request::{Advance, AskedSeveral, Leg};
 use crate::dynamics::model::Coordinate;
-use crate::kinematics::linkage::multi::{MultiLinkage, MultiMotion};
+use crate::kinematics::linkage::multi::MultiMotion;
 use crate::math::jet::Jet;
 use crate::math::roots::{BISECTIONS, bisect};
 use crate::studies::endless::DeadEnd;
@@ -13,21 +12,6 @@ use crate::units::shown;
 const BESIDE: f64 = 1e-6;
 
 impl AskedSeveral<'_> {
-    /// The linkage.
-    pub(in crate::studies) fn linkage(&self) -> &MultiLinkage {
-        &self.linkage
-    }
-
-    /// Number of intervals between rows.
-    pub(in crate::studies) fn positions(&self) -> usize {
-        self.positions
-    }
-
-    /// True: the one input that moves goes through a turn, after which everything is as before.
-    pub(in crate::studies) fn is_closed(&self) -> bool {
-        self.closed
-    }
-
     /// True where every input has the speed of its way, and no acceleration.
     pub(in crate::studies) fn is_uniform(&self) -> bool {
         match &self.way {
@@ -43,7 +27,7 @@ impl AskedSeveral<'_> {
         match self.way {
             Advance::Time { .. } => ("time", "s"),
             Advance::Path { along: Some(_), .. } => {
-                ("input coordinate", unit_of(self.first_coordinate()))
+                ("input coordinate", self.first_coordinate().unit())
             }
             Advance::Path { along: None, .. } => ("path", ""),
         }
@@ -140,28 +124,17 @@ impl AskedSeveral<'_> {
         }
     }
 
-    /// Time of each row: at constant speed along a way.
-    pub(super) fn times(&self, places: &[f64]) -> Vec<f64> {
-        let rate = self.axis_rate().abs();
-        let rate = if rate > 0.0 { rate } else { 1.0 };
-        let from = places.first().copied().unwrap_or(0.0);
-        places
-            .iter()
-            .map(|place| (place - from).abs() / rate)
-            .collect()
-    }
-
     /// Motion of the inputs, in words.
     pub(in crate::studies) fn motion(&self) -> String {
         let Advance::Path { legs, along, .. } = &self.way else {
             return "by the scene's drives".to_owned();
         };
         let one = |(input, leg): (usize, &Leg)| {
-            let unit = unit_of(self.inputs[input]);
+            let unit = self.inputs[input].unit();
             let name = self.name(input);
-            let own = |value: f64| match self.inputs[input] {
-                Coordinate::Turning => format!("{} deg", shown(value.to_degrees(), 6)),
-                Coordinate::Sliding => format!("{} m", shown(value, 6)),
+            let own = |value: f64| {
+                let (value, unit) = self.inputs[input].shown(value);
+                format!("{} {unit}", shown(value, 6))
             };
             let mut words = match (leg.slope != 0.0, along) {
                 (false, _) => format!("{name} at {}", own(leg.base)),

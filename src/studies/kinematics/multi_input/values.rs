@@ -2,32 +2,11 @@
 //! their named points, sliding pairs, outputs; transfer functions by every input, the columns
 //! of the Jacobian.
 
-use super::super::Quantity;
-use super::super::columns::{CENTRE, Heading, OUTPUT, SLIDE, heading, unit_of};
 use super::super::values::{along_path, instant_centre, time_derivatives, transport, under_block};
 use super::request::AskedSeveral;
 use crate::kinematics::linkage::multi::MultiMotion;
 use crate::kinematics::linkage::spec::{OutputKind, PairKind, PointOf};
 use crate::math::jet::Jet;
-
-const LINK: [Quantity; 3] = [
-    Quantity::Angle,
-    Quantity::AngularSpeed,
-    Quantity::AngularAcceleration,
-];
-const POINT: [Quantity; 11] = [
-    Quantity::X,
-    Quantity::Y,
-    Quantity::SpeedX,
-    Quantity::SpeedY,
-    Quantity::SpeedSize,
-    Quantity::AccelerationX,
-    Quantity::AccelerationY,
-    Quantity::AccelerationSize,
-    Quantity::AccelerationAlong,
-    Quantity::AccelerationAcross,
-    Quantity::CurvatureRadius,
-];
 
 /// Time in place of the input coordinate: what goes by as it does.
 const TIME: Jet = Jet {
@@ -36,66 +15,6 @@ const TIME: Jet = Jet {
     second: 0.0,
     third: 0.0,
 };
-
-/// The columns.
-pub(super) fn headings(asked: &AskedSeveral<'_>) -> Vec<Heading> {
-    let spec = &asked.linkage.spec().linkage;
-    let mut out = Vec::new();
-    let by_all = |out: &mut Vec<Heading>, owner: &str, quantities: &[Quantity], own: &str| {
-        for (input, coordinate) in asked.inputs.iter().enumerate() {
-            for &quantity in quantities {
-                out.push(Heading {
-                    by: Some(asked.name(input).to_owned()),
-                    ..heading(owner, quantity, own, unit_of(*coordinate))
-                });
-            }
-        }
-    };
-    for (input, coordinate) in asked.inputs.iter().enumerate() {
-        let unit = unit_of(*coordinate);
-        out.extend(
-            OUTPUT[..3]
-                .iter()
-                .map(|&what| heading(asked.name(input), what, unit, unit)),
-        );
-    }
-    for link in &spec.links {
-        let name = format!("links.{}", link.name);
-        out.extend(LINK.map(|what| heading(&name, what, "rad", "")));
-        out.extend(CENTRE.map(|what| heading(&name, what, "m", "")));
-        by_all(&mut out, &name, &[Quantity::First], "rad");
-        for point in &link.points {
-            let owner = format!("{name}.{}", point.name);
-            out.extend(POINT.map(|what| heading(&owner, what, "m", "")));
-            by_all(&mut out, &owner, &[Quantity::FirstX, Quantity::FirstY], "m");
-        }
-    }
-    for pair in &spec.pairs {
-        if matches!(pair.kind, PairKind::Sliding { .. }) {
-            let name = format!("pairs.{}", pair.name);
-            out.extend(SLIDE[..3].iter().map(|&what| heading(&name, what, "m", "")));
-            out.extend(SLIDE[6..].iter().map(|&what| {
-                let own = if what == Quantity::GuideDirection {
-                    "rad"
-                } else {
-                    "m"
-                };
-                heading(&name, what, own, "")
-            }));
-            by_all(&mut out, &name, &[Quantity::First], "m");
-        }
-    }
-    for (output, coordinate) in spec.outputs.iter().zip(&asked.outputs) {
-        let unit = unit_of(*coordinate);
-        out.extend(
-            OUTPUT[..3]
-                .iter()
-                .map(|&what| heading(&output.name, what, unit, "")),
-        );
-        by_all(&mut out, &output.name, &[Quantity::First], unit);
-    }
-    out
-}
 
 /// All columns at the instant of a motion.
 pub(super) fn values(asked: &AskedSeveral<'_>, motion: &MultiMotion, out: &mut Vec<f64>) {
