@@ -64,7 +64,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
     });
     let position = eccentricity.map(|e| PositionSpec::own(EllipticGears::new(e)));
     let rules = Rules::of(Coordinate::Turning);
-    let chain = read_behind(fields, context.driver, &rules, position)?;
+    let chain = read_behind(fields, context, context.driver, &rules, position)?;
     Some(Box::new(ChainObject::new(ELLIPTIC_GEARS.name, chain)))
 }
 

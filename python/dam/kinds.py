@@ -211,8 +211,8 @@ class CamFollower(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -234,10 +234,10 @@ class CamFollower(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     mass
         Another name of `inertia`.
     masses
@@ -245,9 +245,9 @@ class CamFollower(Tree):
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     motion
@@ -494,8 +494,8 @@ class Crank(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -513,18 +513,18 @@ class Crank(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     pair
@@ -655,8 +655,8 @@ class Differential(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -677,10 +677,10 @@ class Differential(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     mass
         Another name of `inertia`.
     masses
@@ -688,9 +688,9 @@ class Differential(Tree):
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     offset
@@ -990,8 +990,8 @@ class Force(Tree):
     linear
         T₀·(1 − ω/ω₀).
     over
-        Another object (or output) whose motion `expression` looks at as over_phi and
-        over_phi_dot: `press`, `press.ram`.
+        Another object or output: `press`, `press.ram`. `expression` knows its motion as
+        over_phi and over_phi_dot.
     table
         List of [speed, force]: linear between the points, constant outside.
     unit
@@ -1131,7 +1131,8 @@ class Gear(Tree):
     diameters
         In place of `teeth`: diameters of the pitch circles; their ratio counts.
     internal
-        True: one of them has internal teeth, and both turn in the same sense. Default: false.
+        True: one of them has internal teeth, and both turn in the same sense. Default:
+        false.
     offset
         Angle of the second wheel (or displacement of the rack) seen from the carrier where
         that of the first is zero: how they were put together (angle in rad, deg, mrad or
@@ -1231,7 +1232,7 @@ class Gravity(Tree):
 
 
 class Harmonic(Tree):
-    """Sine over time, or over the driver's displacement.
+    """Sine over time, or over the displacement of the driver or of the object `over`.
 
     Parameters
     ----------
@@ -1244,7 +1245,7 @@ class Harmonic(Tree):
         Constant part (moment in N m, kN m, N mm, lbf ft or lbf in; or force in N, kN, MN,
         lbf or kgf) Default: 0.0.
     order
-        Periods per turn of the driver (a pure number)
+        Periods per turn of the driver, or of the object `over` (a pure number)
     phase
         Angle of the sine at its start (angle in rad, deg, mrad or rev) Default: 0.0.
     """
@@ -1292,7 +1293,7 @@ class HuntCrossley(Tree):
 
 
 class Indicator(Tree):
-    """Pressure on a piston over the driver's displacement: the indicator diagram of an engine or a compressor.
+    """Pressure on a piston over the displacement of the driver or of the object `over`: the indicator diagram of an engine or a compressor.
 
     Parameters
     ----------
@@ -1300,14 +1301,15 @@ class Indicator(Tree):
         Area of the piston; positive: the pressure pushes towards positive displacement
         (area in m^2, mm^2, cm^2 or in^2)
     points
-        List of [driver's displacement, pressure]: linear between the points.
+        List of [displacement of the driver or of `over`, pressure]: linear between the
+        points.
     ambient
         Pressure on the other side of the piston (pressure in Pa, kPa, bar, MPa or psi)
         Default: 101325.0.
     period
-        Repeats after this much of the driver's displacement: 360 deg of a two-stroke, 720
-        deg of a four-stroke engine; default one turn of a turning driver (angle in rad,
-        deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
+        Repeats after this much of that displacement: 360 deg of a two-stroke, 720 deg of a
+        four-stroke engine; default one turn of what turns (angle in rad, deg, mrad or rev;
+        or length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()
@@ -1662,9 +1664,9 @@ class Linkage(Tree):
         In place of `input`, `driver`, `position`, `start` and `travel`: its independent
         coordinates by name, as many as its mobility. Each is an output too, `press.left`.
     joint_friction
-        True: the friction of the pairs acts on the motion in `dam run`, and the linkage, or
-        single pairs of one of several inputs, may come to rest by it; false: it counts in
-        `dam forces` only. Default: false.
+        True: the friction of the joints acts on the motion in `dam run`. The linkage, or
+        single joints of one with several inputs, may come to rest by it. False: it counts
+        in `dam forces` only. Default: false.
     links
         The moving links by name.
     outputs
@@ -2166,7 +2168,7 @@ class LinkagePair(Tree):
         A block that slides along a guide.
     weld
         Two links rigidly joined, one body: no pair that moves, and no coordinate. `dam
-        forces` tells its force and couple.
+        forces` prints its force and couple.
     """
 
     __slots__ = ()
@@ -2203,18 +2205,20 @@ class Load(Tree):
     friction
         Coulomb friction, regularised: W = −force·tanh(φ̇/width).
     harmonic
-        Sine over time, or over the driver's displacement.
+        Sine over time, or over the displacement of the driver or of the object `over`.
     indicator
-        Pressure on a piston over the driver's displacement: the indicator diagram of an
-        engine or a compressor.
+        Pressure on a piston over the displacement of the driver or of the object `over`:
+        the indicator diagram of an engine or a compressor.
     mass
         Mass it acts on: `last`, `first`, `all`, or its number from 1; default `all` for a
         weight, `last` for everything else.
     over
-        Another object (or output) whose motion `expression` looks at as over_phi and
-        over_phi_dot: `press`, `press.ram`.
+        Another object or output: `press`, `press.ram`; the name of the drive for the
+        machine angle. `window`, `position_table`, `harmonic` and `indicator` refer to its
+        displacement in place of the driver's. `expression` knows its motion as over_phi and
+        over_phi_dot.
     position_table
-        Force over the driver's displacement.
+        Force over the driver's displacement, or that of the object `over`.
     spring
         Spring: W = −preload − rate·φ.
     time_table
@@ -2228,7 +2232,7 @@ class Load(Tree):
     weight
         Weight: W = −m·g·sin(inclination).
     window
-        Constant force while the driver is between two positions.
+        Constant force while the driver, or the object `over`, is between two positions.
     """
 
     __slots__ = ()
@@ -2853,16 +2857,16 @@ class PositionPolynomial(Tree):
 
 
 class PositionTable(Tree):
-    """Force over the driver's displacement.
+    """Force over the driver's displacement, or that of the object `over`.
 
     Parameters
     ----------
     points
-        List of [driver's displacement, force]: linear between the points.
+        List of [displacement of the driver or of `over`, force]: linear between the points.
     period
-        Repeats after this much of the driver's displacement; without it the force is
-        constant outside the points (angle in rad, deg, mrad or rev; or length in m, mm, cm,
-        µm, in or ft)
+        Repeats after this much of that displacement; without it the force is constant
+        outside the points (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in
+        or ft)
     """
 
     __slots__ = ()
@@ -2964,8 +2968,8 @@ class Rocker(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -2983,18 +2987,18 @@ class Rocker(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     pair
@@ -3114,9 +3118,9 @@ class Run(Tree):
     duration
         Simulated time (time in s, ms, µs, min or h)
     accuracy
-        Accuracy wanted of the figures, the error of the model included: a share of each, "1
-        %", or by the address of a figure a share or a quantity. Objects of `masses`: "auto"
-        are modelled as far as it takes. (a pure number)
+        Accuracy wanted of the results, the error of the model included: a share of each, "1
+        %", or by the address of a result a share or a quantity. Objects of `masses`: "auto"
+        are modelled as finely as this needs. (a pure number)
     first_times
         Conditions by names of their own: the first time at which each holds is the result
         `run.first_times.NAME`.
@@ -3138,9 +3142,9 @@ class Run(Tree):
     switch_rows
         True: two rows (before, after) at each event. Default: false.
     tolerance
-        Error wanted in each object's δ, relative to its scale. Left out, with the method
-        `auto` and where figures are to keep an accuracy (`accuracy`, `masses`: "auto"), it
-        is as coarse as that allows: a tenth of it. (a pure number) Default: 1e-06.
+        Error wanted in each object's δ, relative to its scale. Without it, and with the
+        method `auto` and results that must keep an accuracy (`accuracy`, `masses`: "auto"),
+        it is a tenth of that accuracy. (a pure number) Default: 1e-06.
     until
         Condition that ends the run before `duration`, at the first time at which it holds:
         { "of": "rocker", "condition": "phi > 0.3" }. The motion is found up to `duration`
@@ -3335,8 +3339,8 @@ class Shaft(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -3354,18 +3358,18 @@ class Shaft(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     masses
         Number of masses; 0: rigid; "auto": as many masses or modes as the accuracy of the
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     moment_of_inertia
         Another name of `inertia`.
     pair
@@ -3532,8 +3536,8 @@ class Slider(Tree):
     description
         Remarks for people.
     flexibility
-        `static`, in place of `masses`: the uniform object gives way as under slow forces,
-        without vibrations, and with it a contact element in series; its speed follows, its
+        `static`, in place of `masses`: the uniform object has its static deflection,
+        without vibrations, and with it a contact element in series. Its speed follows. Its
         acceleration is that of its driven end. Needs a pair that stays closed and a motion
         that is known beforehand.
     from_
@@ -3554,10 +3558,10 @@ class Slider(Tree):
         Loads by name. Positive forces act in the direction of positive displacement.
         Default: {}.
     lumping
-        Where the inertia of each of the cells that the object is cut into is put: `ends`,
-        at the far end of the cell; or `balanced`, at both its ends so that its first moment
-        of compliance is kept, which needs a pair that cannot open, or a contact element,
-        behind which the first cell is of the former kind. Default `ends`.
+        Where the inertia of each cell of the object is put. `ends`: at the far end of the
+        cell. `balanced`: at both ends, so that the first moment of compliance is kept. It
+        needs a contact that cannot separate, or a contact element. Behind that the first
+        cell is of the former kind. Default `ends`.
     mass
         Another name of `inertia`.
     masses
@@ -3565,9 +3569,9 @@ class Slider(Tree):
         run needs. Default: 1, or the length of the lists.
     modes
         Number of vibration modes that the uniform object is reduced to, in place of
-        `masses`: the lowest, of the object held at its driven end; what the others give way
-        by under slow forces stays. Needs a pair that stays closed, or a contact element,
-        behind which they are the modes of the free object.
+        `masses`: the lowest, of the object held at its driven end. The residual flexibility
+        of the others is kept. Needs a pair that stays closed, or a contact element, behind
+        which they are the modes of the free object.
     pair
         The driving pair. Default: {}.
     position
@@ -3889,8 +3893,8 @@ class Steady(Tree):
         Required coefficient of fluctuation (ω_max − ω_min)/ω_av: sizes a flywheel (a pure
         number)
     mean
-        Kind of mean: over `time`, over the `angle`, or `midrange`, midway
-        between the extremes. Default: "time".
+        Kind of mean: over `time`, over the `angle`, or `midrange`, midway between the
+        extremes. Default: "time".
     mean_speed
         Required mean speed of the drive. Default: the speed of a prescribed drive; with
         moments that depend on speed only of elastic objects, with `balance` (angular speed
@@ -4021,7 +4025,8 @@ class Strut(Tree):
         Damping (damping in N s/m, kN s/m or lbf s/in) Default: 0.0.
     force
         Constant force besides, as of a gas spring or a cylinder: positive pulls the ends
-        together, negative presses them apart (force in N, kN, MN, lbf or kgf) Default: 0.0.
+        together, negative pushes them from each other (force in N, kN, MN, lbf or kgf)
+        Default: 0.0.
     free_length
         Length at which the spring has no force (length in m, mm, cm, µm, in or ft) Default:
         0.0.
@@ -4061,9 +4066,13 @@ class Table(Tree):
         ascending.
     end_slopes
         Slopes U′ at both ends of a table that is not periodic Default: [0.0, 0.0].
+    period
+        Repeats after this much of the driver's displacement; the curve goes on to the first
+        point by itself (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or
+        ft)
     periodic
-        True: the last point closes the period; it has the displacement of the first.
-        Default: false.
+        True: the table repeats. Without `period` the last point closes the period; it has
+        the displacement of the first. Default true with `period`. Default: false.
     """
 
     __slots__ = ()
@@ -4073,11 +4082,13 @@ class Table(Tree):
         *,
         points: Sequence[Sequence[Quantity]] | TableFile | Mapping[str, Value],
         end_slopes: Sequence[Quantity] | None = None,
+        period: Quantity | None = None,
         periodic: bool | None = None,
     ) -> None:
         super().__init__(
             ("points", points),
             ("end_slopes", end_slopes),
+            ("period", period),
             ("periodic", periodic),
         )
 
@@ -4148,8 +4159,8 @@ class Torque(Tree):
     linear
         T₀·(1 − ω/ω₀).
     over
-        Another object (or output) whose motion `expression` looks at as over_phi and
-        over_phi_dot: `press`, `press.ram`.
+        Another object or output: `press`, `press.ram`. `expression` knows its motion as
+        over_phi and over_phi_dot.
     table
         List of [speed, torque]: linear between the points, constant outside.
     unit
@@ -4345,7 +4356,7 @@ class Weld(Tree):
 
 
 class Window(Tree):
-    """Constant force while the driver is between two positions.
+    """Constant force while the driver, or the object `over`, is between two positions.
 
     Parameters
     ----------
@@ -4361,8 +4372,8 @@ class Window(Tree):
     once
         True: the window comes once and does not repeat. Default: false.
     period
-        Repeats after this much of the driver's displacement; default one turn of a turning
-        driver (angle in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
+        Repeats after this much of that displacement; default one turn of what turns (angle
+        in rad, deg, mrad or rev; or length in m, mm, cm, µm, in or ft)
     """
 
     __slots__ = ()

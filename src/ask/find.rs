@@ -261,13 +261,16 @@ impl Evaluation<'_> {
     fn figures_at(&self, value: f64) -> Result<Option<Known<'_>>, Error> {
         let ready = (self.prepare)(&[self.span.axis.setting(value)])?;
         let asked = self.figures();
-        let (of_studies, of_run): (Vec<&str>, Vec<&str>) = asked
-            .into_iter()
-            .partition(|figure| lookup::is_address(figure));
+        let (of_studies, of_run): (Vec<&str>, Vec<&str>) = asked.into_iter().partition(|figure| {
+            lookup::is_address(figure) && lookup::span_of_run(figure).is_none()
+        });
         let mut found = BTreeMap::new();
         let mut state = State::Computed;
         if !of_run.is_empty() {
             let mut settings = ready.settings.clone();
+            settings.spans = (of_run.iter())
+                .filter_map(|figure| lookup::span_of_run(figure))
+                .collect();
             if !plausible::needs_samples(ready.model()) {
                 settings.samples = 0;
             }

@@ -16,6 +16,7 @@ mod contact;
 mod loads;
 mod part;
 mod pressing;
+mod span;
 mod stop;
 
 pub use crate::dynamics::stated::SceneStatements;
@@ -36,6 +37,7 @@ pub use contact::ContactElement;
 pub use loads::{LinearLoad, LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
 pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, SUM, owner_of};
 pub use pressing::Pressing;
+pub use span::{Span, SpanAxis, SpanFigure};
 pub use stop::{Stop, StopPart};
 
 /// Index of a node in [`Model::nodes`].

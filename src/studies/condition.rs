@@ -2,7 +2,8 @@
 //!
 //! The same grammar serves every command that takes conditions: the address of a figure, one of
 //! `<=`, `>=` and `=`, and a value in any unit of what the figure measures. Strict comparisons
-//! are refused: no computation can tell them from the others.
+//! are refused: no computation can tell them from the others. Greatest and least values may be
+//! those of a part of the motion: `valve.delta_abs <= 0.2 mm from 30 deg to 120 deg`.
 
 use super::map::{check_figure, figure_unit};
 use super::studied::quantity_of;
@@ -92,12 +93,17 @@ impl Condition {
         let wrong = |what: String| format!("`{text}`: {what}");
         let (figure, relation, value) =
             split(text).map_err(|what| wrong(format!("{what}; {FORM}")))?;
-        let unit = Self::unit_of(figure, model).map_err(wrong)?;
+        // A span may stand at the end: FIGURE <= VALUE UNIT from ANGLE to ANGLE.
+        let (value, figure) = match value.split_once(" from ") {
+            Some((value, span)) => (value.trim(), format!("{figure} from {}", span.trim())),
+            None => (value, figure.to_owned()),
+        };
+        let unit = Self::unit_of(&figure, model).map_err(wrong)?;
         let written = WrittenUnit::of(value, &unit);
         let value = quantity(value, &unit).map_err(wrong)?;
         Ok(Self {
             text: text.trim().to_owned(),
-            figure: figure.to_owned(),
+            figure,
             relation,
             value,
             unit,

@@ -8,10 +8,12 @@
 
 use super::cam::{CamForce, Reserve, disc_cam};
 use super::expectations::{Verdict, judged};
+use super::run::run;
+use super::spans;
 use super::steady::{self, Answer, steady_motion_within};
 use super::studied;
 use super::{Control, RunSettings};
-use crate::dynamics::model::Model;
+use crate::dynamics::model::{Model, SpanFigure};
 use crate::dynamics::record::{Figures, StudyFigure};
 use crate::dynamics::system::{Regime, System};
 use crate::fault::Fault;
@@ -54,6 +56,9 @@ pub fn attach<'a>(
 ) -> Result<(), Vec<Fault>> {
     let mut motion = None;
     for address in addresses {
+        if figures.studies.contains_key(address) {
+            continue; // found in the run itself
+        }
         if let Some(found) = find(address, subject, &mut motion)? {
             figures.studies.insert(address.to_owned(), found);
         }
@@ -97,10 +102,16 @@ pub fn is_address(figure: &str) -> bool {
     StudyAddress::of(figure).is_some()
 }
 
+/// The figure within a part of the motion of a run at an address; `None`: it is another address.
+pub fn span_of_run(figure: &str) -> Option<SpanFigure> {
+    StudyAddress::span_of_run(figure)
+}
+
 /// True for addresses of results of studies that take every object for rigid.
 pub fn is_rigid(figure: &str) -> bool {
     match StudyAddress::of(figure) {
         Some(StudyAddress::Linkage { .. } | StudyAddress::Cam { .. }) => true,
+        Some(StudyAddress::Within(within)) => is_rigid(within.figure),
         // The steady motion of elastic objects is one of them.
         Some(StudyAddress::Steady { .. } | StudyAddress::Frequency { .. }) | None => false,
     }
@@ -152,6 +163,7 @@ pub fn check(address: &str, model: &Model) -> Option<Result<(), Fault>> {
                 }
             }
         }
+        StudyAddress::Within(within) => spans::check(within, model),
         StudyAddress::Frequency { number: 1.., .. } => Ok(()),
         StudyAddress::Frequency { .. } => {
             unknown("frequencies are counted from 1, the lowest: frequency.1".to_owned())
@@ -170,6 +182,7 @@ pub fn unit(address: &str, model: &Model) -> String {
         Some(StudyAddress::Cam { name, .. }) => unit_in(CAM_FIGURES, name).to_owned(),
         Some(StudyAddress::Frequency { .. }) => FREQUENCY.si().to_owned(),
         Some(StudyAddress::Linkage { .. }) => studied::unit(address, model).unwrap_or_default(),
+        Some(StudyAddress::Within(within)) => spans::unit(within, model),
         None => String::new(),
     }
 }
@@ -222,6 +235,10 @@ fn find(
             let cam = disc_cam(subject.scene, model, object)?;
             of_cam(&cam, model, object, name).map_err(in_words)?
         }
+        StudyAddress::Within(within) => match StudyAddress::span_of_run(address) {
+            Some(figure) => of_motion(figure, subject)?,
+            None => spans::of_course(model, within, duration).map_err(in_words)?,
+        },
         StudyAddress::Frequency { open, number } => {
             let regime = if open { Regime::Open } else { Regime::Engaged };
             let all = subject.system.natural_frequencies(regime);
@@ -235,6 +252,25 @@ fn find(
         value: value.filter(|value| value.is_finite()),
         unit: unit(address, model),
     }))
+}
+
+/// A greatest or least value within a part of the motion of a run of its own.
+fn of_motion(figure: SpanFigure, subject: Subject<'_>) -> Result<Option<f64>, Vec<Fault>> {
+    let address = figure.address.clone();
+    let settings = RunSettings {
+        spans: vec![figure],
+        ..subject.settings.clone()
+    };
+    let found = run(subject.system, &settings, subject.control, &mut [])?;
+    if found.is_trusted() {
+        return Ok(found.figures.value(&address).ok());
+    }
+    let message = "the run is not to be trusted: its checks disagree";
+    let fault = Fault::new("run", message, "`dam run` shows them");
+    Err(vec![Fault {
+        code: NOT_TRUSTED,
+        ..fault
+    }])
 }
 
 fn steady_motion(subject: Subject<'_>) -> Result<Answer, Vec<Fault>> {

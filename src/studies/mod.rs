@@ -38,6 +38,7 @@ pub mod requirements;
 pub mod rigid;
 pub mod run;
 mod settings;
+mod spans;
 pub mod spread;
 pub mod steady;
 pub mod studied;

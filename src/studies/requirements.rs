@@ -1,7 +1,7 @@
 //! What a scene expects, judged by every study that it takes.
 
 use super::condition::Condition;
-use super::expectations::{self, Requirement, Verdict};
+use super::expectations::{self, Requirement, Verdict, judged as judged_figure};
 use super::forces::ForceStudy;
 use super::kinematics::Kinematics;
 use super::lookup::{self, Subject};
@@ -48,6 +48,10 @@ impl Studies<'_> {
             }) => ("kinematics", self.kinematics(object, one)),
             Some(StudyAddress::Linkage { object, .. }) => ("forces", self.forces(object, one)),
             Some(StudyAddress::Steady { .. }) => ("steady", self.steady(one)),
+            Some(StudyAddress::Within(within)) => match StudyAddress::of(within.figure) {
+                Some(StudyAddress::Linkage { study, .. }) => (study, self.within(one)),
+                _ => ("run", self.run(one)),
+            },
             Some(StudyAddress::Cam { .. } | StudyAddress::Frequency { .. }) | None => {
                 ("run", self.run(one))
             }
@@ -111,6 +115,18 @@ impl Studies<'_> {
         check_forces(std::slice::from_ref(one), object, found)
             .pop()
             .ok_or_else(nobody)
+    }
+
+    /// A figure of kinematics or forces over a part of the course.
+    fn within(&self, one: &Expectation) -> Result<Verdict, String> {
+        let Expected::Figure { figure, allowed } = &one.what else {
+            return Err(nobody());
+        };
+        let found = lookup::figure(figure, self.subject).map_err(|faults| in_words(&faults))?;
+        Ok(Verdict {
+            source: one.source.clone(),
+            ..judged_figure(figure, allowed, found.and_then(|found| found.value))
+        })
     }
 }
 

@@ -13,14 +13,15 @@ use crate::dynamics::audit::{self, EquationCheck};
 use crate::dynamics::integrate::{
     Change, Dynamics, Limits, Method, Outcome, Reserve, Settings, Sink, Stop, integrate_changing,
 };
-use crate::dynamics::model::UNTIL;
+use crate::dynamics::model::{SpanFigure, UNTIL};
 use crate::dynamics::record::{
-    EnergyAudit, Figures, Record, Recorded, Recorder, RecorderSettings, RunSummary, Tee,
-    choose_window, drive_cycle, judge_confirmed,
+    EnergyAudit, Figures, Record, Recorded, Recorder, RecorderSettings, RunSummary, StudyFigure,
+    Tee, choose_window, drive_cycle, judge_confirmed,
 };
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
 use std::cell::RefCell;
+use std::collections::BTreeMap;
 
 /// Result of a run.
 #[derive(Clone, Debug)]
@@ -107,7 +108,8 @@ pub fn run(
         warnings.extend(fixed_step(system, settings, step));
     }
     warnings.extend(warnings_of(system.model(), settings, &recorded, &run));
-    let figures = document(system.model(), settings, &recorded.figures, run, &warnings);
+    let mut figures = document(system.model(), settings, &recorded.figures, run, &warnings);
+    add_spans(&mut figures, &settings.spans, &recorded.spans);
     Ok(RunResult {
         record: recorded.record,
         figures,
@@ -118,6 +120,18 @@ pub fn run(
         equations: motion.equations,
         warnings,
     })
+}
+
+/// Adds what was found within parts of the motion, of figures that the whole motion has.
+fn add_spans(figures: &mut Figures, wanted: &[SpanFigure], found: &BTreeMap<String, Option<f64>>) {
+    for one in wanted {
+        let value = found.get(&one.address).copied().flatten();
+        let found = StudyFigure {
+            value: value.filter(|_| figures.value(&one.figure).is_ok()),
+            unit: figures.unit(&one.figure),
+        };
+        figures.studies.insert(one.address.clone(), found);
+    }
 }
 
 /// Times that a prescribed motion is followed anew, each time by so many times the steps.
@@ -207,7 +221,7 @@ pub(super) fn motion(
     control: &Control<'_>,
     sinks: &mut [&mut dyn Sink],
 ) -> Result<Motion, Vec<Fault>> {
-    if system.model().conditions.is_empty() {
+    if system.model().conditions.is_empty() && settings.spans.is_empty() {
         return whole_motion(system, settings, demand, control, sinks);
     }
     // Times are looked for where all is told.
@@ -339,6 +353,7 @@ fn attempt(
         implicit: matches!(choice.method, Method::Radau | Method::Rodas5p)
             || !choice.reserve.is_empty(),
         tolerance: settings.tolerance,
+        spans: settings.spans.clone(),
         checked: demand.checked,
     };
     let plan = Settings {

@@ -2,8 +2,9 @@
 
 pub use crate::budget::Budget as Control;
 use crate::dynamics::integrate::{Limits, Method};
+use crate::dynamics::model::SpanFigure;
 use crate::fault::Fault;
-use crate::frontend::scene::TypedScene;
+use crate::frontend::scene::{Expected, StudyAddress, TypedScene};
 use serde::Serialize;
 
 /// Most steps of a run; a bound against runs that would never end.
@@ -38,6 +39,9 @@ pub struct RunSettings {
     pub closeups: bool,
     /// Window of steady figures (s); `None`: chosen.
     pub window: Option<(f64, f64)>,
+    /// Greatest and least values within parts of the motion that are wanted.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub spans: Vec<SpanFigure>,
     /// Most switches of pairs.
     pub max_switches: u64,
     /// Most steps.
@@ -73,6 +77,7 @@ impl RunSettings {
             masses: run.masses,
             closeups: false,
             window: run.window,
+            spans: spans_expected(scene),
             max_switches: run.max_switches,
             max_steps: MOST_STEPS,
         })
@@ -94,6 +99,7 @@ impl RunSettings {
             masses: false,
             closeups: false,
             window: None,
+            spans: Vec::new(),
             max_switches: 1_000_000,
             max_steps: MOST_STEPS,
         }
@@ -108,6 +114,18 @@ impl RunSettings {
             ..self.clone()
         }
     }
+}
+
+/// What a scene expects within parts of the motion of its run, each once.
+fn spans_expected(scene: &TypedScene) -> Vec<SpanFigure> {
+    let figures = scene.expect.iter().filter_map(|one| match &one.what {
+        Expected::Figure { figure, .. } => StudyAddress::span_of_run(figure),
+        Expected::Stops { .. } => None,
+    });
+    let mut found: Vec<SpanFigure> = figures.collect();
+    found.sort_by(|one, other| one.address.cmp(&other.address));
+    found.dedup();
+    found
 }
 
 impl<'a> Control<'a> {

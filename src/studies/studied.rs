@@ -7,13 +7,13 @@
 use super::expectations::{Verdict, did_you_mean, judged};
 use super::forces::{self, ForceStudy, Refused, figures, figures_of_inputs, only_loaded_output};
 use super::kinematics::{
-    self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Question, linkage_of,
+    self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Over, Question, linkage_of,
     several_of,
 };
 use crate::dynamics::model::Model;
 use crate::fault::Fault;
 use crate::frontend::read::{QuantityChoice, UnitFault, closest};
-use crate::frontend::scene::{Expectation, Expected, Measured};
+use crate::frontend::scene::{Expectation, Expected, Measured, SpanAddress};
 use crate::kinematics::linkage::kinetostatics::Kinetostatics;
 use crate::units::quantities::{ALL, NUMBER};
 use crate::units::{Mismatch, Quantity, parse};
@@ -38,6 +38,9 @@ struct Address<'a> {
 
 impl<'a> Address<'a> {
     fn of(figure: &'a str) -> Option<Self> {
+        if SpanAddress::of(figure).is_some() {
+            return None; // over a part of the course: `spans`
+        }
         let studies = ["kinematics", "forces"];
         let (study, rest) = figure.split_once('.')?;
         let study = studies.into_iter().find(|known| *known == study)?;
@@ -51,7 +54,7 @@ impl<'a> Address<'a> {
 }
 
 /// The question that is put when nothing is said but the object.
-fn question(object: &str, duration: f64) -> Question {
+pub(super) fn question(object: &str, duration: f64) -> Question {
     Question {
         object: Some(object.to_owned()),
         duration,
@@ -64,7 +67,24 @@ fn question(object: &str, duration: f64) -> Question {
 /// # Errors
 /// What cannot be answered, in words.
 pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinematics, String> {
-    kinematics::kinematics_of(model, &question(object, duration))
+    kinematics_over(model, object, duration, None)
+}
+
+/// The same over a part of its course.
+///
+/// # Errors
+/// What cannot be answered, in words.
+pub(super) fn kinematics_over(
+    model: &Model,
+    object: &str,
+    duration: f64,
+    over: Option<Over>,
+) -> Result<Kinematics, String> {
+    let question = Question {
+        over,
+        ..question(object, duration)
+    };
+    kinematics::kinematics_of(model, &question)
 }
 
 /// Forces of a linkage as its scene has them.
@@ -72,7 +92,24 @@ pub fn kinematics_of(model: &Model, object: &str, duration: f64) -> Result<Kinem
 /// # Errors
 /// What cannot be answered, in words.
 pub fn forces_of(model: &Model, object: &str, duration: f64) -> Result<ForceStudy, String> {
-    let found = forces::forces_of(model, &question(object, duration));
+    forces_over(model, object, duration, None)
+}
+
+/// The same over a part of its course.
+///
+/// # Errors
+/// What cannot be answered, in words.
+pub(super) fn forces_over(
+    model: &Model,
+    object: &str,
+    duration: f64,
+    over: Option<Over>,
+) -> Result<ForceStudy, String> {
+    let question = Question {
+        over,
+        ..question(object, duration)
+    };
+    let found = forces::forces_of(model, &question);
     found.map_err(|refused| match refused {
         Refused::Question(message) => message,
         Refused::Linkage(faults) => in_words(faults),

@@ -28,11 +28,11 @@ export function rounded(value: number, within: number): number {
   return digits < 1 ? 0 : Number(value.toPrecision(Math.min(17, digits)));
 }
 
-// Writes what is expected of a figure: into the entry that speaks of it, else into a new one.
+// Writes what is expected of a figure over the whole motion: into the entry that speaks of it, else into a new one.
 export function expected(edits: Edits, offer: Offer, source: string): Change[] {
   const within = offer.within ?? 0, value = rounded(offer.value, within);
   const entries = find(edits.root, ["expect"])?.items ?? [];
-  const own = entries.findIndex((one: Value) => member(one, "figure")?.value.text === offer.figure);
+  const own = entries.findIndex((one: Value) => member(one, "figure")?.value.text === offer.figure && !member(one, "over"));
   const steps = new Steps(edits);
   if (own < 0) steps.set(["expect", entries.length], written({ figure: offer.figure, value, within, source }));
   else for (const [name, json] of Object.entries({ value, within, source })) steps.set(["expect", own, name], written(json));

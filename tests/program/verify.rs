@@ -125,3 +125,42 @@ fn a_range_is_one_requirement() {
         assert_eq!(with(wrong).status.code(), Some(2), "{wrong}");
     }
 }
+
+/// A part of the motion is part of the name of a requirement, in the table and in JUnit; other
+/// commands leave such figures of studies to this one.
+#[test]
+fn a_part_of_the_motion_is_named_in_every_form() {
+    let scene = "scenarios/loads/ram_over_machine_angle.json";
+    let name = "ram.peak_speed from 300 deg to 315 deg";
+    for form in [&["--form", "junit"][..], &["--json"], &[]] {
+        let output = dam(&[&[scene], form].concat());
+        assert_eq!(output.status.code(), Some(0));
+        let shown = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(shown.contains(name), "{form:?}: {shown}");
+    }
+    let text = std::fs::read_to_string(CRANK).unwrap();
+    let mut crank: Value = serde_json::from_str(&text).unwrap();
+    crank["expect"] = serde_json::json!([{
+        "figure": "kinematics.mechanism.slide.displacement.greatest",
+        "over": { "from": "30 deg", "to": "120 deg" }, "at_most": 0.35,
+    }]);
+    let file = std::env::temp_dir().join(format!("dam-over-{}.json", std::process::id()));
+    std::fs::write(&file, crank.to_string()).unwrap();
+    let file = file.to_str().unwrap();
+    let failing = dam(&[file]);
+    let shown = String::from_utf8_lossy(&failing.stdout).into_owned();
+    assert_eq!(failing.status.code(), Some(1), "{shown}");
+    assert!(
+        shown.contains("displacement.greatest from 30 deg to 120 deg"),
+        "{shown}"
+    );
+    let kinematics = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["kinematics", file])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&kinematics.stderr).into_owned();
+    assert_eq!(kinematics.status.code(), Some(0), "{said}");
+    assert!(said.contains("`dam verify` judges them"), "{said}");
+    std::fs::remove_file(file).unwrap();
+}

@@ -137,9 +137,31 @@ def written_feed():
     print("slide.delta_min", min([rising(t)[0] for t in times] + [-free]))
 
 
+def ram_over_machine_angle():
+    """Energy of a flywheel between dead centres; the window of the machine angle 480 to 660 deg is 120 to 165
+    deg of the crank."""
+    crank, rod, wheel, gear, ram, ratio, start, force = 0.1, 0.4, 50.0, 0.8, 30.0, 0.25, 20.0, 20e3
+
+    def place(phi):
+        return crank * cos(phi) + sqrt(rod * rod - (crank * sin(phi)) ** 2)
+
+    def rate(phi):
+        root = sqrt(rod * rod - (crank * sin(phi)) ** 2)
+        return -crank * sin(phi) - crank * crank * sin(phi) * cos(phi) / root
+
+    inertia = wheel + gear * ratio * ratio
+    energy = inertia * start * start
+    begin, end = 2 * pi / 3, 11 * pi / 12
+    # The ram is slower and slower beyond the start of the window.
+    there = sqrt(energy / (inertia + ram * (rate(begin) * ratio) ** 2))
+    print("ram.peak_speed from 120 deg to 165 deg of gear", abs(rate(begin)) * ratio * there)
+    print("main.final.speed", sqrt((energy + 2 * force * (place(end) - place(begin))) / inertia))
+
+
 if __name__ == "__main__":
     four_stroke()
     written_feed()
     shaken_lever()
     stepped_torque()
     relaxation()
+    ram_over_machine_angle()

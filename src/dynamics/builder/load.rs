@@ -2,6 +2,7 @@
 
 use super::pieces::{self, Pieces};
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
+use super::written::NO_NODE_YET;
 use super::{FREE_FALL, ModelBuilder, Place};
 use crate::dynamics::model::{Coordinate, Load, LoadLaw, NodeIndex, TrackSource};
 use crate::dynamics::stated::{LoadStatement, StatedLoad};
@@ -9,7 +10,7 @@ use crate::fault::Faults;
 
 impl ModelBuilder {
     /// Lowers a load on an object with the given nodes; `driver` is the node
-    /// over whose displacement windows and position tables run.
+    /// over whose displacement windows and position tables run that name no other.
     pub fn load(&mut self, at: &Place, spec: &LoadSpec, nodes: &[NodeIndex], driver: NodeIndex) {
         let path = at.path(&format!("loads.{}", spec.name));
         self.load_at(path, at.object, spec, nodes, driver);
@@ -61,12 +62,36 @@ impl ModelBuilder {
             law,
         });
         if let Some(stated) = stated(spec) {
-            self.state_load(stated, driver);
+            self.state_load(stated, self.axis(spec, driver).unwrap_or(driver));
         }
         if let LoadLawSpec::Written(written) = spec {
             self.wait_for(path, written.over.as_ref());
         }
         Some(())
+    }
+
+    /// The node whose displacement is the axis of a table or window; `None`: the object that it
+    /// names has none yet.
+    fn axis(&self, spec: &LoadLawSpec, driver: NodeIndex) -> Option<NodeIndex> {
+        match spec {
+            LoadLawSpec::PositionTable { .. } | LoadLawSpec::Window { .. } => match spec.over() {
+                Some(over) => self.outputs.get(over).copied(),
+                None => Some(driver),
+            },
+            _ => Some(driver),
+        }
+    }
+
+    /// Gives a track that waits for the node of another object this node.
+    pub(super) fn connect_track(&mut self, waiting: usize, node: NodeIndex) {
+        self.model.tracks[waiting].source = TrackSource::Node(node);
+        let stated = &mut self.model.stated.loads;
+        for (index, load) in self.model.loads.iter().enumerate() {
+            let on_it = matches!(load.law, LoadLaw::Pieces { track, .. } if track == waiting);
+            if let Some(statement) = stated.get_mut(&index).filter(|_| on_it) {
+                statement.driver = node;
+            }
+        }
     }
 
     /// Notes what the scene states of the load added last.
@@ -88,7 +113,7 @@ impl ModelBuilder {
         node: NodeIndex,
         driver: NodeIndex,
     ) -> Option<LoadLaw> {
-        let over_position = TrackSource::Node(driver);
+        let over_position = TrackSource::Node(self.axis(spec, driver).unwrap_or(NO_NODE_YET));
         let (source, pieces, property) = match spec {
             LoadLawSpec::TimeTable(points) => {
                 (TrackSource::Time, pieces::table(points), "time_table")
@@ -96,6 +121,7 @@ impl ModelBuilder {
             LoadLawSpec::PositionTable {
                 points,
                 period: None,
+                ..
             } => (
                 over_position,
                 pieces::table(points),
@@ -104,6 +130,7 @@ impl ModelBuilder {
             LoadLawSpec::PositionTable {
                 points,
                 period: Some(period),
+                ..
             } => {
                 let pieces = pieces::repeating_table(points, *period);
                 (over_position, pieces, "position_table")
@@ -113,6 +140,7 @@ impl ModelBuilder {
                 to,
                 force,
                 period,
+                ..
             } => {
                 let pieces = pieces::window([*from, *to], *force, *period);
                 (over_position, pieces, "window")
@@ -122,7 +150,13 @@ impl ModelBuilder {
         };
         match pieces {
             Ok(Pieces { breaks, pieces }) => {
-                Some(match self.track(source, (breaks, false), object) {
+                let track = match (source, spec.over()) {
+                    (TrackSource::Node(NO_NODE_YET), Some(over)) => {
+                        self.waiting_track(path, over, breaks, object)
+                    }
+                    _ => self.track(source, (breaks, false), object),
+                };
+                Some(match track {
                     Some(track) => LoadLaw::Pieces { track, pieces },
                     // A single piece without an end.
                     None => LoadLaw::constant(pieces.first().map_or(0.0, |piece| piece.value)),
@@ -202,7 +236,7 @@ fn stated(law: &LoadLawSpec) -> Option<StatedLoad> {
     Some(match law {
         LoadLawSpec::Constant(force) => StatedLoad::Constant(*force),
         LoadLawSpec::TimeTable(points) => StatedLoad::OverTime(points.clone()),
-        LoadLawSpec::PositionTable { points, period } => {
+        LoadLawSpec::PositionTable { points, period, .. } => {
             StatedLoad::OverDriver(points.clone(), *period)
         }
         LoadLawSpec::Window {
@@ -210,6 +244,7 @@ fn stated(law: &LoadLawSpec) -> Option<StatedLoad> {
             to,
             force,
             period,
+            ..
         } => StatedLoad::Window {
             between: [*from, *to],
             force: *force,

@@ -269,18 +269,20 @@ pub enum LoadLawSpec {
     /// `{ "time_table": [[t, W], …] }`: linear between the points, constant outside.
     TimeTable(Vec<(f64, f64)>),
     /// `{ "position_table": { "points": [[φ, W], …], "period": P or absent } }` over the
-    /// driver's displacement: linear between the points; constant outside
-    /// without a period.
+    /// driver's displacement, or that of another object: linear between the points; constant
+    /// outside without a period.
     PositionTable {
         /// (φ, W), φ strictly ascending; with a period within one of it.
         points: Vec<(f64, f64)>,
         /// Repeats after this much of φ.
         period: Option<f64>,
+        /// The object or output whose displacement φ is; `None`: the driver.
+        over: Option<String>,
     },
     /// `{ "window": { "from", "to", "force", "period" = 360 deg for a turning driver } }`:
-    /// `force` while the driver is between the two positions, else 0.
+    /// `force` while the driver, or another object, is between the two positions, else 0.
     Window {
-        /// Start of the window (driver's displacement).
+        /// Start of the window (displacement φ of the driver).
         from: f64,
         /// End of the window, > from.
         to: f64,
@@ -288,6 +290,8 @@ pub enum LoadLawSpec {
         force: f64,
         /// Repeats after this much of φ; `None`: once.
         period: Option<f64>,
+        /// The object or output whose displacement φ is; `None`: the driver.
+        over: Option<String>,
     },
     /// A law over the own motion that the library declares: `{ "spring": { "rate", "preload" } }`.
     Declared(Declared),
@@ -305,4 +309,26 @@ pub enum LoadLawSpec {
     Written(WrittenSpec),
     /// Anything else over displacement and speed of the mass: no text describes it.
     Custom(CustomLoad),
+}
+
+impl LoadLawSpec {
+    /// The object or output, other than the driver, to whose motion the law refers.
+    pub fn over(&self) -> Option<&String> {
+        match self {
+            Self::PositionTable { over, .. } | Self::Window { over, .. } => over.as_ref(),
+            Self::Written(written) => written.over.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// The same law over the motion of another object or output.
+    #[must_use]
+    pub fn over_another(mut self, other: Option<String>) -> Self {
+        match &mut self {
+            Self::PositionTable { over, .. } | Self::Window { over, .. } => *over = other,
+            Self::Written(written) => written.over = other,
+            _ => {}
+        }
+        self
+    }
 }

@@ -1,8 +1,11 @@
 //! Loads that are written as expressions: what their names stand for, and what of them
-//! is one of the other laws.
+//! is one of the other laws. Loads over the motion of an object that is lowered later.
 
 use super::ModelBuilder;
-use crate::dynamics::model::{Load, LoadLaw, LoadVariable, NodeIndex, WrittenLoad};
+use crate::dynamics::model::{
+    Load, LoadLaw, LoadVariable, NodeIndex, Track, TrackSource, WrittenLoad,
+};
+use crate::kinematics::breaks::Breaks;
 use crate::math::expression::Expression;
 use std::sync::Arc;
 
@@ -47,13 +50,24 @@ pub struct WrittenSpec {
     pub over: Option<String>,
 }
 
-/// A load on an object that is lowered after the one that it acts on.
+/// Axis of a track over an object that has no node yet.
+pub(super) const NO_NODE_YET: NodeIndex = NodeIndex::MAX;
+
+/// What refers to an object that may be lowered later.
 #[derive(Clone, Debug)]
 pub(super) struct Waiting {
-    /// Index into [`Model::loads`](crate::dynamics::model::Model::loads).
-    load: usize,
+    what: Referring,
     over: String,
     path: String,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Referring {
+    /// Index into [`Model::loads`](crate::dynamics::model::Model::loads): an expression.
+    Load(usize),
+    /// Index into [`Model::tracks`](crate::dynamics::model::Model::tracks): the axis of a table
+    /// or window.
+    Track(usize),
 }
 
 impl ModelBuilder {
@@ -108,6 +122,34 @@ impl ModelBuilder {
         }))
     }
 
+    /// The track of a table or window over an object that has no node yet; `None`: no breaks.
+    pub(super) fn waiting_track(
+        &mut self,
+        path: &str,
+        over: &str,
+        breaks: Breaks,
+        object: usize,
+    ) -> Option<usize> {
+        if breaks.is_empty() {
+            return None;
+        }
+        // (A track of its own: two that wait may be over different objects.)
+        self.model.tracks.push(Track {
+            source: TrackSource::Node(NO_NODE_YET),
+            breaks,
+            repeats: false,
+            stops: false,
+            object,
+        });
+        let track = self.model.tracks.len() - 1;
+        self.waiting.push(Waiting {
+            what: Referring::Track(track),
+            over: over.to_owned(),
+            path: format!("{path}.over"),
+        });
+        Some(track)
+    }
+
     /// Remembers that the load added last looks at another object.
     pub(super) fn wait_for(&mut self, path: &str, over: Option<&String>) {
         let is_written = |load: &Load| matches!(load.law, LoadLaw::Written(_));
@@ -116,7 +158,7 @@ impl ModelBuilder {
             && is_written(&self.model.loads[load])
         {
             self.waiting.push(Waiting {
-                load,
+                what: Referring::Load(load),
                 over: over.clone(),
                 path: format!("{path}.over"),
             });
@@ -133,10 +175,17 @@ impl ModelBuilder {
                 self.faults.add(waiting.path, message, &hint);
                 continue;
             };
-            if let LoadLaw::Written(written) = &mut self.model.loads[waiting.load].law {
-                written.variables[OVER[0].1] = LoadVariable::Displacement(node);
-                written.variables[OVER[1].1] = LoadVariable::Speed(node);
+            match waiting.what {
+                Referring::Load(load) => self.connect_load(load, node),
+                Referring::Track(track) => self.connect_track(track, node),
             }
+        }
+    }
+
+    fn connect_load(&mut self, load: usize, node: NodeIndex) {
+        if let LoadLaw::Written(written) = &mut self.model.loads[load].law {
+            written.variables[OVER[0].1] = LoadVariable::Displacement(node);
+            written.variables[OVER[1].1] = LoadVariable::Speed(node);
         }
     }
 }

@@ -240,6 +240,14 @@ impl WrittenLoad {
         })
     }
 
+    /// The node whose motion a variable is; `None`: it is the time.
+    pub fn node_of(&self, variable: usize) -> Option<NodeIndex> {
+        match *self.variables.get(variable)? {
+            LoadVariable::Displacement(node) | LoadVariable::Speed(node) => Some(node),
+            LoadVariable::Time => None,
+        }
+    }
+
     /// True where it looks at the time.
     pub fn needs_time(&self) -> bool {
         let mut variables = self.variables.iter().enumerate();

@@ -9,18 +9,23 @@ use super::observer::Observer;
 use super::pairs::PairTracker;
 use super::rows::{Rows, is_finite};
 use super::settings::RecorderSettings;
+use super::spans::SpanSearch;
 use super::tally::CLAIMS;
 use super::watch::Watch;
 use super::{Interval, SwitchRow};
 use crate::dynamics::audit::{InstantSampler, fastest_rate};
 use crate::dynamics::integrate::{Dynamics, Modes, SwitchEvent};
 use crate::dynamics::system::{MassState, ObjectState, System};
+use std::collections::BTreeMap;
 use stretch::current_view;
 
 pub(crate) use stretch::{Course, Stretch};
 
 /// Closeups behind a switch at most.
 const CLOSEUPS: usize = 96;
+
+/// Most instants of which the states are kept while values within spans are looked for.
+const MOST_SEEN: usize = 1000;
 
 /// Parts of a stretch that are looked at in any case.
 const PARTS: u32 = 8;
@@ -56,6 +61,7 @@ pub(crate) struct Log<'s> {
     /// Draws what the check of the run looks at.
     looker: InstantSampler,
     watch: Watch,
+    spans: SpanSearch,
 }
 
 impl<'s> Log<'s> {
@@ -93,6 +99,7 @@ impl<'s> Log<'s> {
             confirmed: vec![None; model.objects.len() * CLAIMS],
             confirms: settings.checked && settings.listing,
             watch: Watch::new(model),
+            spans: SpanSearch::new(model, &settings.spans),
             looker: match settings.checked {
                 true => {
                     let entries = 2 * system.coordinates();
@@ -129,6 +136,7 @@ impl<'s> Log<'s> {
         let [from, until] = stretch.span;
         self.draw(&mut stretch);
         self.watch(&mut stretch);
+        self.search_spans(&mut stretch);
         while let Some(time) = self.rows.due(until) {
             if self.failure.is_some() {
                 return;
@@ -174,6 +182,25 @@ impl<'s> Log<'s> {
         let (span, observer) = (stretch.span, &mut self.observer);
         self.watch.follow(span, whole, &mut |time, object| {
             stretch.view_at(time, observer, &mut []).states[object]
+        });
+    }
+
+    /// Looks for greatest values within spans.
+    fn search_spans(&mut self, stretch: &mut Stretch<'_>) {
+        if !self.spans.is_looking() || self.failure.is_some() {
+            return;
+        }
+        let whole = matches!(stretch.course, Course::Known(_));
+        let (span, observer) = (stretch.span, &mut self.observer);
+        // (Several values are looked for at the same instants.)
+        let mut seen: BTreeMap<u64, Vec<ObjectState>> = BTreeMap::new();
+        self.spans.follow(span, whole, &mut |time, object| {
+            if seen.len() > MOST_SEEN {
+                seen.clear();
+            }
+            let states = seen.entry(time.to_bits());
+            let look = || stretch.view_at(time, observer, &mut []).states.to_vec();
+            states.or_insert_with(look)[object]
         });
     }
 

@@ -39,6 +39,9 @@ pub struct Recorded {
     /// The conditions that may have held earlier, by their names: the time (s) from which on
     /// that is not known.
     pub undetermined_times: BTreeMap<String, f64>,
+    /// Greatest and least values within parts of the motion, by address; `None`: the motion was
+    /// never within.
+    pub spans: BTreeMap<String, Option<f64>>,
 }
 
 /// Records a run of a system. Its memory is bounded by samples and switches.

@@ -1,5 +1,7 @@
 //! What a recorder is asked for.
 
+use crate::dynamics::model::SpanFigure;
+
 /// Settings of a recorder: what to record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecorderSettings {
@@ -27,6 +29,8 @@ pub struct RecorderSettings {
     pub implicit: bool,
     /// Tolerance of the run: the finer, the smaller the pieces.
     pub tolerance: f64,
+    /// Greatest and least values within parts of the motion that are wanted.
+    pub spans: Vec<SpanFigure>,
     /// True: states are kept at instants drawn at random, for the check of the run.
     pub checked: bool,
 }

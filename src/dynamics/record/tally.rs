@@ -100,7 +100,7 @@ pub(super) struct Claim {
     pub(super) time: f64,
 }
 
-/// Of what a claim is the greatest value.
+/// Of what a value is the greatest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sense {
     /// The signal itself.

@@ -132,8 +132,9 @@ impl Load {
         self
     }
 
-    /// Another object, or an output, whose motion an expression looks at as `over_phi` and
-    /// `over_phi_dot`.
+    /// Another object, or an output, to whose displacement a window, a table, a harmonic load of an
+    /// order or an indicator diagram refers in place of the driver's; an expression knows its motion
+    /// as `over_phi` and `over_phi_dot`. The id of the drive: the machine angle.
     pub fn over(mut self, output: impl Into<Node>) -> Self {
         self.node.put("over", output);
         self

@@ -57,7 +57,7 @@ options! {
     rest;
     /// Displacement that a plan gains in every cycle.
     advance;
-    /// Length of a plan's cycle.
+    /// Length of a plan's cycle; period of a `table`, whose last row may then be left out.
     period;
 }
 

@@ -33,8 +33,12 @@ pub fn lower(scene: &TypedScene) -> Result<Model, Vec<Fault>> {
     let graph = scene.graph();
     let order = order::drivers_first(scene, &graph)?;
     let explicit = start::displacements(scene);
-    let connections = scene.objects.values().flat_map(|one| &one.connections);
-    let followed = connections.map(|one| one.output.clone()).collect();
+    let objects = scene.objects.values();
+    let followed = objects.flat_map(|one| {
+        let driving = one.connections.iter().map(|one| &one.output);
+        driving.chain(&one.mentions).cloned()
+    });
+    let followed = followed.collect();
     let builder = ModelBuilder::new(parts(&graph), scene.run.duration, explicit);
     let mut builder = builder.with_followed(followed);
     for id in order {

@@ -143,7 +143,7 @@ pub fn read(fields: &mut Fields<'_>, context: &Context<'_>, rules: &Rules) -> Op
     let driver = Measures(context.driver);
     let lever = lever(fields, own);
     let position = position(fields, own, driver, rules);
-    let chain = read_behind(fields, context.driver, rules, position);
+    let chain = read_behind(fields, context, context.driver, rules, position);
     Some(ChainSpec {
         lever: lever?,
         ..chain?
@@ -155,6 +155,7 @@ pub fn read(fields: &mut Fields<'_>, context: &Context<'_>, rules: &Rules) -> Op
 /// `driver`: whether that turns or slides over whose displacement loads may run.
 pub fn read_behind(
     fields: &mut Fields<'_>,
+    context: &Context<'_>,
     driver: Option<Coordinate>,
     rules: &Rules,
     position: Option<PositionSpec>,
@@ -171,6 +172,7 @@ pub fn read_behind(
             driver,
             masses,
         },
+        context,
     );
     let stops = stop::read_all(fields, own);
     let chain = ChainSpec {

@@ -33,6 +33,7 @@ pub struct Context<'a> {
     /// All objects by id; outputs of objects as `object.output`.
     objects: &'a BTreeMap<String, KnownObject>,
     connections: RefCell<Vec<Connection>>,
+    mentions: RefCell<Vec<String>>,
 }
 
 /// What a property that names a driver holds.
@@ -46,12 +47,37 @@ impl<'a> Context<'a> {
             driver: None,
             objects,
             connections: RefCell::default(),
+            mentions: RefCell::default(),
         }
     }
 
-    /// The connections read so far.
-    pub(crate) fn into_connections(self) -> Vec<Connection> {
-        self.connections.into_inner()
+    /// The connections read so far, and the outputs to whose motion something refers.
+    pub(crate) fn into_references(self) -> (Vec<Connection>, Vec<String>) {
+        (self.connections.into_inner(), self.mentions.into_inner())
+    }
+
+    /// Whether an output turns or slides; `None`: not known.
+    pub(super) fn coordinate_of(&self, output: &str) -> Option<Coordinate> {
+        self.objects.get(output).and_then(|known| known.coordinate)
+    }
+
+    /// Reads a property that names an object, or one of its outputs, to whose motion something
+    /// refers without being driven by it: `Some(None)` where it is not there.
+    pub(super) fn mention(
+        &self,
+        fields: &mut Fields<'_>,
+        property: &'static str,
+        doc: &str,
+    ) -> Option<Option<String>> {
+        if fields.describing() {
+            let ids = self.objects.keys().map(String::as_str);
+            return fields.maybe(property, doc, |slot| slot.text_like(ids));
+        }
+        let output = fields.maybe(property, doc, |slot| self.reference(slot))?;
+        if let Some(output) = &output {
+            self.mentions.borrow_mut().push(output.clone());
+        }
+        Some(output)
     }
 
     /// Reads the property `input` of an object with one driver, and remembers whether

@@ -146,7 +146,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
         ratio: 1.0,
         offset: 0.0,
     });
-    let chain = chain::read_behind(fields, coordinate, &rules(coordinate), position);
+    let chain = chain::read_behind(fields, context, coordinate, &rules(coordinate), position);
     let written: Vec<InputStatement> = inputs?;
     let (combination, offset) = (combination?, offset?);
     let inputs = combine(fields, &written, &combination, coordinate?)?;

@@ -7,7 +7,7 @@ use super::motor;
 use super::plan;
 use super::spec::{DriveMotionSpec, DriveSpec};
 use super::written;
-use super::{Inputs, Kind, ModelBuilder, Object, Place, Ports};
+use super::{Context, Inputs, Kind, ModelBuilder, Object, Place, Ports};
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Node, Slot, points};
 use crate::units::quantities as q;
@@ -41,8 +41,8 @@ pub(super) const KIND: Kind = Kind {
             .find(|known| Some(known.0) == name)
             .map(|known| known.1),
     },
-    read: |fields, _| {
-        let (coordinate, spec) = read(fields)?;
+    read: |fields, context| {
+        let (coordinate, spec) = read(fields, context)?;
         Some(Box::new(Drive { coordinate, spec }))
     },
 };
@@ -71,7 +71,7 @@ impl Object for Drive {
     }
 }
 
-fn read(fields: &mut Fields<'_>) -> Option<(Coordinate, DriveSpec)> {
+fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<(Coordinate, DriveSpec)> {
     let doc = "Whether the drive turns or slides (a cylinder, a linear motor).";
     let coordinate = fields.or("coordinate", doc, json!("turning"), |slot| {
         slot.choice(&COORDINATES)
@@ -82,10 +82,10 @@ fn read(fields: &mut Fields<'_>) -> Option<(Coordinate, DriveSpec)> {
         motion(slot, own).map(DriveSpec::Prescribed)
     });
     source.case("motor", "A motor.", |slot| {
-        motor::read(slot, own).map(DriveSpec::Motor)
+        motor::read(slot, own, context).map(DriveSpec::Motor)
     });
     let source = source.finish();
-    let loads = read_all(fields, On::Rotor(own));
+    let loads = read_all(fields, On::Rotor(own), context);
     let spec = match (source?, loads?) {
         (DriveSpec::Motor(mut motor), loads) => {
             motor.loads = loads;

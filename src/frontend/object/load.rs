@@ -2,6 +2,7 @@
 
 mod written_laws;
 
+use super::Context;
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::written;
@@ -38,31 +39,35 @@ impl On {
 }
 
 /// Reads `loads`, in the order of their names.
-pub(super) fn read_all(fields: &mut Fields<'_>, on: On) -> Option<Vec<LoadSpec>> {
+pub(super) fn read_all(
+    fields: &mut Fields<'_>,
+    on: On,
+    context: &Context<'_>,
+) -> Option<Vec<LoadSpec>> {
     let doc = "Loads by name. Positive forces act in the direction of positive displacement.";
     fields.or("loads", doc, json!({}), |slot| {
         slot.names(|name, slot| match on {
-            On::Rotor(_) => slot.defined("rotor_load", |slot| read(slot, name, on)),
-            On::Output { .. } => slot.defined("output_load", |slot| read(slot, name, on)),
+            On::Rotor(_) => slot.defined("rotor_load", |slot| read(slot, name, on, context)),
+            On::Output { .. } => slot.defined("output_load", |slot| read(slot, name, on, context)),
             On::Chain { own, .. } => {
                 let definition = match own.0 {
                     Some(Coordinate::Turning) => "turning_load",
                     Some(Coordinate::Sliding) => "sliding_load",
                     None => "load",
                 };
-                slot.defined(definition, |slot| read(slot, name, on))
+                slot.defined(definition, |slot| read(slot, name, on, context))
             }
         })
     })
 }
 
-fn read(slot: Slot<'_>, name: &str, on: On) -> Option<LoadSpec> {
+fn read(slot: Slot<'_>, name: &str, on: On, context: &Context<'_>) -> Option<LoadSpec> {
     slot.record(|fields| {
         let mass = match on {
             On::Rotor(_) | On::Output { .. } => Some(MassChoice::Last),
             On::Chain { masses, .. } => chosen_mass(fields, masses),
         };
-        let law = law(fields, on);
+        let law = law(fields, on, context);
         Some(LoadSpec {
             name: name.to_owned(),
             mass: mass?,
@@ -106,13 +111,13 @@ fn mass(slot: Slot<'_>, masses: Option<usize>) -> Option<MassChoice> {
     })
 }
 
-fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
+fn law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<LoadLawSpec> {
     if let Some(load) = fields.own("A load given in code.") {
         return Some(LoadLawSpec::Custom(load));
     }
     let own = on.own();
     let force = own.force();
-    let has_over = fields.has("over");
+    let axis = axis(fields, on, context);
     let any = |wanted: QuantityChoice| move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);
     let mut law = fields.one_of("its law");
     law.case("constant", "Constant force W", |slot| {
@@ -123,18 +128,16 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
         "List of [time, force]: linear between the points, constant outside.",
         |slot| points(slot, q::TIME, force, 1).map(LoadLawSpec::TimeTable),
     );
-    if let On::Chain { driver, .. } | On::Output { driver, .. } = on {
-        law.case(
-            "position_table",
-            "Force over the driver's displacement.",
-            |slot| position_table(slot, driver, force),
-        );
-        law.case(
-            "window",
-            "Constant force while the driver is between two positions.",
-            |slot| window(slot, driver, force),
-        );
-    }
+    law.case(
+        "position_table",
+        "Force over the driver's displacement, or that of the object `over`.",
+        |slot| position_table(slot, axis.measures, force),
+    );
+    law.case(
+        "window",
+        "Constant force while the driver, or the object `over`, is between two positions.",
+        |slot| window(slot, axis.measures, force),
+    );
     for own_law in laws::OF_LOADS {
         law.case(own_law.key, own_law.doc, |slot| {
             declared(slot, own_law, own).map(LoadLawSpec::Declared)
@@ -144,21 +147,73 @@ fn law(fields: &mut Fields<'_>, on: On) -> Option<LoadLawSpec> {
     if own.0 != Some(Coordinate::Turning) && !matches!(on, On::Output { .. }) {
         law.case("weight", "Weight: W = −m·g·sin(inclination).", weight);
     }
-    written_laws::add(&mut law, on, has_over);
+    written_laws::add(&mut law, on, axis);
     let law = law.finish();
     let factor = written::unit(fields, force);
-    let over = written::over(fields);
-    if written::require_expression(fields, &["expression"]) {
+    let doc = "Another object or output: `press`, `press.ram`; the name of the drive for the \
+               machine angle. `window`, `position_table`, `harmonic` and `indicator` refer to its \
+               displacement in place of the driver's. `expression` knows its motion as over_phi \
+               and over_phi_dot.";
+    let over = context.mention(fields, "over", doc);
+    if !fields.describing() && (misplaced_unit(fields) | misplaced_over(fields)) {
         return None;
     }
-    match (law?, factor?, over?) {
-        (LoadLawSpec::Written(mut spec), factor, over) => {
-            spec.factor = factor.unwrap_or(1.0);
-            spec.over = over;
-            Some(LoadLawSpec::Written(spec))
+    Some(written::in_unit(law?, factor?).over_another(over?))
+}
+
+/// The displacement to which tables and windows of a load refer.
+#[derive(Clone, Copy, Debug)]
+struct Axis {
+    measures: Measures,
+    /// False of the driver, true of the object that `over` names.
+    of_another: bool,
+}
+
+/// The driver's displacement, the rotor's own where there is no driver, or that of the object
+/// `over`.
+fn axis(fields: &Fields<'_>, on: On, context: &Context<'_>) -> Axis {
+    let over = fields.member("over");
+    let measures = match (over, on) {
+        (Some(over), _) => {
+            let output = over.value.text().unwrap_or_default();
+            Measures(context.coordinate_of(output))
         }
-        (law, _, _) => Some(law),
+        (None, On::Chain { driver, .. } | On::Output { driver, .. }) => driver,
+        (None, On::Rotor(own)) => own,
+    };
+    Axis {
+        measures,
+        of_another: over.is_some(),
     }
+}
+
+fn misplaced_unit(fields: &mut Fields<'_>) -> bool {
+    !fields.has("expression") && written::forbid_unit(fields)
+}
+
+/// Notes that `over` stands beside a law that depends on no displacement but that of its mass.
+fn misplaced_over(fields: &mut Fields<'_>) -> bool {
+    const OVER: [&str; 5] = [
+        "expression",
+        "window",
+        "position_table",
+        "harmonic",
+        "indicator",
+    ];
+    let harmonic = fields.member("harmonic");
+    let over_time = harmonic.is_some_and(|one| one.value.get("frequency").is_some());
+    if !fields.has("over") || !over_time && OVER.iter().any(|name| fields.has(name)) {
+        return false;
+    }
+    let message = "this load does not depend on the displacement of the object `over`";
+    let hint = match over_time {
+        true => "give `harmonic` an `order` in place of its `frequency`, or remove `over`",
+        false => {
+            "`over` goes with `expression`, `window`, `position_table`, `harmonic` and `indicator`: \
+             remove it"
+        }
+    };
+    fields.forbid("over", message, hint)
 }
 
 fn period(fields: &mut Fields<'_>, driver: Measures, doc: &str) -> Option<Option<f64>> {
@@ -171,10 +226,10 @@ fn position_table(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Op
     slot.record(|fields| {
         let points = fields.need(
             "points",
-            "List of [driver's displacement, force]: linear between the points.",
+            "List of [displacement of the driver or of `over`, force]: linear between the points.",
             |slot| points(slot, driver.displacement(), force, 1),
         );
-        let doc = "Repeats after this much of the driver's displacement; without it the force is constant outside the points";
+        let doc = "Repeats after this much of that displacement; without it the force is constant outside the points";
         let period = period(fields, driver, doc);
         let (points, period) = (points?, period?);
         let length = points[points.len() - 1].0 - points[0].0;
@@ -191,7 +246,11 @@ fn position_table(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Op
                 return None;
             }
         }
-        Some(LoadLawSpec::PositionTable { points, period })
+        Some(LoadLawSpec::PositionTable {
+            points,
+            period,
+            over: None,
+        })
     })
 }
 
@@ -203,7 +262,7 @@ fn window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<Loa
         let force = fields.need("force", "Force inside the window", |slot| {
             slot.quantity(force, Bounds::ANY)
         });
-        let doc = "Repeats after this much of the driver's displacement; default one turn of a turning driver";
+        let doc = "Repeats after this much of that displacement; default one turn of what turns";
         let once = fields.or(
             "once",
             "True: the window comes once and does not repeat.",
@@ -214,14 +273,18 @@ fn window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<Loa
         let (from, to, force, once, period) = (from?, to?, force?, once?, period?);
         if to <= from {
             let message = "`to` must be greater than `from`";
-            fields
-                .refuse("to", "out-of-range", message)
-                .hints
-                .push("a window across the end of a turn goes on beyond it: from 350 deg to 370 deg".to_owned());
+            fields.refuse("to", "out-of-range", message).hints.push(
+                "a window across the end of a turn goes on beyond it: from 350 deg to 370 deg"
+                    .to_owned(),
+            );
             return None;
         }
         if once && period.is_some() {
-            fields.refuse("period", "contradiction", "a window that comes `once` has no `period`");
+            fields.refuse(
+                "period",
+                "contradiction",
+                "a window that comes `once` has no `period`",
+            );
             return None;
         }
         let turn = (driver.0 == Some(Coordinate::Turning) && !once).then_some(TAU);
@@ -239,6 +302,7 @@ fn window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<Loa
             to,
             force,
             period,
+            over: None,
         })
     })
 }

@@ -1,5 +1,6 @@
 //! The motor of a drive: turning, or linear.
 
+use super::Context;
 use super::load::declared;
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, MotorSpec, WrittenSpec};
@@ -10,7 +11,7 @@ use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot, points};
 use serde_json::json;
 
-pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<MotorSpec> {
+pub(super) fn read(slot: Slot<'_>, own: Measures, context: &Context<'_>) -> Option<MotorSpec> {
     slot.record(|fields| {
         let doc = "Inertia of the rotor, or mass of a linear motor; 0 when what follows it rigidly has inertia enough";
         own.name_inertia(fields);
@@ -24,12 +25,12 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<MotorSpec> {
         let mut torque = fields.one_of("what it is driven by");
         if own.0 != Some(Coordinate::Sliding) {
             torque.case("torque", "Driving torque over speed.", |slot| {
-                slot.record(|fields| law(fields, Measures(Some(Coordinate::Turning))))
+                slot.record(|fields| law(fields, Measures(Some(Coordinate::Turning)), context))
             });
         }
         if own.0 != Some(Coordinate::Turning) {
             torque.case("force", "Driving force over speed.", |slot| {
-                slot.record(|fields| law(fields, Measures(Some(Coordinate::Sliding))))
+                slot.record(|fields| law(fields, Measures(Some(Coordinate::Sliding)), context))
             });
         }
         let torque = torque.finish();
@@ -64,7 +65,7 @@ pub(super) fn start(fields: &mut Fields<'_>, own: Measures) -> Option<f64> {
     }
 }
 
-fn law(fields: &mut Fields<'_>, own: Measures) -> Option<LoadLawSpec> {
+fn law(fields: &mut Fields<'_>, own: Measures, context: &Context<'_>) -> Option<LoadLawSpec> {
     let turns = own.0 == Some(Coordinate::Turning);
     let fields_have_over = fields.has("over");
     let mut law = fields.one_of(if turns { "the torque" } else { "the force" });
@@ -108,16 +109,9 @@ fn law(fields: &mut Fields<'_>, own: Measures) -> Option<LoadLawSpec> {
     );
     let law = law.finish();
     let factor = written::unit(fields, own.force());
-    let over = written::over(fields);
+    let over = written::over(fields, context);
     if written::require_expression(fields, &["expression"]) {
         return None;
     }
-    match (law?, factor?, over?) {
-        (LoadLawSpec::Written(mut spec), factor, over) => {
-            spec.factor = factor.unwrap_or(1.0);
-            spec.over = over;
-            Some(LoadLawSpec::Written(spec))
-        }
-        (law, _, _) => Some(law),
-    }
+    Some(written::in_unit(law?, factor?).over_another(over?))
 }

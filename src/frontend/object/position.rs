@@ -1,6 +1,7 @@
 //! Position functions.
 
 mod linkages;
+mod table_period;
 
 use super::cam;
 use super::measures::Measures;
@@ -273,28 +274,38 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
             "List of [driver's displacement, displacement], at least three, the first values ascending.",
             |slot| points(slot, ends.driver.displacement(), ends.output.displacement(), 3),
         );
+        let has_period = fields.has("period");
         let periodic = fields.or(
             "periodic",
-            "True: the last point closes the period; it has the displacement of the first.",
-            json!(false),
+            "True: the table repeats. Without `period` the last point closes the period; it has the displacement of the first. Default true with `period`.",
+            json!(has_period),
             |slot| slot.flag(),
         );
+        let doc = "Repeats after this much of the driver's displacement; the curve goes on to the first point by itself";
+        let period = fields.maybe("period", doc, |slot| {
+            slot.quantity(ends.driver.displacement(), Bounds::POSITIVE)
+        });
         let slope = any(ends.output.per(ends.driver));
         let slopes = fields.or("end_slopes", "Slopes U′ at both ends of a table that is not periodic", json!([0.0, 0.0]), |slot| {
             slot.pair(&slope, &slope)
         });
-        let (points, periodic, end_slopes) = (points?, periodic?, slopes?);
-        let (first, last) = (points[0].1, points[points.len() - 1].1);
-        let size = points.iter().fold(0.0, |size: f64, point| size.max(point.1.abs()));
-        if periodic && (last - first).abs() > 1e-9 * size {
-            let message = format!("the last point of a periodic table must come back to {first}, found {last}");
-            fields.refuse("points", "contradiction", message);
+        let (points, periodic, period, end_slopes) = (points?, periodic?, period?, slopes?);
+        if !periodic && period.is_some() {
+            fields.refuse("period", "contradiction", "a table that does not repeat has no `period`");
             return None;
         }
         if periodic && fields.has("end_slopes") {
             fields.refuse("end_slopes", "contradiction", "a periodic table has no ends");
             return None;
         }
+        let points = match (periodic, period) {
+            (true, Some(period)) => table_period::closed(fields, points, period)?,
+            (true, None) => {
+                table_period::check(fields, &points, ends.driver)?;
+                points
+            }
+            (false, _) => points,
+        };
         Some(PositionSpec::Table {
             points,
             periodic,

@@ -1,5 +1,7 @@
 //! Expressions in scenes: the text, its unit, and mistakes with their place in it.
 
+use super::Context;
+use super::spec::LoadLawSpec;
 use crate::dynamics::builder::written::{Names, OVER};
 use crate::frontend::read::{Fields, QuantityChoice, Slot};
 use crate::math::expression::{Expression, Mistake};
@@ -69,11 +71,19 @@ pub(super) fn unit(fields: &mut Fields<'_>, wanted: QuantityChoice) -> Option<Op
     factor
 }
 
-/// Reads `over`, the object whose motion an expression looks at besides.
-pub(super) fn over(fields: &mut Fields<'_>) -> Option<Option<String>> {
-    let doc = "Another object (or output) whose motion `expression` reads as over_phi and \
-               over_phi_dot: `press`, `press.ram`.";
-    fields.maybe("over", doc, |slot| slot.text())
+/// Reads `over`, the object to whose motion an expression refers besides.
+pub(super) fn over(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Option<String>> {
+    let doc = "Another object or output: `press`, `press.ram`. `expression` knows its motion as \
+               over_phi and over_phi_dot.";
+    context.mention(fields, "over", doc)
+}
+
+/// A law, of which an expression has this unit.
+pub(super) fn in_unit(mut law: LoadLawSpec, factor: Option<f64>) -> LoadLawSpec {
+    if let (LoadLawSpec::Written(written), Some(factor)) = (&mut law, factor) {
+        written.factor = factor;
+    }
+    law
 }
 
 /// The names that an expression may use, with those of another object where one is given.
@@ -92,11 +102,15 @@ pub(super) fn require_expression(fields: &mut Fields<'_>, expressions: &[&str]) 
     if fields.describing() || expressions.iter().any(|name| fields.has(name)) {
         return false;
     }
-    let mut wrong = false;
-    for name in ["unit", "over"] {
-        let message = format!("`{name}` goes with `expression` only");
-        wrong |= fields.has(name)
-            && fields.forbid(name, &message, "write the unit with the number: \"3 kN\"");
-    }
-    wrong
+    let unit = forbid_unit(fields);
+    let message = "`over` goes with `expression` only";
+    let over = fields.has("over") && fields.forbid("over", message, "remove `over`");
+    unit || over
+}
+
+/// Notes that `unit` stands beside an expression only.
+pub(super) fn forbid_unit(fields: &mut Fields<'_>) -> bool {
+    let message = "`unit` goes with `expression` only";
+    let hint = "write the unit with the number: \"3 kN\"";
+    fields.has("unit") && fields.forbid("unit", message, hint)
 }

@@ -4,6 +4,7 @@ use super::figures::{
     CAM_FIGURES, OBJECT_FIGURES, RUN_FIGURES, STEADY_FIGURES, STOP_FIGURES, STOPS,
 };
 use super::objects::ObjectTable;
+use super::span::{self, SpanAddress};
 use super::study_address::StudyAddress;
 use super::{Allowed, Expectation, Expected};
 use crate::dynamics::model::owner_of;
@@ -92,8 +93,10 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
             }
         },
     );
+    let over = over(fields);
     let source = fields.maybe("source", "Source of the value.", |slot| slot.text());
-    let (about, value, time, within) = (about?, value?, time?, within?);
+    let about = within_span(fields, about, over?)?;
+    let (about, value, time, within) = (about, value?, time?, within?);
     let (least, most, between) = (least?, most?, between?);
     let bounded = [
         ("at_least", least.is_some()),
@@ -180,6 +183,80 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
         what,
         source: source?,
     })
+}
+
+/// A part of the motion as it is written: its ends and, if given, the object whose displacement
+/// they are.
+struct WrittenSpan {
+    from: String,
+    to: String,
+    of: Option<String>,
+}
+
+/// Reads `over`: `Some(None)` where the whole motion counts.
+fn over(fields: &mut Fields<'_>) -> Option<Option<WrittenSpan>> {
+    let doc = "Part of the motion that counts, of figures that are greatest or least values: \
+               between two machine angles in every turn, or between two times.";
+    fields.maybe("over", doc, |slot| {
+        slot.record(|fields| {
+            let doc = "Start: a machine angle, \"30 deg\", a time, \"0.2 s\", or a displacement of `of`; with its unit.";
+            let from = fields.need("from", doc, end_of_span);
+            let doc = "End, beyond its start: \"370 deg\" goes on over the end of a turn.";
+            let to = fields.need("to", doc, end_of_span);
+            let doc = "Object or output whose displacement the ends are; default the drive, whose angle is the machine angle.";
+            let of = fields.maybe("of", doc, |slot| slot.text());
+            Some(WrittenSpan {
+                from: from?,
+                to: to?,
+                of: of?,
+            })
+        })
+    })
+}
+
+fn end_of_span(mut slot: Slot<'_>) -> Option<String> {
+    let text = slot.read_in_place(|slot| slot.text())?;
+    let measure = slot.quantity_of(&text);
+    let found = measure.and_then(|found| span::place_text(&text, found.value, found.dimension));
+    if found.is_none() {
+        let message = format!("`{text}` is no angle, time or length with its unit");
+        let fault = slot.refuse("wrong-unit", message);
+        fault
+            .hints
+            .push("for example \"30 deg\", \"0.2 s\"".to_owned());
+    }
+    found
+}
+
+/// What is expected, within a part of the motion; the faults of the part.
+fn within_span(
+    fields: &mut Fields<'_>,
+    about: Option<About>,
+    over: Option<WrittenSpan>,
+) -> Option<About> {
+    let about = about?;
+    let Some(over) = over else {
+        return Some(about);
+    };
+    let About::Figure(figure, wanted) = about else {
+        let message = "`over` goes with `figure`: a run stops once";
+        fields.refuse("over", "contradiction", message);
+        return None;
+    };
+    let of = over
+        .of
+        .as_ref()
+        .map_or_else(String::new, |of| format!(" of {of}"));
+    let address = format!("{figure} from {} to {}{of}", over.from, over.to);
+    let read = SpanAddress::of(&address).map(|found| found.span());
+    if let Some(Err((message, hint))) = read {
+        fields
+            .refuse("over", "out-of-range", message)
+            .hints
+            .push(hint);
+        return None;
+    }
+    Some(About::Figure(address, wanted))
 }
 
 /// The property that belongs to what is expected, without the other one.
@@ -270,6 +347,16 @@ pub(super) fn figure_of_run(
 }
 
 fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<About> {
+    if let Some(within) = SpanAddress::of(&address) {
+        if let Err((message, hint)) = within.span() {
+            slot.refuse("out-of-range", message).hints.push(hint);
+            return None;
+        }
+        return match about(slot, within.figure.to_owned(), known)? {
+            About::Figure(_, wanted) => Some(About::Figure(address, wanted)),
+            About::Stop(_) => None,
+        };
+    }
     match StudyAddress::of(&address) {
         Some(StudyAddress::Frequency { number: 1.., .. }) => {
             return Some(About::Figure(address, q::FREQUENCY.into()));

@@ -19,6 +19,7 @@ mod overrides;
 mod root;
 mod run;
 mod schema;
+mod span;
 mod steady;
 mod study_address;
 mod template;
@@ -34,6 +35,7 @@ pub use levels::{Elastic, Levels, in_words};
 pub use numbers::Number;
 pub use overrides::Overrides;
 pub use schema::{schema, schema_of, schema_text};
+pub(crate) use span::SpanAddress;
 pub(crate) use study_address::StudyAddress;
 pub(crate) use template::Template;
 pub use variation::Variation;
@@ -88,6 +90,8 @@ impl TypedScene {
 pub struct SceneObject {
     /// Connections of the inputs; empty for a drive.
     pub connections: Vec<Connection>,
+    /// Objects or outputs to whose motion its loads refer.
+    pub mentions: Vec<String>,
     /// The object itself.
     pub object: Box<dyn Object>,
 }

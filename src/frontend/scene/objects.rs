@@ -150,10 +150,11 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut ObjectTable) -> O
         if is_own {
             let mut context = Context::among(&known.objects);
             let object = OwnObject::read(fields, &mut context)?;
-            let connections = context.into_connections();
+            let (connections, mentions) = context.into_references();
             return Some(SceneObject {
                 object,
                 connections,
+                mentions,
             });
         }
         // A `from` is still there only when nothing could be copied.
@@ -183,9 +184,11 @@ pub(super) fn object(mut slot: Slot<'_>, id: &str, known: &mut ObjectTable) -> O
         };
         let object = (kind.read)(fields, &context);
         connected?;
+        let (connections, mentions) = context.into_references();
         Some(SceneObject {
             object: object?,
-            connections: context.into_connections(),
+            connections,
+            mentions,
         })
     })?;
     if let Some(entry) = known.objects.get_mut(id) {

@@ -154,6 +154,14 @@ impl Position {
         }
     }
 
+    /// Ratio and offset of U = ratio·φ + offset; `None`: it is another function.
+    pub fn constant_ratio(&self) -> Option<[f64; 2]> {
+        match *self {
+            Self::Ratio { ratio, offset } => Some([ratio, offset]),
+            _ => None,
+        }
+    }
+
     /// U and its first three derivatives at `phi`, by the formula of `segment`.
     ///
     /// Not numbers where a linkage cannot be assembled ([`Self::reach_from`]).

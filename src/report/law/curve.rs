@@ -94,11 +94,15 @@ impl<'a> Curve<'a> {
 
     /// One diagram in its own unit.
     fn alone(&self, order: usize) -> Plot {
-        let name = capitalised(NAMES[order]);
         Plot {
             phases: MotionPhase::of(&self.points(0, 1.0)),
             ..Plot::new(
-                format!("{name} {}{}", self.symbol, PRIMES[order]),
+                format!(
+                    "{} {}{}",
+                    capitalised(NAMES[order]),
+                    self.symbol,
+                    PRIMES[order]
+                ),
                 self.x.clone(),
                 &unit(order, self.unit, &self.x.unit, ["", "", "²", "³"]),
                 vec![Series::line("", self.points(order, 1.0))],

@@ -32,10 +32,8 @@ pub fn wittenbauer(shown: &SteadyReport<'_>) -> Plot {
     let (f, rows) = (shown.figures, shown.rows);
     let origin = -f.energy_at_start;
     let inertias = || rows.iter().map(|row| row.inertia);
-    let framed = frame(shown, origin);
-    let end = framed.map_or(1.06 * inertias().fold(0.0, f64::max), |[inertia, _]| {
-        inertia[1]
-    });
+    let [inertia, height] = frame(shown, origin).map_or([None; 2], |ends| ends.map(Some));
+    let end = inertia.map_or(1.06 * inertias().fold(0.0, f64::max), |ends| ends[1]);
     let line = |label: &str, speed: f64, end: f64| {
         let far = origin + 0.5 * speed * speed * end;
         Series::line(label, vec![(0.0, origin), (end, far)])
@@ -45,7 +43,10 @@ pub fn wittenbauer(shown: &SteadyReport<'_>) -> Plot {
     let work = rows.iter().map(|row| (row.inertia, row.work));
     let mut plot = Plot::new(
         "Energy-mass diagram (Wittenbauer): work A over reduced inertia J",
-        Axis::new("J", "kg m²"),
+        Axis {
+            range: inertia,
+            ..Axis::new("J", "kg m²")
+        },
         "J",
         vec![
             Series::line("A(J)", work.collect()),
@@ -55,9 +56,7 @@ pub fn wittenbauer(shown: &SteadyReport<'_>) -> Plot {
             line("O₂O₁, ω₀ at the least J", reference, least),
         ],
     );
-    if let Some([inertia, work]) = framed {
-        (plot.x.range, plot.y.range) = (Some(inertia), Some(work));
-    }
+    plot.y.range = height;
     plot
 }
 

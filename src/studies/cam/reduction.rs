@@ -15,6 +15,7 @@ use crate::dynamics::trajectory::transfer;
 use crate::kinematics::cam::closing::{ClosingSpring, Demand};
 use crate::kinematics::cam::{DiscCam, FollowerMotion};
 use crate::math::jet::Jet;
+use std::f64::consts::TAU;
 
 /// Most stretches of a turn.
 const MOST_PIECES: usize = 20_000;
@@ -111,6 +112,7 @@ impl<'m> Reduction<'m> {
                 {
                     return Err(format!("{} changes over time, not with the cam", load.name));
                 }
+                LoadLaw::Pieces { track, .. } => self.check_axis(&load.name, *track)?,
                 LoadLaw::Stop(_) => {
                     self.notes.push(format!(
                         "{} (a stop) is not counted: the cam is taken to carry the follower",
@@ -120,10 +122,46 @@ impl<'m> Reduction<'m> {
                 LoadLaw::Function { .. } | LoadLaw::Written(_) => {
                     return Err(format!("{} is no load that this study knows", load.name));
                 }
-                LoadLaw::Linear(_) | LoadLaw::Pieces { .. } => {}
+                LoadLaw::Linear(_) => {}
             }
         }
         Ok(())
+    }
+
+    /// Refuses a load over a displacement that the angle of the cam does not determine, or that
+    /// does not repeat with it.
+    fn check_axis(&self, name: &str, track: usize) -> Result<(), String> {
+        let track = &self.model.tracks[track];
+        let TrackSource::Node(node) = track.source else {
+            return Ok(());
+        };
+        if node == self.law.driver || self.nodes.contains(&node) {
+            return Ok(());
+        }
+        let owner = self.model.objects.iter();
+        let owner = owner.clone().find(|part| part.nodes.contains(&node));
+        let id = owner.map_or("another object", |part| part.id.as_str());
+        let Some([ratio, _]) = self.cam_over(node) else {
+            return Err(format!(
+                "{name} is over the displacement of `{id}`, which does not drive the cam at a constant ratio"
+            ));
+        };
+        let repeats = |period: f64| {
+            let times = TAU / (period * ratio).abs();
+            (times - times.round()).abs() <= 1e-9 && times > 0.5
+        };
+        match track.breaks.period.is_some_and(repeats) {
+            true => Ok(()),
+            false => Err(format!(
+                "{name} does not repeat with each turn of the cam: it is over the displacement of `{id}`"
+            )),
+        }
+    }
+
+    /// The angle of the cam over the displacement x of a node that drives it by constant
+    /// ratios, r·x + s; `None`: it does not.
+    fn cam_over(&self, node: usize) -> Option<[f64; 2]> {
+        self.model.constant_ratio(self.law.driver, node)
     }
 
     /// The pieces of the law, cut where a load over the cam's angle has a break.
@@ -136,17 +174,21 @@ impl<'m> Reduction<'m> {
                 continue;
             };
             let track = &self.model.tracks[*track];
-            if track.source != TrackSource::Node(self.law.driver) || track.breaks.is_empty() {
+            let TrackSource::Node(node) = track.source else {
                 continue;
-            }
-            let mut segment = track.breaks.locate(from, 1.0);
+            };
+            let Some([ratio, offset]) = self.cam_over(node) else {
+                continue;
+            };
+            let over = [(from - offset) / ratio, (to - offset) / ratio];
+            let mut segment = track.breaks.locate(over[0].min(over[1]), 1.0);
             loop {
                 let edge = track.breaks.edges(segment).1;
                 // Written so that an edge that is no number ends the search.
-                if !(edge < to) {
+                if !(edge < over[0].max(over[1])) {
                     break;
                 }
-                edges.push(edge);
+                edges.push(ratio * edge + offset);
                 segment += 1;
                 if edges.len() > MOST_PIECES {
                     return Err(format!("{} changes too often within a turn", load.name));
@@ -247,10 +289,13 @@ impl<'m> Reduction<'m> {
                 LoadLaw::Pieces { track, pieces } => {
                     let track = &self.model.tracks[*track];
                     let x = self.along(track, phi, q, &ratios);
-                    let middle = 0.5 * (self.pieces[piece][0] + self.pieces[piece][1]);
-                    let at = match track.source == TrackSource::Node(self.law.driver) {
-                        true => middle,
-                        false => x,
+                    // (Of what the angle of the cam gives, the piece is known beyond rounding.)
+                    let at = match track.source {
+                        TrackSource::Node(node) if !self.nodes.contains(&node) => {
+                            let middle = 0.5 * (self.pieces[piece][0] + self.pieces[piece][1]);
+                            self.along(track, middle, q, &ratios)
+                        }
+                        _ => x,
                     };
                     found.fixed -= linear(track, pieces, x, at) * ratio.first;
                 }
@@ -267,11 +312,12 @@ impl<'m> Reduction<'m> {
     /// The argument of a load's table.
     fn along(&self, track: &Track, phi: f64, q: f64, ratios: &[Jet]) -> f64 {
         match track.source {
-            TrackSource::Node(node) if node == self.law.driver => phi,
-            TrackSource::Node(node) => {
-                let place = self.nodes.iter().position(|&other| other == node);
-                place.map_or(q, |place| ratios[place].value)
-            }
+            TrackSource::Node(node) => match self.nodes.iter().position(|&other| other == node) {
+                Some(place) => ratios[place].value,
+                None => self
+                    .cam_over(node)
+                    .map_or(q, |[ratio, offset]| (phi - offset) / ratio),
+            },
             TrackSource::Time => phi,
         }
     }

@@ -108,6 +108,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
         long_steps: false,
         implicit: false,
         tolerance: 1e-9,
+        spans: Vec::new(),
         checked: false,
     };
     let clock = Clock::new(&limits);

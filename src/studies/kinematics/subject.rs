@@ -47,6 +47,11 @@ impl Subject {
         }
     }
 
+    /// The node whose displacement is the input coordinate.
+    pub(in crate::studies) fn input_node(&self) -> NodeIndex {
+        self.node
+    }
+
     fn of_linkage(model: &Model, body: &LinkageBody) -> Self {
         let part = &model.objects[body.object];
         Self::new(&part.id, Linkage::clone(&body.linkage), body.node)

@@ -18,7 +18,6 @@ use crate::dynamics::model::{
 };
 use crate::dynamics::record::drive_cycle;
 use crate::dynamics::trajectory::{instant, transfer};
-use crate::kinematics::position::Position;
 use crate::math::jet::Jet;
 use crate::math::optimise::vertex;
 
@@ -300,7 +299,7 @@ fn force_pair(model: &Model, part: &ObjectPart) -> Option<Pair> {
 fn oscillates(model: &Model, node: NodeIndex) -> bool {
     match &model.nodes[node].motion {
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
-            !matches!(law.position, Position::Ratio { .. }) || oscillates(model, law.driver)
+            law.position.constant_ratio().is_none() || oscillates(model, law.driver)
         }
         NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => false,
         NodeMotion::Constrained { drivers, .. } => {

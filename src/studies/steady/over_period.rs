@@ -202,6 +202,7 @@ fn settings(method: Method, period: f64) -> RecorderSettings {
         long_steps: matches!(method, Method::Taylor | Method::Radau),
         implicit: matches!(method, Method::Radau | Method::Rodas5p),
         tolerance: TOLERANCE,
+        spans: Vec::new(),
         checked: false,
     }
 }

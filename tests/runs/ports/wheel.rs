@@ -119,7 +119,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<Box<dyn Object
         PositionSpec::Custom(CustomPosition(Arc::new(Geneva { slots })))
     });
     let rules = Rules::of(Coordinate::Turning);
-    let chain = read_behind(fields, context.driver, &rules, position)?;
+    let chain = read_behind(fields, context, context.driver, &rules, position)?;
     Some(Box::new(GenevaWheel { chain }))
 }
 

@@ -84,6 +84,7 @@ impl Log<'_> {
         }
         let (times, columns, closeups) = self.rows.into_columns();
         let first_times = self.watch.finish();
+        let spans = self.spans.finish();
         Recorded {
             record: Record {
                 times,
@@ -100,6 +101,7 @@ impl Log<'_> {
             looks: self.looker.finish(),
             first_times: first_times.times,
             undetermined_times: first_times.undetermined,
+            spans,
         }
     }
 

@@ -53,6 +53,7 @@ fn scene(parts: Vec<(&str, Option<&str>, Part)>) -> TypedScene {
             };
             let entry = SceneObject {
                 connections: input.map(connection).into_iter().collect(),
+                mentions: Vec::new(),
                 object: Box::new(part),
             };
             (id.to_owned(), entry)

@@ -67,10 +67,12 @@ fn windows_and_tables_become_pieces_over_shared_tracks() {
         to,
         force: -7.0,
         period: Some(TAU),
+        over: None,
     };
     let table = LoadLawSpec::PositionTable {
         points: vec![(0.0, 1.0), (2.0, 5.0), (TAU, 1.0)],
         period: Some(TAU),
+        over: None,
     };
     let mut spec = chain(Coordinate::Turning, ratio(), uniform(2));
     spec.loads = vec![
@@ -252,7 +254,11 @@ fn faults_of_tables_name_the_point() {
     for period in [None, Some(1.0)] {
         let points = points.clone();
         assert_eq!(
-            paths(LoadLawSpec::PositionTable { points, period }),
+            paths(LoadLawSpec::PositionTable {
+                points,
+                period,
+                over: None
+            }),
             ["rocker.loads.push.position_table.points[1]"]
         );
     }

@@ -141,6 +141,7 @@ fn input(
             own: measures,
             driver: measures,
         },
+        context,
     );
     let mut sound = true;
     let misplaced: &[(&str, &str)] = match driven {

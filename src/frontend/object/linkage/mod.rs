@@ -181,7 +181,7 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<DriveMode> {
     let assembly = pairs::assembly(fields, &names);
     let gravity = forces::gravity(fields);
     let forces = forces::read(fields, &names, pairs.as_deref(), input);
-    let outputs = outputs::read(fields, &names, pairs.as_deref(), input);
+    let outputs = outputs::read(fields, &names, pairs.as_deref(), (input, context));
     let (ground, links) = parts?;
     let (outputs, loads) = outputs?;
     let (of_one, joint_friction) = (of_one?, joint_friction?);

@@ -3,10 +3,10 @@
 use super::names::Names;
 use super::pairs;
 use crate::dynamics::model::Coordinate;
-use crate::frontend::object::Outputs;
 use crate::frontend::object::load::{self, On};
 use crate::frontend::object::measures::Measures;
 use crate::frontend::object::spec::LoadSpec;
+use crate::frontend::object::{Context, Outputs};
 use crate::frontend::read::{Bounds, Fields, Node, Slot};
 use crate::kinematics::linkage::spec::{OutputKind, OutputSpec, PairSpec};
 use crate::units::quantities as q;
@@ -69,12 +69,13 @@ pub(super) fn of_pair(linkage: &Node, pair: &str) -> Option<Coordinate> {
 /// Outputs, and of each its loads.
 type OutputsAndLoads = (Vec<OutputSpec>, Vec<Vec<LoadSpec>>);
 
-/// Reads `outputs`, in the order of their names.
+/// Reads `outputs`, in the order of their names. `driving`: the input, and what is known of
+/// other objects.
 pub(super) fn read(
     fields: &mut Fields<'_>,
     names: &Names,
     pairs: Option<&[PairSpec]>,
-    input: Measures,
+    driving: (Measures, &Context<'_>),
 ) -> Option<OutputsAndLoads> {
     let doc = "Outputs by name: other objects take them as `input`, as in `press.ram`, and they are recorded.";
     let outputs = fields.or("outputs", doc, json!({}), |slot| {
@@ -88,7 +89,7 @@ pub(super) fn read(
                 fault.hints.push("choose another name".to_owned());
             }
             let output = slot.defined("linkage_output", |slot| {
-                output(slot, name, names, pairs, input)
+                output(slot, name, names, pairs, driving)
             });
             output.filter(|_| free)
         })
@@ -101,7 +102,7 @@ fn output(
     name: &str,
     names: &Names,
     pairs: Option<&[PairSpec]>,
-    input: Measures,
+    (input, context): (Measures, &Context<'_>),
 ) -> Option<(OutputSpec, Vec<LoadSpec>)> {
     slot.record(|fields| {
         let mut kind = fields.one_of("what it is");
@@ -134,7 +135,7 @@ fn output(
             own: Measures(own),
             driver: Measures(input.0.or(own)),
         };
-        let loads = load::read_all(fields, on);
+        let loads = load::read_all(fields, on, context);
         let kind = match (kind?, direction?) {
             (OutputKind::Point { point, .. }, direction) => OutputKind::Point {
                 point,

@@ -1,6 +1,6 @@
 //! Loads that are expressions, or are made of one: harmonic loads, indicator diagrams.
 
-use super::{On, period};
+use super::{Axis, On, period};
 use crate::dynamics::builder::written as builder;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::object::measures::Measures;
@@ -16,13 +16,13 @@ use std::f64::consts::TAU;
 const AMBIENT: f64 = 101_325.0;
 
 /// Laws that are expressions, or are made of one.
-pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, over: bool) {
+pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, axis: Axis) {
     let own = on.own();
     let mut names = builder::OWN.to_vec();
     if !matches!(on, On::Rotor(_)) {
         names.extend(builder::DRIVER);
     }
-    let names = written::with_over(names, over);
+    let names = written::with_over(names, axis.of_another);
     let of = |expression| {
         LoadLawSpec::Written(WrittenSpec {
             expression,
@@ -35,26 +35,22 @@ pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, over: bool) {
         "Expression over t, phi and phi_dot of the mass, driver_phi and driver_phi_dot, in s, rad or m: \"120*sin(2*pi*5*t)\".",
         |slot| written::expression(slot, &names).map(of),
     );
-    let driver = match on {
-        On::Rotor(_) => None,
-        On::Chain { driver, .. } | On::Output { driver, .. } => Some(driver),
-    };
     law.case(
         "harmonic",
-        "Sine over time, or over the driver's displacement.",
-        |slot| harmonic(slot, own, driver).map(of),
+        "Sine over time, or over the displacement of the driver or of the object `over`.",
+        |slot| harmonic(slot, own, axis).map(of),
     );
-    if let Some(driver) = driver.filter(|_| own.0 != Some(Coordinate::Turning)) {
+    if own.0 != Some(Coordinate::Turning) {
         law.case(
             "indicator",
-            "Pressure on a piston over the driver's displacement: the indicator diagram of an engine or a compressor.",
-            |slot| indicator(slot, driver),
+            "Pressure on a piston over the displacement of the driver or of the object `over`: the indicator diagram of an engine or a compressor.",
+            |slot| indicator(slot, axis.measures),
         );
     }
 }
 
-/// mean + amplitude·sin(2π·frequency·t + phase), or of order·φ of the driver.
-fn harmonic(slot: Slot<'_>, own: Measures, driver: Option<Measures>) -> Option<Expression> {
+/// mean + amplitude·sin(2π·frequency·t + phase), or of order·φ of the axis.
+fn harmonic(slot: Slot<'_>, own: Measures, axis: Axis) -> Option<Expression> {
     slot.record(|fields| {
         let amplitude = fields.need("amplitude", "Amplitude", |slot| {
             slot.quantity(own.force(), Bounds::ANY)
@@ -64,10 +60,15 @@ fn harmonic(slot: Slot<'_>, own: Measures, driver: Option<Measures>) -> Option<E
             let frequency = slot.quantity(q::FREQUENCY, Bounds::NOT_NEGATIVE)?;
             Some(format!("2*pi*{frequency:?}*t"))
         });
-        if driver.is_some_and(|driver| driver.0 != Some(Coordinate::Sliding)) {
-            rate.case("order", "Periods per turn of the driver", |slot| {
+        let (phi, variable) = match axis.of_another {
+            true => builder::OVER[0],
+            false => builder::DRIVER[0],
+        };
+        if axis.measures.0 != Some(Coordinate::Sliding) {
+            let doc = "Periods per turn of the driver, or of the object `over`";
+            rate.case("order", doc, |slot| {
                 let order = slot.number(Bounds::ANY)?;
-                Some(format!("{order:?}*driver_phi"))
+                Some(format!("{order:?}*{phi}"))
             });
         }
         let rate = rate.finish();
@@ -89,7 +90,7 @@ fn harmonic(slot: Slot<'_>, own: Measures, driver: Option<Measures>) -> Option<E
         if mean != 0.0 {
             text = format!("{mean:?} + {text}");
         }
-        let names = [("t", 0), ("driver_phi", 3)];
+        let names = [("t", 0), (phi, variable)];
         Expression::over(&text, &names).ok()
     })
 }
@@ -99,7 +100,7 @@ fn indicator(slot: Slot<'_>, driver: Measures) -> Option<LoadLawSpec> {
     slot.record(|fields| {
         let points = fields.need(
             "points",
-            "List of [driver's displacement, pressure]: linear between the points.",
+            "List of [displacement of the driver or of `over`, pressure]: linear between the points.",
             |slot| points(slot, driver.displacement(), q::PRESSURE, 2),
         );
         let doc = "Area of the piston; positive: the pressure pushes towards positive displacement";
@@ -108,7 +109,7 @@ fn indicator(slot: Slot<'_>, driver: Measures) -> Option<LoadLawSpec> {
         let ambient = fields.or("ambient", doc, json!(AMBIENT), |slot| {
             slot.quantity(q::PRESSURE, Bounds::ANY)
         });
-        let doc = "Repeats after this much of the driver's displacement: 360 deg of a two-stroke, 720 deg of a four-stroke engine; default one turn of a turning driver";
+        let doc = "Repeats after this much of that displacement: 360 deg of a two-stroke, 720 deg of a four-stroke engine; default one turn of what turns";
         let period = period(fields, driver, doc);
         let (mut points, area, ambient, period) = (points?, area?, ambient?, period?);
         let turn = (driver.0 == Some(Coordinate::Turning)).then_some(TAU);
@@ -130,6 +131,10 @@ fn indicator(slot: Slot<'_>, driver: Measures) -> Option<LoadLawSpec> {
         for (_, pressure) in &mut points {
             *pressure = (*pressure - ambient) * area;
         }
-        Some(LoadLawSpec::PositionTable { points, period })
+        Some(LoadLawSpec::PositionTable {
+            points,
+            period,
+            over: None,
+        })
     })
 }

@@ -2,6 +2,7 @@
 
 use super::contact_force::{Force, Letters, Motion};
 use super::{Section, of_mass, of_object};
+use crate::dynamics::builder::written::OVER;
 use crate::dynamics::laws::{Declared, Measure};
 use crate::dynamics::model::{
     Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop, TrackSource,
@@ -130,9 +131,10 @@ impl OneLoad<'_> {
                 .unwrap_or_else(|| Expr::Words(function.description())),
             LoadLaw::Written(written) => self.written(written, section),
         };
-        let remark = match self.track_period() {
-            Some(period) => format!("repeats every {}", significant(period, 6)),
-            None => self.remark.clone(),
+        let remark = match (self.track_period(), self.over()) {
+            (Some(period), _) => format!("repeats every {}", significant(period, 6)),
+            (None, Some(other)) => format!("over_phi: displacement of {other}"),
+            (None, None) => self.remark.clone(),
         };
         section.line(self.letter("W"), law, remark);
     }
@@ -224,6 +226,21 @@ impl OneLoad<'_> {
             true => expr,
             false => Expr::Number(factor).times(expr),
         })
+    }
+
+    /// Id of the object to whose motion an expression refers besides.
+    fn over(&self) -> Option<&str> {
+        let LoadLaw::Written(written) = &self.load.law else {
+            return None;
+        };
+        let program = written.expression.program();
+        if !OVER.iter().any(|(_, index)| program.reads(*index)) {
+            return None;
+        }
+        let node = written.node_of(OVER[0].1)?;
+        let mut parts = self.model.objects.iter();
+        let owner = parts.find(|part| part.nodes.contains(&node))?;
+        Some(&owner.id)
     }
 
     /// Period of the axis that the load's pieces lie on.
