@@ -1,8 +1,8 @@
 //! What a drawing to scale bears beside the mechanism: a scale bar and the sense of rotation.
 
+use super::names::ground_pin;
 use super::view::View;
 use super::{Drawing, Placement};
-use crate::kinematics::linkage::spec::PairSpec;
 use crate::report::plot::coordinate;
 use crate::report::quantity::{escape, with_unit};
 use std::f64::consts::PI;
@@ -77,8 +77,7 @@ pub(super) fn driving_turn(
     view: &View,
     least: f64,
 ) -> Option<([f64; 2], bool)> {
-    let pin = driving_pin(drawing)?;
-    let link = [pin.on.link, pin.link.link].into_iter().flatten().next()?;
+    let (pin, link) = driving_pin(drawing)?;
     let turn = |pair: &[Vec<Placement>]| {
         let [[c, s], [d, t]] = [&pair[0][link], &pair[1][link]].map(|placement| placement.turn);
         (c * t - s * d).atan2(c * d + s * t)
@@ -88,42 +87,28 @@ pub(super) fn driving_turn(
     let whole = steps.iter().sum::<f64>().abs() >= least;
     let forward = steps.iter().all(|step| *step >= 0.0);
     let back = steps.iter().all(|step| *step <= 0.0);
-    (whole && (forward || back)).then(|| (grounded_pixel(pin, view), forward))
+    (whole && (forward || back)).then(|| (view.pixel(pin), forward))
 }
 
-/// The driving pair where it is a pin of the ground.
-fn driving_pin<'a>(drawing: &'a Drawing<'_>) -> Option<&'a PairSpec> {
-    let pair = drawing.spec.pairs.get(drawing.spec.driver);
-    pair.filter(|pair| is_grounded_pin(pair))
-}
-
-fn is_grounded_pin(pair: &PairSpec) -> bool {
-    let grounded = pair.on.link.is_none() != pair.link.link.is_none();
-    !pair.slides() && grounded
-}
-
-/// The pixel of a pin of the ground.
-fn grounded_pixel(pin: &PairSpec, view: &View) -> [f64; 2] {
-    let ground = match pin.on.link {
-        None => &pin.on,
-        Some(_) => &pin.link,
-    };
-    view.pixel(ground.at)
+/// The place of the driving pair and its link, where it is a pin of the ground.
+fn driving_pin(drawing: &Drawing<'_>) -> Option<([f64; 2], usize)> {
+    let pair = drawing.spec.pairs.get(drawing.spec.driver)?;
+    ground_pin(pair)
 }
 
 /// The pixel at which the motion comes in: the driving pin of the ground, else the middle of the
 /// left edge.
 pub(super) fn inlet(drawing: &Drawing<'_>, view: &View) -> [f64; 2] {
-    driving_pin(drawing).map_or([0.0, 0.5 * view.height], |pin| grounded_pixel(pin, view))
+    driving_pin(drawing).map_or([0.0, 0.5 * view.height], |(pin, _)| view.pixel(pin))
 }
 
 /// The pixel at which the motion goes out: the rightmost pin of the ground that is not the driving
 /// one, else the middle of the right edge.
 pub(super) fn outlet(drawing: &Drawing<'_>, view: &View) -> [f64; 2] {
     let pairs = drawing.spec.pairs.iter().enumerate();
-    let others =
-        pairs.filter(|(index, pair)| *index != drawing.spec.driver && is_grounded_pin(pair));
-    let pixels = others.map(|(_, pair)| grounded_pixel(pair, view));
+    let others = pairs.filter(|(index, _)| *index != drawing.spec.driver);
+    let pins = others.filter_map(|(_, pair)| ground_pin(pair));
+    let pixels = pins.map(|(pin, _)| view.pixel(pin));
     let last = pixels.max_by(|a, b| a[0].total_cmp(&b[0]));
     last.unwrap_or([view.width, 0.5 * view.height])
 }

@@ -62,3 +62,13 @@ pub(super) fn names(spec: &LinkageSpec, index: usize) -> Option<String> {
         .collect();
     (group[0] == index).then(|| names.join(", "))
 }
+
+/// The place of a pin between the ground and a link (m), and the link; `None` of other pairs.
+pub(super) fn ground_pin(pair: &PairSpec) -> Option<([f64; 2], usize)> {
+    let pin = match (pair.on.link, pair.link.link) {
+        (None, Some(link)) => (pair.on.at, link),
+        (Some(link), None) => (pair.link.at, link),
+        _ => return None,
+    };
+    (!pair.slides()).then_some(pin)
+}
