@@ -39,8 +39,10 @@ pub struct MotionPhase {
 
 /// A step of less than this share of the stroke is none.
 const STILL: f64 = 1e-9;
-/// With more phases nothing is told apart.
+/// With more phases none can be distinguished.
 const MOST: usize = 24;
+/// A phase of less than this share of the axis does not make a motion one of phases.
+const SHORT: f64 = 0.02;
 
 impl MotionPhase {
     /// The phases of a displacement over ascending places; none where it does one thing alone, or
@@ -70,8 +72,13 @@ impl MotionPhase {
                 }),
             }
         }
+        // (What turns on, and only begins from rest, has no phases.)
+        let ends = points.last().map_or(0.0, |last| last.0 - points[0].0);
+        let long = |phase: &Self| phase.to - phase.from > SHORT * ends;
+        let kind = |phase: &Self| phase.kind;
+        let kinds: Vec<PhaseKind> = phases.iter().filter(|one| long(one)).map(kind).collect();
         match phases.len() {
-            2..=MOST => phases,
+            2..=MOST if kinds.windows(2).any(|pair| pair[0] != pair[1]) => phases,
             _ => Vec::new(),
         }
     }
@@ -152,5 +159,10 @@ mod tests {
             (0..99).map(|k| (f64::from(k), f64::from(k % 2))).collect();
         assert!(MotionPhase::of(&trembling).is_empty());
         assert!(MotionPhase::of(&[(0.0, 1.0), (1.0, 1.0)]).is_empty());
+        // A motor that begins from rest and turns on.
+        let motor: Vec<(f64, f64)> = (0..200)
+            .map(|k| (f64::from(k), f64::from(k).max(2.0)))
+            .collect();
+        assert!(MotionPhase::of(&motor).is_empty());
     }
 }

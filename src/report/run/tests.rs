@@ -90,6 +90,6 @@ fn long_lists_of_switches_fold_away_and_short_ones_do_not() {
     let many =
         rendered(|_, record| record.switches = (0..5000).map(|i| row(f64::from(i))).collect());
     assert!(many.contains(
-        "<summary>the first 1000 of 5000 switches, between 0 s and 999 s; all of them are in switches.csv</summary>"
+        "<summary>the first 1000 of 5000 events, between 0 s and 999 s; all of them are in switches.csv</summary>"
     ));
 }

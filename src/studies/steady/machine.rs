@@ -119,16 +119,6 @@ fn kinks(model: &Model, node: usize) -> Vec<f64> {
     found
 }
 
-/// Tables of forces within the linkages that a drive moves.
-fn force_tables(model: &Model, moved: &[bool]) -> Vec<(NodeIndex, Breaks)> {
-    let moved = model.linkages.iter().filter(|body| moved[body.node]);
-    let tables = moved.flat_map(|body| {
-        let forces = body.linkage.spec().forces.iter();
-        forces.filter_map(|force| Some((body.node, force.law.breaks()?)))
-    });
-    tables.collect()
-}
-
 impl Machine {
     /// The machine behind a drive of a model, over a cycle (rad).
     ///
@@ -150,7 +140,9 @@ impl Machine {
         let mut machine = Self {
             depends_on_speed: loads.map(|load| &load.law).any(needs_speed),
             kinks: kinks(model, node),
-            tables: force_tables(model, &moved),
+            tables: (model.tables_over_inputs())
+                .filter(|(input, _)| moved[*input])
+                .collect(),
             drive,
             cycle,
             breaks: Vec::new(),
