@@ -177,7 +177,7 @@ fn what_has_no_value_over_a_part_is_refused_with_what_has() {
     assert!(over("mass.sigma", angles).contains("delta_abs"));
     // What the whole run does not have, no part of it has.
     let error = over("mass.pair.margin", angles);
-    assert!(error.contains("there is no figure"), "{error}");
+    assert!(error.contains("there is no result"), "{error}");
     let error = over("mass.delta_abs", r#"{ "from": "60 deg", "to": "30 deg" }"#);
     assert!(error.contains("from 350 deg to 370 deg"), "{error}");
     let error = over("mass.delta_abs", r#"{ "from": "60 deg", "to": "1 s" }"#);

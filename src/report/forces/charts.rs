@@ -68,8 +68,11 @@ fn change<'n>(name: &'n str, what: &str) -> (String, &'n str) {
     (format!("drive_by.{name}.{what}"), name)
 }
 
+/// Makes a chart of a title and of columns, each with its label.
+type Chart<'a> = dyn Fn(&str, Vec<(String, &str)>) -> Plot + 'a;
+
 /// Driving forces, powers, efficiency and the dynamic transmission ratio.
-fn drive(study: &ForceStudy, chart: &dyn Fn(&str, Vec<(String, &str)>) -> Plot) -> Vec<Plot> {
+fn drive(study: &ForceStudy, chart: &Chart<'_>) -> Vec<Plot> {
     let one = |title: &str, name: &str| chart(title, vec![(name.to_owned(), "")]);
     let mut charts = Vec::new();
     match &study.several {

@@ -57,8 +57,10 @@ impl LawRow {
     }
 }
 
-/// The constants shown in tables: heading, name in files and value.
-const CONSTANTS: [(&str, &str, fn(&LawConstants) -> f64); 7] = [
+/// A constant shown in tables: heading, name in files and value.
+type Constant = (&'static str, &'static str, fn(&LawConstants) -> f64);
+
+const CONSTANTS: [Constant; 7] = [
     (">C_v", "speed", |law| law.speed.value),
     (">C_a", "acceleration", |law| law.acceleration.value),
     (">least θ″", "deceleration", |law| law.deceleration.value),

@@ -142,7 +142,7 @@ impl ObjectPath {
         let start = finite().next()?;
         let least = finite().fold(start, f64::min);
         let greatest = finite().fold(start, f64::max);
-        let last = finite().last().unwrap_or(start);
+        let last = finite().next_back().unwrap_or(start);
         Some(Self {
             start,
             range: [least, greatest],

@@ -209,9 +209,12 @@ pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
     Section::new("Flywheel by textbook estimates").table(table)
 }
 
+/// A column of the cycle: its heading and its value.
+type Column = (&'static str, fn(&Row) -> f64);
+
 /// The motion over the cycle, a row a place.
 pub fn rigid_rows(shown: &SteadyReport<'_>) -> Rows {
-    let columns: [(&str, fn(&Row) -> f64); 8] = [
+    let columns: [Column; 8] = [
         ("phi [rad]", |row| row.position),
         ("t [s]", |row| row.time),
         ("omega [rad/s]", |row| row.speed),
