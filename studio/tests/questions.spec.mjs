@@ -191,7 +191,7 @@ test("a tab follows the text, is stale while the scene has faults, and says why 
   await tab(page, "Forces");
   const before = await read(page, ".found");
   const cam = asking(page).getByRole("tab", { name: "Cam", exact: true });
-  await expect(cam).toHaveAttribute("title", /tells of its cam/);
+  await expect(cam).toHaveAttribute("title", /describes its cam/);
   const text = server.text("slider_crank.json"), speed = /"speed": "?[\d.]+/.exec(text);
   expect(speed).not.toBeNull();
   // A digit more behind the number.
@@ -213,7 +213,7 @@ test("a tab follows the text, is stale while the scene has faults, and says why 
   await expect(page.locator(".stale-mark")).toHaveCount(0);
   await done(page);
   await cam.click();
-  await expect(asking(page).locator(".why")).toContainText("tells of its cam");
+  await expect(asking(page).locator(".why")).toContainText("describes its cam");
   await asking(page).getByRole("tab", { name: "Motion", exact: true }).click();
   await expect(page.locator(".charts svg.dam-plot").first()).toBeVisible();
 });
