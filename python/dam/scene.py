@@ -314,7 +314,7 @@ class Scene:
         Parameters
         ----------
         object
-            The object that follows it; may be left out where one only tells of its cam.
+            The object that follows it; may be omitted if only one describes its cam.
         speed
             Speed of the cam; default: that of the scene.
         pressure_angle, return_pressure_angle
@@ -369,7 +369,7 @@ class Scene:
     ) -> answers.LawComparison:
         """Laws of motion at a place of the scene (`"valve.position.cam.law"`), ranked by what
         the mechanism makes of them: names, `"scca:B,D"` or JSON as in a scene, all named ones
-        if none. `lift_off`: also the speed of the drive (rad/s) at which the pair opens."""
+        if none. `lift_off`: also the speed of the drive (rad/s) at which the contact separates."""
         wanted = lift_off or by == "lift_off"
         found = self._core.compare_laws(at, list(laws), by, wanted, _told(progress))
         return answers.LawComparison(found)

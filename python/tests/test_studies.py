@@ -161,13 +161,13 @@ def test_a_cam_has_its_profile(scenarios: Path) -> None:
         scene.cam(tolerance=-1.0)
 
 
-def test_an_elastic_follower_lets_go(scenarios: Path) -> None:
+def test_an_elastic_follower_lifts_off(scenarios: Path) -> None:
     scene = dam.load(scenarios / "cams" / "eccentric_jump.json")
     assert scene.cam().lift_off is None
     found = scene.cam(lift_off=True)
     # The closed form of the scenario's table: 52.30 rpm.
     assert found.lift_off == pytest.approx(52.30 * math.tau / 60, rel=2e-3)
-    assert "lets go, elastic" in found.text()
+    assert "lift-off, elastic" in found.text()
 
 
 def test_methods_beside_models_and_over_a_parameter(rocker: dam.Scene) -> None:

@@ -229,3 +229,57 @@ fn a_stiff_link_gets_one_verdict_from_every_command_and_the_truth_about_its_acce
         );
     }
 }
+
+/// The assembly modes that `dam check` states of a scene.
+fn assembly_modes(scene: &str, set: &[&str]) -> Vec<String> {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_dam"));
+    command.current_dir(env!("CARGO_MANIFEST_DIR"));
+    let output = command.args(["check", scene, "--json"]).args(set).output();
+    let document: Value = serde_json::from_slice(&output.expect("dam").stdout).expect("JSON");
+    let modes = document["assembly_modes"].as_array().expect("a list");
+    let words = modes.iter().map(|mode| mode.as_str().expect("words"));
+    words.map(str::to_owned).collect()
+}
+
+#[test]
+fn the_other_assembly_mode_is_reached_as_check_says() {
+    let toggle = "scenarios/linkages/toggle_press.json";
+    let sley = "scenarios/four_bar/loom_sley.json";
+    for (scene, index, hint, set, own, other) in [
+        (
+            "scenarios/linkages/slider_crank_spring.json",
+            0,
+            r#""assembly": { "slide": { "branch": "-" } }"#,
+            r#"mechanism.assembly={ "slide": { "branch": "-" } }"#,
+            "rod and slide are assembled on branch +",
+            "rod and slide are assembled on branch -",
+        ),
+        // The scene chooses by the second link of the dyad.
+        (
+            toggle,
+            1,
+            r#""assembly": { "ram": { "branch": "-" } }"#,
+            r#"press.assembly.ram={ "branch": "-" }"#,
+            "lower and ram are assembled on branch +",
+            "lower and ram are assembled on branch -",
+        ),
+        (
+            sley,
+            0,
+            r#""four_bar": { …, "branch": "-" }"#,
+            r#"sley.position.four_bar.branch="-""#,
+            "the four_bar is assembled on branch +",
+            "the four_bar is assembled on branch -",
+        ),
+    ] {
+        let before = assembly_modes(scene, &[]);
+        assert!(
+            before[index].contains(own) && before[index].ends_with(hint),
+            "{before:?}"
+        );
+        let after = assembly_modes(scene, &["--set", set]);
+        assert!(after[index].contains(other), "{after:?}");
+    }
+    // A crank alone has one.
+    assert!(assembly_modes("scenarios/rocker/one_mass.json", &[]).is_empty());
+}

@@ -1,6 +1,6 @@
 //! The structure of a linkage: mobility and Assur groups in order of solution.
 
-use super::spec::{LinkageSpec, Redundant, WeldSpec};
+use super::spec::{AssemblySpec, LinkageSpec, Redundant, WeldSpec};
 use std::fmt;
 
 /// The kind of a group of links.
@@ -124,16 +124,18 @@ impl Structure {
     }
 
     /// The assembly mode of every dyad that has another, each in a sentence with how to choose
-    /// the other.
-    pub fn assembly_modes(&self) -> Vec<String> {
+    /// the other: by the link that `choices` name, of several by the first.
+    pub fn assembly_modes(&self, choices: &[AssemblySpec]) -> Vec<String> {
         let dyads = self.groups.iter().filter_map(|group| {
             let (own, other) = match group.branch? < 0.0 {
                 true => ('-', '+'),
                 false => ('+', '-'),
             };
-            let links = group.links.iter().map(|&link| self.names[0][link].as_str());
-            let links: Vec<&str> = links.collect();
-            let first = links.first()?;
+            let name = |link: usize| self.names[0][link].as_str();
+            let links: Vec<&str> = group.links.iter().map(|&link| name(link)).collect();
+            let mut named = choices.iter().map(|choice| choice.link);
+            let named = named.find(|link| group.links.contains(link));
+            let first = named.map_or(*links.first()?, name);
             Some(format!(
                 "{} are assembled on branch {own}; the other: \"assembly\": {{ \"{first}\": {{ \
                  \"branch\": \"{other}\" }} }}",

@@ -150,14 +150,26 @@ fn shorts(model: &Model) -> impl Iterator<Item = &ObjectPart> {
 /// other.
 pub fn assembly_modes(model: &Model) -> Vec<String> {
     let single = model.linkages.iter();
-    let single = single.map(|body| (body.object, body.linkage.structure()));
-    let multi = model.multi_linkages.iter();
-    let multi = multi.map(|body| (body.object, body.linkage.structure()));
-    let full = single.chain(multi).flat_map(|(object, structure)| {
-        let id = &model.objects[object].id;
-        let modes = structure.assembly_modes().into_iter();
-        modes.map(move |mode| format!("`{id}`: {mode}"))
+    let single = single.map(|body| {
+        let linkage = &body.linkage;
+        (body.object, linkage.structure(), &linkage.spec().assembly)
     });
+    let multi = model.multi_linkages.iter();
+    let multi = multi.map(|body| {
+        let linkage = &body.linkage;
+        (
+            body.object,
+            linkage.structure(),
+            &linkage.spec().linkage.assembly,
+        )
+    });
+    let full = single
+        .chain(multi)
+        .flat_map(|(object, structure, choices)| {
+            let id = &model.objects[object].id;
+            let modes = structure.assembly_modes(choices).into_iter();
+            modes.map(move |mode| format!("`{id}`: {mode}"))
+        });
     let parts = model.objects.iter();
     let short = parts.filter_map(|part| {
         let (name, branch) = short(model, part)?.position.branch()?;
