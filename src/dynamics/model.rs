@@ -79,14 +79,6 @@ pub struct Model {
 }
 
 impl Model {
-    /// Tables of forces within linkages: the node of the input coordinate, and their points on it.
-    pub fn tables_over_inputs(&self) -> impl Iterator<Item = (NodeIndex, Breaks)> + '_ {
-        self.linkages.iter().flat_map(|body| {
-            let forces = body.linkage.spec().forces.iter();
-            forces.filter_map(|force| Some((body.node, force.law.breaks()?)))
-        })
-    }
-
     /// The stop that an object part is.
     pub fn stop(&self, part: usize) -> Option<Stop> {
         let own = self.stops.iter().find(|stop| stop.part == part)?;

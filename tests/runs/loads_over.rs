@@ -390,3 +390,65 @@ fn a_cam_carries_a_load_over_the_machine_angle() {
         "{why:?}"
     );
 }
+
+/// A slider-crank on a rotor: `forces` within it, and `objects` beside it.
+fn linkage_press(forces: &str, objects: &str) -> Scene {
+    let text = format!(
+        r#"{{ "dam": 1, "name": "press", "objects": {{
+            "shaft": {{ "kind": "drive", "motor": {{ "inertia": 2, "speed": 20, "torque": {{ "constant": 0 }} }} }},
+            "press": {{ "kind": "linkage", "input": "shaft", "driver": "O", "ground": {{ "O": [0, 0] }},
+                "links": {{ "crank": {{ "points": {{ "A": [0.08, 0] }}, "moment": 1.5 }},
+                            "rod": {{ "points": {{ "B": [0.4, 0] }}, "mass": 25, "centre": [0.15, 0], "moment": 0.6 }},
+                            "ram": {{ "mass": 220 }} }},
+                "pairs": {{ "O": {{ "revolute": ["ground.O", "crank.origin"] }},
+                            "A": {{ "revolute": ["crank.A", "rod.origin"] }},
+                            "B": {{ "revolute": ["rod.B", "ram.origin"] }},
+                            "guide": {{ "sliding": {{ "guide": "ground.O", "block": "ram.origin" }} }} }},
+                "assembly": {{ "ram": {{ "near": [0.48, 0] }} }},
+                "forces": {{ {forces} }} }}{objects} }},
+            "run": {{ "duration": 0.3, "tolerance": 1e-9 }} }}"#
+    );
+    Scene::from_json(&text).unwrap()
+}
+
+#[test]
+fn a_narrow_table_within_a_linkage_acts_as_the_same_load_on_its_shaft() {
+    for width in [0.02, 0.5] {
+        let (middle, end) = (100.0 + width / 2.0, 100.0 + width);
+        let table = format!(
+            r#"{{ "points": [["100 deg", 0], ["{middle} deg", -1800], ["{end} deg", 0]], "period": "360 deg" }}"#
+        );
+        let within = table.replacen('{', r#"{ "link": "crank", "#, 1);
+        let within = linkage_press(&format!(r#""w": {{ "couple_table": {within} }}"#), "");
+        let beside = format!(
+            r#", "brake": {{ "kind": "shaft", "input": "shaft", "masses": 0,
+                 "position": {{ "ratio": {{ "ratio": 1 }} }}, "inertia": 0,
+                 "loads": {{ "w": {{ "position_table": {table} }} }} }}"#
+        );
+        let beside = linkage_press("", &beside);
+        let free = linkage_press("", "");
+        for method in ["auto", "dop853", "radau"] {
+            let speed = |scene: &Scene| {
+                let run = scene.clone().method(method).run().unwrap();
+                (
+                    run.figures.value("shaft.final.speed").unwrap(),
+                    run.is_trusted(),
+                )
+            };
+            let [within, beside, free] = [&within, &beside, &free].map(speed);
+            assert!(
+                (beside.0 - free.0).abs() > 1e-3,
+                "it brakes: {beside:?} {free:?}"
+            );
+            // A table within a linkage is evaluated where the stages of a step are: what does not
+            // meet it is found out by the balance of energy.
+            assert!(
+                within.1 || method != "auto",
+                "{method} at {width} deg is not to be trusted"
+            );
+            if within.1 {
+                assert_relative_eq!(within.0, beside.0, max_relative = 1e-7);
+            }
+        }
+    }
+}

@@ -3,7 +3,7 @@
 use super::assembly_range::{DEAD, place, range};
 use super::spec::DrivenLinkage;
 use super::{Connected, ModelBuilder, Place};
-use crate::dynamics::model::{Law, LinkageBody, NodeIndex, Pair};
+use crate::dynamics::model::{Law, LinkageBody, NodeIndex, Pair, TrackSource};
 use crate::dynamics::stated::StatedPosition;
 use crate::fault::Fault;
 use crate::kinematics::linkage::kinetostatics::Kinetostatics;
@@ -64,6 +64,12 @@ impl ModelBuilder {
                 self.load_at(path, at.object, load, &[carrier], node);
             }
             outputs.push(carrier);
+        }
+        // Steps end at the points of tables, so that none is passed over.
+        for force in &spec.linkage.forces {
+            if let Some(breaks) = force.law.breaks() {
+                self.track(TrackSource::Node(node), (breaks, false), at.object);
+            }
         }
         self.model.linkages.push(LinkageBody {
             node,

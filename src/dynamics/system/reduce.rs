@@ -5,7 +5,7 @@ use super::frozen::Frozen;
 use super::passes::{Extent, Work};
 use super::{Scratch, System};
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{NodeIndex, TrackSource};
+use crate::dynamics::model::TrackSource;
 use crate::math::number::Dual;
 
 /// A rotor with all that hangs rigidly on it, at a position and a speed: its
@@ -77,23 +77,6 @@ impl System {
             moment_by_speed: by_speed.derivative + slope * speed,
             gross_moment: gross,
         }
-    }
-
-    /// Displacement of a node in a state and its modes. Allocates nothing.
-    pub fn displacement_of(
-        &self,
-        node: NodeIndex,
-        y: &[f64],
-        modes: &Modes,
-        scratch: &mut Scratch,
-    ) -> f64 {
-        for (state, &value) in scratch.dual_state.iter_mut().zip(y) {
-            *state = Dual::from(value);
-        }
-        let (state, work) = (&scratch.dual_state, &mut scratch.dual_work);
-        self.frozen
-            .motion(Dual::from(0.0), state, &modes.0, Extent::Full, work);
-        work.displacement[node].value
     }
 
     /// Positions of the rotor of an object in [0, `end`], ascending, at which

@@ -7,12 +7,11 @@ pub use drive::{constant_speed, drive_of, is_elastic};
 
 use super::cycle::AFTER_A_CYCLE;
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{Load, LoadLaw, Model, NodeIndex, NodeMotion, TrackSource};
+use crate::dynamics::model::{Load, LoadLaw, Model, NodeMotion, TrackSource};
 use crate::dynamics::steady::cycle_map;
 use crate::dynamics::steady::{FunctionKind, Profile, Refusal};
 use crate::dynamics::system::{Scratch, System};
 use crate::fault::Fault;
-use crate::kinematics::breaks::Breaks;
 use drive::backwards;
 use std::cell::RefCell;
 
@@ -33,17 +32,8 @@ pub struct Machine {
     modes: Vec<Modes>,
     /// Speeds at which a table of torque over speed has its points.
     kinks: Vec<f64>,
-    /// Tables of forces within linkages: the node of the input coordinate, and their points on it.
-    tables: Vec<(NodeIndex, Breaks)>,
     depends_on_speed: bool,
     memory: RefCell<(Scratch, Vec<f64>)>,
-}
-
-/// Which formulas hold at a position: modes of the system, and segments of tables within linkages.
-#[derive(PartialEq)]
-struct Formulas {
-    modes: Modes,
-    segments: Vec<i64>,
 }
 
 /// Share of the work of the single moments that is rounding of their sum.
@@ -140,9 +130,6 @@ impl Machine {
         let mut machine = Self {
             depends_on_speed: loads.map(|load| &load.law).any(needs_speed),
             kinks: kinks(model, node),
-            tables: (model.tables_over_inputs())
-                .filter(|(input, _)| moved[*input])
-                .collect(),
             drive,
             cycle,
             breaks: Vec::new(),
@@ -160,20 +147,7 @@ impl Machine {
         self.system.rotor_state(self.drive, position, 1.0).1
     }
 
-    fn formulas_at(&self, position: f64) -> Formulas {
-        let (state, modes) = self.system.rotor_state(self.drive, position, 1.0);
-        let scratch = &mut self.memory.borrow_mut().0;
-        let segment = |(input, axis): &(NodeIndex, Breaks)| {
-            let at = self.system.displacement_of(*input, &state, &modes, scratch);
-            axis.locate(at, 1.0)
-        };
-        Formulas {
-            segments: self.tables.iter().map(segment).collect(),
-            modes,
-        }
-    }
-
-    /// Finds the positions at which any formula changes.
+    /// Finds the positions at which any mode changes.
     fn find_breaks(&mut self) -> Result<(), Vec<Fault>> {
         let looks = (LOOKS * (self.cycle / std::f64::consts::TAU).max(1.0)).ceil() as usize;
         let steps = (0..=looks).map(|i| self.cycle * i as f64 / looks as f64);
@@ -181,13 +155,10 @@ impl Machine {
         places.extend(self.system.rotor_breaks(self.drive, self.cycle));
         places.sort_by(f64::total_cmp);
         places.dedup();
-        let all: Vec<Formulas> = (places.iter())
-            .map(|&place| self.formulas_at(place))
-            .collect();
-        let first = &all[0].modes;
+        let all: Vec<Modes> = places.iter().map(|&place| self.modes_at(place)).collect();
         if let Some(object) = all
             .iter()
-            .find_map(|found| self.system.beyond_reach(first, &found.modes))
+            .find_map(|modes| self.system.beyond_reach(&all[0], modes))
         {
             let id = &self.system.model().objects[object].id;
             let message = "it cannot be assembled over the whole cycle of its drive";
@@ -195,8 +166,8 @@ impl Machine {
             return Err(vec![Fault::new(format!("{id}.position"), message, hint)]);
         }
         let mut breaks = Vec::new();
-        for (ends, found) in places.windows(2).zip(all.windows(2)) {
-            self.narrow([ends[0], ends[1]], [&found[0], &found[1]], &mut breaks);
+        for (ends, modes) in places.windows(2).zip(all.windows(2)) {
+            self.narrow([ends[0], ends[1]], [&modes[0], &modes[1]], &mut breaks);
         }
         breaks.retain(|&place| place > 0.0 && place < self.cycle);
         breaks.dedup();
@@ -210,8 +181,8 @@ impl Machine {
         Ok(())
     }
 
-    /// Halves an interval until the formulas at its ends are neighbours.
-    fn narrow(&self, [from, to]: [f64; 2], [before, after]: [&Formulas; 2], breaks: &mut Vec<f64>) {
+    /// Halves an interval until the modes at its ends are neighbours.
+    fn narrow(&self, [from, to]: [f64; 2], [before, after]: [&Modes; 2], breaks: &mut Vec<f64>) {
         if before == after {
             return;
         }
@@ -220,9 +191,9 @@ impl Machine {
             breaks.push(to);
             return;
         }
-        let found = self.formulas_at(middle);
-        self.narrow([from, middle], [before, &found], breaks);
-        self.narrow([middle, to], [&found, after], breaks);
+        let modes = self.modes_at(middle);
+        self.narrow([from, middle], [before, &modes], breaks);
+        self.narrow([middle, to], [&modes, after], breaks);
     }
 
     /// True when a moment changes with the speed at rest: dampers of linkages,
