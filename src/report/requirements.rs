@@ -75,7 +75,7 @@ fn row(one: &Requirement) -> Vec<Cell> {
         .map_or_else(|| "–".to_owned(), |value| quantity(value, &one.unit));
     let (words, why) = match (&one.not_judged, one.verdict.holds) {
         (Some(why), _) => ("not judged", why.as_str()),
-        (None, true) => ("holds", ""),
+        (None, true) => ("holds", one.note.as_deref().unwrap_or("")),
         // What has no value fails, and says why.
         (None, false) if one.verdict.found.is_none() => ("fails", one.verdict.message.as_str()),
         (None, false) => ("fails", ""),

@@ -100,6 +100,9 @@ pub struct Requirement {
     /// Why it was not judged: the study has no answer, or none that is to be trusted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub not_judged: Option<String>,
+    /// What the value leaves out, if anything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub note: Option<String>,
 }
 
 impl Requirement {
@@ -201,7 +204,11 @@ fn check_figure(
     match value {
         Ok(found) => judge(&mut verdict, allowed, found),
         Err(AddressError::NoValue) => {
-            verdict.message = format!("{figure} has no value in this run");
+            let why = match StudyAddress::span_of_run(figure) {
+                Some(_) => ": the run does not go through all of this part",
+                None => "",
+            };
+            verdict.message = format!("{figure} has no value in this run{why}");
         }
         Err(AddressError::Unknown { close }) => {
             verdict.unknown = true;

@@ -2,7 +2,8 @@
 
 use super::condition::Condition;
 use super::expectations::{self, Requirement, Verdict, judged as judged_figure};
-use super::forces::ForceStudy;
+use super::forces::{ForceStudy, loads_left_out};
+use super::judgement::Judgement;
 use super::kinematics::Kinematics;
 use super::lookup::{self, Subject};
 use super::run::{RunResult, run};
@@ -71,7 +72,18 @@ impl Studies<'_> {
             unit: unit.unwrap_or_default(),
             verdict,
             not_judged,
+            note: self.note(address),
         }
+    }
+
+    /// What the value of an address of forces leaves out.
+    fn note(&self, address: Option<StudyAddress<'_>>) -> Option<String> {
+        let (study, object, _) = address?.of_course()?;
+        let found = self.forces.get(object)?.as_ref().ok()?;
+        let model = self.subject.system.model();
+        (study == "forces")
+            .then(|| loads_left_out(found, model, object))
+            .flatten()
     }
 
     fn run(&mut self, one: &Expectation) -> Result<Verdict, String> {
@@ -100,7 +112,11 @@ impl Studies<'_> {
     fn kinematics(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
         let (model, duration) = (self.subject.system.model(), self.subject.settings.duration);
         let known = self.kinematics.entry(object.to_owned());
-        let found = known.or_insert_with(|| kinematics_of(model, object, duration));
+        let found = known.or_insert_with(|| {
+            let found = kinematics_of(model, object, duration)?;
+            trusted(found.judgement(), "kinematics")?;
+            Ok(found)
+        });
         let found = found.as_ref().map_err(Clone::clone)?;
         check_kinematics(std::slice::from_ref(one), found)
             .pop()
@@ -110,7 +126,11 @@ impl Studies<'_> {
     fn forces(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
         let (model, duration) = (self.subject.system.model(), self.subject.settings.duration);
         let known = self.forces.entry(object.to_owned());
-        let found = known.or_insert_with(|| forces_of(model, object, duration));
+        let found = known.or_insert_with(|| {
+            let found = forces_of(model, object, duration)?;
+            trusted(found.judgement(), "forces")?;
+            Ok(found)
+        });
         let found = found.as_ref().map_err(Clone::clone)?;
         check_forces(std::slice::from_ref(one), object, found)
             .pop()
@@ -127,6 +147,16 @@ impl Studies<'_> {
             source: one.source.clone(),
             ..judged_figure(figure, allowed, found.and_then(|found| found.value))
         })
+    }
+}
+
+/// What is not to be trusted judges nothing.
+fn trusted(judgement: Judgement, study: &str) -> Result<(), String> {
+    match judgement {
+        Judgement::NotToBeTrusted => Err(format!(
+            "the {study} are not to be trusted: `dam {study}` says why"
+        )),
+        Judgement::InWorkingOrder | Judgement::NotInWorkingOrder | Judgement::NotJudged => Ok(()),
     }
 }
 

@@ -7,7 +7,7 @@ use super::document::blank;
 use super::expectations::did_you_mean;
 use super::kinematics::{KinematicsRequest, Over, Subject, several_of};
 use super::studied::{self, forces_over, kinematics_over, question};
-use crate::dynamics::model::{Model, Span, SpanAxis, owner_of};
+use crate::dynamics::model::{Coordinate, Model, Span, SpanAxis, owner_of};
 use crate::dynamics::record::{AddressError, span_figures};
 use crate::fault::Fault;
 use crate::frontend::scene::{SpanAddress, StudyAddress};
@@ -84,6 +84,9 @@ fn check_of_run(figure: &str, model: &Model) -> Result<(), Fault> {
     }
 }
 
+/// A ratio is a whole number but for this rounding.
+const WHOLE: f64 = 1e-9;
+
 /// The range of the input that is a span.
 fn range_of(model: &Model, object: &str, span: &Span) -> Result<Over, String> {
     if several_of(model, Some(object)).is_some() {
@@ -102,7 +105,8 @@ fn range_of(model: &Model, object: &str, span: &Span) -> Result<Over, String> {
             "the input of `{object}` does not move uniformly: its figures are over the whole time"
         ));
     }
-    let node = Subject::of(model, Some(object))?.input_node();
+    let subject = Subject::of(model, Some(object))?;
+    let node = subject.input_node();
     let axis = model.axis_of(span).map_err(|(message, _)| message)?;
     let source = axis.and_then(|part| model.objects[part].nodes.last().copied());
     let line = match of {
@@ -115,6 +119,21 @@ fn range_of(model: &Model, object: &str, span: &Span) -> Result<Over, String> {
              its own, with `of {object}`"
         ));
     };
+    // Angles count in every turn: the linkage must be where it was after each.
+    let turns = matches!(
+        span.axis,
+        SpanAxis::Displacement {
+            coordinate: Coordinate::Turning,
+            ..
+        }
+    );
+    let whole = subject.input == Coordinate::Turning && (ratio - ratio.round()).abs() < WHOLE;
+    if turns && !whole {
+        return Err(format!(
+            "`{object}` is not where it was after each turn: its input goes on by {ratio} of a turn. \
+             Give angles of its own, with `of {object}`"
+        ));
+    }
     let ends = [ratio * span.from + offset, ratio * span.to + offset];
     Ok(Over::Range {
         from: ends[0].min(ends[1]),

@@ -476,7 +476,11 @@ fn what_does_not_qualify_is_refused_with_its_reason() {
     let stuck = json!({ "drive": drive, "arm": arm("drive"),
         "slide": { "kind": "slider", "input": "drive", "masses": 0, "inertia": 1,
             "position": { "slider_crank": { "crank": 0.25, "rod": 0.2 } } } });
+    let mut written = json!({ "drive": drive, "arm": arm("drive"), "ram": arm("drive") });
+    written["ram"]["masses"] = json!(0);
+    written["ram"]["loads"] = json!({ "w": { "expression": "3*sin(t)" } });
     let cases = [
+        (written, "ram", "a load by an expression on a rigid object"),
         (motor, "drive", "turned by a torque"),
         (
             with(

@@ -164,3 +164,32 @@ fn a_part_of_the_motion_is_named_in_every_form() {
     assert!(said.contains("`dam verify` judges them"), "{said}");
     std::fs::remove_file(file).unwrap();
 }
+
+#[test]
+fn forces_that_leave_out_a_load_say_so() {
+    let scene = std::fs::read_to_string("scenarios/linkages/toggle_press.json").unwrap();
+    let mut scene: Value = serde_json::from_str(&scene).unwrap();
+    scene["objects"]["press"]["from"] = "linkage/toggle-press".into();
+    scene["expect"] = serde_json::json!([
+        { "figure": "forces.press.drive.greatest", "at_most": "500 N m" },
+        { "figure": "kinematics.press.ram.speed.greatest", "at_most": 9 },
+    ]);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.json");
+    std::fs::write(&path, scene.to_string()).unwrap();
+    let path = path.to_str().unwrap();
+    let output = dam(&[path, "--json"]);
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let requirements = &found["scenes"][0]["requirements"];
+    let note = requirements[0]["note"].as_str().unwrap();
+    assert!(note.contains("what the linkage drives (tool)"), "{note}");
+    assert!(requirements[1]["note"].is_null());
+    // What `dam forces` says.
+    let forces = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["forces", path])
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let said = String::from_utf8(forces.stderr).unwrap();
+    assert!(said.contains("what the linkage drives (tool)"), "{said}");
+}

@@ -215,12 +215,12 @@ fn kinematics_and_forces_have_extremes_over_the_angle_of_the_drive() {
     let whole = format!("{}{}", &text[..start], expect(30.0, 120.0));
     let all = found(&whole);
     assert!(all[0].1 && all[1].1, "{all:?}");
-    // Behind a gear the drive turns twice as far.
-    let geared = format!("{}{}", &text[..start], expect(60.0, 240.0))
+    // Behind a gear the drive turns half as far.
+    let geared = format!("{}{}", &text[..start], expect(15.0, 60.0))
         .replace(
             r#""drive": { "kind": "drive", "motion": { "speed": "10 rad/s" } },"#,
-            r#""drive": { "kind": "drive", "motion": { "speed": "20 rad/s" } },
-               "gear": { "kind": "shaft", "input": "drive", "position": { "ratio": { "ratio": 0.5 } }, "inertia": 1, "masses": 0 },"#,
+            r#""drive": { "kind": "drive", "motion": { "speed": "5 rad/s" } },
+               "gear": { "kind": "shaft", "input": "drive", "position": { "ratio": { "ratio": 2 } }, "inertia": 1, "masses": 0 },"#,
         )
         .replace(r#""kind": "linkage", "input": "drive""#, r#""kind": "linkage", "input": "gear""#);
     let behind = found(&geared);
@@ -308,17 +308,18 @@ fn over_the_whole_run_they_are_its_figures() {
             run.unwrap_or_else(|error| panic!("{file}: {error}"))
         };
         let whole = run_of(&scene);
+        let end = format!("{:?} s", whole.times().last().unwrap());
         let expect: Vec<serde_json::Value> = figures
             .iter()
             .filter(|(_, figure)| whole.figures.value(figure).is_ok())
             .map(|(_, figure)| {
-                serde_json::json!({ "figure": figure, "over": { "from": "0 s", "to": "1000 s" }, "at_least": 0 })
+                serde_json::json!({ "figure": figure, "over": { "from": "0 s", "to": end }, "at_least": 0 })
             })
             .collect();
         scene["expect"] = expect.into();
         let run = run_of(&scene);
         for (k, figure) in &figures {
-            let over = run.figures.value(&format!("{figure} from 0 s to 1000 s"));
+            let over = run.figures.value(&format!("{figure} from 0 s to {end}"));
             let (Ok(whole), Ok(over)) = (run.figures.value(figure), over) else {
                 continue;
             };
@@ -333,4 +334,69 @@ fn over_the_whole_run_they_are_its_figures() {
     for (name, seen) in NAMES.iter().zip(seen) {
         assert!(seen > 0, "{name}");
     }
+}
+
+#[test]
+fn a_part_that_the_run_does_not_go_through_has_no_value() {
+    // 1.5 turns: of the drive's angles all are met, of the times those up to its end.
+    let ends = scene(
+        PRESCRIBED,
+        "auto",
+        r#"{ "figure": "slide.peak_speed", "over": { "from": "-0.1 s", "to": "0.2 s" }, "at_most": 9 },
+           { "figure": "slide.peak_speed", "over": { "from": "0.9 s", "to": "9 s" }, "at_most": 9 },
+           { "figure": "slide.peak_speed", "over": { "from": "0.1 s", "to": "0.2 s" }, "at_most": 9 }"#,
+    );
+    let all = found(&ends);
+    for partly in &all[..2] {
+        assert!(partly.0.is_none() && !partly.1, "{partly:?}");
+        assert!(partly.2.contains("does not go through all"), "{partly:?}");
+    }
+    assert!(all[2].0.is_some() && all[2].1);
+    // A short run ends within the angles.
+    let short = ends.replace(
+        r#""from": "0.1 s", "to": "0.2 s""#,
+        r#""from": "0 deg", "to": "300 deg""#,
+    );
+    let short = Scene::from_json(&short).unwrap().duration("0.1 s");
+    let verdict = short.verify().unwrap().pop().unwrap();
+    assert!(
+        !verdict.holds() && verdict.verdict.found.is_none(),
+        "{verdict:?}"
+    );
+}
+
+#[test]
+fn angles_of_a_linkage_count_in_every_turn_or_are_refused() {
+    let scene = |ratio: &str, over: &str| {
+        let text = format!(
+            r#"{{ "dam": 1, "name": "press", "objects": {{
+                "shaft": {{ "kind": "drive", "motion": {{ "speed": 1 }} }},
+                "press": {{ "kind": "linkage", "input": "shaft", "driver": "O", "ground": {{ "O": [0, 0] }},
+                    "position": {{ "ratio": {{ "ratio": {ratio} }} }},
+                    "links": {{ "crank": {{ "points": {{ "A": [0.08, 0] }} }},
+                                "rod": {{ "points": {{ "B": [0.4, 0] }} }}, "ram": {{ "mass": 2 }} }},
+                    "pairs": {{ "O": {{ "revolute": ["ground.O", "crank.origin"] }},
+                                "A": {{ "revolute": ["crank.A", "rod.origin"] }},
+                                "B": {{ "revolute": ["rod.B", "ram.origin"] }},
+                                "guide": {{ "sliding": {{ "guide": "ground.O", "block": "ram.origin" }} }} }},
+                    "assembly": {{ "ram": {{ "near": [0.48, 0] }} }},
+                    "outputs": {{ "ram": {{ "point": "ram.origin" }} }} }} }},
+                "run": {{ "duration": 13 }},
+                "expect": [{{ "figure": "kinematics.press.ram.speed.greatest", "over": {{ {over} }}, "at_most": 9 }},
+                           {{ "figure": "press.ram.peak_speed", "over": {{ {over} }}, "at_most": 9 }}] }}"#
+        );
+        Scene::from_json(&text).and_then(|scene| scene.verify())
+    };
+    // Twice as fast as the shaft: the same in each of its turns, and as the run has it.
+    let angles = r#""from": "100 deg", "to": "125 deg""#;
+    let all = scene("2", angles).unwrap();
+    let [one, other] = [0, 1].map(|at: usize| all[at].verdict.found.unwrap());
+    assert_relative_eq!(one, other, max_relative = 1e-9);
+    // Half as fast it is elsewhere in every second turn.
+    let refused = scene("0.5", angles).unwrap_err().to_string();
+    assert!(refused.contains("goes on by 0.5 of a turn"), "{refused}");
+    let own = r#""from": "200 deg", "to": "250 deg", "of": "press""#;
+    let own = scene("0.5", own).unwrap();
+    let [one, other] = [0, 1].map(|at: usize| own[at].verdict.found.unwrap());
+    assert_relative_eq!(one, other, max_relative = 1e-9);
 }

@@ -11,14 +11,14 @@ use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::output::OutputFolder;
 use crate::cli::status::Status;
-use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
+use crate::dynamics::model::{Model, MultiLinkageBody};
 use crate::fault::{Fault, within};
 use crate::kinematics::linkage::kinetostatics::{ForceFailure, Kinetostatics};
 use crate::report::findings::Source;
 use crate::report::forces::{ForcesReport, document, drawing, findings, massless_chart, rows};
 use crate::studies::forces::{
     Course, ForceStudy, LinkagePositions, MasslessComparison, Row, compare_massless,
-    multi_input_forces, study,
+    loads_left_out, multi_input_forces, study,
 };
 use crate::studies::kinematics::{linkage_of, several_of};
 use crate::studies::rigid::Rigid;
@@ -48,7 +48,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         None => of_one(args, &ready)?,
     };
     let object = object.as_str();
-    let warnings = warnings(args, &found, &loads_on_outputs(model, object));
+    let warnings = warnings(args, &found, model, object);
     let report = ForcesReport {
         study: &found,
         warnings: &warnings,
@@ -243,39 +243,11 @@ fn faults_of(ready: &Ready, object: &str, faults: Vec<Fault>) -> Failure {
     ready.reading.places.diagnose(&faults).into()
 }
 
-/// Objects that hang on the linkage's outputs, and outputs that carry loads of their own.
-fn loads_on_outputs<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
-    let own = |id: &str| {
-        id == object
-            || id
-                .strip_prefix(object)
-                .is_some_and(|rest| rest.starts_with('.'))
-    };
-    let hangs = |part: &ObjectPart| {
-        !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
-    };
-    let loaded = |part: &ObjectPart| {
-        own(&part.id) && (model.loads.iter()).any(|load| part.nodes.contains(&load.node))
-    };
-    let parts = model.objects.iter();
-    parts
-        .filter(|part| hangs(part) || loaded(part))
-        .map(|part| part.id.as_str())
-        .collect()
-}
-
 /// All that the user should know besides the figures.
-fn warnings(args: &ForcesArgs, found: &ForceStudy, behind: &[&str]) -> Vec<String> {
+fn warnings(args: &ForcesArgs, found: &ForceStudy, model: &Model, object: &str) -> Vec<String> {
     let mut warnings = found.warnings();
-    if !behind.is_empty() && args.record.is_none() && !found.course.has_loads() {
-        warnings.push(format!(
-            "the forces of what the linkage drives ({}) are not among its loads{}",
-            behind.join(", "),
-            match found.several {
-                None => "; take them from a run with --record",
-                Some(_) => "",
-            }
-        ));
+    if args.record.is_none() {
+        warnings.extend(loads_left_out(found, model, object));
     }
     warnings
 }

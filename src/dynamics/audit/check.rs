@@ -8,23 +8,23 @@ use std::fmt;
 /// one that the run was computed by.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct EquationCheck {
-    /// Seed by which instants and switches were drawn.
+    /// Seed of the draws of instants and events.
     pub seed: u64,
     /// Instants looked at.
     pub instants: usize,
     /// Switches looked at.
     pub switches: usize,
-    /// The defect that is greatest against its bound, as a share of the terms that are there.
+    /// Greatest defect against its bound, as a share of the terms of its equation.
     pub defect: f64,
-    /// Its bound.
+    /// Bound of the defect.
     pub bound: f64,
-    /// Time of it (s).
+    /// Time of the defect (s).
     pub time: f64,
-    /// Object that it concerns.
+    /// Object that the defect concerns.
     pub object: String,
-    /// What does not hold there.
+    /// Equation that the defect is one of.
     pub what: &'static str,
-    /// What of the run was not checked, and why.
+    /// Parts of the run that were not checked, and why.
     pub unchecked: Vec<String>,
 }
 

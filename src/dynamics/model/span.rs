@@ -61,6 +61,16 @@ impl Span {
         (0.0..=self.to - self.from).contains(&behind)
     }
 
+    /// Whether all of it lies between two places of its axis, ascending, once at least.
+    pub fn is_within(&self, [low, high]: [f64; 2]) -> bool {
+        let ends = [self.from, self.to, low, high].map(f64::abs);
+        let rounding = ROUNDING * ends.into_iter().fold(0.0, f64::max);
+        let shift = self.period().map_or(0.0, |turn| {
+            ((high + rounding - self.to) / turn).floor() * turn
+        });
+        low - rounding <= self.from + shift && self.to + shift <= high + rounding
+    }
+
     /// Where it begins or ends between two places of its axis, ascending.
     pub fn ends_between(&self, [low, high]: [f64; 2]) -> Vec<f64> {
         let between = |place: &f64| low < *place && *place < high;
@@ -82,6 +92,8 @@ impl Span {
     }
 }
 
+/// Share of a place that is rounding of the way to it.
+const ROUNDING: f64 = 1e-9;
 /// Most turns between two instants that are looked at together.
 const MOST_TURNS: f64 = 1e6;
 

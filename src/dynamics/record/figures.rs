@@ -152,7 +152,7 @@ pub struct StopFigures {
     /// Impacts, where it is rigid.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub impacts: Option<ImpactFigures>,
-    /// Times of all switches (s).
+    /// Times of all events (s).
     pub switch_times: Vec<f64>,
 }
 
@@ -216,7 +216,7 @@ pub struct PairFigures {
     /// it would lift off); null for elastic objects.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub margin: Option<f64>,
-    /// Times of all switches (s).
+    /// Times of all events (s).
     pub switch_times: Vec<f64>,
     /// No separation within the window; null without a window.
     pub in_working_order: Option<bool>,

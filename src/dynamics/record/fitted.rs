@@ -15,6 +15,20 @@ const RESOLVED: f64 = 1e-11;
 /// Roundings of its size that a value of a fit may be off.
 const ROUNDINGS: f64 = 16.0;
 
+/// Parts of a stretch that may hold many vibrations, at least and at most.
+const PARTS: [f64; 2] = [4.0, 1e6];
+
+/// The parts of a stretch: with a density (1/s) so many in a second, without one it is a step.
+pub(super) fn parts([from, to]: [f64; 2], density: Option<f64>) -> impl Iterator<Item = [f64; 2]> {
+    let [least, most] = PARTS;
+    let count = density.map_or(1.0, |own| (own * (to - from)).clamp(least, most).ceil());
+    let edge = move |part: u64| match part as f64 == count {
+        true => to,
+        false => from + (to - from) * (part as f64 / count),
+    };
+    (0..count as u64).map(move |part| [edge(part), edge(part + 1)])
+}
+
 /// One signal.
 #[derive(Clone, Debug)]
 enum Signal {

@@ -5,7 +5,7 @@
 //! was seen are left out, the others are halved. The ends of the span belong to it. All methods
 //! alike are looked at.
 
-use super::fitted::{Fitted, NODES};
+use super::fitted::{Fitted, NODES, parts};
 use super::tally::{Sense, read};
 use crate::dynamics::audit::fastest_rate;
 use crate::dynamics::model::{Model, Span, SpanFigure, owner_of};
@@ -13,6 +13,7 @@ use crate::dynamics::segment::Signal;
 use crate::dynamics::system::ObjectState;
 use crate::math::chebyshev::Nodes;
 use crate::math::expression::{Interval, VARIABLES};
+use crate::math::roots::bracketed;
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::rc::Rc;
@@ -45,8 +46,6 @@ pub(crate) fn span_figures() -> impl Iterator<Item = &'static str> {
     READINGS.iter().map(|(name, ..)| *name)
 }
 
-/// Parts of a stretch that may hold many vibrations, at least and at most.
-const PARTS: [f64; 2] = [4.0, 1e6];
 /// Parts in a period of the fastest vibration there.
 const IN_PERIOD: f64 = 1.0;
 /// Places of a part at which the axis of a span is looked at.
@@ -79,6 +78,11 @@ struct Sought {
     span: Span,
     /// The object whose displacement is the axis; `None`: time.
     axis: Option<usize>,
+    /// True of times and of drives, which go on: a run that ends within the span, or begins there,
+    /// shows a part of it alone.
+    whole: bool,
+    /// Least and greatest place of the axis so far.
+    reached: [f64; 2],
     /// Greatest value so far in the sense that is sought; −∞: nothing was seen.
     best: f64,
 }
@@ -92,12 +96,15 @@ impl SpanSearch {
             let part = |id: &str| model.objects.iter().position(|part| part.id == id);
             let (owner, name) = owner_of(&figure.figure, |id| part(id).is_some());
             let (_, signal, sense) = READINGS.iter().find(|(known, ..)| *known == name)?;
+            let axis = model.axis_of(&figure.span).ok()?;
             Some(Sought {
                 address: figure.address.clone(),
                 object: part(owner)?,
                 signal: *signal,
                 sense: *sense,
-                axis: model.axis_of(&figure.span).ok()?,
+                axis,
+                whole: axis.is_none_or(|object| model.objects[object].is_drive()),
+                reached: [f64::INFINITY, f64::NEG_INFINITY],
                 span: figure.span.clone(),
                 best: f64::NEG_INFINITY,
             })
@@ -125,28 +132,22 @@ impl SpanSearch {
         if !(to > from) {
             return;
         }
-        let [least, most] = PARTS;
-        let parts = match whole {
-            true => (self.density * (to - from)).clamp(least, most).ceil(),
-            false => 1.0,
-        };
-        let edge = |part: u64| match part as f64 == parts {
-            true => to,
-            false => from + (to - from) * (part as f64 / parts),
-        };
-        for part in 0..parts as u64 {
+        let density = whole.then_some(self.density);
+        for part in parts([from, to], density) {
             for own in &mut self.sought {
-                for inside in own.inside([edge(part), edge(part + 1)], look) {
+                for inside in own.inside(part, look) {
                     own.climb(inside, &self.nodes, look);
                 }
             }
         }
     }
 
-    /// What was found, by address; `None`: the motion was never within the span.
+    /// What was found, by address; `None`: the motion was never within the span, or did not go
+    /// through all of it.
     pub(super) fn finish(self) -> BTreeMap<String, Option<f64>> {
         let found = self.sought.into_iter().map(|own| {
             let seen = own.best > f64::NEG_INFINITY;
+            let seen = seen && (!own.whole || own.span.is_within(own.reached));
             let value = match own.sense {
                 Sense::Greatest | Sense::Magnitude => own.best,
                 Sense::Least => -own.best,
@@ -166,16 +167,23 @@ impl Sought {
         }
     }
 
+    fn reach(&mut self, place: f64) {
+        let [low, high] = self.reached;
+        self.reached = [low.min(place), high.max(place)];
+    }
+
     /// The stretches of a part that lie within the span.
-    fn inside(&self, [from, to]: [f64; 2], look: &mut Look<'_>) -> Vec<[f64; 2]> {
+    fn inside(&mut self, [from, to]: [f64; 2], look: &mut Look<'_>) -> Vec<[f64; 2]> {
         let mut cuts = vec![from];
         let mut before = (from, self.place(from, look));
+        self.reach(before.1);
         for number in 1..=PLACES {
             let time = match number == PLACES {
                 true => to,
                 false => from + (to - from) * (f64::from(number) / f64::from(PLACES)),
             };
             let after = (time, self.place(time, look));
+            self.reach(after.1);
             let (low, high) = (before.1.min(after.1), before.1.max(after.1));
             let mut ends = self.span.ends_between([low, high]);
             if after.1 < before.1 {
@@ -198,44 +206,10 @@ impl Sought {
         inside
     }
 
-    /// When the axis passes a place between two instants: by the regula falsi, its sides halved
-    /// in turn (Illinois).
+    /// When the axis passes a place between two instants.
     fn crossing(&self, ends: [(f64, f64); 2], place: f64, look: &mut Look<'_>) -> f64 {
-        let [mut low, mut high] = ends.map(|(time, at)| (time, at - place));
-        let mut kept = 0;
-        for _ in 0..100 {
-            let slope = (high.1 - low.1) / (high.0 - low.0);
-            let mut time = low.0 - low.1 / slope;
-            if !(low.0 < time && time < high.0) {
-                time = low.0 + 0.5 * (high.0 - low.0);
-            }
-            if time <= low.0 || time >= high.0 {
-                break;
-            }
-            let off = self.place(time, look) - place;
-            if off == 0.0 {
-                return time;
-            }
-            match (off < 0.0) == (low.1 < 0.0) {
-                true => {
-                    low = (time, off);
-                    high.1 *= if kept == 1 { 0.5 } else { 1.0 };
-                    kept = 1;
-                }
-                false => {
-                    high = (time, off);
-                    low.1 *= if kept == -1 { 0.5 } else { 1.0 };
-                    kept = -1;
-                }
-            }
-            if high.0 - low.0 <= 4.0 * f64::EPSILON * high.0.abs() {
-                break;
-            }
-        }
-        match low.1.abs() < high.1.abs() {
-            true => low.0,
-            false => high.0,
-        }
+        let mut off = |time: f64| self.place(time, look) - place;
+        bracketed(&mut off, ends.map(|(time, _)| time), 0.0).at
     }
 
     fn value(&self, time: f64, look: &mut Look<'_>) -> f64 {
@@ -344,6 +318,8 @@ mod tests {
                 sense,
                 span,
                 axis,
+                whole: true,
+                reached: [f64::INFINITY, f64::NEG_INFINITY],
                 best: f64::NEG_INFINITY,
             }],
             density: 3.0,

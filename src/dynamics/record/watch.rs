@@ -8,7 +8,7 @@
 //! All methods alike are watched. A run that `run.until` ends is made once to its `duration`
 //! and once more to that instant.
 
-use super::fitted::{Fitted, NODES};
+use super::fitted::{Fitted, NODES, parts};
 use crate::dynamics::audit::fastest_rate;
 use crate::dynamics::model::Model;
 use crate::dynamics::system::ObjectState;
@@ -18,8 +18,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::rc::Rc;
 
-/// Parts of a stretch that may hold many vibrations, at least and at most.
-const PARTS: [f64; 2] = [4.0, 1e6];
 /// Parts in a period of the fastest vibration there.
 const IN_PERIOD: f64 = 2.0;
 /// A part is halved down to this share of it, or to so many roundings of the time.
@@ -261,23 +259,15 @@ impl Watch {
         if !(to > from) {
             return;
         }
-        let [least, most] = PARTS;
-        let parts = match whole {
-            true => (self.density * (to - from)).clamp(least, most).ceil(),
-            false => 1.0,
-        };
-        let edge = |part: u64| match part as f64 == parts {
-            true => to,
-            false => from + (to - from) * (part as f64 / parts),
-        };
+        let density = whole.then_some(self.density);
         for own in &mut self.watched {
             let object = own.object;
             let mut values = |time: f64| variables(time, &look(time, object));
-            for part in 0..parts as u64 {
+            for part in parts([from, to], density) {
                 if own.met.is_some() {
                     break;
                 }
-                own.follow([edge(part), edge(part + 1)], &self.nodes, &mut values);
+                own.follow(part, &self.nodes, &mut values);
             }
         }
     }

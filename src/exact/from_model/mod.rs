@@ -28,7 +28,7 @@ pub use rest::Rest;
 pub(crate) use rhythm::Rhythm;
 
 use super::{ExactTree, Law, Modes, PairState, Refusal, SpanSource, TreeProblem};
-use crate::dynamics::model::NodeMotion;
+use crate::dynamics::model::{Model, NodeMotion};
 use crate::dynamics::system::System;
 use std::sync::Arc;
 
@@ -170,6 +170,11 @@ impl Parts {
     /// True when nothing that no tree holds looks at what a tree moves.
     pub fn are_independent(&self, system: &System) -> bool {
         rest::objects_outside_trees(system.model(), self).is_some()
+    }
+
+    /// The first object that no tree holds under a load by an expression.
+    pub fn expression_outside(&self, model: &Model) -> Option<usize> {
+        rest::expression_outside_trees(model, self)
     }
 
     /// True when every coordinate of the system is in a tree, and there is one.

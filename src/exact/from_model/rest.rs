@@ -127,6 +127,17 @@ pub(super) fn objects_outside_trees(model: &Model, parts: &Parts) -> Option<Vec<
     Some(kept)
 }
 
+/// The first object that no tree holds under a load by an expression.
+pub(super) fn expression_outside_trees(model: &Model, parts: &Parts) -> Option<usize> {
+    let mut loads = model.loads.iter();
+    loads.find_map(|load| {
+        let mut objects = model.objects.iter();
+        let object = objects.position(|one| one.nodes.contains(&load.node))?;
+        let outside = !matches!(parts.holders[object], Holder::Tree(_));
+        (outside && matches!(load.law, LoadLaw::Written(_))).then_some(object)
+    })
+}
+
 /// The model of some objects (ascending) alone, and the tracks it keeps;
 /// `None` when they look at others.
 fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {

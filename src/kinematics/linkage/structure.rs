@@ -1,6 +1,6 @@
 //! The structure of a linkage: mobility and Assur groups in order of solution.
 
-use super::spec::{AssemblySpec, LinkageSpec, Redundant, WeldSpec};
+use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec, Redundant, WeldSpec};
 use std::fmt;
 
 /// The kind of a group of links.
@@ -123,24 +123,49 @@ impl Structure {
         }
     }
 
-    /// The assembly mode of every dyad that has another, each in a sentence with how to choose
-    /// the other: by the link that `choices` name, of several by the first.
-    pub fn assembly_modes(&self, choices: &[AssemblySpec]) -> Vec<String> {
-        let dyads = self.groups.iter().filter_map(|group| {
-            let (own, other) = match group.branch? < 0.0 {
-                true => ('-', '+'),
-                false => ('+', '-'),
-            };
-            let name = |link: usize| self.names[0][link].as_str();
-            let links: Vec<&str> = group.links.iter().map(|&link| name(link)).collect();
+    /// The assembly mode of every dyad, each in a sentence; where `assembles` finds that the other
+    /// can be put together, with how to choose it: by the link that `choices` name, of several by
+    /// the first.
+    pub fn assembly_modes(
+        &self,
+        choices: &[AssemblySpec],
+        assembles: &dyn Fn(Vec<AssemblySpec>) -> bool,
+    ) -> Vec<String> {
+        let dyads = self.groups.iter().enumerate();
+        let dyads = dyads.filter_map(|(at, group)| {
+            let branch = group.branch?;
+            let sign = |branch: f64| if branch < 0.0 { '-' } else { '+' };
+            let links = names(&self.names[0], &group.links, " and ");
+            let own = format!("{links} are assembled on branch {}", sign(branch));
             let mut named = choices.iter().map(|choice| choice.link);
             let named = named.find(|link| group.links.contains(link));
-            let first = named.map_or(*links.first()?, name);
-            Some(format!(
-                "{} are assembled on branch {own}; the other: \"assembly\": {{ \"{first}\": {{ \
-                 \"branch\": \"{other}\" }} }}",
-                links.join(" and ")
-            ))
+            let link = named.or(group.links.first().copied())?;
+            let other = AssemblySpec {
+                link,
+                choice: AssemblyChoice::Branch(-branch),
+            };
+            // The choices of other links; or those alone that do not depend on this one.
+            let behind = |link: usize| {
+                self.groups[at..]
+                    .iter()
+                    .any(|own| own.links.contains(&link))
+            };
+            let with = |dropped: &dyn Fn(usize) -> bool| {
+                let kept = choices.iter().filter(|choice| !dropped(choice.link));
+                assembles(kept.cloned().chain([other.clone()]).collect())
+            };
+            let instead = format!(
+                "the other: \"assembly\": {{ \"{}\": {{ \"branch\": \"{}\" }} }}",
+                self.names[0][link],
+                sign(-branch)
+            );
+            Some(if with(&|link| group.links.contains(&link)) {
+                format!("{own}; {instead}")
+            } else if with(&behind) {
+                format!("{own}; {instead}, without the entries of the links behind them")
+            } else {
+                own
+            })
         });
         dyads.collect()
     }
@@ -148,13 +173,7 @@ impl Structure {
     /// A group in words: `dyad RRR: coupler, rocker (pairs B, C, D), branch +`.
     pub fn describe(&self, group: usize) -> String {
         let group = &self.groups[group];
-        let names = |which: usize, indices: &[usize]| {
-            let names: Vec<&str> = indices
-                .iter()
-                .map(|&index| self.names[which][index].as_str())
-                .collect();
-            names.join(", ")
-        };
+        let names = |which: usize, indices: &[usize]| names(&self.names[which], indices, ", ");
         let word = if group.pairs.len() == 1 {
             "pair"
         } else {
@@ -190,6 +209,12 @@ impl fmt::Display for Structure {
         }
         Ok(())
     }
+}
+
+/// Names by their numbers.
+fn names(all: &[String], indices: &[usize], between: &str) -> String {
+    let names: Vec<&str> = indices.iter().map(|&index| all[index].as_str()).collect();
+    names.join(between)
 }
 
 /// 3n − 2p − c − 3w, and what redundant constraints take away without holding anything.

@@ -42,6 +42,11 @@ pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
 pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fault>> {
     let parts = Parts::with_laws(system, laws);
     if parts.is_whole() {
+        // The extremes of such a load are searched for by what is integrated alone.
+        if let Some(object) = parts.expression_outside(system.model()) {
+            let id = &system.model().objects[object].id;
+            return Err(vec![fault(id, "a load by an expression on a rigid object")]);
+        }
         return match parts.are_independent(system) {
             true => Ok(parts),
             false => Err(vec![fault(
@@ -209,7 +214,7 @@ pub(super) struct Deviations {
     /// Object (index in the model) and δ at the ends of equal intervals (t = 0 is not
     /// among them), as far as the run went.
     pub(super) samples: Vec<(usize, Vec<f64>)>,
-    /// Times of all switches (s).
+    /// Times of all events (s).
     pub(super) switches: Vec<f64>,
     /// Outcome: how it ended.
     pub(super) outcome: Outcome,

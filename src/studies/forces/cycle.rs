@@ -1,6 +1,7 @@
 //! Work, losses and efficiency over a course.
 
 use super::row::{Forces, Row, Solver};
+use super::scan::table_places;
 use super::{Course, PositionSource};
 use crate::math::quadrature::Integrals;
 use serde::Serialize;
@@ -71,6 +72,23 @@ fn sizes(forces: &Forces) -> [f64; 2] {
     [flow, forces.drive.abs()]
 }
 
+/// Panels that end at the points of tables of forces, which may be narrower.
+fn cut_at_tables<S: PositionSource>(
+    solver: &Solver<'_, S>,
+    course: &Course,
+    panels: Vec<[f64; 2]>,
+) -> Vec<[f64; 2]> {
+    let cut = |[from, to]: [f64; 2]| {
+        let mut ends = table_places(solver, course, &[from.min(to), from.max(to)]);
+        ends.extend([from, to]);
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let parts: Vec<[f64; 2]> = ends.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        parts
+    };
+    panels.into_iter().flat_map(cut).collect()
+}
+
 /// Sums up a course: integrals over time, between the positions too, so that
 /// what jumps on the way is taken on either side as it is there.
 pub(super) fn sum<S: PositionSource>(
@@ -79,6 +97,7 @@ pub(super) fn sum<S: PositionSource>(
     rows: &[Row],
 ) -> Option<CycleForces> {
     let (panels, pace) = course.panels()?;
+    let panels = cut_at_tables(solver, course, panels);
     let duration = panels
         .iter()
         .map(|[from, to]| (to - from).abs())
@@ -95,7 +114,7 @@ pub(super) fn sum<S: PositionSource>(
     let mut bounds = vec![bound(flow); COMMON + solver.kinetostatics().spec().pairs.len()];
     (bounds[4], bounds[5]) = (bound(drive), bound(drive * drive));
     let mut integrals = Integrals::new(bounds, AT_LEAST + EVALUATIONS * panels.len());
-    for [from, to] in panels.into_iter().filter(|[from, to]| from != to) {
+    for [from, to] in panels {
         integrals.add([from.min(to), from.max(to)], |place, out| {
             let row = solver.row(&course.between(place), false);
             integrands(row.forces.as_ref().ok()?, out);

@@ -2,6 +2,7 @@
 
 use super::columns::Column;
 use super::row::{Row, Solver};
+use super::scan::table_places;
 use super::zones::{Zone, ZoneKind, free_sides, rows_towards};
 use super::{Course, PositionSource};
 use crate::math::optimise::golden;
@@ -97,6 +98,15 @@ fn samples<S: PositionSource>(
             if samples.iter().all(|(known, _)| *known != place) {
                 samples.push((place, solver.row(&course.between(place), false)));
             }
+        }
+    }
+    samples.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // A table of forces may be narrower than the distance of two positions.
+    let mut places: Vec<f64> = samples.iter().map(|(place, _)| *place).collect();
+    places.extend(course.ends().map(|[_, end]| end));
+    for place in table_places(solver, course, &places) {
+        if !places.contains(&place) {
+            samples.push((place, solver.row(&course.between(place), false)));
         }
     }
     samples.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -1,7 +1,8 @@
 //! Forces on the outputs of a linkage over time: of loads on them, which may be given over
 //! time, and of what hangs on them.
 
-use crate::dynamics::model::Model;
+use super::ForceStudy;
+use crate::dynamics::model::{Model, ObjectPart};
 use crate::dynamics::record::Quantity;
 use crate::dynamics::system::System;
 use crate::studies::kinematics::linkage_of;
@@ -28,9 +29,7 @@ pub(super) fn over_time(
         .map(|output| format!("{object}.{}", output.name))
         .collect();
     let of_output = |driver: usize| ids.contains(&model.objects[driver].id);
-    let hangs = |part: &crate::dynamics::model::ObjectPart| {
-        (part.inputs.iter()).any(|input| of_output(input.driver))
-    };
+    let hangs = |part: &ObjectPart| (part.inputs.iter()).any(|input| of_output(input.driver));
     let loaded = (model.loads.iter()).any(|load| body.outputs.contains(&load.node));
     if !loaded && !model.objects.iter().any(hangs) {
         return None;
@@ -52,4 +51,41 @@ pub(super) fn over_time(
     let columns = columns.collect::<Option<Vec<_>>>()?;
     let row = |index: usize| columns.iter().map(|column| column[index]).collect();
     Some((0..=steps).map(row).collect())
+}
+
+/// The loads behind the outputs that are not among the forces of a study, in a sentence.
+pub fn loads_left_out(study: &ForceStudy, model: &Model, object: &str) -> Option<String> {
+    let behind = loads_on_outputs(model, object);
+    if behind.is_empty() || study.course.has_loads() {
+        return None;
+    }
+    let instead = match study.several {
+        None => "; take them from a run with --record",
+        Some(_) => "",
+    };
+    Some(format!(
+        "the forces of what the linkage drives ({}) are not among its loads{instead}",
+        behind.join(", ")
+    ))
+}
+
+/// Objects that the linkage's outputs drive, and outputs that carry loads of their own.
+fn loads_on_outputs<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
+    let own = |id: &str| {
+        id == object
+            || id
+                .strip_prefix(object)
+                .is_some_and(|rest| rest.starts_with('.'))
+    };
+    let driven = |part: &ObjectPart| {
+        !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
+    };
+    let loaded = |part: &ObjectPart| {
+        own(&part.id) && (model.loads.iter()).any(|load| part.nodes.contains(&load.node))
+    };
+    let parts = model.objects.iter();
+    parts
+        .filter(|part| driven(part) || loaded(part))
+        .map(|part| part.id.as_str())
+        .collect()
 }

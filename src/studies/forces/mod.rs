@@ -25,6 +25,7 @@ pub use course::{Course, Instant, PositionSource};
 pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
 pub use figures::{described, figures, figures_of_inputs};
+pub use loads::loads_left_out;
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
 pub use multi_input::{SeveralDrives, multi_input_forces};
 pub use open::Rests;

@@ -36,10 +36,35 @@ pub(super) fn singular_places<S: PositionSource>(
     places: &[f64],
 ) -> Vec<f64> {
     let (singular, period) = solver.singular();
+    passed(course, places, (&singular, period))
+}
+
+/// Places of a course at which the input passes a point of a table of forces.
+pub(super) fn table_places<S: PositionSource>(
+    solver: &Solver<'_, S>,
+    course: &Course,
+    places: &[f64],
+) -> Vec<f64> {
+    let forces = solver.kinetostatics().spec().forces.iter();
+    let tables = forces.filter_map(|force| force.law.breaks());
+    let mut found: Vec<f64> = tables
+        .flat_map(|table| passed(course, places, (&table.points, table.period)))
+        .collect();
+    found.sort_by(f64::total_cmp);
+    found.dedup();
+    found
+}
+
+/// Places of a course at which the input passes coordinates, which come again after a period.
+fn passed(
+    course: &Course,
+    places: &[f64],
+    (coordinates, period): (&[f64], Option<f64>),
+) -> Vec<f64> {
     let mut found = Vec::new();
     for pair in places.windows(2) {
         let q = [pair[0], pair[1]].map(|place| course.between(place).motion.coordinate);
-        for &at in &singular {
+        for &at in coordinates {
             let at = match period {
                 Some(period) => at + period * ((0.5 * (q[0] + q[1]) - at) / period).round(),
                 None => at,

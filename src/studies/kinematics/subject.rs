@@ -5,6 +5,7 @@ use crate::dynamics::model::{
     Coordinate, Law, LinkageBody, Model, MultiLinkageBody, NodeIndex, NodeMotion, ObjectPart,
 };
 use crate::fault::Fault;
+use crate::kinematics::linkage::multi::MultiLinkage;
 use crate::kinematics::linkage::spec::{LinkageSpec, OutputKind};
 use crate::kinematics::linkage::{Linkage, Reach};
 use crate::kinematics::position::Position;
@@ -149,27 +150,35 @@ fn shorts(model: &Model) -> impl Iterator<Item = &ObjectPart> {
 /// The assembly mode of every linkage that has another, each in a sentence with how to choose the
 /// other.
 pub fn assembly_modes(model: &Model) -> Vec<String> {
-    let single = model.linkages.iter();
-    let single = single.map(|body| {
-        let linkage = &body.linkage;
-        (body.object, linkage.structure(), &linkage.spec().assembly)
-    });
-    let multi = model.multi_linkages.iter();
-    let multi = multi.map(|body| {
-        let linkage = &body.linkage;
-        (
+    let of = |object: usize, modes: Vec<String>| {
+        let id = &model.objects[object].id;
+        modes.into_iter().map(move |mode| format!("`{id}`: {mode}"))
+    };
+    let single = model.linkages.iter().flat_map(|body| {
+        let (linkage, spec) = (&body.linkage, body.linkage.spec());
+        let assembles = |assembly| {
+            let spec = spec.clone();
+            Linkage::new(LinkageSpec { assembly, ..spec }).is_ok()
+        };
+        let modes = linkage.structure();
+        of(
             body.object,
-            linkage.structure(),
-            &linkage.spec().linkage.assembly,
+            modes.assembly_modes(&spec.assembly, &assembles),
         )
     });
-    let full = single
-        .chain(multi)
-        .flat_map(|(object, structure, choices)| {
-            let id = &model.objects[object].id;
-            let modes = structure.assembly_modes(choices).into_iter();
-            modes.map(move |mode| format!("`{id}`: {mode}"))
-        });
+    let multi = model.multi_linkages.iter().flat_map(|body| {
+        let (linkage, spec) = (&body.linkage, body.linkage.spec());
+        let assembles = |assembly| {
+            let mut spec = spec.clone();
+            spec.linkage.assembly = assembly;
+            MultiLinkage::new(spec).is_ok()
+        };
+        let modes = linkage.structure();
+        of(
+            body.object,
+            modes.assembly_modes(&spec.linkage.assembly, &assembles),
+        )
+    });
     let parts = model.objects.iter();
     let short = parts.filter_map(|part| {
         let (name, branch) = short(model, part)?.position.branch()?;
@@ -183,7 +192,7 @@ pub fn assembly_modes(model: &Model) -> Vec<String> {
             part.id
         ))
     });
-    full.chain(short).collect()
+    single.chain(multi).chain(short).collect()
 }
 
 /// The law of an object that moves by the short form of a linkage.

@@ -545,3 +545,36 @@ fn a_law_of_the_drive_gives_the_motion() {
         of_turn["efficiency"].is_null()
     );
 }
+
+/// A table of forces between two positions, and one across the end of the turn.
+#[test]
+fn tables_narrower_than_the_distance_of_positions_are_met() {
+    for (first, width) in [(100.03f64, 0.5f64), (200.0, 0.02), (359.8, 0.15)] {
+        let ends = [first, first + width / 2.0, first + width];
+        let text = format!(
+            r#"{{ "dam": 1, "name": "press", "objects": {{
+                "shaft": {{ "kind": "drive", "motion": {{ "speed": 2 }} }},
+                "press": {{ "kind": "linkage", "input": "shaft", "driver": "O", "ground": {{ "O": [0, 0] }},
+                    "links": {{ "crank": {{ "points": {{ "A": [0.08, 0] }} }},
+                                "rod": {{ "points": {{ "B": [0.4, 0] }} }}, "ram": {{ "mass": 0 }} }},
+                    "pairs": {{ "O": {{ "revolute": ["ground.O", "crank.origin"] }},
+                                "A": {{ "revolute": ["crank.A", "rod.origin"] }},
+                                "B": {{ "revolute": ["rod.B", "ram.origin"] }},
+                                "g": {{ "sliding": {{ "guide": "ground.O", "block": "ram.origin" }} }} }},
+                    "assembly": {{ "ram": {{ "near": [0.48, 0] }} }},
+                    "forces": {{ "w": {{ "couple_table": {{ "link": "crank", "period": "1 rev",
+                        "points": [["{} deg", 0], ["{} deg", -1800], ["{} deg", 0]] }} }} }},
+                    "outputs": {{ "ram": {{ "point": "ram.origin" }} }} }} }},
+              "run": {{ "duration": 4 }} }}"#,
+            ends[0], ends[1], ends[2]
+        );
+        let scene = dam::Scene::from_json(&text).unwrap();
+        let found = scene.forces(&Default::default()).unwrap();
+        let drive = found.extremes.iter().find(|one| one.name == "drive");
+        // The driver bears the couple alone, and the work of a triangle.
+        approx::assert_relative_eq!(drive.unwrap().greatest.value, 1800.0, max_relative = 1e-9);
+        let work = 0.5 * 1800.0 * width.to_radians();
+        let cycle = found.cycle.as_ref().unwrap();
+        approx::assert_relative_eq!(cycle.drive_work, work, max_relative = 1e-9);
+    }
+}
