@@ -452,3 +452,29 @@ fn a_narrow_table_within_a_linkage_acts_as_the_same_load_on_its_shaft() {
         }
     }
 }
+
+/// Two motors on a five-bar, one under a load over the angle of the other.
+#[test]
+fn a_load_on_one_of_several_inputs_may_be_over_another() {
+    let text = std::fs::read_to_string("scenarios/linkages/five_bar.json").unwrap();
+    let scene: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let speeds = |load: serde_json::Value, method: &str| {
+        let mut scene = scene.clone();
+        scene["objects"]["left"]["loads"] = serde_json::json!({ "w": load });
+        scene["run"] = serde_json::json!({ "duration": 0.2, "tolerance": 1e-10, "start": "on_law", "method": method });
+        scene.as_object_mut().unwrap().remove("expect");
+        let run = run(&scene.to_string());
+        ["left.final.speed", "right.final.speed"].map(|figure| run.figures.value(figure).unwrap())
+    };
+    for method in ["auto", "dop853", "radau"] {
+        let written =
+            serde_json::json!({ "expression": "5*over_phi + over_phi_dot*0", "over": "right" });
+        let table = serde_json::json!({ "position_table": { "points": [[-90, -450], [90, 450]] }, "over": "right" });
+        let [written, table] = [written, table].map(|load| speeds(load, method));
+        for (one, other) in written.into_iter().zip(table) {
+            assert_relative_eq!(one, other, max_relative = 1e-8);
+        }
+        let free = speeds(serde_json::json!({ "constant": 0 }), method);
+        assert!((free[0] - table[0]).abs() > 1e-3, "{free:?} {table:?}");
+    }
+}

@@ -3,6 +3,7 @@
 
 use crate::dynamics::system::frozen::{Frozen, Step};
 use crate::dynamics::system::passes::Work;
+use crate::dynamics::system::written::FrozenExpression;
 use crate::kinematics::position::Position;
 use crate::math::linear::dense;
 use crate::math::quantity::Quantity;
@@ -111,7 +112,8 @@ pub(in crate::dynamics::system) fn direct(frozen: &Frozen) -> Option<Direct> {
     }
     for (index, load) in frozen.loads.iter().enumerate() {
         let axis = load.argument.as_ref().and_then(|axis| axis.node);
-        for node in [Some(load.node), axis].into_iter().flatten() {
+        let written = load.written.iter().flat_map(FrozenExpression::nodes);
+        for node in [load.node].into_iter().chain(axis).chain(written) {
             let ((_, ratio, offset), number) = (places[node]?, numbers[node]?);
             found.members.push((
                 number,
