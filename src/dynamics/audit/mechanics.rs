@@ -145,10 +145,7 @@ impl<'s> Mechanics<'s> {
             if statement.is_none() && matches!(load.law, LoadLaw::Pieces { .. }) {
                 self.no_force[load.node] = Some("a load that no text states");
             }
-            let others = match &load.law {
-                LoadLaw::Written(written) => written.nodes().collect(),
-                _ => Vec::new(),
-            };
+            let others = load.law.read_nodes();
             let axis = statement.as_ref().map(|own| own.driver);
             let mut looked_at = axis.into_iter().chain(others);
             if let Some(why) = looked_at.find_map(|node| self.no_motion[node]) {

@@ -73,12 +73,20 @@ impl ModelBuilder {
     /// The node whose displacement is the axis of a table or window; `None`: the object that it
     /// names has none yet.
     fn axis(&self, spec: &LoadLawSpec, driver: NodeIndex) -> Option<NodeIndex> {
-        match spec {
-            LoadLawSpec::PositionTable { .. } | LoadLawSpec::Window { .. } => match spec.over() {
-                Some(over) => self.outputs.get(over).copied(),
-                None => Some(driver),
-            },
-            _ => Some(driver),
+        let over = match spec {
+            LoadLawSpec::PositionTable { over, .. } | LoadLawSpec::Window { over, .. } => over,
+            // (An expression reads what it is over beside its driver.)
+            LoadLawSpec::Written(_)
+            | LoadLawSpec::Constant(_)
+            | LoadLawSpec::TimeTable(_)
+            | LoadLawSpec::Declared(_)
+            | LoadLawSpec::Weight { .. }
+            | LoadLawSpec::SpeedTable(_)
+            | LoadLawSpec::Custom(_) => &None,
+        };
+        match over {
+            Some(over) => self.outputs.get(over).copied(),
+            None => Some(driver),
         }
     }
 

@@ -317,7 +317,12 @@ impl LoadLawSpec {
         match self {
             Self::PositionTable { over, .. } | Self::Window { over, .. } => over.as_ref(),
             Self::Written(written) => written.over.as_ref(),
-            _ => None,
+            Self::Constant(_)
+            | Self::TimeTable(_)
+            | Self::Declared(_)
+            | Self::Weight { .. }
+            | Self::SpeedTable(_)
+            | Self::Custom(_) => None,
         }
     }
 
@@ -327,7 +332,12 @@ impl LoadLawSpec {
         match &mut self {
             Self::PositionTable { over, .. } | Self::Window { over, .. } => *over = other,
             Self::Written(written) => written.over = other,
-            _ => {}
+            Self::Constant(_)
+            | Self::TimeTable(_)
+            | Self::Declared(_)
+            | Self::Weight { .. }
+            | Self::SpeedTable(_)
+            | Self::Custom(_) => {}
         }
         self
     }

@@ -72,6 +72,16 @@ impl LoadLaw {
         matches!(self, Self::Stop(_))
     }
 
+    /// The nodes whose motion an expression reads; of other laws none: a table has its track.
+    pub fn read_nodes(&self) -> Vec<NodeIndex> {
+        match self {
+            Self::Written(written) => written.nodes().collect(),
+            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => {
+                Vec::new()
+            }
+        }
+    }
+
     /// The force on a node at a time; `None` of a stop, and where a motion is not known.
     fn force(
         &self,

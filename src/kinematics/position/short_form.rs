@@ -32,7 +32,14 @@ impl Position {
             Self::SliderCrank(short) => Some(("slider_crank", short.branch)),
             Self::FourBar(short) => Some(("four_bar", short.branch)),
             Self::SlottedLink(short) => Some(("slotted_link", short.branch_of_block()?)),
-            _ => None,
+            Self::Ratio { .. }
+            | Self::Sine { .. }
+            | Self::Polynomial(_)
+            | Self::Table(_)
+            | Self::Cam(_)
+            | Self::Plan(_)
+            | Self::Linkage(_)
+            | Self::Custom(_) => None,
         }
     }
 }
