@@ -25,6 +25,10 @@ const ITERATIONS: usize = 60;
 /// than some products with it.
 const MANY: usize = 40;
 
+/// Coordinates above which the dense matrix of a step is not worth its time, which grows with
+/// the third power: at this number about a second.
+const TOO_MANY: usize = 1000;
+
 /// Below this share of the forces added up, the force of a link is zero: loads
 /// that cancel leave no rounding behind that would choose a flank.
 const NO_FORCE: f64 = 1e-12;
@@ -154,10 +158,11 @@ impl Frozen {
         if n == 0 {
             return Some(DVector::zeros(0));
         }
-        if n > MANY
-            && let Some(step) = self.krylov_step(kind, state, modes, miss)
-        {
-            return Some(step);
+        if n > MANY {
+            let step = self.krylov_step(kind, state, modes, miss);
+            if step.is_some() || n > TOO_MANY {
+                return step;
+            }
         }
         let mut work = Work::new(self);
         let mut column = vec![Dual::default(); n];
