@@ -1,7 +1,7 @@
 // The form of an object, or of the scene: every property that the schema knows, with its unit and
 // its help. What is filled in is an edit of the text.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 import type { Fault } from "./objects";
 import type { Guide, Schema } from "./schema";
 import { groupOf, literal, shapeOf, type Group, type Shape } from "./shape";
@@ -51,7 +51,8 @@ function Scalar({ shape, ...props }: FieldProps & { shape: Shape & { sort: "scal
   const { desk, path, write, required, schema } = props, value = find(desk.root, path), id = `field ${address(path)}`;
   const text = value && value.sort !== "wrong" ? value.text : "";
   const [typed, setTyped] = useState(text);
-  useEffect(() => setTyped(text), [text]);
+  // (At once, here and below: an effect after the picture is drawn would undo what is typed before.)
+  useLayoutEffect(() => setTyped(text), [text]);
   const unit = shape.units[0] ?? "", bare = value?.sort === "number" || typed === "";
   const enter = () => {
     if (typed === text) return;
@@ -88,7 +89,7 @@ function Raw(props: FieldProps) {
   const { desk, path, write, required } = props, value = find(desk.root, path), text = value ? desk.text.slice(value.from, value.to) : "";
   const [typed, setTyped] = useState(text);
   const [wrong, setWrong] = useState("");
-  useEffect(() => { setTyped(text); setWrong(""); }, [text]);
+  useLayoutEffect(() => { setTyped(text); setWrong(""); }, [text]);
   const enter = () => {
     if (typed === text) return;
     if (typed.trim() === "") { if (value && !required) desk.edit((edits) => edits.remove(path)); return; }
@@ -138,7 +139,7 @@ function MapOf({ inner, ...props }: FieldProps & { inner: Schema }) {
 // The name of a part of a map.
 function Rename({ desk, path }: { desk: Desk; path: Step[] }) {
   const last = String(path.at(-1)), [typed, setTyped] = useState(last), own = member(find(desk.root, path.slice(0, -1)), last);
-  useEffect(() => setTyped(last), [last]);
+  useLayoutEffect(() => setTyped(last), [last]);
   const enter = () => {
     if (typed === last || !own) return;
     if (typed.trim() === "" || member(find(desk.root, path.slice(0, -1)), typed.trim())) { setTyped(last); return; }
@@ -162,7 +163,7 @@ function Either({ shape, ...props }: FieldProps & { shape: Shape & { sort: "eith
   const { desk, path, write, schema } = props, value = find(desk.root, path);
   const now = !value ? "" : value.sort === "object" || value.sort === "array" ? "…" : shape.words.includes(value.text) ? value.text : "…value";
   const [open, setOpen] = useState(now);
-  useEffect(() => setOpen(now), [now]);
+  useLayoutEffect(() => setOpen(now), [now]);
   const choose = (chosen: string) => {
     setOpen(chosen);
     if (chosen === "") { if (value) desk.edit((edits) => edits.remove(path)); }
@@ -212,7 +213,7 @@ export function Field(props: FieldProps): any {
 export function Properties({ desk, path, write, group, aside = [] }: Place & { group: Group; aside?: string[] }) {
   const value = find(desk.root, path), has = (name: string) => member(value, name) !== undefined;
   const present = group.variants.find(has), [chosen, setChosen] = useState(present ?? group.variants[0] ?? "");
-  useEffect(() => { if (present) setChosen(present); }, [present]);
+  useLayoutEffect(() => { if (present) setChosen(present); }, [present]);
   const own = address(path);
   // What is filled in stands in place of what it excludes.
   const instead = (at: Step[], json: string) => {
@@ -251,7 +252,7 @@ function More({ label, title, help, open = false, toggle, children }: { label: s
 export function ObjectForm({ desk, id, kind, rename }: { desk: Desk; id: string; kind: string; rename: (other: string) => void }) {
   const path = ["objects", id], value = find(desk.root, path), schema = desk.guide.root["$defs"]?.[kind];
   const [typed, setTyped] = useState(id);
-  useEffect(() => setTyped(id), [id]);
+  useLayoutEffect(() => setTyped(id), [id]);
   const write = (at: Step[], json: string) => { desk.edit((edits) => edits.set(at, json)); };
   const kinds: string[] = Object.keys(desk.guide.root["$defs"] ?? {}).filter((name) => desk.guide.root["$defs"][name].properties?.kind?.enum?.[0] === name);
   if (!value) return null;
