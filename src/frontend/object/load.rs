@@ -7,7 +7,7 @@ use super::measures::Measures;
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
 use super::{table_period, written};
 use crate::dynamics::builder::written as builder;
-use crate::dynamics::laws::{self, Declared, Domain, ForceLaw, Measure, Parameter};
+use crate::dynamics::laws::{self, Domain, ForceLaw, LawInstance, Measure, Parameter};
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, points};
 use crate::units::quantities as q;
@@ -346,7 +346,11 @@ pub(super) fn number(slot: Slot<'_>, parameter: &Parameter, own: Measures) -> Op
 }
 
 /// Reads the numbers of a law that the library declares.
-pub(super) fn declared(slot: Slot<'_>, law: &'static ForceLaw, own: Measures) -> Option<Declared> {
+pub(super) fn declared(
+    slot: Slot<'_>,
+    law: &'static ForceLaw,
+    own: Measures,
+) -> Option<LawInstance> {
     let number = |slot: Slot<'_>, parameter: &Parameter| number(slot, parameter, own);
     let values = match law.parameters {
         [alone] if alone.key.is_empty() => vec![number(slot, alone)?],
@@ -360,5 +364,5 @@ pub(super) fn declared(slot: Slot<'_>, law: &'static ForceLaw, own: Measures) ->
             read.into_iter().collect::<Option<Vec<f64>>>()
         })?,
     };
-    Some(Declared::new(law, values))
+    Some(LawInstance::new(law, values))
 }
