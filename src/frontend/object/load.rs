@@ -200,16 +200,19 @@ fn misplaced_over(fields: &mut Fields<'_>) -> bool {
     if !fields.has("over") || !over_time && OVER.iter().any(|name| fields.has(name)) {
         return false;
     }
-    let text = fields.member("expression").and_then(|one| one.value.text());
-    let written = text.map(|text| text.contains(builder::OVER[0].0));
-    if written == Some(true) {
+    let message = "this load does not depend on the displacement of the object `over`";
+    if let Some(expression) = fields.member("expression") {
+        let uses = |text: &str| text.contains(builder::OVER[0].0);
+        if !expression.value.text().is_none_or(uses) {
+            let hint = "use over_phi or over_phi_dot in the expression, or remove `over`";
+            let warning = fields.warn("over", "no-effect", message.to_owned());
+            warning.hints.push(hint.to_owned());
+        }
         return false;
     }
-    let message = "this load does not depend on the displacement of the object `over`";
-    let hint = match (over_time, written) {
-        (true, _) => "give `harmonic` an `order` in place of its `frequency`, or remove `over`",
-        (false, Some(_)) => "use over_phi or over_phi_dot in the expression, or remove `over`",
-        (false, None) => {
+    let hint = match over_time {
+        true => "give `harmonic` an `order` in place of its `frequency`, or remove `over`",
+        false => {
             "`over` goes with `expression`, `window`, `position_table`, `harmonic` and `indicator`: \
              remove it"
         }
