@@ -24,6 +24,7 @@
 //!   reading; [`verdict`]: what is to be said of a run.
 
 pub mod abscissa;
+mod addresses;
 pub mod accuracy;
 pub mod cam;
 pub mod compare;
@@ -57,5 +58,6 @@ pub mod sentence;
 pub mod show;
 pub mod steady;
 pub mod svg;
+mod symbols;
 mod thinned;
 pub mod verdict;

@@ -8,6 +8,7 @@ mod reading;
 
 use super::findings::table::Value;
 use super::quantity::{coded, escape, raised, with_unit};
+use super::symbols::{Setting, symbols};
 use serde::Serialize;
 use std::fmt;
 
@@ -110,7 +111,7 @@ impl Sentence {
     /// As a piece of a page: of each quantity the value is its title.
     pub(in crate::report) fn html(&self) -> String {
         let part = |part: &Part| match part {
-            Part::Words(words) => coded(&escape(&raised(words))),
+            Part::Words(words) => coded(&symbols(&escape(&raised(words)), Setting::Page)),
             Part::Quantity(one) => format!(
                 "<span class=\"quantity\" title=\"{} {}\" data-digits=\"{}\">{}</span>",
                 one.value,
