@@ -40,6 +40,7 @@ pub(in crate::report) fn parameter_words(path: &str) -> String {
     let plain = |part: &str| part.replace('_', " ");
     match parts[..] {
         ["parameters", own] => own.to_owned(),
+        [object, "loads", load, "constant"] => format!("load {load} on {object}"),
         [object, "loads", load, .., last] => format!("{} of {load} on {object}", plain(last)),
         [object, .., last] => format!("{} of {object}", plain(last)),
         _ => path.to_owned(),
@@ -75,6 +76,7 @@ mod tests {
                 "follower.loads.spring.spring.preload",
                 "preload of spring on follower",
             ),
+            ("rocker.loads.closing.constant", "load closing on rocker"),
             ("parameters.n", "n"),
             ("bar.links.rod.points.C.0", "bar.links.rod.points.C.0"),
             ("frame.position.cam.law", "law of frame"),

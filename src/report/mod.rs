@@ -24,8 +24,8 @@
 //!   reading; [`verdict`]: what is to be said of a run.
 
 pub mod abscissa;
-mod addresses;
 pub mod accuracy;
+mod addresses;
 pub mod cam;
 pub mod compare;
 mod course;

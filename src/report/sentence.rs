@@ -124,6 +124,15 @@ impl Sentence {
     }
 }
 
+/// A text that the program wrote, its quantities in the units and to the digits that are shown.
+pub(in crate::report) fn told(text: &str) -> String {
+    let part = |part: &Part| match part {
+        Part::Words(words) => words.clone(),
+        Part::Quantity(one) => with_unit(one.value, &one.unit, one.digits),
+    };
+    Sentence::read(text).parts().iter().map(part).collect()
+}
+
 impl fmt::Display for Sentence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.iter().try_for_each(|part| match part {

@@ -302,7 +302,10 @@ impl ObjectCharts {
             },
             unshaded = match self.unshaded.as_str() {
                 "" => String::new(),
-                words => format!("<p class=\"soft\">Contact separated: {}.</p>\n", escape(words)),
+                words => format!(
+                    "<p class=\"soft\">Contact separated: {}.</p>\n",
+                    escape(words)
+                ),
             },
             single = if self.is_single() { " single" } else { "" },
             rows = rows,

@@ -57,7 +57,10 @@ pub(super) fn picture(
         outlets: Vec::new(),
         scale: Some(view.scale),
         shows_driver: true,
-        grips: grip.map(|grip| (part.id.clone(), grip)).into_iter().collect(),
+        grips: grip
+            .map(|grip| (part.id.clone(), grip))
+            .into_iter()
+            .collect(),
     })
 }
 

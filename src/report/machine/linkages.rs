@@ -122,8 +122,19 @@ pub(super) fn law(
     let linkage = Linkage::new(law.position.as_linkage(way.start)?).ok()?;
     // Loads on an elastic object are shown on itself and not on its law.
     let shown = part.links.is_empty();
-    let id = |_: &str| if shown { part.id.clone() } else { String::new() };
-    Some(drawn(&linkage, (way, Some((behind, true))), (column, most), id))
+    let id = |_: &str| {
+        if shown {
+            part.id.clone()
+        } else {
+            String::new()
+        }
+    };
+    Some(drawn(
+        &linkage,
+        (way, Some((behind, true))),
+        (column, most),
+        id,
+    ))
 }
 
 /// A linkage over its input; `id`: that of each of its outputs.

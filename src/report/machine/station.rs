@@ -69,8 +69,11 @@ impl Station {
                 ([driver, column], elastic, most),
             )
         };
-        let behind = driver.and_then(|driver| Some((drawn[driver].id.as_str(), way(drawn[driver])?)));
-        let behind = behind.as_ref().map(|(id, path)| (*id, path.forward == own.forward));
+        let behind =
+            driver.and_then(|driver| Some((drawn[driver].id.as_str(), way(drawn[driver])?)));
+        let behind = behind
+            .as_ref()
+            .map(|(id, path)| (*id, path.forward == own.forward));
         let geometry = linkages::picture(machine.model, part, (&own, behind), (column, most))
             .or_else(|| linkages::multi_input_picture(machine.model, part, record, most))
             .or_else(|| cam(driver?));

@@ -8,7 +8,6 @@ mod guides;
 pub(in crate::report) mod marks;
 mod names;
 mod parts;
-mod ports;
 mod section;
 mod shape;
 #[cfg(feature = "studio")]
@@ -16,7 +15,7 @@ pub(in crate::report) mod sketch;
 mod view;
 mod wheels;
 
-pub(in crate::report) use ports::Hold;
+pub(in crate::report) use guides::Hold;
 pub(in crate::report) use section::STYLE;
 pub(in crate::report) use view::View;
 

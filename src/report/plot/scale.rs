@@ -267,7 +267,11 @@ fn angle_ticks([low, high]: [f64; 2], count: usize) -> Ticks {
         None if raw.is_finite() => {
             let turns = round_step(raw / 360.0);
             let finer = round_step(0.4 * turns).max(1.0);
-            enough([low, high], count, [turns, finer].map(|turns| 360.0 * turns))
+            enough(
+                [low, high],
+                count,
+                [turns, finer].map(|turns| 360.0 * turns),
+            )
         }
         None => Ticks::default(),
     }

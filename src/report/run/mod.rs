@@ -181,7 +181,11 @@ fn unit_of(address: &str, figures: &Figures) -> String {
         let name = address.strip_prefix(id.as_str());
         name.is_some_and(|name| name.starts_with('.'))
     };
-    let id = figures.objects.keys().filter(owner).max_by_key(|id| id.len());
+    let id = figures
+        .objects
+        .keys()
+        .filter(owner)
+        .max_by_key(|id| id.len());
     let units = units(figures, id.map_or("", String::as_str));
     let name = address.rsplit('.').next().unwrap_or_default();
     match name {
