@@ -8,9 +8,9 @@ use super::input::Input;
 use super::interrupt;
 use super::shown;
 use super::status::Status;
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::report::quantity::counted;
-use crate::report::requirements::{Verified, document, findings, junit};
+use crate::report::requirements::{VerifiedScene, document, findings, junit};
 use std::path::Path;
 
 /// Runs the command.
@@ -24,7 +24,7 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
                 let file = path.display().to_string();
                 let why = failure.message();
                 wrong.push(failure);
-                Verified {
+                VerifiedScene {
                     scene: file.clone(),
                     file,
                     requirements: Err(why),
@@ -55,7 +55,7 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
     if !args.quiet {
         let [held, count] = all
             .iter()
-            .map(Verified::count)
+            .map(VerifiedScene::count)
             .fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
         let scenes = counted(all.len() - wrong.len(), "scene");
         let refused = match wrong.len() {
@@ -76,20 +76,20 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
     if !wrong.is_empty() {
         return Ok(Status::WrongScene);
     }
-    Ok(match expects && all.iter().all(Verified::holds) {
+    Ok(match expects && all.iter().all(VerifiedScene::holds) {
         true => Status::Answered,
         false => Status::NotTrusted,
     })
 }
 
-fn verified(args: &VerifyArgs, path: &Path) -> Result<Verified, Failure> {
+fn verified(args: &VerifyArgs, path: &Path) -> Result<VerifiedScene, Failure> {
     let scene = SceneArgs {
         set: args.set.clone(),
         ..SceneArgs::of(path)
     };
-    let ready = Input::load(&scene)?.prepare_judging(&[], Judging::Asked)?;
+    let ready = Input::load(&scene)?.prepare_judging(&[], ModelAssessment::Asked)?;
     let requirements = ready.verify_within(interrupt::budget())?;
-    Ok(Verified {
+    Ok(VerifiedScene {
         file: path.display().to_string(),
         scene: ready.scene().name.clone(),
         requirements: Ok(requirements),
