@@ -163,7 +163,8 @@ fn unjudged(figures: &CamFigures) -> String {
     match (&figures.force_missing, figures.rigid()) {
         (Some(why), _) => format!("The contact force is not known: {why}."),
         (None, Some(_)) => {
-            "The follower is elastic: `--lift-off` finds the speed at which it lifts off.".to_owned()
+            "The follower is elastic: `--lift-off` finds the speed at which it lifts off."
+                .to_owned()
         }
         (None, None) => String::new(),
     }
