@@ -3,6 +3,7 @@
 use crate::dynamics::record::Figures;
 use crate::dynamics::record::Quantity;
 use crate::report::abscissa::Abscissa;
+use crate::report::addresses::RESULTS;
 use crate::report::diagram::Diagram;
 use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Value};
@@ -14,7 +15,6 @@ use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
 use crate::studies::judgement::{Judgement, checks};
-use crate::units::shown;
 use serde_json::{Value as Json, json};
 
 /// The document of a comparison: each run with its verdict and checks.
@@ -31,24 +31,6 @@ pub fn document(scene: &str, comparison: &Comparison) -> Json {
     })
 }
 
-/// Figures of an object in the words of a page.
-const WORDS: [(&str, &str); 14] = [
-    ("delta_abs", "greatest |δ|"),
-    ("delta_max", "greatest δ"),
-    ("delta_min", "least δ"),
-    ("sigma", "mean |δ|"),
-    ("peak_speed", "peak speed"),
-    ("peak_acceleration", "peak acceleration"),
-    ("peak_reaction", "peak reaction"),
-    ("final.displacement", "displacement at the end"),
-    ("final.speed", "speed at the end"),
-    ("pair.separated_time", "time open"),
-    ("pair.longest_separation", "longest opening"),
-    ("pair.max_lift", "greatest lift"),
-    ("pair.max_approach_speed", "greatest approach speed"),
-    ("pair.max_contact_force", "greatest contact force"),
-];
-
 /// The runs side by side: how many are enough, verdicts, curves, figures with their errors.
 pub fn findings<'a>(
     scene: &str,
@@ -62,7 +44,7 @@ pub fn findings<'a>(
         .last()
         .map_or(String::new(), |run| label(comparison, run));
     let against = match comparison.table.against_limit {
-        true => format!("the limit of finer models, where there is one, else {last}"),
+        true => format!("the converged value of finer models, where there is one, else {last}"),
         false => last,
     };
     // Another machine is no error of this one.
@@ -204,7 +186,7 @@ fn verdicts(comparison: &Comparison) -> Table {
         ]
     };
     let heads = ["run", "verdict", "method", ">steps", ">evaluations"];
-    let heads = heads.into_iter().chain([">switches", "checks"]);
+    let heads = heads.into_iter().chain([">events", "checks"]);
     Table::new(heads).rows(comparison.runs.iter().map(row))
 }
 
@@ -229,13 +211,13 @@ pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'
         _ => format!("Not shown: {same} results that are the same in all runs."),
     };
     let values = table.labels.iter().map(|label| format!(">{label}"));
-    let limit = [">limit", ">order"].map(str::to_owned);
+    let limit = [">converged value", ">order"].map(str::to_owned);
     let limit = limit.into_iter().take(2 * usize::from(table.against_limit));
     let heads: Vec<String> = values.chain(limit).collect();
     let heads = heads.iter().map(String::as_str);
     let heading = format!("Results of {id} over {}", table.over);
     let rows = table.rows.iter().filter_map(own);
-    let table = Table::new(std::iter::once("figure").chain(heads)).rows(rows);
+    let table = Table::new(std::iter::once("result").chain(heads)).rows(rows);
     Section::new(heading).table(table).words(left_out)
 }
 
@@ -252,7 +234,7 @@ fn differs(row: &TableRow) -> bool {
 }
 
 fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
-    let words = WORDS.iter().find(|(known, _)| *known == name);
+    let words = RESULTS.iter().find(|(known, _)| *known == name);
     let number = |value: Option<f64>| Value::new(value.unwrap_or(f64::NAN), &row.unit, 7);
     let values = row.values.iter().zip(&row.errors);
     let values = values.map(|(value, error)| {
@@ -275,7 +257,10 @@ fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
         [Cell::with(value, within), order.into()]
     });
     let settled = settled.into_iter().take(2 * usize::from(against_limit));
-    let first = Cell::with(name, words.map_or("", |(_, words)| *words));
+    let first = match words {
+        Some((_, words)) => Cell::with(*words, name),
+        None => Cell::from(name),
+    };
     std::iter::once(first)
         .chain(values)
         .chain(settled)
@@ -284,7 +269,7 @@ fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
 
 /// A share in per cent.
 pub fn percent(share: f64) -> String {
-    format!("{} %", shown(100.0 * share, 3))
+    format!("{} %", significant(100.0 * share, 3))
 }
 
 /// The curves of one quantity of one object over each other; `None` when no run
@@ -323,7 +308,7 @@ mod tests {
 
     #[test]
     fn shares_read_as_percentages() {
-        for (share, text) in [(0.0, "0 %"), (-0.004, "-0.4 %"), (1e-9, "1e-7 %")] {
+        for (share, text) in [(0.0, "0 %"), (-0.004, "−0.4 %"), (1e-9, "10⁻⁷ %")] {
             assert_eq!(percent(share), text);
         }
     }
@@ -358,7 +343,7 @@ mod tests {
             text.lines().all(|line| line.chars().count() <= 80),
             "{text}"
         );
-        assert!(text.matches("\n  delta_abs ").count() > 1, "{text}");
+        assert!(text.matches("\n  greatest |δ| ").count() > 1, "{text}");
         let curves = chart((&comparison, &Abscissa::Time), "rocker", Quantity::Delta).unwrap();
         assert_eq!((curves.series.len(), curves.y.unit.as_str()), (3, "rad"));
         assert!(chart((&comparison, &Abscissa::Time), "nobody", Quantity::Delta).is_none());

@@ -24,6 +24,8 @@ const SHOWN: [&str; 12] = [
 ];
 /// Sizes of numbers that are still read at a glance.
 const READABLE: [f64; 2] = [1e-3, 1e5];
+/// Least number that is shown in a unit of thousands: 6.6 N, and not 0.0066 kN.
+const OF_THOUSANDS: f64 = 1e-2;
 
 /// A scale for showing values of one unit: shown = value / `factor`.
 #[derive(Clone, Debug, PartialEq)]
@@ -179,7 +181,11 @@ pub(super) fn scale(magnitude: f64, unit: &str) -> Option<Scale> {
     CHOICE.with_borrow(|choice| {
         let (_, name, size) = choice.units.iter().find(|(si, ..)| *si == unit)?;
         let shown = (magnitude / size).abs();
-        let readable = shown == 0.0 || (READABLE[0]..READABLE[1]).contains(&shown);
+        let least = match *size >= 1e3 {
+            true => OF_THOUSANDS,
+            false => READABLE[0],
+        };
+        let readable = shown == 0.0 || (least..READABLE[1]).contains(&shown);
         readable.then(|| Scale {
             factor: *size,
             unit: name.clone(),
@@ -226,6 +232,7 @@ mod tests {
             near(of(5e6, "N/m"), 5.0, "kN/mm");
             near(of(0.5, "kg m²"), 0.5, "kg m²");
             // Not stated, or too small to be read.
+            assert!(of(3e3, "N/m").is_none() && of(2e4, "N/m").is_some());
             assert!(of(3.0, "N").is_none() && of(3.0, "s").is_none() && of(1e-9, "m").is_none());
             assert_eq!((digits(7), digits(4), digits(2)), (5, 5, 2));
         })

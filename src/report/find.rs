@@ -1,5 +1,6 @@
 //! The best value of a parameter, as data.
 
+use crate::report::addresses::{condition_words, parameter_words, result_words};
 use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table};
 use crate::report::plot::{Axis, Band, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{counted, significant, with_unit};
@@ -72,7 +73,7 @@ fn parameter(answer: &FoundValue, value: f64, digits: usize) -> String {
 
 fn verdict(answer: &FoundValue) -> (Sort, String, String) {
     let found = &answer.found;
-    let path = &answer.span.axis.path;
+    let path = parameter_words(&answer.span.axis.path);
     let sort = match (found.complete, found.certain, answer.is_answered()) {
         (false, ..) => Sort::Unfinished,
         (true, false, _) => Sort::Numerical,
@@ -85,9 +86,9 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
             let headline = match goal.is_parameter {
                 true => format!("The {} {path} is {at}.", goal.aim.words()),
                 false => format!(
-                    "The {} {} is {}, at {path} = {at}.",
+                    "The {} value of {} is {}, at {path} = {at}.",
                     goal.aim.words(),
-                    goal.of,
+                    result_words(&goal.of),
                     figure(answer, &goal.of, best.sample.goal)
                 ),
             };
@@ -101,7 +102,10 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
             String::new(),
         ),
         (None, Some(goal)) => (
-            format!("{} has no value where the conditions hold.", goal.of),
+            format!(
+                "{} has no value where the conditions hold.",
+                capitalised(&result_words(&goal.of))
+            ),
             String::new(),
         ),
         (_, None) => {
@@ -161,10 +165,11 @@ fn limit_words(answer: &FoundValue, limit: &Limit) -> String {
     match limit {
         Limit::Range => "the range ends there".to_owned(),
         Limit::Conditions(all) => {
-            let names: Vec<&str> = all
-                .iter()
-                .map(|&at| answer.conditions[at].text.as_str())
-                .collect();
+            let words = |&at: &usize| {
+                let condition = &answer.conditions[at];
+                condition_words(&condition.text, &condition.figure)
+            };
+            let names: Vec<String> = all.iter().map(words).collect();
             format!("beyond it {} would not hold", names.join(" and "))
         }
         Limit::Equality(at) => format!("there {} holds", answer.conditions[*at].text),
@@ -212,7 +217,7 @@ fn conditions_at(answer: &FoundValue, sample: &Sample) -> Table {
             Cell::from(if holds { "holds" } else { "does not hold" }).judged(Some(holds)),
         ]
     };
-    Table::new(["condition", ">figure", ""]).rows(answer.conditions.iter().enumerate().map(row))
+    Table::new(["condition", ">result", ""]).rows(answer.conditions.iter().enumerate().map(row))
 }
 
 /// The places about the answer.

@@ -25,6 +25,7 @@
 
 pub mod abscissa;
 pub mod accuracy;
+mod addresses;
 pub mod cam;
 pub mod compare;
 mod course;
@@ -57,5 +58,6 @@ pub mod sentence;
 pub mod show;
 pub mod steady;
 pub mod svg;
+mod symbols;
 mod thinned;
 pub mod verdict;

@@ -8,6 +8,7 @@ mod reading;
 
 use super::findings::table::Value;
 use super::quantity::{coded, escape, raised, with_unit};
+use super::symbols::{Setting, symbols};
 use serde::Serialize;
 use std::fmt;
 
@@ -110,7 +111,7 @@ impl Sentence {
     /// As a piece of a page: of each quantity the value is its title.
     pub(in crate::report) fn html(&self) -> String {
         let part = |part: &Part| match part {
-            Part::Words(words) => coded(&escape(&raised(words))),
+            Part::Words(words) => coded(&symbols(&escape(&raised(words)), Setting::Page)),
             Part::Quantity(one) => format!(
                 "<span class=\"quantity\" title=\"{} {}\" data-digits=\"{}\">{}</span>",
                 one.value,
@@ -121,6 +122,15 @@ impl Sentence {
         };
         self.0.iter().map(part).collect()
     }
+}
+
+/// A text that the program wrote, its quantities in the units and to the digits that are shown.
+pub(in crate::report) fn told(text: &str) -> String {
+    let part = |part: &Part| match part {
+        Part::Words(words) => words.clone(),
+        Part::Quantity(one) => with_unit(one.value, &one.unit, one.digits),
+    };
+    Sentence::read(text).parts().iter().map(part).collect()
 }
 
 impl fmt::Display for Sentence {

@@ -200,9 +200,9 @@ impl fmt::Display for Warning {
                 judged,
             } => write!(
                 f,
-                "the contact of {object} is open for {} s ({} % of the run, {}): {} of the \
+                "the contact of {object} is separated for {} s ({} % of the run, {}): {} of the \
                  mechanism, not a failure of the computation",
-                shown(*separated_time, 7),
+                shown(*separated_time, 4),
                 shown(100.0 * share, 3),
                 match separations {
                     1 => "1 separation".to_owned(),

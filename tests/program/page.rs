@@ -278,3 +278,118 @@ fn every_input_has_a_slider_that_moves_the_machine() {
     let dom = dom(&browser, &page.replace("</body>", probe), folder.path());
     assert!(dom.contains("<title>moved true,true lost true</title>"));
 }
+
+/// The page of a run of a scene.
+fn page_of_run(scene: &str) -> String {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let status = Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["run", scene, "--out"])
+        .arg(&out)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    std::fs::read_to_string(out.join("report.html"))
+        .unwrap_or_else(|error| panic!("{error}: {status:?}"))
+}
+
+/// What the player of the machine of a page moves.
+fn machine_of(page: &str) -> Value {
+    let data = page
+        .split("id=\"machine-data\">")
+        .nth(1)
+        .expect("a machine");
+    serde_json::from_str(data.split("</script>").next().unwrap()).expect("data")
+}
+
+/// Numbers of a text.
+fn numbers_of(text: &str) -> Vec<f64> {
+    let parts = text.split(|c: char| !(c.is_ascii_digit() || matches!(c, '.' | '-')));
+    parts.filter_map(|part| part.parse().ok()).collect()
+}
+
+/// The toggle press drives its tool by the ram, which is its lowest part and not the rightmost pin
+/// of its frame.
+#[test]
+fn the_line_to_what_an_output_drives_begins_at_the_output() {
+    let page = page_of_run("scenarios/linkages/toggle_press.json");
+    let line = page.split("class=\"join\" d=\"").nth(1).expect("a line");
+    let line = numbers_of(line.split('"').next().unwrap());
+    let station = page.split("data-first=\"0\" transform=\"").nth(1).unwrap();
+    let at = numbers_of(station.split('"').next().unwrap());
+    let ram = page
+        .split("class=\"link l")
+        .find(|part| part.contains("<title>ram</title>"))
+        .expect("the ram");
+    let matrix = ram.split("matrix(").nth(1).expect("its place");
+    let place = numbers_of(matrix.split(')').next().unwrap());
+    let expected = [at[0] + place[4], at[1] + place[5]];
+    for (found, expected) in line.iter().zip(expected) {
+        assert!((found - expected).abs() < 2.5, "{line:?} {expected}");
+    }
+}
+
+/// Loads on outputs of a linkage, and on a motor whose crank the linkage shows, are arrows on its
+/// links; a displacement along x is loaded along x, however the link turns.
+#[test]
+fn loads_on_outputs_are_drawn_on_the_linkage() {
+    let machine = machine_of(&page_of_run(
+        "scenarios/linkages/floating_slider_crank.json",
+    ));
+    let caption = machine["sets"][0]["caption"].as_str().unwrap();
+    let arrows = machine["sets"][0]["on"].as_array().unwrap();
+    assert!(caption.starts_with("loads, longest "), "{caption}");
+    let fixed: Vec<&Value> = arrows.iter().filter(|one| one["fixed"] == true).collect();
+    let along: Vec<Vec<f64>> = fixed
+        .iter()
+        .map(|one| serde_json::from_value(one["by"].clone()).unwrap())
+        .collect();
+    assert!(
+        along
+            .iter()
+            .any(|by| by[0] > 0.0 && by[1].abs() < 1e-9 * by[0]),
+        "{caption}: {along:?}"
+    );
+    let machine = machine_of(&page_of_run("scenarios/linkages/cam_on_a_coupler.json"));
+    let caption = machine["sets"][0]["caption"].as_str().unwrap();
+    assert_eq!(caption, "loads, longest motor 2 N m");
+}
+
+/// Forces of one position may be far smaller than the greatest of all: arrows have a scale for
+/// each position, and tell then what the longest is.
+#[test]
+fn arrows_have_a_scale_for_each_position() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["forces", "scenarios/linkages/toggle_press.json", "--out"])
+        .arg(&out)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    let probe = r##"<script>addEventListener("load", () => {
+        const figure = document.getElementById("mechanism");
+        const longest = () => Math.max(...[...figure.querySelectorAll("[data-set='0'] line")]
+            .filter((line) => line.getAttribute("visibility") !== "hidden")
+            .map((line) => Math.hypot(...["x", "y"].map((k) => line.getAttribute(k + 2) - line.getAttribute(k + 1)))));
+        const choice = [...figure.querySelectorAll("select")].find((one) => one.options[0].text === "one scale");
+        const set = (value) => { choice.value = value; choice.dispatchEvent(new Event("change")); return longest(); };
+        const [one, tenfold, each] = [set(1), set(10), set(0)];
+        const slider = figure.querySelector("input[type=range]");
+        slider.value = slider.max / 3;
+        slider.dispatchEvent(new Event("input"));
+        const other = longest(), caption = figure.querySelector("label input[type=checkbox]").parentElement.textContent;
+        document.title = `tenfold ${Math.abs(tenfold - 10 * one) < 1e-6 * tenfold} larger ${each > 2 * one} `
+            + `same ${Math.abs(each - other) < 0.1} told ${caption.includes("longest here")}`;
+    });</script></body>"##;
+    let dom = dom(&browser, &page.replace("</body>", probe), folder.path());
+    let title = dom
+        .split("<title>")
+        .nth(1)
+        .unwrap()
+        .split("</title>")
+        .next();
+    assert_eq!(title, Some("tenfold true larger true same true told true"));
+}

@@ -40,13 +40,21 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
         id: "models".to_owned(),
         title: "Distance of each result from its converged value, over the size of the model"
             .to_owned(),
-        x: Axis::new("coordinates of all elastic objects", ""),
-        y: Axis::logarithmic("distance from the limit", ""),
+        x: match sizes_are_counts(certificate) {
+            true => Axis::logarithmic("coordinates of all elastic objects", ""),
+            false => Axis::new("coordinates of all elastic objects", ""),
+        },
+        y: Axis::logarithmic("relative distance", ""),
         series,
         rules: requested_error_line(certificate),
         ..Plot::default()
     };
     Section::default().charts(Layout::Wide(420.0), "", vec![plot])
+}
+
+/// Whether every model has a coordinate: a rigid one has no place on a logarithmic axis.
+fn sizes_are_counts(certificate: &Certificate) -> bool {
+    certificate.tried.iter().all(|tried| tried.coordinates > 0)
 }
 
 /// Filled for the model chosen, open for the others.

@@ -33,7 +33,7 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
             .map(Cell::from)
             .to_vec()
     };
-    let figures = Table::new(["figure", ">value", ">limit", "~error"]);
+    let figures = Table::new(["result", ">value", ">converged value", "~error"]);
     let objects = Table::new(["object", "model", "~why", "~less is not enough"]);
     vec![
         Section::new("Accuracy, the error of the model included")
@@ -46,7 +46,7 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
     ]
 }
 
-/// The line of the least error that is asked for of a figure, as a share of its limit; none
+/// The line of the least error that is required of a figure, as a share of its converged value; none
 /// where no share is.
 pub(in crate::report) fn requested_error_line(certificate: &Certificate) -> Vec<Rule> {
     let allowed = certificate.accuracy.values().filter_map(|figure| {
@@ -54,7 +54,7 @@ pub(in crate::report) fn requested_error_line(certificate: &Certificate) -> Vec<
         (share.is_finite() && share > 0.0).then_some(share)
     });
     let least = allowed.min_by(f64::total_cmp);
-    let label = |at: f64| format!("asked for: {} %", significant(100.0 * at, 2));
+    let label = |at: f64| format!("required: {} %", significant(100.0 * at, 2));
     let rule = least.map(|at| Rule::level(at, label(at)));
     rule.into_iter().collect()
 }
@@ -69,17 +69,17 @@ fn worth(figure: &FigureAccuracy) -> String {
     };
     let size = match (figure.relative, figure.error) {
         (Some(share), _) if share > 0.0 => format!("± {} %", significant(100.0 * share, 2)),
-        (_, Some(error)) if error > 0.0 => format!("± {} {}", significant(error, 2), figure.unit)
-            .trim_end()
-            .to_owned(),
+        (_, Some(error)) if error > 0.0 => {
+            format!("± {}", Value::new(error, &figure.unit, 2).words())
+        }
         _ => return "exact".to_owned(),
     };
     match figure.holds {
         true => format!("{size} ({sure})"),
-        false => format!(
-            "{size} ({sure}), required ± {}",
-            significant(figure.asked, 2)
-        ),
+        false => {
+            let required = Value::new(figure.asked, &figure.unit, 2);
+            format!("{size} ({sure}), required ± {}", required.words())
+        }
     }
 }
 

@@ -6,6 +6,7 @@ use crate::kinematics::cam::sizing::BaseRange;
 use crate::kinematics::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
 use crate::report::findings::{Figure, Value};
 use crate::report::quantity::{DIGITS, result, significant, with_unit};
+use crate::report::sentence::Sentence;
 use crate::studies::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
 use crate::studies::law::LiftOff;
 use std::f64::consts::TAU;
@@ -195,8 +196,36 @@ fn ranges(answer: &Answer<Vec<BaseRange>>) -> String {
     }
 }
 
-pub(super) fn rpm(speed: f64) -> String {
+fn rpm(speed: f64) -> String {
     format!("{} rpm", result(speed * 60.0 / TAU, DIGITS))
+}
+
+/// Up to which speed the follower stays in contact; `None` where nothing closes it by force.
+pub(super) fn contact(force: &ForceFigures) -> Option<Sentence> {
+    let up_to = |speed: f64| {
+        Sentence::from(format!(
+            "the follower stays in contact up to {}",
+            rpm(speed)
+        ))
+    };
+    if let Some(elastic) = &force.elastic {
+        return Some(match *elastic {
+            LiftOff::At(speed) | LiftOff::Above(speed) => up_to(speed),
+            LiftOff::Below(speed) => {
+                format!("the follower lifts off even at {}", rpm(speed)).into()
+            }
+        });
+    }
+    let rigid = if force.rigid.is_some() {
+        ", if it is rigid"
+    } else {
+        ""
+    };
+    Some(match force.lets_go? {
+        LetsGo::At(found) => up_to(found.value).words(rigid),
+        LetsGo::AtRest(_) => "the follower has no contact at rest".into(),
+        LetsGo::Never => Sentence::from("the follower stays in contact at any speed").words(rigid),
+    })
 }
 
 fn force_rows(rows: &mut Rows, force: &ForceFigures) {

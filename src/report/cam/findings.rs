@@ -1,6 +1,6 @@
 //! What is known of a cam: the cam turning with its follower, figures, diagrams.
 
-use super::figures::{describe, figures};
+use super::figures::{contact, describe, figures};
 use super::picture::{Follower, bodies, drawing, drawn, marks, style};
 use super::remarks::remarks;
 use super::tables::PLACES;
@@ -11,6 +11,7 @@ use crate::report::findings::{Findings, Item, Layout, Section, Source};
 use crate::report::html::player::{Coordinates, PartDisplacement, Player, Reading, RowAxis, short};
 use crate::report::mechanism::marks::scale_bar;
 use crate::report::plot::Plots;
+use crate::report::quantity::DIGITS;
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Verdict, capitalised};
 use crate::studies::cam::{CamFigures, CamForce};
@@ -122,24 +123,51 @@ pub fn findings<'a>(report: &CamReport<'a>, mut source: Source<'a>) -> Findings<
 fn verdict(report: &CamReport<'_>) -> Verdict {
     let (judgement, grave) = (report.judgement(), grave(report.figures));
     let Some(first) = grave.first() else {
-        let rigid = report.figures.rigid().is_some();
-        let headline = match rigid && judgement == Judgement::NotJudged {
-            true => "The cam is sound for a rigid follower.",
-            false => "The cam is sound.",
-        };
-        let text = match report.figures.force {
+        let shape = match report.figures.force {
             Some(_) => {
                 "No undercut, no corner; pressure angle, face and closing force are as required."
             }
             None => "No undercut, no corner; pressure angle and face are as required.",
         };
-        return Verdict::judged(judgement, headline, text);
+        let why = match judgement {
+            Judgement::NotJudged => unjudged(report.figures),
+            _ => String::new(),
+        };
+        let text = format!("{shape} {why}");
+        return Verdict::judged(judgement, sound(report.figures), text.trim_end());
     };
     let text = match grave.len() {
         1 => Sentence::default(),
         count => format!("And {} more, listed below.", count - 1).into(),
     };
     Verdict::judged(judgement, Sentence::read(&(capitalised(first) + ".")), text)
+}
+
+/// What a sound cam comes to: its greatest pressure angle, and up to which speed it keeps contact.
+fn sound(figures: &CamFigures) -> Sentence {
+    let sizes = figures.pressure.map(|at| at.value.abs());
+    let angle = sizes[0].max(sizes[1]);
+    let flat = figures.face.is_some();
+    let shape =
+        (!flat).then(|| Sentence::from("Greatest pressure angle ").angle_or(angle, "rad", DIGITS));
+    let needed = figures.face.as_ref().map(|face| {
+        Sentence::from("The face needs a width of ").quantity(face.needed_width, "m", DIGITS)
+    });
+    let contact = figures.force.as_ref().and_then(contact);
+    let parts = [shape, needed, contact];
+    Sentence::joined(parts.into_iter().flatten(), "; ").words(".")
+}
+
+/// Why the contact of a sound cam is not judged.
+fn unjudged(figures: &CamFigures) -> String {
+    match (&figures.force_missing, figures.rigid()) {
+        (Some(why), _) => format!("The contact force is not known: {why}."),
+        (None, Some(_)) => {
+            "The follower is elastic: `--lift-off` finds the speed at which it lifts off."
+                .to_owned()
+        }
+        (None, None) => String::new(),
+    }
 }
 
 /// The drawing with its controls.

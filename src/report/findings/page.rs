@@ -1,9 +1,10 @@
 //! Findings as a page that opens without a network.
 
 use super::{Cell, Charts, Figure, Findings, Item, Layout, Section, Table, Value};
-use crate::report::html::{bar, fact_list, header, number, scene, shell, warnings};
+use crate::report::html::{bar, fact_list, header, named, number, scene, shell, warnings};
 use crate::report::plot::{Plot, Plots};
 use crate::report::quantity::{coded, escape, raised};
+use crate::report::symbols::{Setting, symbols};
 use std::fmt::Write as _;
 
 /// Width of a chart over the whole page, of one of two beside each other, of a round one (pixels).
@@ -106,11 +107,11 @@ fn list(notes: &[String]) -> String {
 
 /// A sentence.
 fn prose(words: &str) -> String {
-    coded(&escape(&raised(words)))
+    coded(&symbols(&escape(&raised(words)), Setting::Page))
 }
 
 /// Headings of a page from which on it has a list of them.
-const FEW: usize = 4;
+const FEW: usize = 2;
 
 /// The body with names for its headings to be jumped to, and the list of these.
 fn with_contents(body: &str) -> (String, String) {
@@ -218,7 +219,7 @@ impl Table {
                 format!(
                     "<th class=\"{}\">{}</th>",
                     class_of(at, "head"),
-                    escape(&column.name)
+                    named(&column.name)
                 )
             })
             .collect();
@@ -244,7 +245,8 @@ impl Table {
             };
             let label = match self.columns.get(at) {
                 Some(column) if wide && at > 0 => {
-                    format!(" data-label=\"{}\"", escape(&column.name))
+                    let name = symbols(&escape(&column.name), Setting::Letters);
+                    format!(" data-label=\"{name}\"")
                 }
                 _ => String::new(),
             };

@@ -9,7 +9,7 @@ use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table};
 use crate::report::plot::{Plot, page::hodograph};
 use crate::report::quantity::{DIGITS, counted, significant};
-use crate::report::sentence::Sentence;
+use crate::report::sentence::{Sentence, told};
 use crate::report::verdict::Verdict;
 use crate::studies::forces::{Extreme, Extremes, ForceStudy};
 use crate::studies::judgement::Judgement;
@@ -26,7 +26,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
         "forces of {}, {}, {}",
         report.object,
         counted(study.rows.len(), "position"),
-        report.motion
+        told(report.motion)
     );
     if let Some(output) = study.settings.output {
         let (output, convention) = (
@@ -34,7 +34,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
             study.settings.convention,
         );
         let name = convention.name();
-        let _ = write!(subtitle, "; output {output}, χ in the convention {name}");
+        let _ = write!(subtitle, "; output {output}, sign of χ: convention {name}");
     }
     let drawn = *report;
     let mechanism = match study.solved().next() {
@@ -86,11 +86,16 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
     };
     let drives = (study.extremes.iter())
         .filter(|found| found.name == "drive" || found.name.starts_with("drive."));
-    let drives: Vec<Sentence> = drives.map(between).collect();
+    let drives: Vec<&Extremes> = drives.collect();
+    let turns = !drives.is_empty() && drives.iter().all(|drive| drive.unit == "N m");
+    let drives: Vec<Sentence> = drives.into_iter().map(between).collect();
     let headline = match drives.is_empty() {
-        false => Sentence::from("Driving force ")
-            .sentence(Sentence::joined(drives, ", "))
-            .words("."),
+        false => Sentence::from(match turns {
+            true => "Driving moment ",
+            false => "Driving force ",
+        })
+        .sentence(Sentence::joined(drives, ", "))
+        .words("."),
         true if study.indeterminate.drive => {
             Sentence::from("The driving force is statically indeterminate.")
         }

@@ -14,6 +14,7 @@ use crate::report::plot::{Plots, page::SCRIPT, palette};
 use crate::report::quantity::{escape, scale, significant};
 use crate::report::sentence::Sentence;
 use crate::report::svg::graph;
+use crate::report::symbols::{Setting, symbols};
 use crate::report::verdict::{Sort, Verdict};
 
 /// The style of pages.
@@ -61,6 +62,7 @@ pub(in crate::report) fn header(title: &str, subtitle: &str, verdict: Option<&Ve
 /// The answer in a sentence.
 pub(in crate::report) fn verdict_banner(verdict: &Verdict) -> String {
     let (class, sort) = match verdict.sort {
+        Sort::Good if verdict.judgement.is_none() => ("good", "Result"),
         Sort::Good => ("good", "Mechanism"),
         Sort::Mechanism => ("mechanism", "Mechanism"),
         Sort::Numerical => ("numerical", "Computation"),
@@ -129,11 +131,16 @@ pub(in crate::report) fn facts(rows: &[(&str, String)]) -> String {
 /// A list of names, and texts that are HTML already.
 pub(in crate::report) fn fact_list(rows: &[(String, String)]) -> String {
     let row =
-        |(name, text): &(String, String)| format!("<dt>{}</dt><dd>{text}</dd>\n", escape(name));
+        |(name, text): &(String, String)| format!("<dt>{}</dt><dd>{text}</dd>\n", named(name));
     format!(
         "<dl class=\"facts\">\n{}</dl>\n",
         rows.iter().map(row).collect::<String>()
     )
+}
+
+/// A name with its symbols.
+pub(in crate::report) fn named(name: &str) -> String {
+    symbols(&escape(name), Setting::Page)
 }
 
 /// A number with its unit for reading, the full number on hover.

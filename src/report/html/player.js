@@ -13,7 +13,7 @@ const machine = (() => {
     return { values: columns[given.values], deviation: given.deviation === null ? null : columns[given.deviation] };
   }
 
-  const number = (value) => significant(value, 5);
+  const number = (value) => significant(value, 5), short = (value) => significant(value, 4);
 
   // Between two rows, or at the nearer one where the other has no value.
   function between(values, place) {
@@ -44,7 +44,7 @@ const machine = (() => {
   // given another motion, and other pictures of it, later.
   function player(figure, given, source) {
     let data, stock, axis, key, values, times, closed, timed, count, columns, cells, poses = [];
-    let factor = given.magnify ? given.magnify.factor : 1;
+    let factor = given.magnify ? given.magnify.factor : 1, gain = 1;
     let place = 0, playing = false, last = null, clock = 0;
     const controls = figure.querySelector(".controls"), grid = given.sliders || null;
 
@@ -109,14 +109,19 @@ const machine = (() => {
 
     // Where a point of a part is.
     const pointOf = (pose, [px, py]) => [pose[0] + pose[2] * px + pose[3] * py, pose[1] - pose[3] * px + pose[2] * py];
+    // Length of the longest arrow of a set in a row, and in all rows (pixels).
+    const longest = (set, row) => set.arrows.reduce((most, arrow) => Math.max(most, Math.hypot(arrow[4 * row + 2] ?? 0, arrow[4 * row + 3] ?? 0)), 0);
+    const longestOfAll = (set) => set.most ??= values.reduce((most, _, row) => Math.max(most, longest(set, row)), 0);
+    // What the arrows of a set are multiplied by: the same in every row, or in each so that the longest is.
+    const gainOf = (set, row) => gain ? gain : longest(set, row) > 0 ? longestOfAll(set) / longest(set, row) : 1;
     // The arrows of a set at a place: their ends; null where one is too short to be seen.
     function arrowsAt(set, poses, place) {
-      const row = Math.round(place), long = (x, y, dx, dy) => x !== null && dx !== null && Math.hypot(dx, dy) >= 1 ? { x1: x, y1: y, x2: x + dx, y2: y + dy } : null;
-      const on = (set.on ?? []).map(({ body, origin, at, by, column }) => {
+      const row = Math.round(place), by = gainOf(set, row), long = (x, y, dx, dy) => x !== null && dx !== null && Math.hypot(by * dx, by * dy) >= 1 ? { x1: x, y1: y, x2: x + by * dx, y2: y + by * dy } : null;
+      const on = (set.on ?? []).map(({ body, origin, at, by, fixed, column }) => {
         const pose = poses[body], force = between(stock[column], place);
         if (!pose || force === null) return null;
-        const [x, y] = pointOf(pose, at), end = pointOf(pose, [at[0] + force * by[0], at[1] + force * by[1]]);
-        return long(origin[0] + x, origin[1] + y, end[0] - x, end[1] - y);
+        const [x, y] = pointOf(pose, at), free = fixed ? [0, 0, 1, 0] : pose, [dx, dy] = pointOf([0, 0, free[2], free[3]], [force * by[0], force * by[1]]);
+        return long(origin[0] + x, origin[1] + y, dx, dy);
       });
       return [...set.arrows.map((arrow) => long(...arrow.slice(4 * row, 4 * row + 4))), ...on];
     }
@@ -143,7 +148,7 @@ const machine = (() => {
       for (const node of words) {
         const { values: own, deviation } = columns[node.dataset.column];
         const { scale, unit, deltaScale, deltaUnit } = node.dataset;
-        node.textContent = `φ ${number(between(own, at) * scale)} ${unit}` + (deviation ? `, δ ${number(between(deviation, at) * deltaScale)} ${deltaUnit}` : "");
+        node.textContent = `φ ${short(between(own, at) * scale)} ${unit}` + (deviation ? `, δ ${short(between(deviation, at) * deltaScale)} ${deltaUnit}` : "");
       }
     }
 
@@ -152,6 +157,7 @@ const machine = (() => {
       poses = data.bodies.map((body) => placed(body, at));
       const row = Math.round(at);
       paint(shown, poses, at);
+      if (!gain) switches.forEach(({ name }, index) => { name.data = caption(data.sets[index], row); });
       data.readings.forEach((reading, index) => {
         const value = reading.values[row];
         cells[index].textContent = value === null ? "straight" : `${number(value)} ${reading.unit}`;
@@ -257,7 +263,10 @@ const machine = (() => {
       return picture.gif({ size, frames, seconds, frame, tell });
     }
 
-    const make = (name, properties) => { const node = Object.assign(document.createElement(name), properties); controls.appendChild(node); return node; };
+    // Groups of controls stay together where the row is too short for all.
+    let group = controls;
+    const grouped = (name) => { group = controls.appendChild(Object.assign(document.createElement("span"), { className: `group ${name}` })); };
+    const make = (name, properties) => { const node = Object.assign(document.createElement(name), properties); group.appendChild(node); return node; };
     const labelled = (name, text, properties) => {
       const label = make("label", {}), node = Object.assign(document.createElement(name), properties);
       label.append(text, node);
@@ -280,6 +289,7 @@ const machine = (() => {
         state.textContent = poses.every((pose) => pose === null) ? "cannot be assembled" : "";
       };
     } else {
+      grouped("course");
       button = make("button", { type: "button", textContent: "play" });
       button.addEventListener("click", toggle);
       slider = make("input", { type: "range", min: 0, max: data.axis ? count - 1 : 1, step: "any", value: 0 });
@@ -290,6 +300,7 @@ const machine = (() => {
       pace.setAttribute("aria-label", "speed of playing");
       for (const [value, text] of [[0.1, "slowest"], [0.25, "slow"], [1, "normal"], [4, "fast"], [16, "fastest"]]) pace.add(new Option(text, value, value === 1, value === 1));
     }
+    group = controls;
     if (data.magnify) {
       const choice = labelled("select", "deflection δ ", { title: "factor by which the deflection is magnified" });
       for (const value of data.magnify.choices) choice.add(new Option(value === 1 ? "true to scale" : `× ${value}`, value, value === factor, value === factor));
@@ -303,6 +314,21 @@ const machine = (() => {
     };
     const turn = (index, on) => shown.sets[index].setAttribute("visibility", on ? "visible" : "hidden");
     const switches = data.sets.map((set, index) => check(set.caption, set.shown, (on) => turn(index, on)));
+    // What the arrows of a set show; where each position has a scale of its own, how much its longest is.
+    const caption = (set, row) => {
+      if (gain || !set.greatest) return set.caption;
+      const share = longestOfAll(set) > 0 ? longest(set, row) / longestOfAll(set) : 0;
+      return `${set.name}, longest here ${numbers.withUnit(set.greatest[0] * share, set.greatest[1], 4)}`;
+    };
+    if (data.sets.some((set) => set.greatest)) {
+      const choice = labelled("select", "arrows ", { title: "length of the arrows: one scale for all positions, or one for each" });
+      for (const [value, text] of [[1, "one scale"], [2, "× 2"], [5, "× 5"], [10, "× 10"], [100, "× 100"], [0, "scale of each position"]]) choice.add(new Option(text, value, value === 1, value === 1));
+      choice.addEventListener("change", () => {
+        gain = +choice.value;
+        switches.forEach(({ name }, index) => { name.data = caption(data.sets[index], Math.round(place)); });
+        show(place);
+      });
+    }
     if (figure.querySelector("[data-path]")) check("paths", true, (on) => figure.querySelectorAll("[data-path]").forEach((node) => node.setAttribute("visibility", on ? "visible" : "hidden")));
     const offer = (text, title, make) => {
       const button = Object.assign(document.createElement("button"), { type: "button", textContent: text, title });
@@ -314,8 +340,9 @@ const machine = (() => {
         } catch (error) { button.textContent = `${text}: ${error.message}`; }
         button.disabled = false;
       });
-      controls.append(button);
+      group.append(button);
     };
+    grouped("saves");
     offer("SVG", "saves the moving drawing as an SVG that runs by itself, for slides and sites", running);
     offer("GIF", "saves the moving drawing as an animated GIF", filmed);
     const follow = (event) => {
@@ -351,7 +378,7 @@ const machine = (() => {
       take(next, source);
       if (pictures !== undefined) figure.querySelector(".stations").outerHTML = pictures;
       if (pictures !== undefined) shown = parts(figure);
-      switches.forEach(({ box, name }, index) => { name.data = data.sets[index].caption; turn(index, box.checked); });
+      switches.forEach(({ box, name }, index) => { name.data = caption(data.sets[index], Math.round(place)); turn(index, box.checked); });
       show(timed && at <= values[count - 1] ? rowOf(at) : Math.min(row, count - 1));
     }
     function stop() {

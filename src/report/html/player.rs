@@ -181,6 +181,9 @@ pub(in crate::report) struct Arrows {
     pub(in crate::report) name: String,
     /// Caption: the name with the scale.
     pub(in crate::report) caption: String,
+    /// Greatest size and its SI unit, where all are to one scale.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(in crate::report) greatest: Option<(f64, String)>,
     /// True when they are shown from the beginning.
     pub(in crate::report) shown: bool,
     /// x, y, dx, dy of every row, for every arrow.
@@ -201,6 +204,9 @@ pub(in crate::report) struct ForceArrow {
     pub(in crate::report) at: [f64; 2],
     /// Pixels a unit of the column, in the frame of the part.
     pub(in crate::report) by: [f64; 2],
+    /// True where `by` is in the frame of the picture.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub(in crate::report) fixed: bool,
     /// The column.
     pub(in crate::report) column: usize,
 }

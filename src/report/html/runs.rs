@@ -297,12 +297,15 @@ impl ObjectCharts {
                 (false, _) => "",
                 (true, 1) =>
                     "<span class=\"key\"><span class=\"swatch\"></span>contact \
-                              open</span>",
-                (true, _) => "<span>strips at the foot: contact open</span>",
+                              separated</span>",
+                (true, _) => "<span>strips at the foot: contact separated</span>",
             },
             unshaded = match self.unshaded.as_str() {
                 "" => String::new(),
-                words => format!("<p class=\"soft\">Contact open: {}.</p>\n", escape(words)),
+                words => format!(
+                    "<p class=\"soft\">Contact separated: {}.</p>\n",
+                    escape(words)
+                ),
             },
             single = if self.is_single() { " single" } else { "" },
             rows = rows,

@@ -5,7 +5,7 @@ use crate::dynamics::model::Coordinate;
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
 use crate::report::quantity::{DIGITS, counted, significant, with_unit};
-use crate::report::sentence::Sentence;
+use crate::report::sentence::{Sentence, told};
 use crate::report::verdict::Verdict;
 use crate::studies::kinematics::{
     AnyLinkage, Column, Equilibrium, Extremes, Kinematics, Quantity, Stroke,
@@ -20,7 +20,7 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
     let ends = [found.axis.values.first(), found.axis.values.last()];
     let [from, to] = ends.map(|end| end.map_or("–".to_owned(), |&at| place(found, at)));
     let mut sections = vec![
-        Section::default().drawing(move |_| drawing(found).section("mechanism")),
+        Section::new("The mechanism moving").drawing(move |_| drawing(found).section("mechanism")),
         multi_input::machine(found),
         structure(found),
         multi_input::singular(found),
@@ -40,7 +40,7 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
             found.object,
             counted(found.axis.values.len(), "position"),
             found.axis.name,
-            found.motion
+            told(&found.motion)
         ),
         answer: Some(answer(found)),
         warnings: found.warnings.clone(),
@@ -64,18 +64,44 @@ fn answer(found: &Kinematics) -> Verdict {
         let size = stroke.ends[1].1 - stroke.ends[0].1;
         Sentence::from(format!("{} ", stroke.owner)).angle_or(size, stroke.unit, DIGITS)
     };
-    let strokes: Vec<Sentence> = found.strokes.iter().take(3).map(stroke).collect();
+    // What a block on the guide of an output does is the stroke of the output once more.
+    let size = |stroke: &Stroke| stroke.ends[1].1 - stroke.ends[0].1;
+    let twin = |at: usize| {
+        let own = &found.strokes[at];
+        let before = found.strokes[..at].iter();
+        own.owner.starts_with("pairs.")
+            && (before.filter(|other| other.unit == own.unit))
+                .any(|other| (size(other) - size(own)).abs() <= 1e-9 * size(own).abs())
+    };
+    let strokes = (0..found.strokes.len()).filter(|at| !twin(*at));
+    let strokes: Vec<Sentence> = strokes
+        .map(|at| stroke(&found.strokes[at]))
+        .take(3)
+        .collect();
     let text = match strokes.is_empty() {
         true => Sentence::default(),
         false => Sentence::from("Strokes: ")
             .sentence(Sentence::joined(strokes, ", "))
             .words("."),
     };
-    let headline = match found.axis.values.len() {
+    let through = match found.axis.values.len() {
         1 => "It can be put together at this position.".to_owned(),
         count => format!("It goes through all {count} positions."),
     };
+    let (headline, text) = match (text.is_empty(), least_transmission(found)) {
+        (false, _) => (text, through.into()),
+        (true, Some(least)) => (least, through.into()),
+        (true, None) => (Sentence::from(through), text),
+    };
     Verdict::judged(found.judgement(), headline, text)
+}
+
+/// The least transmission angle of all dyads, and where it is.
+fn least_transmission(found: &Kinematics) -> Option<Sentence> {
+    let least = found.transmission.iter().map(|angle| angle.least);
+    let (at, angle) = least.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let least = Sentence::from("Least transmission angle ").angle_or(angle, "rad", DIGITS);
+    Some(least.words(format!(" at {}.", place(found, at))))
 }
 
 fn structure<'a>(found: &Kinematics) -> Section<'a> {

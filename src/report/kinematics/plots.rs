@@ -93,11 +93,16 @@ fn charts(found: &Kinematics, name: &str, owners: &[String], quantity: Quantity)
         columns.filter(move |column| &column.owner == owner && column.quantity == quantity)
     });
     for column in own.filter(|column| column.values.iter().any(|&v| v != 0.0)) {
-        let curve = curve(found, column);
-        let unit = if column.unit == "1" {
-            ""
-        } else {
-            column.unit.as_str()
+        let mut curve = curve(found, column);
+        let unit = match column.unit.as_str() {
+            "1" => "",
+            // As in the tables: angles are read in degrees.
+            "rad" => {
+                let degrees = |point: &mut (f64, f64)| point.1 = point.1.to_degrees();
+                curve.points.iter_mut().for_each(degrees);
+                "deg"
+            }
+            unit => unit,
         };
         match charts.iter_mut().find(|chart| chart.y.unit == unit) {
             Some(chart) => chart.series.push(curve),

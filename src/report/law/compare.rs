@@ -26,10 +26,10 @@ pub fn comparison_findings<'a>(
     };
     let best = match best(laws, by).as_slice() {
         [] => "none".to_owned(),
-        best => best.join(", "),
+        best => plain(&best.join(", ")),
     };
-    let headline = format!("Best by {}: {best}.", by.words());
-    let text = format!("Of {} laws.{doubt}", laws.len());
+    let headline = format!("Best by {}: {best}, of {} laws.", by.words(), laws.len());
+    let text = doubt.trim_start();
     Findings {
         title: scene.to_owned(),
         subtitle: format!("laws compared at {at}"),
@@ -43,6 +43,11 @@ pub fn comparison_findings<'a>(
         ],
         source,
     }
+}
+
+/// Names of laws as words: `modified_sine` as modified sine.
+fn plain(names: &str) -> String {
+    names.replace('_', " ")
 }
 
 fn table(laws: &[ComparedLaw], by: Figure) -> Table {
@@ -59,7 +64,7 @@ fn table(laws: &[ComparedLaw], by: Figure) -> Table {
         .collect();
     let rows = order.iter().map(|&index| {
         let cells = shown.iter().map(|figure| cell(*figure, laws, index));
-        let name = Cell::from(laws[index].name.as_str());
+        let name = Cell::from(plain(&laws[index].name));
         std::iter::once(name).chain(cells).collect::<Vec<Cell>>()
     });
     Table::new(std::iter::once("law").chain(names.iter().map(String::as_str))).rows(rows)
@@ -96,7 +101,7 @@ fn others(laws: &[ComparedLaw], by: Figure) -> Vec<String> {
     let misleading = constants.filter_map(|figure| {
         let named = best(laws, figure);
         let other = !named.is_empty() && !named.iter().any(|name| chosen.contains(name));
-        let list = named.join(", ");
+        let list = plain(&named.join(", "));
         other.then(|| format!("by {} alone it would have been: {list}", figure.words()))
     });
     misleading.collect()
@@ -147,7 +152,7 @@ fn chart(laws: &[ComparedLaw]) -> Plot {
         title: "Every result as a multiple of the best law's".to_owned(),
         x: Axis::logarithmic("multiple of the best", ""),
         y: Axis {
-            rows: laws.iter().map(|law| law.name.clone()).collect(),
+            rows: laws.iter().map(|law| plain(&law.name)).collect(),
             ..Axis::default()
         },
         series: figures.collect(),

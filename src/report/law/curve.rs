@@ -70,8 +70,23 @@ impl<'a> Curve<'a> {
 
     fn points(&self, order: usize, size: f64) -> Vec<(f64, f64)> {
         let rows = self.rows.iter();
-        rows.map(|(x, jet)| (*x, parts(jet)[order] / size))
+        rows.map(|(x, jet)| (self.shown(*x), parts(jet)[order] / size))
             .collect()
+    }
+
+    /// The argument as charts have it: angles in degrees.
+    fn shown(&self, x: f64) -> f64 {
+        match self.x.unit.as_str() {
+            "rad" => x.to_degrees(),
+            _ => x,
+        }
+    }
+
+    fn axis(&self) -> Axis {
+        match self.x.unit.as_str() {
+            "rad" => Axis::new(&self.x.name, "deg"),
+            _ => self.x.clone(),
+        }
     }
 
     /// All diagrams, each divided by its greatest value.
@@ -88,7 +103,7 @@ impl<'a> Curve<'a> {
         let curves = shown.filter(|(_, size)| **size != 0.0).map(curve);
         Plot {
             phases: MotionPhase::of(&self.points(0, 1.0)),
-            ..Plot::new(title, self.x.clone(), "", curves.collect())
+            ..Plot::new(title, self.axis(), "", curves.collect())
         }
     }
 
@@ -103,7 +118,7 @@ impl<'a> Curve<'a> {
                     self.symbol,
                     PRIMES[order]
                 ),
-                self.x.clone(),
+                self.axis(),
                 &unit(order, self.unit, &self.x.unit, ["", "", "²", "³"]),
                 vec![Series::line("", self.points(order, 1.0))],
             )

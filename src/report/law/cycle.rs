@@ -9,7 +9,7 @@ use crate::report::course::samples;
 use crate::report::csv::Rows;
 use crate::report::findings::{Figure, Findings, Section, Source, Table, Value};
 use crate::report::plot::Axis;
-use crate::report::quantity::significant;
+use crate::report::quantity::DIGITS;
 use crate::report::verdict::Verdict;
 use crate::studies::cycle::CycleFigures;
 
@@ -24,8 +24,9 @@ pub fn cycle_findings<'a>(
     source: Source<'a>,
 ) -> Findings<'a> {
     let (sort, said) = shock_verdict(&found.jumps);
-    let greatest = significant(found.acceleration.value, 6);
-    let headline = format!("Greatest U″ = {greatest} {unit}/{driver}².");
+    let [_, size] = sizes(found);
+    let greatest = Value::new(size, &format!("{unit}/{driver}²"), DIGITS).words();
+    let headline = format!("Greatest acceleration |U″| = {greatest}.");
     let peak = |name: &str, peak: Peak, unit: String| {
         let at = Value::angle_or(peak.at, driver, 8).words();
         Figure::number(name, peak.value, &unit, 8).with(format!("at {at}"))

@@ -13,8 +13,8 @@ pub use stroke::{StrokeExtras, stroke_findings, stroke_rows};
 
 use super::csv::{Field, Rows};
 use super::findings::{Figure, Findings, Item, Section, Source, Table, Value};
-use super::quantity::significant;
-use super::verdict::{Sort, Verdict};
+use super::quantity::{DIGITS, result, significant};
+use super::verdict::{Sort, Verdict, capitalised};
 use crate::frontend::object::law::AnyLaw;
 use crate::kinematics::motion::LawName;
 use crate::kinematics::motion::law::{Jump, Law, LawConstants, Peak};
@@ -134,7 +134,7 @@ pub fn law_findings(row: &LawRow, law: &Law) -> Findings<'static> {
         false => "full stroke, from rest to rest",
     };
     let peak = |name: &str, peak: Peak| {
-        let at = significant(peak.at, 8);
+        let at = result(peak.at, 8);
         Figure::number(name, peak.value, "", 10).with(format!("at τ = {at}"))
     };
     let plain = |name: &str, value: f64| Figure::number(name, value, "", 10);
@@ -161,17 +161,17 @@ pub fn law_findings(row: &LawRow, law: &Law) -> Findings<'static> {
     let (sort, said) = shock_verdict(&found.jumps);
     let headline = format!(
         "Greatest acceleration C_a = {}, greatest speed C_v = {}.",
-        significant(found.acceleration.value, 6),
-        significant(found.speed.value, 6)
+        result(found.acceleration.value, DIGITS),
+        result(found.speed.value, DIGITS)
     );
     let heading = format!("Results: {kind}; normal form: stroke 1, duration 1");
     Findings {
-        title: row.name.clone(),
+        title: capitalised(&row.name.replace('_', " ")),
         subtitle: row.words.clone(),
         answer: Some(Verdict::answer(sort, headline, said.to_owned())),
         warnings: Vec::new(),
         sections: vec![
-            Curve::of_law(law, found).section(&row.name),
+            Curve::of_law(law, found).section(&row.name.replace('_', " ")),
             Section::new(heading)
                 .figures(figures)
                 .item(shocks(&found.jumps, ["τ", ""])),

@@ -4,12 +4,11 @@ use super::curve::{Curve, DIAGRAM_POINTS, rows};
 use crate::kinematics::motion::stroke::Stroke;
 use crate::math::jet::Jet;
 use crate::report::csv::Rows;
-use crate::report::findings::{Figure, Findings, Section, Source};
+use crate::report::findings::{Figure, Findings, Section, Source, Value};
 use crate::report::plot::Axis;
-use crate::report::quantity::significant;
+use crate::report::quantity::{DIGITS, significant};
 use crate::report::sentence::Sentence;
-use crate::report::verdict::{Sort, Verdict};
-use crate::units::shown;
+use crate::report::verdict::{Sort, Verdict, capitalised};
 
 /// What stands behind the figures of a stroke.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,7 +26,7 @@ impl StrokeExtras {
             let names = ["greatest Π′", "greatest |Π″|", "greatest |Π′Π″|"];
             let figure = |(name, change): (&str, f64)| {
                 let sign = if change < 0.0 { "" } else { "+" };
-                Figure::new(name, format!("{sign}{} %", shown(100.0 * change, 8)))
+                Figure::new(name, format!("{sign}{} %", significant(100.0 * change, 5)))
             };
             let figures = names.into_iter().zip(changes).map(figure).collect();
             sections.push(Section::new("Against no uniform section").figures(figures));
@@ -49,27 +48,26 @@ pub fn stroke_findings(
     extras: StrokeExtras,
 ) -> Findings<'static> {
     let found = stroke.figures();
-    let own = |sentence: Sentence, value: f64, unit: &str| {
-        let words = format!("{} {unit}", significant(value, 6));
-        sentence.worded(value, (unit, 6), words)
-    };
-    let headline = own(Sentence::from("Stroke "), found.stroke, unit).words(" in ");
-    let headline = own(headline, found.span, "rad").words(format!(
-        ", greatest speed {} {unit}/rad.",
-        significant(found.peak_speed, 6)
-    ));
-    let text = format!(
-        "Greatest Π″ {} {unit}/rad² in the run-up and {} {unit}/rad² in the run-out.",
-        significant(found.acceleration_run_up, 6),
-        significant(found.acceleration_run_out, 6)
-    );
+    let headline = Sentence::from("Stroke ")
+        .angle_or(found.stroke, unit, DIGITS)
+        .words(" in ")
+        .angle_or(found.span, "rad", DIGITS)
+        .words(", greatest speed ")
+        .quantity(found.peak_speed, &format!("{unit}/rad"), DIGITS)
+        .words(".");
+    let second = format!("{unit}/rad²");
+    let text = Sentence::from("Greatest acceleration Π″ ")
+        .quantity(found.acceleration_run_up, &second, DIGITS)
+        .words(" in the run-up and ")
+        .quantity(found.acceleration_run_out, &second, DIGITS)
+        .words(" in the run-out.");
     let mut sections = vec![
-        curve(stroke, unit).section(words),
+        curve(stroke, unit).section(&words.replace('_', " ")),
         Section::new("Results").figures(figures(stroke, unit)),
     ];
     sections.extend(extras.sections());
     Findings {
-        title: words.to_owned(),
+        title: capitalised(&words.replace('_', " ")),
         subtitle: "a stroke of run-up, uniform section and run-out".to_owned(),
         answer: Some(Verdict::answer(Sort::Good, headline, text)),
         warnings: Vec::new(),
@@ -88,8 +86,8 @@ fn figures(stroke: &Stroke, unit: &str) -> Vec<Figure> {
         ("skewness f", found.skewness, ""),
         ("uniform share of stroke ζ_Π", found.uniform_stroke, ""),
         ("uniform share of span ζ_φ", found.uniform_span, ""),
-        ("ν1", found.speed_ratio, ""),
-        ("ν2", found.law_acceleration_ratio, ""),
+        ("ν₁", found.speed_ratio, ""),
+        ("ν₂", found.law_acceleration_ratio, ""),
         ("U", found.u, ""),
         ("run-up ends at φ_I", found.angle_run_up, "rad"),
         ("run-out begins at φ_II", found.angle_run_out, "rad"),
@@ -106,7 +104,9 @@ fn figures(stroke: &Stroke, unit: &str) -> Vec<Figure> {
         ("run-out: greatest |Π′Π″|", found.product_run_out, &product),
         ("acceleration ratio λ", found.acceleration_ratio, ""),
     ];
-    let figure = |(name, value, unit): (&str, f64, &str)| Figure::number(name, value, unit, 10);
+    let figure = |(name, value, unit): (&str, f64, &str)| {
+        Figure::new(name, Value::angle_or(value, unit, 10))
+    };
     rows.into_iter().map(figure).collect()
 }
 

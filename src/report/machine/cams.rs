@@ -52,11 +52,15 @@ pub(super) fn picture(
         size: view.size,
         bodies: all,
         pixels: pixels(cam, view.scale) / lever.abs(),
-        inlet,
+        inlets: vec![inlet],
         outlet,
+        outlets: Vec::new(),
         scale: Some(view.scale),
         shows_driver: true,
-        grip,
+        grips: grip
+            .map(|grip| (part.id.clone(), grip))
+            .into_iter()
+            .collect(),
     })
 }
 
@@ -76,6 +80,7 @@ fn grip(follower: &Body, [end, tip]: [[f64; 2]; 2]) -> Option<Grip> {
         part: 1,
         at,
         along: along.map(|part| part / size),
+        fixed: false,
     })
 }
 

@@ -1,21 +1,22 @@
 //! Linkages of the machine: to scale, over their input coordinate.
 
-use super::object_path::{ObjectPath, Picture, TURNS};
+use super::object_path::{Grip, ObjectPath, Picture, TURNS};
 use crate::dynamics::model::{Model, MultiLinkageBody, ObjectPart};
 use crate::dynamics::record::{Column, Quantity, Record};
+use crate::kinematics::linkage::multi::spec::InputCoordinate;
 use crate::kinematics::linkage::{Linkage, Pose};
 use crate::report::html::player::{Body, PartDisplacement};
-use crate::report::mechanism::{Axis, Drawing, Placement, View};
+use crate::report::mechanism::{Axis, Drawing, Hold, Placement, View};
 
 /// Places over the reach that is drawn.
 const PLACES: usize = 361;
 
 /// The picture of an object that is a linkage, of at most so many pixels a metre; `column` is its
-/// input coordinate.
+/// input coordinate, `behind` what drives it, and whether in the same sense.
 pub(super) fn picture(
     model: &Model,
     part: &ObjectPart,
-    way: &ObjectPath,
+    (way, behind): (&ObjectPath, Option<(&str, bool)>),
     (column, most): (usize, f64),
 ) -> Option<Picture> {
     let own = |index: usize| {
@@ -25,7 +26,8 @@ pub(super) fn picture(
             .is_some_and(|object| object.id == part.id)
     };
     let body = model.linkages.iter().find(|body| own(body.object))?;
-    Some(drawn(&body.linkage, way, column, most))
+    let id = |output: &str| format!("{}.{output}", part.id);
+    Some(drawn(&body.linkage, (way, behind), (column, most), id))
 }
 
 /// The picture of an object that is a linkage of several inputs, over the rows of the record.
@@ -75,17 +77,23 @@ pub(super) fn multi_input_picture(
     let bodies = (0..spec.links.len()).map(|link| Body::Rows {
         table: drawing.table(&view, link),
     });
+    let (outlets, grips) = outputs(&drawing, &view, 0, |name| format!("{}.{name}", part.id));
+    let inlets = linkage.inputs().iter().map(|input| match input.coordinate {
+        InputCoordinate::Pair(pair) => drawing.inlet(&view, pair),
+        _ => [0.0, 0.5 * view.height],
+    });
     Some(Picture {
         bodies: bodies.collect(),
         drawn: drawing.parts(&view, 0),
         size: [view.width, view.height],
         // Its links are rigid.
         pixels: 0.0,
-        inlet: [0.0, 0.5 * view.height],
-        outlet: [view.width, 0.5 * view.height],
+        inlets: inlets.collect(),
+        outlet: outlets.first().map_or(right_edge(&view), |(_, at)| *at),
+        outlets,
         scale: Some(view.scale),
         shows_driver: false,
-        grip: None,
+        grips,
     })
 }
 
@@ -102,20 +110,40 @@ fn placement(pose: Pose) -> Placement {
     }
 }
 
-/// The linkage that an object's law is the short form of; `way` and `column` are those
-/// of its driver.
+/// The linkage that an object's law is the short form of; `behind` is its driver with its
+/// path, `column` its coordinate.
 pub(super) fn law(
     model: &Model,
     part: &ObjectPart,
-    way: &ObjectPath,
+    (behind, way): (&str, &ObjectPath),
     (column, most): (usize, f64),
 ) -> Option<Picture> {
     let law = model.nodes[*part.nodes.last()?].motion.law()?;
     let linkage = Linkage::new(law.position.as_linkage(way.start)?).ok()?;
-    Some(drawn(&linkage, way, column, most))
+    // Loads on an elastic object are shown on itself and not on its law.
+    let shown = part.links.is_empty();
+    let id = |_: &str| {
+        if shown {
+            part.id.clone()
+        } else {
+            String::new()
+        }
+    };
+    Some(drawn(
+        &linkage,
+        (way, Some((behind, true))),
+        (column, most),
+        id,
+    ))
 }
 
-fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize, most: f64) -> Picture {
+/// A linkage over its input; `id`: that of each of its outputs.
+fn drawn(
+    linkage: &Linkage,
+    (way, behind): (&ObjectPath, Option<(&str, bool)>),
+    (column, most): (usize, f64),
+    id: impl Fn(&str) -> String,
+) -> Picture {
     let (from, to, repeats) = reach(linkage, way);
     let inputs: Vec<f64> = (0..PLACES)
         .map(|place| from + (to - from) * place as f64 / (PLACES - 1) as f64)
@@ -145,7 +173,13 @@ fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize, most: f64) -> Pictu
         true => drawing.sense_mark(&view, way.forward, TURNS),
         false => String::new(),
     };
-    let [inlet, outlet] = drawing.ends(&view);
+    let (outlets, mut grips) = outputs(&drawing, &view, start, id);
+    if let Some((driver, same_sense)) = behind {
+        let hold = drawing.hold_of_pair(&view, drawing.spec.driver);
+        let turned = if same_sense { 1.0 } else { -1.0 };
+        let grip = hold.map(|hold| grip(hold, turned));
+        grips.extend(grip.map(|grip| (driver.to_owned(), grip)));
+    }
     let bodies = (0..linkage.spec().links.len()).map(|link| Body::Over {
         column,
         from,
@@ -160,12 +194,46 @@ fn drawn(linkage: &Linkage, way: &ObjectPath, column: usize, most: f64) -> Pictu
         size: [view.width, view.height],
         // Its links are rigid.
         pixels: 0.0,
-        inlet,
-        outlet,
+        inlets: vec![drawing.inlet(&view, drawing.spec.driver)],
+        outlet: outlets.first().map_or(right_edge(&view), |(_, at)| *at),
+        outlets,
         scale: Some(view.scale),
         shows_driver: true,
-        grip: None,
+        grips,
     }
+}
+
+/// Pixels at which the motion of outputs goes out, and where loads act on them, by their ids.
+type Outputs = (Vec<(String, [f64; 2])>, Vec<(String, Grip)>);
+
+fn outputs(
+    drawing: &Drawing<'_>,
+    view: &View,
+    frame: usize,
+    id: impl Fn(&str) -> String,
+) -> Outputs {
+    let all = || drawing.spec.outputs.iter();
+    let outlets = all().map(|output| (id(&output.name), drawing.outlet(view, &output.kind, frame)));
+    let grips = all().filter_map(|output| {
+        let hold = drawing.hold(view, &output.kind)?;
+        Some((id(&output.name), grip(hold, 1.0)))
+    });
+    (outlets.collect(), grips.collect())
+}
+
+/// The grip of a hold on a link, with its sense or turned round.
+fn grip(hold: Hold, sense: f64) -> Grip {
+    Grip {
+        part: hold.link,
+        at: hold.at,
+        along: hold.along.map(|part| sense * part),
+        fixed: hold.fixed,
+    }
+}
+
+/// The middle of the right edge.
+fn right_edge(view: &View) -> [f64; 2] {
+    [view.width, 0.5 * view.height]
 }
 
 /// A period of the input where the run goes through all of it, else as far as it goes.

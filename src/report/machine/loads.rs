@@ -1,13 +1,12 @@
 //! Loads of the machine as arrows: the sum of the loads on an object's output over the record.
 
-use super::object_path::Grip;
 use super::whole::Whole;
-use crate::dynamics::model::{Model, NodeIndex, ObjectPart};
+use crate::dynamics::model::{Coordinate, Model, NodeIndex, ObjectPart};
 use crate::dynamics::record::{Quantity, Record};
 use crate::report::html::player::{Arrows, ForceArrow};
 use crate::report::plot::Plots;
 use crate::report::quantity::with_unit;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Length of the longest arrow of a load (pixels).
 const LONGEST: f64 = 64.0;
@@ -54,49 +53,68 @@ impl<'a> Motions<'a> {
 /// The loads on what stations show, each to a scale of its own; `None` where none is known.
 pub(super) fn arrows(
     model: &Model,
-    (drawn, whole): (&[&ObjectPart], &Whole<'_>),
+    whole: &Whole<'_>,
     record: &Record,
     plots: &mut Plots,
 ) -> Option<Arrows> {
     let motions = Motions::of(model, record);
-    let (mut on, mut named) = (Vec::new(), Vec::new());
-    for (station, first, origin) in whole.placed() {
-        let part = drawn[station.column];
-        let Some(Grip {
-            part: number,
-            at,
-            along,
-        }) = station.picture.grip
-        else {
-            continue;
-        };
-        let Some(forces) = motions.loads(model, part, record) else {
-            continue;
-        };
-        let greatest = forces.iter().filter(|force| force.is_finite());
-        let greatest = greatest.fold(0.0, |most: f64, force| most.max(force.abs()));
-        if greatest > 0.0 {
+    let (mut on, mut named, mut shown) = (Vec::new(), Vec::new(), BTreeSet::new());
+    let placed = whole.placed().collect::<Vec<_>>();
+    // What has a picture of its own is not shown on what it drives.
+    let own = |id: &str| placed.iter().any(|(station, ..)| station.id == id);
+    for &(station, first, origin) in &placed {
+        for (id, grip) in &station.picture.grips {
+            let Some(part) = model.objects.iter().find(|part| part.id == *id) else {
+                continue;
+            };
+            if (*id != station.id && own(id)) || shown.contains(id) {
+                continue;
+            }
+            let Some((force, greatest)) = force(&motions, (model, part), record, plots) else {
+                continue;
+            };
+            shown.insert(id.clone());
             on.push(ForceArrow {
-                body: first + number,
+                body: first + grip.part,
                 origin,
-                at,
-                by: along.map(|share| share * LONGEST / greatest),
-                column: plots.column(&forces, DIGITS),
+                at: grip.at,
+                by: grip.along.map(|share| share * LONGEST / greatest),
+                fixed: grip.fixed,
+                column: force,
             });
-            named.push(format!(
-                "{} {}",
-                part.id,
-                with_unit(greatest, station.force_unit(), 4)
-            ));
+            named.push(format!("{id} {}", with_unit(greatest, unit(part), 4)));
         }
     }
     (!on.is_empty()).then(|| Arrows {
         name: "loads".to_owned(),
         caption: format!("loads, longest {}", named.join(", ")),
+        greatest: None,
         shown: true,
         arrows: Vec::new(),
         on,
     })
+}
+
+/// The column of the loads on the output of an object, and their greatest size; `None`: there are
+/// none.
+fn force(
+    motions: &Motions<'_>,
+    (model, part): (&Model, &ObjectPart),
+    record: &Record,
+    plots: &mut Plots,
+) -> Option<(usize, f64)> {
+    let forces = motions.loads(model, part, record)?;
+    let finite = forces.iter().filter(|force| force.is_finite());
+    let greatest = finite.fold(0.0, |most: f64, force| most.max(force.abs()));
+    (greatest > 0.0).then(|| (plots.column(&forces, DIGITS), greatest))
+}
+
+/// SI unit of the forces that act along the coordinate of an object.
+fn unit(part: &ObjectPart) -> &'static str {
+    match part.coordinate {
+        Coordinate::Turning => "N m",
+        Coordinate::Sliding => "N",
+    }
 }
 
 /// The lines of the arrows, which the player places.

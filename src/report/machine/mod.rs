@@ -105,7 +105,7 @@ impl Machine<'_> {
         });
         let firsts: Vec<usize> = firsts.collect();
         let whole = Whole::of(self.model, &drawn, &stations, &firsts);
-        let loads = loads::arrows(self.model, (&drawn, &whole), record, plots);
+        let loads = loads::arrows(self.model, &whole, record, plots);
         let arrows = loads.as_ref().map_or(String::new(), loads::layer);
         let pictures = whole.html(delta, &arrows);
         player.sets.extend(loads);

@@ -13,15 +13,32 @@ pub(super) struct Picture {
     pub(super) bodies: Vec<Body>,
     /// Length of a unit of the displacement (pixels).
     pub(super) pixels: f64,
-    /// Pixels at which the motion of what drives it comes in, and its own goes out.
-    pub(super) inlet: [f64; 2],
+    /// Pixels at which the motion of what drives it comes in: one, or one for each input.
+    pub(super) inlets: Vec<[f64; 2]>,
+    /// Pixel at which its own motion goes out.
     pub(super) outlet: [f64; 2],
+    /// Pixels at which the motion of outputs goes out, by their ids.
+    pub(super) outlets: Vec<(String, [f64; 2])>,
     /// Pixels a metre of a picture to scale.
     pub(super) scale: Option<f64>,
     /// True where it shows what drives the object too: its cam, its crank.
     pub(super) shows_driver: bool,
-    /// Where loads act on the object.
-    pub(super) grip: Option<Grip>,
+    /// Where loads act: on the object, on its outputs, on what drives it, by their ids.
+    pub(super) grips: Vec<(String, Grip)>,
+}
+
+impl Picture {
+    /// The pixel at which an input comes in.
+    pub(super) fn inlet(&self, input: usize) -> [f64; 2] {
+        let own = self.inlets.get(input).or(self.inlets.first());
+        own.copied().unwrap_or([0.0, 0.5 * self.size[1]])
+    }
+
+    /// The pixel at which the motion of an output goes out, or of the object itself.
+    pub(super) fn outlet(&self, output: Option<&str>) -> [f64; 2] {
+        let named = |id| self.outlets.iter().find(|(own, _)| own == id);
+        output.and_then(named).map_or(self.outlet, |(_, at)| *at)
+    }
 }
 
 /// Place of the arrow of a load on a moving part.
@@ -33,6 +50,8 @@ pub(super) struct Grip {
     pub(super) at: [f64; 2],
     /// Direction of a positive force there, of length 1.
     pub(super) along: [f64; 2],
+    /// True where the direction is that of the picture, and does not turn with the part.
+    pub(super) fixed: bool,
 }
 
 /// Way of an object: where it was over a run.

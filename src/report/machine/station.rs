@@ -69,13 +69,21 @@ impl Station {
                 ([driver, column], elastic, most),
             )
         };
-        let geometry = linkages::picture(machine.model, part, &own, (column, most))
+        let behind =
+            driver.and_then(|driver| Some((drawn[driver].id.as_str(), way(drawn[driver])?)));
+        let behind = behind
+            .as_ref()
+            .map(|(id, path)| (*id, path.forward == own.forward));
+        let geometry = linkages::picture(machine.model, part, (&own, behind), (column, most))
             .or_else(|| linkages::multi_input_picture(machine.model, part, record, most))
             .or_else(|| cam(driver?));
-        let law = || linkages::law(machine.model, part, &way(drawn[driver?])?, (driver?, most));
+        let law = || {
+            let behind = (drawn[driver?].id.as_str(), way(drawn[driver?])?);
+            linkages::law(machine.model, part, (behind.0, &behind.1), (driver?, most))
+        };
         let diagram = || match part.coordinate {
-            Coordinate::Turning => turning(&own, column, elastic),
-            Coordinate::Sliding => sliding(&own, column, elastic),
+            Coordinate::Turning => turning(&part.id, &own, column, elastic),
+            Coordinate::Sliding => sliding(&part.id, &own, column, elastic),
         };
         let kind = part.kind.replace('_', " ");
         let own_kind = |picture: Picture| (kind.clone(), picture);
@@ -97,14 +105,6 @@ impl Station {
             coordinate: part.coordinate,
         };
         pictures.into_iter().map(station).collect()
-    }
-
-    /// SI unit of the forces that act along its coordinate.
-    pub(super) fn force_unit(&self) -> &'static str {
-        match self.coordinate {
-            Coordinate::Turning => "N m",
-            Coordinate::Sliding => "N",
-        }
     }
 
     /// Its name and what it shows of its coordinate, as lines from a pixel on; `delta` is the
@@ -189,7 +189,7 @@ pub(super) fn part(number: usize, shown: PartDisplacement, pose: [f64; 4]) -> St
 }
 
 /// A wheel where it makes a turn or more, else a lever of unit length.
-fn turning(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
+fn turning(id: &str, way: &ObjectPath, column: usize, elastic: bool) -> Picture {
     let revolves = way.travel() > 0.98 * TAU;
     let centre = [0.5 * WIDTH, 0.5 * HEIGHT];
     // A lever swings about a horizontal place.
@@ -198,7 +198,7 @@ fn turning(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
     let mut out = Picture {
         size: [WIDTH, HEIGHT],
         pixels: radius,
-        inlet: centre,
+        inlets: vec![centre],
         outlet: centre,
         ..Picture::default()
     };
@@ -223,11 +223,13 @@ fn turning(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
             shown,
         });
     }
-    out.grip = Some(Grip {
+    let grip = Grip {
         part: displacements(elastic).len() - 1,
         at: [radius, 0.0],
         along: [0.0, -1.0],
-    });
+        fixed: false,
+    };
+    out.grips.push((id.to_owned(), grip));
     if revolves || (way.one_way && way.travel() > TURNS) {
         out.drawn.push_str(&sense(centre, WHEEL + 9.0, way.forward));
     }
@@ -289,7 +291,13 @@ fn arc(way: &ObjectPath, [x, y]: [f64; 2]) -> String {
 }
 
 /// A block on its guide.
-fn sliding(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
+fn sliding(id: &str, way: &ObjectPath, column: usize, elastic: bool) -> Picture {
+    let grip = Grip {
+        part: displacements(elastic).len() - 1,
+        at: [0.0, 0.0],
+        along: [1.0, 0.0],
+        fixed: false,
+    };
     let travel = way.travel();
     let scale = if travel > 0.0 { TRAVEL / travel } else { 0.0 };
     let (middle, y) = (0.5 * WIDTH, 0.5 * HEIGHT);
@@ -297,12 +305,8 @@ fn sliding(way: &ObjectPath, column: usize, elastic: bool) -> Picture {
     let mut out = Picture {
         size: [WIDTH, HEIGHT],
         pixels: scale,
-        grip: Some(Grip {
-            part: displacements(elastic).len() - 1,
-            at: [0.0, 0.0],
-            along: [1.0, 0.0],
-        }),
-        inlet: [middle - 0.5 * TRAVEL, y],
+        grips: vec![(id.to_owned(), grip)],
+        inlets: vec![[middle - 0.5 * TRAVEL, y]],
         outlet: [middle + 0.5 * TRAVEL, y],
         drawn: guide([middle, y]),
         ..Picture::default()

@@ -16,6 +16,8 @@ const WIDEST: f64 = 1120.0;
 const GUTTER: f64 = 44.0;
 const GAP: f64 = 22.0;
 const MARGIN: f64 = 14.0;
+/// Least width of a station: its captions have room (pixels).
+const NARROWEST: f64 = 238.0;
 /// Height of a scale bar below its picture (pixels).
 const BAR: f64 = 18.0;
 /// Largest picture to scale beside others, and the size below which nothing is seen (pixels).
@@ -61,10 +63,31 @@ struct Cell<'a> {
     first: usize,
     /// Stations that are shown in its picture and have their caption below it.
     shown: Vec<&'a Station>,
-    /// Cells that drive it.
-    drivers: Vec<usize>,
+    /// What drives it.
+    wires: Vec<Wire>,
     column: usize,
     at: [f64; 2],
+    /// The lane that leads to it: left of its column and above its row (pixels).
+    lane: [f64; 2],
+}
+
+/// Line along which motion comes to a cell.
+#[derive(Clone, Debug)]
+struct Wire {
+    /// The cell that it comes from.
+    from: usize,
+    /// Id of the output that it comes from, where it is one of several.
+    output: Option<String>,
+    /// Number of the input that it leads to.
+    input: usize,
+}
+
+/// What drives an object: the object that is drawn, and the output of it.
+#[derive(Clone, Debug)]
+struct Driver {
+    object: usize,
+    output: Option<String>,
+    input: usize,
 }
 
 impl Cell<'_> {
@@ -75,7 +98,7 @@ impl Cell<'_> {
     fn size(&self) -> [f64; 2] {
         let [wide, high] = self.station.picture.size;
         let lines = 2.0 * LINE * (1 + self.shown.len()) as f64;
-        [wide.max(210.0), high + self.bar() + lines + 6.0]
+        [wide.max(NARROWEST), high + self.bar() + lines + 6.0]
     }
 
     /// A pixel of its picture in the whole one.
@@ -84,23 +107,29 @@ impl Cell<'_> {
     }
 }
 
-/// The drawn objects that drive each of them, outputs standing for their linkage.
-fn drivers(model: &Model, drawn: &[&ObjectPart]) -> Vec<Vec<usize>> {
+/// The drawn objects that drive each of them, linkages standing for their outputs.
+fn drivers(model: &Model, drawn: &[&ObjectPart]) -> Vec<Vec<Driver>> {
     let place = |id: &str| drawn.iter().position(|one| one.id == id);
-    let owner = |mut object: usize| {
+    let driver = |(input, object): (usize, usize)| {
+        let first = &model.objects[object];
+        let output = (first.kind == OUTPUT).then(|| first.id.clone());
+        let mut object = object;
         while model.objects[object].kind == OUTPUT {
             match model.objects[object].driver() {
                 Some(next) => object = next,
                 None => break,
             }
         }
-        place(&model.objects[object].id)
+        let object = place(&model.objects[object].id)?;
+        Some(Driver {
+            object,
+            output,
+            input,
+        })
     };
     let of = |part: &&ObjectPart| {
-        part.inputs
-            .iter()
-            .filter_map(|one| owner(one.driver))
-            .collect()
+        let inputs = part.inputs.iter().map(|one| one.driver).enumerate();
+        inputs.filter_map(driver).collect()
     };
     drawn.iter().map(of).collect()
 }
@@ -134,8 +163,8 @@ impl<'a> Whole<'a> {
     pub(super) fn html(&self, delta: impl Fn(&str) -> f64, above: &str) -> String {
         let mut out = String::new();
         for cell in &self.cells {
-            for &driver in &cell.drivers {
-                out.push_str(&join(&self.cells[driver], cell));
+            for wire in &cell.wires {
+                out.push_str(&join(&self.cells[wire.from], cell, wire));
             }
         }
         for cell in &self.cells {
@@ -152,12 +181,12 @@ impl<'a> Whole<'a> {
 /// The stations that are drawn: a drive that all it drives shows in their pictures is none.
 fn cells<'a>(
     (stations, firsts): (&'a [Station], &[usize]),
-    drivers: &[Vec<usize>],
+    drivers: &[Vec<Driver>],
 ) -> Vec<Cell<'a>> {
     let of = |object: usize| stations.iter().filter(move |one| one.column == object);
     let driven = |object: usize| {
         let all = drivers.iter().enumerate();
-        all.filter(move |(_, own)| own.contains(&object))
+        all.filter(move |(_, own)| own.iter().any(|one| one.object == object))
             .map(|(index, _)| index)
     };
     let shows = |object: usize| {
@@ -176,29 +205,37 @@ fn cells<'a>(
             .iter()
             .position(|cell| cell.station.column == station.column);
         let last = |object: usize| cells.iter().rposition(|cell| cell.station.column == object);
-        let from: Vec<usize> = match before {
-            Some(law) => vec![law],
-            None => drivers[station.column]
-                .iter()
-                .filter_map(|&one| last(one))
-                .collect(),
+        let wire = |one: &Driver| {
+            Some(Wire {
+                from: last(one.object)?,
+                output: one.output.clone(),
+                input: one.input,
+            })
         };
-        let within = drivers[station.column]
-            .iter()
-            .filter(|&&one| is_within(one));
+        let wires: Vec<Wire> = match before {
+            Some(law) => vec![Wire {
+                from: law,
+                output: None,
+                input: 0,
+            }],
+            None => drivers[station.column].iter().filter_map(wire).collect(),
+        };
+        let within = drivers[station.column].iter().map(|one| one.object);
+        let within = within.filter(|&one| is_within(one));
         let shown = within
             .filter(|_| before.is_none())
-            .filter(|&&one| captioned.insert(one));
-        let shown = shown.flat_map(|&one| of(one)).collect();
-        let columns = from.iter().map(|&driver| cells[driver].column + 1);
+            .filter(|&one| captioned.insert(one));
+        let shown = shown.flat_map(of).collect();
+        let columns = wires.iter().map(|wire| cells[wire.from].column + 1);
         let column = columns.max().unwrap_or(0);
         cells.push(Cell {
             station,
             first,
             shown,
-            drivers: from,
+            wires,
             column,
             at: [0.0; 2],
+            lane: [0.0; 2],
         });
     }
     cells
@@ -240,6 +277,7 @@ fn place(cells: &mut [Cell<'_>]) -> [f64; 2] {
             for cell in cells.iter_mut().filter(|cell| cell.column == column) {
                 let [own, tall] = cell.size();
                 cell.at = [left + 0.5 * (w - own), y];
+                cell.lane = [left - 0.5 * GUTTER, top - 0.5 * GUTTER];
                 y += tall + GAP;
             }
             left += w + GUTTER;
@@ -252,16 +290,16 @@ fn place(cells: &mut [Cell<'_>]) -> [f64; 2] {
 }
 
 /// The line along which motion goes from one cell to another, with a head before the second.
-fn join(from: &Cell<'_>, to: &Cell<'_>) -> String {
-    let [x0, y0] = from.pixel(from.station.picture.outlet);
-    let [x1, y1] = to.pixel(to.station.picture.inlet);
-    let before = (to.at[0] - 0.5 * GUTTER).max(4.0);
-    let beside = to.at[0] > from.at[0];
+fn join(from: &Cell<'_>, to: &Cell<'_>, wire: &Wire) -> String {
+    let [x0, y0] = from.pixel(from.station.picture.outlet(wire.output.as_deref()));
+    let [x1, y1] = to.pixel(to.station.picture.inlet(wire.input));
+    let before = to.lane[0].max(4.0);
+    let beside = to.at[0] > from.at[0] && to.lane[1] <= from.lane[1];
     let mut line = format!("M{} {}", coordinate(x0), coordinate(y0));
     if !beside {
-        // To a row below.
+        // To a row below: right of its own, and above the other.
         let right = from.at[0] + from.size()[0] + 0.4 * GUTTER;
-        let above = to.at[1] - 0.5 * GUTTER;
+        let above = to.lane[1];
         let _ = write!(line, "H{}V{}", coordinate(right), coordinate(above));
     }
     let _ = write!(

@@ -3,11 +3,12 @@
 use super::meanings::{meaning, not_determined};
 use super::picture::{key, letter, panels};
 use super::pointing::section;
+use crate::report::addresses::{parameter_words, result_words};
 use crate::report::findings::{Cell as Entry, Findings, Layout, Section, Source, Table, Value};
 use crate::report::html::facts;
 use crate::report::quantity::{significant, with_unit};
 use crate::report::sentence::Sentence;
-use crate::report::verdict::{Sort, Verdict as Answer};
+use crate::report::verdict::{Sort, Verdict as Answer, capitalised};
 use crate::studies::axis::Axis;
 use crate::studies::judgement::Judgement;
 use crate::studies::map::{Cell, Extreme, MapResult, PanelSummary, Study, Verdict, summary};
@@ -34,7 +35,7 @@ pub fn findings<'a>(
         None => over(&study.x),
     };
     let mut sections = vec![
-        Section::default()
+        Section::new("Map")
             .charts(Layout::Panels(columns), "map", panels(study, result))
             .drawing(|_| key(study, result))
             .drawing(|_| section(study, result, command)),
@@ -46,7 +47,7 @@ pub fn findings<'a>(
     sections.retain(|section| !section.is_empty());
     let mut findings = Findings {
         title: study.scene.clone(),
-        subtitle: format!("{} over {over}", study.figure),
+        subtitle: format!("{} over {over}", result_words(&study.figure)),
         answer: Some(answer(study, result, &summed)),
         warnings,
         sections,
@@ -80,13 +81,14 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
     let least = least.min_by(|a, b| a.value.total_cmp(&b.value));
     let greatest = panels.iter().filter_map(|panel| panel.greatest.as_ref());
     let greatest = greatest.max_by(|a, b| a.value.total_cmp(&b.value));
-    let headline = match least.zip(greatest) {
-        Some((least, greatest)) => Sentence::from(format!("{} from ", study.figure))
+    let figure = result_words(&study.figure);
+    let span = match least.zip(greatest) {
+        Some((least, greatest)) => Sentence::from(format!("{} from ", capitalised(&figure)))
             .quantity(least.value, &study.unit, 4)
             .words(" to ")
             .quantity(greatest.value, &study.unit, 4)
             .words("."),
-        None => format!("{} has no value anywhere.", study.figure).into(),
+        None => format!("{} has no value anywhere.", capitalised(&figure)).into(),
     };
     let (good, failed) = (
         count(Judgement::InWorkingOrder),
@@ -95,7 +97,8 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
     let unjudged = count(Judgement::NotJudged);
     let undetermined: usize = panels.iter().map(|panel| panel.undetermined).sum();
     let missing: usize = panels.iter().map(|panel| panel.missing).sum();
-    let mut text = format!("{good} of {} cells are in working order", all.len());
+    let mut text = String::new();
+    let order = format!("{good} of {} cells are in working order", all.len());
     for (count, what) in [
         (
             count(Judgement::NotInWorkingOrder),
@@ -111,7 +114,8 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
                 1 => what.replacen("are ", "is ", 1),
                 _ => what.to_owned(),
             };
-            let _ = write!(text, "; {count} {what}");
+            let between = if text.is_empty() { "" } else { "; " };
+            let _ = write!(text, "{between}{count} {what}");
         }
     }
     let sort = match (failed + undetermined, missing, good + unjudged < all.len()) {
@@ -121,7 +125,42 @@ fn answer(study: &Study<'_>, result: &MapResult, panels: &[PanelSummary]) -> Ans
         _ if unjudged > 0 => Sort::Unfinished,
         _ => Sort::Good,
     };
-    Answer::answer(sort, headline, text + ".")
+    let text = if text.is_empty() { text } else { text + "." };
+    if unjudged == all.len() {
+        return Answer::answer(sort, span, text);
+    }
+    let (headline, text) = match interval(study, result) {
+        Some(interval) => (interval, format!("{order}; {text}")),
+        None => (order + ".", text),
+    };
+    let text = match text.as_str() {
+        "" => span,
+        text => Sentence::from(format!("{text} ")).sentence(span),
+    };
+    Answer::answer(sort, headline, text)
+}
+
+/// The interval of one parameter in which all cells are in working order, where there is one
+/// and cells beyond it; the bounds are cells.
+fn interval(study: &Study<'_>, result: &MapResult) -> Option<String> {
+    let [cells] = &result.panels[..] else {
+        return None;
+    };
+    if study.y.is_some() {
+        return None;
+    }
+    let good = |cell: &Option<Cell>| {
+        let judged = cell.as_ref().and_then(|cell| cell.verdict.judgement());
+        judged == Some(Judgement::InWorkingOrder)
+    };
+    let first = cells.iter().position(good)?;
+    let last = cells.iter().rposition(good)?;
+    let whole = cells[first..=last].iter().all(good);
+    (whole && first < last && last - first + 1 < cells.len()).then(|| {
+        let [from, to] = [first, last].map(|index| short(&study.x, study.place(index).0));
+        let parameter = parameter_words(&study.x.path);
+        format!("In working order for a {parameter} from {from} to {to}.")
+    })
 }
 
 /// A panel as the picture calls it.

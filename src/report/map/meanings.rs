@@ -49,8 +49,13 @@ pub(super) fn meaning(verdict: Verdict) -> String {
         }
         Verdict::ThrownOff => format!(
             "A contact separates in the window of steady results, and the object deviates from \
-             its law by more than {THROWN_OFF} times the amplitude of the law."
-        ),
+             its law by more than {} the amplitude of the law.",
+            match THROWN_OFF {
+                1.0 => String::new(),
+                times => format!("{times} times"),
+            }
+        )
+        .replace("  ", " "),
         Verdict::Resonance => format!(
             "No loss of contact. Over the last cycle the deviation is at least {RESONANCE} times \
              the quasi-static one and does not die away (less than {} % a cycle). A natural \

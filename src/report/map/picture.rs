@@ -4,11 +4,13 @@
 use super::panel::{Panel, undetermined};
 use super::style::{colour, hatching};
 use super::values::Values;
+use crate::report::addresses::result_words;
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;
 use crate::report::plot::palette::STYLE;
 use crate::report::plot::{Entry, Plot, STRIP, coordinate, document, legend_rows};
 use crate::report::quantity::{escape, shortened};
+use crate::report::verdict::capitalised;
 use crate::studies::map::{MapResult, Study, Verdict};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -47,7 +49,7 @@ pub(super) fn panels(study: &Study<'_>, result: &MapResult) -> Vec<Plot> {
         let settings = title(&panel.settings).join(", ");
         let head = match (several, settings.as_str()) {
             (true, settings) => format!("{}  {settings}", letter(index)),
-            (false, "") => study.figure.clone(),
+            (false, "") => capitalised(&result_words(&study.figure)),
             (false, settings) => settings.to_owned(),
         };
         Plot {

@@ -1,5 +1,6 @@
 //! The range of a figure over all panels of a map, and how it is shown.
 
+use crate::report::addresses::result_words;
 use crate::report::plot::Axis;
 use crate::report::plot::scale::ticks;
 use crate::report::quantity::{scale, with_unit};
@@ -51,7 +52,7 @@ impl Values {
             nonempty_range(low, high)
         };
         Self {
-            figure: study.figure.clone(),
+            figure: result_words(&study.figure),
             unit: study.unit.clone(),
             range,
             log,

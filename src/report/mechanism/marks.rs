@@ -95,20 +95,3 @@ fn driving_pin(drawing: &Drawing<'_>) -> Option<([f64; 2], usize)> {
     let pair = drawing.spec.pairs.get(drawing.spec.driver)?;
     ground_pin(pair)
 }
-
-/// The pixel at which the motion comes in: the driving pin of the ground, else the middle of the
-/// left edge.
-pub(super) fn inlet(drawing: &Drawing<'_>, view: &View) -> [f64; 2] {
-    driving_pin(drawing).map_or([0.0, 0.5 * view.height], |(pin, _)| view.pixel(pin))
-}
-
-/// The pixel at which the motion goes out: the rightmost pin of the ground that is not the driving
-/// one, else the middle of the right edge.
-pub(super) fn outlet(drawing: &Drawing<'_>, view: &View) -> [f64; 2] {
-    let pairs = drawing.spec.pairs.iter().enumerate();
-    let others = pairs.filter(|(index, _)| *index != drawing.spec.driver);
-    let pins = others.filter_map(|(_, pair)| ground_pin(pair));
-    let pixels = pins.map(|(pin, _)| view.pixel(pin));
-    let last = pixels.max_by(|a, b| a[0].total_cmp(&b[0]));
-    last.unwrap_or([view.width, 0.5 * view.height])
-}

@@ -92,11 +92,6 @@ impl Drawing<'_> {
         })
     }
 
-    /// The pixels at which its motion comes in and goes out.
-    pub(in crate::report) fn ends(&self, view: &View) -> [[f64; 2]; 2] {
-        [marks::inlet(self, view), marks::outlet(self, view)]
-    }
-
     fn picture(&self, view: &View, frame: usize, sense: &str) -> String {
         let (w, h) = (coordinate(view.width), coordinate(view.height));
         format!(
@@ -142,6 +137,7 @@ impl Drawing<'_> {
             Arrows {
                 name: set.name.clone(),
                 caption: arrows::caption(set),
+                greatest: Some((set.greatest(), set.unit.clone())),
                 shown: set.shown,
                 arrows: set.arrows.iter().map(arrow).collect(),
                 on: Vec::new(),

@@ -52,7 +52,7 @@ pub fn work_precision(study: &Study, against: Against) -> Plot {
     let methods: Vec<Series> = methods.filter(|series| !series.points.is_empty()).collect();
     let reference = study.reference.as_ref();
     let shaded = reference.filter(|r| r.resolution > 3e-15);
-    let asked = format!("asked for: {}", significant(study.accuracy, 2));
+    let asked = format!("required: {}", significant(study.accuracy, 2));
     let noise = "cannot be distinguished from no error";
     Plot {
         title: format!("{}: error against {name}", study.scene),

@@ -150,7 +150,7 @@ fn reference(study: &Study, reference: &Reference) -> Vec<Figure> {
             "errors are shown down to",
             significant(reference.resolution, 2),
         ),
-        words("switches", reference.switches.to_string()),
+        words("events", reference.switches.to_string()),
     ];
     if !reference.undetermined.is_empty() {
         let figures = reference.undetermined.join(", ");
@@ -211,10 +211,10 @@ fn points(study: &Study) -> Table {
         "method",
         ">setting",
         ">error of δ",
-        "?>worst figure",
+        "?>worst result",
         ">time",
     ];
-    let more = [">evaluations", ">steps", ">switches", "?>|λ|h", "~verdict"];
+    let more = [">evaluations", ">steps", ">events", "?>|λ|h", "~verdict"];
     let lines = study.methods.iter();
     let rows = lines.flat_map(|line| line.points.iter().map(|point| row(line, point)));
     Table::new(heads.into_iter().chain(more)).rows(rows)

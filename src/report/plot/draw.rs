@@ -134,7 +134,7 @@ impl Plot {
     }
 
     fn marks(&self, series: &Series, frame: &Frame, index: usize) -> String {
-        let style = palette::style(series.style.unwrap_or(index));
+        let style = series.style.unwrap_or(index);
         let kinds = self.field.as_ref().map_or(&[][..], |field| &field.kinds);
         let colour = |kind: usize| kinds.get(kind).map(|kind| kind.colour);
         let mut out = format!("<g data-series=\"{index}\">");

@@ -1,8 +1,9 @@
 //! Where frame, title and legend of a chart stand, and which ranges it shows.
 
 use super::scale::{Scale, ticks};
-use super::{Axis, LineStyle, Plot, Series, coordinate, fits, marks, palette, width_of};
+use super::{Axis, LineStyle, Plot, Series, Shape, coordinate, fits, marks, palette, width_of};
 use crate::report::quantity::{escape, shortened};
+use crate::report::symbols::{Setting, symbols};
 
 pub(super) const RIGHT: f64 = 20.0;
 const HEAD: f64 = 28.0;
@@ -13,6 +14,8 @@ const ROW: f64 = 18.0;
 pub(super) const LANE: f64 = 26.0;
 /// Height of the strip of verdicts under a frame, with its distance from it.
 pub(in crate::report) const STRIP: f64 = 20.0;
+/// Height at the head of a frame that names of phases take (pixels).
+const NAMES: f64 = 14.0;
 /// Height of the strips of bands at the foot, one a series.
 pub(super) const BAND: f64 = 6.0;
 
@@ -109,7 +112,7 @@ pub(in crate::report) fn rows(
             coordinate(x),
             coordinate(top + ROW * f64::from(row)),
             entry.sample,
-            escape(&entry.text),
+            symbols(&escape(&entry.text), Setting::Picture),
             escape(&whole)
         ));
         x += room;
@@ -153,6 +156,9 @@ impl Plot {
         let strips = strips.count();
         if strips > 0 {
             y[0] -= (y[1] - y[0]) * (BAND * strips as f64 + 2.0) / height;
+        }
+        if !self.phases.is_empty() && !self.y.log {
+            y[1] += (y[1] - y[0]) * NAMES / height;
         }
         Frame {
             left,
@@ -291,14 +297,16 @@ fn sample(series: &Series, index: usize) -> String {
         LineStyle::Points => String::new(),
         look => format!("<path {} d=\"M0 0h26\"/>", stroke(series, look, style)),
     };
-    let marked = series
-        .marks
-        .iter()
-        .any(|mark| mark.shape == super::Shape::Good);
-    match marked || series.look == LineStyle::Points {
-        true => line + &marks::mark([13.0, 0.0], style, super::Shape::Good, "", |_| None),
-        false => line,
-    }
+    // As most of its marks are: filled, where one is.
+    let has = |shape| series.marks.iter().any(|mark| mark.shape == shape);
+    let shape = match () {
+        () if has(Shape::Good) || has(Shape::AtMost) => Shape::Good,
+        () if has(Shape::Open) => Shape::Open,
+        () if series.look == LineStyle::Points => Shape::Good,
+        () => Shape::None,
+    };
+    let index = series.style.unwrap_or(index);
+    line + &marks::mark([13.0, 0.0], index, shape, "", |_| None)
 }
 
 /// Class and dashes of a curve; one with marks is told apart by these.

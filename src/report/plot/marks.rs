@@ -3,16 +3,17 @@
 use super::{Shape, coordinate, palette};
 use crate::report::quantity::escape;
 
-/// The mark of a point: circle, square, triangle or diamond by series, about its place.
-/// `colour`: that of a kind of cells.
+/// The mark of a point: circle, square, triangle or diamond by series, about its place; series
+/// that have one colour have other marks. `colour`: that of a kind of cells.
 pub(super) fn mark(
     [x, y]: [f64; 2],
-    style: usize,
+    index: usize,
     shape: Shape,
     note: &str,
     colour: impl Fn(usize) -> Option<&'static str>,
 ) -> String {
-    let body = |fill: &str| match style % 4 {
+    let style = palette::style(index);
+    let body = |fill: &str| match (style + index / palette::SERIES.len()) % 4 {
         0 => format!("<circle class=\"{fill}\" r=\"4\"/>"),
         1 => format!("<rect class=\"{fill}\" x=\"-3.5\" y=\"-3.5\" width=\"7\" height=\"7\"/>"),
         2 => format!("<path class=\"{fill}\" d=\"M0 -5l4.6 8h-9.2z\"/>"),

@@ -44,11 +44,20 @@ const numbers = (() => {
 
   // Parts of a turn that angles are counted in (degrees).
   const PARTS = [10, 15, 30, 60, 90, 180, 360];
+  const FEW = 3;
+  const rounded = (raw) => { const power = 10 ** Math.floor(Math.log10(raw)); return ([1, 2, 5].find((f) => raw <= f * power * (1 + 1e-9)) || 10) * power; };
+  // The step of ticks, and the next smaller one, which is taken where ticks are too few.
+  function steps(span, raw, unit) {
+    if (unit !== "deg" || raw <= 5) { const step = rounded(raw); return [step, rounded(0.4 * step)]; }
+    const part = PARTS.findIndex((part) => raw <= part * (1 + 1e-9));
+    if (part < 0) { const turns = rounded(raw / 360); return [360 * turns, 360 * Math.max(1, rounded(0.4 * turns))]; }
+    return PARTS[part] < 60 && span >= 300 && span <= 400 ? [60, 60] : [PARTS[part], PARTS[Math.max(0, part - 1)]];
+  }
   function ticks(low, high, count, unit) {
-    const raw = (high - low) / count, power = 10 ** Math.floor(Math.log10(raw));
-    const part = unit === "deg" && raw > 5 ? PARTS.find((part) => raw <= part * (1 + 1e-9)) : undefined;
-    const step = part || ([1, 2, 5].find((f) => raw <= f * power * (1 + 1e-9)) || 10) * power;
-    const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);
+    const ends = (step) => [Math.ceil(low / step - 1e-9), Math.floor(high / step + 1e-9)], many = (step) => ends(step)[1] - ends(step)[0] + 1;
+    const [coarse, finer] = steps(high - low, (high - low) / count, unit);
+    const step = many(coarse) < FEW && many(finer) >= FEW && many(finer) <= 2 * count ? finer : coarse;
+    const [first, last] = ends(step);
     const decimals = Math.min(17, Math.max(0, Math.ceil(-Math.log10(step) - 1e-9)));
     const list = [];
     for (let i = first; i <= last && list.length < 60; i++) {

@@ -8,7 +8,7 @@ const page = JSON.parse((document.getElementById("data") || { textContent: '{"co
 // The units in which the scene states its quantities, where numbers are read easily in them.
 if (page.units) numbers.prefer((unit, magnitude) => {
   const [factor, name] = page.units[unit] ?? [];
-  return name && (magnitude === 0 || (magnitude / factor >= 1e-3 && magnitude / factor < 1e5)) ? { factor, unit: name } : undefined;
+  return name && (magnitude === 0 || (magnitude / factor >= (factor >= 1e3 ? 1e-2 : 1e-3) && magnitude / factor < 1e5)) ? { factor, unit: name } : undefined;
 });
 // Words beside the pointer; none hides them.
 const pointed = (() => {

@@ -214,7 +214,21 @@ pub(in crate::report) fn ticks(low: f64, high: f64, count: usize) -> Ticks {
     if !(span.is_finite() && span > 0.0) {
         return Ticks::default();
     }
-    at_steps([low, high], round_step(span / count.max(1) as f64))
+    let step = round_step(span / count.max(1) as f64);
+    enough([low, high], count, [step, round_step(0.4 * step)])
+}
+
+/// Least number of ticks that say how an axis is divided, if there is room for more.
+const FEW: usize = 3;
+
+/// Ticks at the multiples of a step, or of the next smaller one where these are too few.
+fn enough(ends: [f64; 2], count: usize, [step, finer]: [f64; 2]) -> Ticks {
+    let found = at_steps(ends, step);
+    let more = at_steps(ends, finer);
+    match found.values.len() < FEW && (FEW..=2 * count).contains(&more.values.len()) {
+        true => more,
+        false => found,
+    }
 }
 
 /// Ticks at the multiples of a step.
@@ -234,15 +248,37 @@ fn at_steps([low, high]: [f64; 2], step: f64) -> Ticks {
 
 /// Parts of a turn that angles are counted in (degrees), where 1, 2 and 5 are too few.
 const PARTS: [f64; 7] = [10.0, 15.0, 30.0, 60.0, 90.0, 180.0, 360.0];
+/// Spans that are about one turn, which has a tick every 60 deg.
+const ONE_TURN: [f64; 2] = [300.0, 400.0];
 
-/// Ticks of an angle in degrees: from 10 deg on they are parts of a turn.
+/// Ticks of an angle in degrees: from 10 deg on they are parts of a turn, or whole turns.
 fn angle_ticks([low, high]: [f64; 2], count: usize) -> Ticks {
     let raw = (high - low) / count.max(1) as f64;
-    let part = PARTS.iter().find(|part| raw <= **part * (1.0 + 1e-9));
-    match part.filter(|_| raw > 5.0) {
-        Some(&step) => at_steps([low, high], step),
-        None => ticks(low, high, count),
+    let part = PARTS.iter().position(|part| raw <= *part * (1.0 + 1e-9));
+    match part {
+        _ if raw <= 5.0 => ticks(low, high, count),
+        Some(part) if PARTS[part] < 60.0 && within(high - low, ONE_TURN) => {
+            at_steps([low, high], 60.0)
+        }
+        Some(part) => {
+            let steps = [PARTS[part], PARTS[part.saturating_sub(1)]];
+            enough([low, high], count, steps)
+        }
+        None if raw.is_finite() => {
+            let turns = round_step(raw / 360.0);
+            let finer = round_step(0.4 * turns).max(1.0);
+            enough(
+                [low, high],
+                count,
+                [turns, finer].map(|turns| 360.0 * turns),
+            )
+        }
+        None => Ticks::default(),
     }
+}
+
+fn within(value: f64, [least, most]: [f64; 2]) -> bool {
+    (least..=most).contains(&value)
 }
 
 /// 1, 2 or 5 times a power of ten, at least `raw`.
@@ -284,6 +320,36 @@ mod tests {
         assert_eq!(axis.label(axis.values[1]), "0.1");
         assert_eq!(ticks(-1.0, 1.0, 4).label(-0.5), "−0.5");
         assert_eq!(ticks(-1e-3, 1e-3, 4).label(-0.0), "0.0000");
+    }
+
+    #[test]
+    fn an_axis_has_three_ticks_or_more_where_there_is_room() {
+        for (ends, count, expected) in [
+            ([-4.3, 4.3], 3, vec![-4.0, -2.0, 0.0, 2.0, 4.0]),
+            ([0.0, 1872.0], 3, vec![0.0, 500.0, 1000.0, 1500.0]),
+            ([0.0, 9.9], 4, vec![0.0, 2.0, 4.0, 6.0, 8.0]),
+        ] {
+            assert_eq!(ticks(ends[0], ends[1], count).values, expected);
+        }
+    }
+
+    #[test]
+    fn angles_are_counted_in_parts_of_a_turn_and_in_turns() {
+        let of = |ends, pixels: f64, pitch| -> Vec<String> {
+            let degrees = Axis {
+                fixed: true,
+                ..Axis::new("φ", "deg")
+            };
+            let list = Scale::new(&degrees, ends).ticks(pixels, pitch);
+            list.into_iter().map(|tick| tick.label).collect()
+        };
+        let turn = ["0", "60", "120", "180", "240", "300", "360"];
+        assert_eq!(of([0.0, 360.0], 1184.0, 78.0), turn);
+        assert_eq!(of([0.0, 360.0], 500.0, 78.0), turn);
+        assert_eq!(of([0.0, 1872.0], 100.0, 32.0), ["0", "720", "1440"]);
+        let turns = ["0", "3600", "7200", "10800"];
+        assert_eq!(of([0.0, 13279.0], 100.0, 32.0), turns);
+        assert_eq!(of([93.0, 142.0], 100.0, 32.0), ["105", "120", "135"]);
     }
 
     #[test]

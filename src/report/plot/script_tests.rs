@@ -28,7 +28,7 @@ fn told(browser: &str, cases: &Value, expression: &str) -> Value {
     serde_json::from_str(answer.split("</pre>").next().unwrap()).expect(answer)
 }
 
-const ENDS: [[f64; 2]; 12] = [
+const ENDS: [[f64; 2]; 16] = [
     [0.0, 1.0],
     [-0.34, 7.6],
     [1e-3, 1.0],
@@ -41,6 +41,10 @@ const ENDS: [[f64; 2]; 12] = [
     [1e-12, 9e-12],
     [-1e9, 2e9],
     [0.02, 0.3],
+    [0.0, 360.0],
+    [93.0, 142.0],
+    [0.0, 13279.0],
+    [-4.3, 4.3],
 ];
 
 #[test]
@@ -54,6 +58,7 @@ fn ticks_of_the_script_are_those_that_were_drawn() {
             (true, "s"),
             (true, ""),
             (false, "kg m²"),
+            (false, "deg"),
         ] {
             for pixels in [60.0, 240.0, 579.0, 1184.0] {
                 if log && ends[0] <= 0.0 {

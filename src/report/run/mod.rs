@@ -63,7 +63,7 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         sections.extend(accuracy::sections(certificate));
         sections.push(accuracy::chart(certificate));
     }
-    sections.extend(report.spread.map(spread));
+    sections.extend(report.spread.map(|one| spread(one, figures)));
     let boxes = diagram.boxes.iter();
     let over = report.over;
     sections.extend(boxes.map(|one| object(one, Rc::clone(&record), over)));
@@ -175,30 +175,63 @@ fn window(figures: &Figures) -> String {
     format!("Results are taken over the whole run{judged}.")
 }
 
+/// SI unit of a result of a run; empty of a count.
+fn unit_of(address: &str, figures: &Figures) -> String {
+    let owner = |id: &&String| {
+        let name = address.strip_prefix(id.as_str());
+        name.is_some_and(|name| name.starts_with('.'))
+    };
+    let id = figures
+        .objects
+        .keys()
+        .filter(owner)
+        .max_by_key(|id| id.len());
+    let units = units(figures, id.map_or("", String::as_str));
+    let name = address.rsplit('.').next().unwrap_or_default();
+    match name {
+        "time" | "separated_time" | "longest_separation" | "contact_time" => "s".to_owned(),
+        _ if id.is_none() => String::new(),
+        "delta_abs" | "delta_max" | "delta_min" | "sigma" | "displacement" | "max_lift"
+        | "max_indentation" => units.displacement.to_owned(),
+        "speed" | "peak_speed" | "max_approach_speed" => tables::speed(units),
+        "peak_acceleration" => format!("{}/s²", units.displacement),
+        "peak_reaction" | "max_contact_force" | "margin" => units.force.to_owned(),
+        _ => String::new(),
+    }
+}
+
 /// How far figures move under a tiny change.
-fn spread<'a>(spread: &Spread) -> Section<'a> {
-    let moved = |by: Option<f64>| match by {
+fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
+    let moved = |by: Option<f64>, unit: &str| match by {
         None => Cell::from("gone"),
-        Some(_) => Cell::known(by, "", 2),
+        Some(_) => Cell::known(by, unit, 2),
     };
     let row = |figure: &FigureSpread| {
+        let unit = unit_of(&figure.figure, figures);
         let mark = if figure.determined {
-            ""
+            "determined"
         } else {
             "not determined"
         };
         vec![
             figure.figure.as_str().into(),
-            Value::new(figure.value, "", 7).into(),
-            moved(figure.by_loads),
-            moved(figure.by_tolerance),
+            Value::new(figure.value, &unit, 7).into(),
+            moved(figure.by_loads, &unit),
+            moved(figure.by_tolerance, &unit),
             Cell::from(mark).judged((!figure.determined).then_some(false)),
         ]
     };
-    let heads = ["figure", ">value", ">by loads", ">by tolerance", "~verdict"];
+    let heads = [
+        "result",
+        ">value",
+        ">changed by loads",
+        ">changed by tolerance",
+        "~verdict",
+    ];
     Section::new("Spread")
         .words(format!(
-            "Loads and gaps changed by {}, tolerance by {}.",
+            "How far each result changes if loads and gaps change by a share of {}, and if the \
+             tolerance is multiplied by {}.",
             significant(spread.change, 7),
             spread.tolerance_factor
         ))

@@ -182,7 +182,7 @@ const STOPS: &str = "the machine would stop";
 /// A flywheel: the inertia to add.
 pub(super) fn flywheel_figures(wheel: &Flywheel) -> Vec<Figure> {
     vec![
-        value("δ asked for", wheel.fluctuation, ""),
+        value("required δ", wheel.fluctuation, ""),
         match wheel.fluctuation_without {
             Some(without) => value("δ without a flywheel", without, ""),
             None => Figure::new("without a flywheel", STOPS),
@@ -204,7 +204,7 @@ pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
             },
         ]
     };
-    let heads = ["estimate", ">inertia to add", ">off", ">gives δ"];
+    let heads = ["estimate", ">inertia to add", ">difference", ">gives δ"];
     let table = Table::new(heads).rows(wheel.approximations.iter().map(row));
     Section::new("Flywheel by textbook estimates").table(table)
 }

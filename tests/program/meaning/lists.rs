@@ -93,9 +93,9 @@ fn figures_of_comparisons_carry_their_units() {
             .unwrap_or_else(|| panic!("{figure}: {table}"))
             .to_owned()
     };
-    assert!(line("delta_abs ").contains("0.003438 deg"), "{table}");
-    assert!(line("peak_acceleration ").contains(" rad/s² "), "{table}");
-    assert!(line("peak_reaction ").contains("N m "), "{table}");
+    assert!(line("greatest |δ| ").contains("0.003438 deg"), "{table}");
+    assert!(line("peak acceleration ").contains(" rad/s² "), "{table}");
+    assert!(line("peak reaction ").contains("N m "), "{table}");
     let document: Value = serde_json::from_str(&called(&with(&["-q", "--json"]))).unwrap();
     let rows = document["table"]["rows"].as_array().unwrap();
     let row = rows.iter().find(|row| row["figure"] == "rocker.peak_speed");
