@@ -76,7 +76,7 @@ export function Expectations({ link, scene, feed, latest, isAt, edit, program }:
       {/* One line, so that nothing changes its place while a number moves. */}
       {verdicts.length > 0 && <details>
         <summary class={failed.length ? "failed" : "met"}><b>{failed.length ? "✗" : "✓"} Expectations: {met} of {verdicts.length} met</b>{failed.length > 0 && <span class="soft"> not {failed.join(", ")}</span>}</summary>
-        <div class="scroll"><table>
+        <div class="expect-scroll"><table>
           <thead><tr><th>figure</th><th /><th class="number">found</th><th class="number">expected</th><th class="number">within</th><th class="left">source</th></tr></thead>
           <tbody>{verdicts.map((one, k) => <tr key={k} class={one.holds ? "met" : "failed"} title={one.message}>
             <td><code>{one.what}</code></td><td>{one.holds ? "✓ met" : "✗ not met"}</td>

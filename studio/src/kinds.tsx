@@ -36,7 +36,7 @@ export function Palette({ parts, add, close }: { parts: Parts; add: (part: Part)
     </button>
   );
   return (
-    <div class="palette" role="dialog" aria-label="add an object" onKeyDown={(event) => { if (event.key === "Escape" && close) close(); }}>
+    <div class="palette" role="dialog" aria-label="add an object" onKeyDown={(event) => { if (event.key === "Escape" && close) { event.preventDefault(); close(); } }}>
       <div class="tools">
         <input type="text" ref={search} placeholder="Search kinds and catalogue" aria-label="search kinds and catalogue" value={words} onInput={(event) => setWords(event.currentTarget.value)}
           onKeyDown={(event) => { if (event.key === "Enter" && first) add(first); }} />

@@ -48,7 +48,7 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
   const bar = useRef<HTMLInputElement>(null);
   // Where it is held: asked of the page once, which would be laid out anew at every move.
   const place = useRef({ left: 0, width: 1 });
-  const [wrong, setWrong] = useState(false);
+  const [wrong, setWrong] = useState("");
   // What is being typed stays, whatever comes of edits before.
   const [typing, setTyping] = useState<string | null>(null);
   const { address, value, unit, units, si } = field;
@@ -92,10 +92,12 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
   };
   const enter = (text: string) => {
     const own = fieldOf(editor.state, address), change = own && typed(own, other ? other.back(text) : unit ? text : text.replace(` ${shownUnit}`, ""));
-    setWrong(!change);
-    setTyping(change ? null : text);
-    if (change) { spans.delete(address); editor.change(change, editor.drag()); }
+    const isFine = change !== undefined && typeof change !== "string";
+    setWrong(isFine ? "" : change ?? "This number is not in the text any more.");
+    setTyping(isFine ? null : text);
+    if (isFine) { spans.delete(address); editor.change(change, editor.drag()); }
   };
+  const forget = () => { setWrong(""); setTyping(null); };
   return (
     <div class="slider" data-address={address}>
       <label for={`number ${address}`} title={`${address}${field.quantity ? `: ${field.quantity}` : ""}`}>{name}</label>
@@ -103,12 +105,13 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
         aria-valuetext={words}
         onPointerDown={(event) => { held.current = true; place.current = event.currentTarget.getBoundingClientRect(); raw.current = false; drag.current = editor.drag(); }}
         onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
-      <input type="text" id={`number ${address}`} value={typing ?? words} aria-invalid={wrong} spellcheck={false} size={12}
+      <input type="text" id={`number ${address}`} value={typing ?? words} aria-invalid={wrong !== ""} aria-describedby={wrong ? `wrong ${address}` : undefined} spellcheck={false} size={12}
         title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}
         onFocus={(event) => event.currentTarget.select()}
         onInput={(event) => setTyping(event.currentTarget.value)}
-        onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value); }}
-        onBlur={(event) => { const given = event.currentTarget.value; if (given !== words) enter(given); else setTyping(null); }} />
+        onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value); if (event.key === "Escape") forget(); }}
+        onBlur={(event) => { const given = event.currentTarget.value; if (given !== words) enter(given); else forget(); }} />
+      {wrong && <p class="number-note" role="alert" id={`wrong ${address}`}>{wrong}</p>}
     </div>
   );
 }
