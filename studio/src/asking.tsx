@@ -176,7 +176,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
       </div>
       {open && own.length > 1 && <div key="parts" class="parts" role="radiogroup" aria-label="which question">{own.map((one) =>
         <label key={one.command} title={one.why ?? ""}><input type="radio" name="part" checked={chosen === one} disabled={!!one.why} onChange={() => setPart((all) => ({ ...all, [tab]: one.command }))} /> {one.command}</label>)}</div>}
-      {open && chosen && <p key="about" class="soft about"><code>dam {chosen.command}</code> {chosen.about}</p>}
+      {open && chosen && <p key="about" class="soft about">{chosen.about}</p>}
       {open && chosen?.why && <p key="why" class="why" role="status">This scene does not fit: {chosen.why}</p>}
       {open && chosen && !chosen.why && <details key={`options ${chosen.command}`} class="options" open={needs.length > 0 || chosen.fields.some((one) => one.required)}>
         <summary>Options{said(values[chosen.command])}</summary>

@@ -132,6 +132,8 @@ export class Link {
   async text(path: string): Promise<string> { return (await this.fetched(path)).text(); }
 
   private async fetched(path: string): Promise<Response> {
+    // Nobody but a server that was proven to be the own one is given the token.
+    if (!this.isOpen) throw new Error("the server does not answer");
     const answer = await fetch(path, { headers: { Authorization: `Bearer ${this.token}` } });
     if (answer.ok) return answer;
     // What was refused is told in words.

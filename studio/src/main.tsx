@@ -41,7 +41,10 @@ type View = (typeof VIEWS)[number][0];
 interface Status { saved: boolean; undo: boolean; redo: boolean; disk: string; base: string }
 // What a notice is about: it goes when that is another. What the user did is about the text and the
 // file, a run about its answer.
-type About = "deed" | "run";
+type About = "deed" | "run" | "file";
+
+// Faults that are listed.
+const MOST = 100;
 
 // What is to be known of an answer that is not that of the text.
 function stalenessOf(faults: number, isThere: boolean): string {
@@ -170,16 +173,17 @@ function Studio() {
       setDraft(isOlder ? null : message.draft);
       if (isOlder) link.send({ type: "draft", restore: true });
       baseBefore.current = left ? stood.current.base : null;
-      if (left && !own.owe(left)) tell("Another window changed the same lines while the server was away. Undo shows them.");
+      if (left && !own.owe(left)) tell("Another window changed the same lines while the server was away. Undo shows them.", "file");
       setOpened((count) => count + 1);
       void own.guide().then(setGuide, () => {});
     });
     link.on("status", (message) => {
       const now = message as unknown as Status;
       if (JSON.stringify(now) !== JSON.stringify(stood.current)) cleared("deed");
+      if (now.saved) cleared("file");
       stood.current = now;
       setStatus(now);
-      if (baseBefore.current !== null && baseBefore.current !== now.base) tell("The file was changed while the server was away. Undo shows the file as it is now, Save writes over it.");
+      if (baseBefore.current !== null && baseBefore.current !== now.base) tell("The file was changed while the server was away. Undo shows the file as it is now, Save writes over it.", "file");
       baseBefore.current = null;
       if (!message.draft) { setDraft(null); own.lock(false); }
     });
@@ -295,7 +299,7 @@ function Studio() {
   const graph = useMemo(() => view === "objects" ? <Objects key="objects" objects={objects} faults={faults} parts={parts} selected={chosen} select={select} edit={edit} /> : null, [view, objects, faults, parts, chosen]);
   const fields: Field[] = editor.current?.state.field(fieldsOf) ?? [];
   const errors = faults.filter((fault) => fault.severity === "error");
-  const figures = latest.current ? figuresOf(latest.current.figures) : [];
+  const found = latest.current?.figures, figures = useMemo(() => found ? figuresOf(found) : [], [found]);
   const isSaved = status.saved && (editor.current?.isSettled ?? true);
   return (
     <div class="studio">
@@ -342,8 +346,9 @@ function Studio() {
           {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => document.getElementById(`object-${id}`)?.scrollIntoView({ block: "start" })} />}
           <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
           <div key="faults" class="faults" aria-label="faults" role="region">
-            {faults.map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
+            {faults.slice(0, MOST).map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
               <b>{fault.severity}</b> {fault.path && <code>{fault.path}</code>} {fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</button>)}
+            {faults.length > MOST && <p class="soft">{faults.length - MOST} more.</p>}
           </div>
         </div>
         <div class="pane-middle">

@@ -1,9 +1,9 @@
 // The mechanism as a graph: objects with their ports, joined by dragging from port to port or
 // with the keyboard.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useMemo, useRef, useState } from "preact/hooks";
 import { clip, copied, pasted } from "./copy";
-import { BOX, boxes, freeName, ownerOf, portAt, type Box, type Outline } from "./graph";
+import { BOX, boxes, freeName, ownerOf, portAt, within, type Box, type Outline } from "./graph";
 import { isInField } from "./keys";
 import { Palette, Picture, type Part, type Parts } from "./kinds";
 import { Steps, written, type Change, type Edits } from "./tree";
@@ -20,7 +20,17 @@ interface Props {
 interface View { x: number; y: number; k: number }
 interface Pull { output: string | null; input: string | null; x: number; y: number; ends: { x: number; y: number } }
 
-const faultsOf = (faults: Fault[], id: string): Fault[] => faults.filter(({ path }) => path === id || path.startsWith(`${id}.`));
+function byObject(faults: Fault[]): Map<string, Fault[]> {
+  const all = new Map<string, Fault[]>();
+  for (const fault of faults) {
+    const id = fault.path.split(".")[0]!, own = all.get(id) ?? [];
+    own.push(fault);
+    all.set(id, own);
+  }
+  return all;
+}
+// A graph of more objects is built where it is in sight.
+const MANY = 60;
 
 // Where an input is written, and with what, when it is connected to an output; without an address to
 // the only input, or one that is free. Text: why it cannot be.
@@ -61,11 +71,14 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
   const [refused, setRefused] = useState("");
   const [, redraw] = useState(0);
   const pan = useRef<{ x: number; y: number; view: View } | null>(null);
-  const drawn = boxes(objects), at = new Map(drawn.map((box) => [box.object.id, box]));
+  const { drawn, at, faultsBy } = useMemo(() => {
+    const drawn = boxes(objects);
+    return { drawn, at: new Map(drawn.map((box) => [box.object.id, box])), faultsBy: byObject(faults) };
+  }, [objects, faults]);
 
   const fitted = (): View => {
     const room = svg.current?.getBoundingClientRect() ?? { width: 500, height: 400 };
-    const right = Math.max(BOX.width, ...drawn.map((box) => box.x + BOX.width)), bottom = Math.max(BOX.head, ...drawn.map((box) => box.y + box.height));
+    const right = drawn.reduce((most, box) => Math.max(most, box.x + BOX.width), BOX.width), bottom = drawn.reduce((most, box) => Math.max(most, box.y + box.height), BOX.head);
     const k = Math.max(0.3, Math.min(1.25, (room.width - 48) / right, (room.height - 40) / bottom));
     return { k, x: (room.width - k * right) / 2, y: (room.height - k * bottom) / 2 };
   };
@@ -207,10 +220,14 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
     if (key === "F2" && id) { event.preventDefault(); select([id]); requestAnimationFrame(() => document.getElementById("object-name")?.focus()); }
   };
 
+  // The whole view is as large as the window at most.
+  const room = { width: svg.current?.clientWidth || innerWidth, height: svg.current?.clientHeight || innerHeight };
+  const inSight = drawn.length > MANY ? within(drawn, { left: -now.x / now.k, top: -now.y / now.k, right: (room.width - now.x) / now.k, bottom: (room.height - now.y) / now.k }) : null;
+  const isSeen = ({ object: { id } }: Box): boolean => inSight === null || inSight.has(id) || pull?.output?.split(".")[0] === id;
   const curve = (a: { x: number; y: number }, b: { x: number; y: number }) => { const d = Math.max(36, Math.abs(b.x - a.x) / 2); return `M${a.x} ${a.y}C${a.x + d} ${a.y} ${b.x - d} ${b.y} ${b.x} ${b.y}`; };
   const edges = drawn.flatMap((box) => box.object.inputs.map((input, index) => {
     const from = at.get(ownerOf(input.output));
-    if (!from) return null;
+    if (!from || !(isSeen(from) || isSeen(box))) return null;
     const port = Math.max(0, from.object.outputs.findIndex((one) => one.address === input.output));
     const d = curve(portAt(from, "out", port), portAt(box, "in", index));
     return (
@@ -238,7 +255,7 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
           onPointerMove={move} onPointerUp={drop} onPointerCancel={() => { setPull(null); pan.current = null; }} onDblClick={() => setView(fitted())}>
           <g transform={`translate(${now.x.toFixed(2)} ${now.y.toFixed(2)}) scale(${now.k.toFixed(4)})`}>
             {edges}
-            {drawn.map((box) => <ObjectBox key={box.object.id} box={box} faults={faultsOf(faults, box.object.id)} chosen={selected.includes(box.object.id)} target={joining !== null && joining !== box.object.id} begin={begin}
+            {drawn.filter(isSeen).map((box) => <ObjectBox key={box.object.id} box={box} faults={faultsBy.get(box.object.id) ?? NONE} chosen={selected.includes(box.object.id)} target={joining !== null && joining !== box.object.id} begin={begin}
               choose={(event) => { setEdge(null); if (joining) { connect(joining, box.object, null); return; } select(event.shiftKey ? selected.includes(box.object.id) ? selected.filter((id) => id !== box.object.id) : [...selected, box.object.id] : [box.object.id]); }} />)}
             {pull && <path class="pull" d={pull.output !== null ? curve(pull.ends, pull) : curve(pull, pull.ends)} />}
           </g>
@@ -259,6 +276,7 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
 
 interface BoxProps { box: Box; faults: Fault[]; chosen: boolean; target: boolean; choose: (event: PointerEvent) => void; begin: (event: PointerEvent, output: string | null, input: string | null, ends: { x: number; y: number }) => void }
 
+const NONE: Fault[] = [];
 const cut = (text: string, length: number): string => text.length > length ? `${text.slice(0, length - 1)}…` : text;
 
 function ObjectBox({ box, faults, chosen, target, choose, begin }: BoxProps) {

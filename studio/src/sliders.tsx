@@ -7,6 +7,8 @@ import { choice, fieldIn } from "./units";
 import { fieldOf, shareOf, spanOf, typed, valueAt, written, type Field, type Span } from "./numbers";
 
 const STEPS = 1000;
+// Of more objects than these the numbers are shown one object at a time.
+const MANY = 40;
 // Width of the knob that the browser draws (pixels).
 const KNOB = 16;
 // A key that rests this long begins a new step of undo.
@@ -28,18 +30,28 @@ export function Sliders({ editor, fields, spans }: Props) {
   const groups = new Map<string, Field[]>();
   for (const field of fields) {
     const id = field.address.split(/[.[]/)[0]!;
-    groups.set(id, [...(groups.get(id) ?? []), field]);
+    const own = groups.get(id) ?? [];
+    own.push(field);
+    groups.set(id, own);
   }
   return (
     <div class="sliders" role="group" aria-label="numbers of the scene">
       {[...groups].map(([id, own]) => (
-        <details key={id} open={id !== "run" && own.length <= 60}>
-          <summary>{id} <span class="soft">{own.length}</span></summary>
-          {own.map(slider)}
-        </details>
+        <Group key={id} id={id} count={own.length} open={id !== "run" && own.length <= 60 && groups.size <= MANY}>{() => own.map(slider)}</Group>
       ))}
       {fields.length === 0 && <p class="soft">No numbers can be read from the text yet.</p>}
     </div>
+  );
+}
+
+// The numbers of an object, made where they are looked at.
+function Group({ id, count, open, children }: { id: string; count: number; open: boolean; children: () => VNode[] }) {
+  const [isOpen, setOpen] = useState(open);
+  return (
+    <details open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>{id} <span class="soft">{count}</span></summary>
+      {isOpen && children()}
+    </details>
   );
 }
 
