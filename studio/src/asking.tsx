@@ -1,7 +1,7 @@
 // The questions besides the motion: a tab each, with the options of the command that answers it,
 // and what it finds, told as its page tells it.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { offer, save } from "./export";
 import { Host } from "./host";
 import type { Link, Message } from "./link";
@@ -74,8 +74,8 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const wanted = useRef(question), answered = useRef(-1), newest = useRef(-1);
   wanted.current = question;
 
-  // What was chosen for one scene is nothing of another.
-  useEffect(() => { setValues({}); setPart({}); answered.current = newest.current = -1; }, [scene]);
+  // What was chosen for one scene is nothing of another. (At once: later it would undo what is chosen.)
+  useLayoutEffect(() => { setValues({}); setPart({}); answered.current = newest.current = -1; }, [scene]);
 
   // ---- which questions fit: asked anew some time after the text was another
   useEffect(() => {

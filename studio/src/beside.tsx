@@ -1,6 +1,6 @@
 // What is shown beside the run: earlier runs that are pinned, and a signal over another.
 
-import { useEffect, useState } from "preact/hooks";
+import { useLayoutEffect, useState } from "preact/hooks";
 import type { Answer } from "./answer";
 import type { Link } from "./link";
 import { useTyping } from "./typing";
@@ -10,7 +10,7 @@ interface Props { link: Link; answer: Answer; opened: number; stale: boolean }
 export function Beside({ link, answer: { pins, signals }, opened, stale }: Props) {
   const [along, setAlong] = useState("t"), [up, setUp] = useState("");
   const names = signals.map(([name]) => name);
-  useEffect(() => { setAlong("t"); setUp(""); }, [opened]);
+  useLayoutEffect(() => { setAlong("t"); setUp(""); }, [opened]);
   const over = (x: string, y: string) => {
     setAlong(x); setUp(y);
     link.send({ type: "over", signals: y ? [x, y] : null });

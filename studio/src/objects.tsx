@@ -1,7 +1,7 @@
 // The mechanism as a graph: objects with their ports, joined by dragging from port to port or
 // with the keyboard.
 
-import { useEffect, useMemo, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { clip, copied, pasted } from "./copy";
 import { BOX, boxes, freeName, ownerOf, portAt, within, type Box, type Outline } from "./graph";
 import { isInField } from "./keys";
@@ -84,7 +84,7 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
   };
   // What is drawn stays in sight as objects come and go.
   const shape = drawn.map((box) => `${box.object.id} ${box.x} ${box.y} ${box.height}`).join();
-  useEffect(() => { setView(fitted()); }, [shape]);
+  useLayoutEffect(() => { setView(fitted()); }, [shape]);
   useEffect(() => {
     const own = svg.current!, room = new ResizeObserver(() => setView(fitted()));
     room.observe(own);
@@ -227,7 +227,8 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
   const curve = (a: { x: number; y: number }, b: { x: number; y: number }) => { const d = Math.max(36, Math.abs(b.x - a.x) / 2); return `M${a.x} ${a.y}C${a.x + d} ${a.y} ${b.x - d} ${b.y} ${b.x} ${b.y}`; };
   const edges = drawn.flatMap((box) => box.object.inputs.map((input, index) => {
     const from = at.get(ownerOf(input.output));
-    if (!from || !(isSeen(from) || isSeen(box))) return null;
+    // Of many that begin at an object in sight those whose end is.
+    if (!from || !(isSeen(box) || (isSeen(from) && at.size <= MANY))) return null;
     const port = Math.max(0, from.object.outputs.findIndex((one) => one.address === input.output));
     const d = curve(portAt(from, "out", port), portAt(box, "in", index));
     return (
