@@ -40,6 +40,11 @@ const OF_MAP: usize = 10_000;
 /// Number of the first chart of what a question found.
 const OF_QUESTION: usize = 20_000;
 
+/// Objects of which charts are drawn, and objects of a machine that is drawn moving: a page with
+/// more of them is too slow to work with.
+const CHARTED: usize = 40;
+const MOVED: usize = 100;
+
 /// The style of charts, tables and drawings, with all colours.
 pub(crate) fn style() -> String {
     [
@@ -117,16 +122,26 @@ pub(crate) fn run(
         .collect();
     let over = beside.over.and_then(|signals| over(&series, signals));
     let boxes = Diagram::of(model).boxes;
-    let shown = boxes.iter().filter_map(|one| {
+    let shown = boxes.iter().take(CHARTED).filter_map(|one| {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
         ObjectCharts::of(&series, &one.id, &kind)
     });
     let mut charts = charts(&shown.collect::<Vec<_>>(), over, before);
     let machine = Machine { model, cams };
-    let moving = machine.moving(figures, &merged, &mut charts.plots);
+    let moving = match boxes.len() <= MOVED {
+        true => machine.moving(figures, &merged, &mut charts.plots),
+        false => None,
+    };
     let tables = super::run::objects(figures, [merged.times.len(); 2]);
     let tables = tables.iter().map(|section| section.html(&mut charts.plots));
-    let tables: String = tables.collect();
+    let mut tables: String = tables.collect();
+    if boxes.len() > CHARTED {
+        tables.push_str(&format!(
+            "<p class=\"soft\">Charts of the first {CHARTED} of {} objects follow. The report has those of \
+             all.</p>",
+            boxes.len()
+        ));
+    }
     let compared = compared(figures, beside);
     let compared = compared
         .iter()

@@ -1,6 +1,7 @@
 //! The file beside a text, which others may change, and the draft of what is not saved.
 
 use super::atomic;
+use super::by_file::hash;
 use super::drafts::{Draft, Drafts};
 use super::folder::Folder;
 use serde_json::{Value, json};
@@ -13,6 +14,8 @@ pub(super) struct OnDisk {
     path: PathBuf,
     /// What the file held when it was last read or written.
     saved: String,
+    /// Its SHA-256.
+    base: String,
     file: File,
     drafts: Drafts,
     /// A draft that waits for a decision; the text is not to be changed before.
@@ -55,6 +58,7 @@ impl OnDisk {
         }
         Ok(Self {
             path: path.to_owned(),
+            base: hash(saved.as_bytes()),
             saved,
             file,
             drafts,
@@ -66,6 +70,16 @@ impl OnDisk {
     /// What the file held when it was last read or written.
     pub(super) fn saved(&self) -> &str {
         &self.saved
+    }
+
+    /// Tells it from what the file held at another time.
+    pub(super) fn base(&self) -> &str {
+        &self.base
+    }
+
+    fn hold(&mut self, text: &str) {
+        self.saved = text.to_owned();
+        self.base = hash(text.as_bytes());
     }
 
     /// Whether the file is there and holds a text, as far as is known.
@@ -128,7 +142,7 @@ impl OnDisk {
             (None, _) => File::Gone,
             (_, Ok(found)) if found == self.saved => File::Same(now),
             (_, Ok(found)) if found == text => {
-                self.saved = found;
+                self.hold(&found);
                 File::Same(now)
             }
             _ => File::Changed(now),
@@ -148,7 +162,7 @@ impl OnDisk {
         self.is_itself()?;
         let written = atomic::write(&self.path, text.as_bytes(), false);
         written.map_err(|error| format!("the file cannot be written: {}", error.kind()))?;
-        self.saved = text.to_owned();
+        self.hold(text);
         self.file = File::Same(stamp(&self.path));
         self.drafts.forget(&self.path);
         self.drafted = None;
@@ -166,7 +180,7 @@ impl OnDisk {
         if take && found.replace("\r\n", "").contains('\r') {
             return Err("lines of the file end with CR alone, which cannot be kept".to_owned());
         }
-        self.saved = found.clone();
+        self.hold(&found);
         self.file = File::Same(stamp);
         Ok(found)
     }

@@ -46,6 +46,11 @@ impl Folder {
         Ok((folder, Some(name.to_owned())))
     }
 
+    /// Where it is.
+    pub(super) fn path(&self) -> &Path {
+        &self.root
+    }
+
     /// Name of the folder itself.
     pub(super) fn name(&self) -> String {
         let name = self.root.file_name().unwrap_or_default();

@@ -53,3 +53,6 @@ pub(super) const PACE: Duration = Duration::from_millis(50);
 pub(super) const MEMORY: u64 = 2 << 30;
 /// How long undone steps are kept: characters of all of them.
 pub(super) const HISTORY: usize = 16 << 20;
+/// Edits, and characters of them, that are kept for windows whose connection was lost.
+pub(super) const LOGGED: usize = 4096;
+pub(super) const LOGGED_SIZE: usize = 8 << 20;

@@ -17,11 +17,33 @@ pub(super) enum WindowMessage {
         /// The tab that it is in, which it is when it is loaded or connected anew too.
         #[serde(default)]
         tab: String,
+        /// Who makes its edits: the same after the connection was lost.
+        #[serde(default)]
+        author: String,
+    },
+    /// It comes back: the first message then.
+    Back {
+        /// The name of the token that it has.
+        name: String,
+        /// On this number the program proves that it has it too.
+        number: String,
+        /// As above.
+        tab: String,
+        /// As above.
+        author: String,
+    },
+    /// It proves that it has the token.
+    Proof {
+        /// The proof.
+        proof: String,
     },
     /// Opens a scene of the folder.
     Open {
         /// Its name.
         scene: String,
+        /// What the window has of it.
+        #[serde(default)]
+        since: Option<Since>,
     },
     /// Edits of a version of the text.
     Push {
@@ -117,6 +139,16 @@ pub(super) enum WindowMessage {
         /// Comes back.
         number: u64,
     },
+}
+
+/// The text that a window had when its connection was lost.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Since {
+    /// The document.
+    pub(super) epoch: String,
+    /// Its version.
+    pub(super) version: u64,
 }
 
 /// What a new scene begins with.

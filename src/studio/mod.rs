@@ -5,7 +5,7 @@
 //! * `folder`, `atomic`, `by_file`, `drafts`, `pins`, `launch`: files: within one folder, written as
 //!   a whole, kept from crashes; how the browser is told the token;
 //! * `first`, `recent`, `gallery`: the first page: what was opened last, what is built in;
-//!   `settings`: what the user chose for all windows;
+//!   `settings`: what the user chose for all windows; `earlier`: windows that come back;
 //! * `text`: a scene's text with its edits; `room`: the text that all windows on a file share,
 //!   with its answers; `window`: what one of them is sent, `view`: what it has
 //!   pinned; `socket`: what it says;
@@ -23,6 +23,7 @@ pub(crate) mod commands;
 mod connections;
 mod disk;
 mod drafts;
+mod earlier;
 mod files;
 mod first;
 mod folder;
@@ -90,7 +91,8 @@ pub(crate) fn serve(
     runtime.block_on(async {
         let listener = server::listen(options.port).await?;
         let port = listener.local_addr().map_err(|error| error.to_string())?;
-        let studio = Arc::new(Studio::new((folder, scene), port.port(), commands)?);
+        let studio = Studio::new((folder, scene), port.port(), commands)?;
+        let studio = Arc::new(studio.with_earlier(port.port()));
         let address = studio.address();
         let _page = match options.open {
             false => {

@@ -10,7 +10,7 @@ fn pinned_runs_stay_beside_those_that_come_of_their_window_alone() {
     let opened = Opened::new();
     opened.told("answer", |one| one["version"] == 0);
     let other = Arc::new(Window::new(8, ""));
-    opened.room.join(&other);
+    opened.room.join(&other, None);
     opened.room.pin(7, "first").unwrap();
     let both = opened.told("answer", |one| one["pins"] == json!(["first"]));
     opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
@@ -67,7 +67,7 @@ fn a_tab_that_is_loaded_anew_has_its_pinned_runs() {
     opened.told("answer", |one| one["pins"] == json!(["first"]));
     let window = |id: u64, tab: &str| Arc::new(Window::new(id, tab));
     let joined = |opened: &mut Opened, new: Arc<Window>| {
-        opened.room.join(&new);
+        opened.room.join(&new, None);
         std::mem::replace(&mut opened.window, new)
     };
     // Before the old window was missed, and after.
@@ -92,7 +92,7 @@ fn started_again(opened: Opened) -> Opened {
     } = opened;
     drop(old);
     let (room, window) = (room(base.path()), Arc::new(Window::new(1, "another")));
-    room.join(&window);
+    room.join(&window, None);
     Opened { base, room, window }
 }
 
@@ -135,7 +135,7 @@ fn pinned_runs_are_worked_out_again_after_a_restart() {
     assert!(kept * 3 >= before.len() * 2, "{before:?} {after:?}");
     // A second window begins with the run alone.
     let other = Arc::new(Window::new(2, "third"));
-    again.room.join(&other);
+    again.room.join(&other, None);
     let again = Opened {
         window: other,
         ..again

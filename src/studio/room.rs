@@ -153,11 +153,13 @@ impl Room {
         state.windows.is_empty() && state.disk.is_safe(text, version)
     }
 
-    /// A window looks at it.
-    pub(super) fn join(&self, window: &Arc<Window>) {
+    /// A window looks at it, or does so again.
+    pub(super) fn join(&self, window: &Arc<Window>, since: Option<&messages::Since>) {
         let mut state = self.lock();
         window.forget();
-        window.send(state.opened(&self.name).into());
+        let resumed = since.and_then(|since| state.resumed(&self.name, since));
+        let message = resumed.unwrap_or_else(|| state.opened(&self.name));
+        window.send(message.into());
         let again = state.back(window);
         state.windows.insert(window.id, window.clone());
         window.send(state.status_message().into());
@@ -223,7 +225,7 @@ impl Room {
             taken.push(update.changes.clone());
         }
         // At once: a window that hears of a part would send the rest again.
-        state.broadcast_changes(before, window.id, &taken);
+        state.broadcast_changes(before, Some(window), &taken);
         if fault.is_some() {
             // The window has what the others have not: it begins anew.
             window.send(state.opened(&self.name).into());
@@ -244,7 +246,7 @@ impl Room {
             false => state.text.redo(),
         };
         if let Some(changes) = changes {
-            state.broadcast_changes(before, 0, &changes);
+            state.broadcast_changes(before, None, &changes);
             self.changed(state);
         }
     }
@@ -265,7 +267,7 @@ impl Room {
         if reload {
             let before = state.text.version();
             let changes = state.text.replace(&found);
-            state.broadcast_changes(before, 0, &changes);
+            state.broadcast_changes(before, None, &changes);
         }
         self.changed(state);
         Ok(())
@@ -280,7 +282,7 @@ impl Room {
         if let Some(draft) = draft {
             let before = state.text.version();
             let changes = state.text.replace(&draft);
-            state.broadcast_changes(before, 0, &changes);
+            state.broadcast_changes(before, None, &changes);
         }
         self.changed(state);
     }

@@ -3,7 +3,7 @@
 use super::commands::Question;
 use super::drafts::Drafts;
 use super::folder::Folder;
-use super::messages::Update;
+use super::messages::{Since, Update};
 use super::pins::Pins;
 use super::room::Room;
 use super::window::{Sent, Window, WindowInput};
@@ -45,7 +45,7 @@ impl Opened {
         )
         .unwrap();
         let (room, window) = (room(base.path()), Arc::new(Window::new(7, "one")));
-        room.join(&window);
+        room.join(&window, None);
         Self { base, room, window }
     }
 
@@ -231,7 +231,7 @@ fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
 fn edits_upon_edits_on_the_way_are_taken_where_no_other_window_came_between() {
     let opened = Opened::new();
     let other = Arc::new(Window::new(8, ""));
-    opened.room.join(&other);
+    opened.room.join(&other, None);
     // A blank more at the end of the text; true: it was taken.
     let push = |window: &Window, version: u64, heard: u64| {
         let before = opened.room.newest().0;
@@ -360,7 +360,7 @@ fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
             window: Arc::new(Window::new(8, "")),
             base: tempfile::tempdir().unwrap(),
         };
-        again.room.join(&again.window);
+        again.room.join(&again.window, None);
         assert_eq!(again.told("opened", |_| true)["draft"]["other_base"], false);
         let edit = [Update {
             changes: json!([[0, " "], saved.len()]),
@@ -372,4 +372,38 @@ fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
         assert_eq!(drafts.find(&path).is_some(), restore);
         drafts.forget(&path);
     }
+}
+
+#[test]
+fn a_window_that_lost_its_connection_gets_what_it_missed() {
+    let opened = Opened::new();
+    let first = opened.told("opened", |_| true);
+    let since = |epoch: &Value, version| Since {
+        epoch: epoch.as_str().unwrap().to_owned(),
+        version,
+    };
+    opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.2", None);
+    opened.replace(1, "\"inertia\": 0.2", "\"inertia\": 0.3", None);
+    let returned = |since: &Since| {
+        opened.room.remove_window(&opened.window);
+        opened.room.join(&opened.window, Some(since));
+        loop {
+            if let Some(Sent::Text(text)) = opened.window.next().unwrap() {
+                let message: Value = serde_json::from_str(&text).unwrap();
+                if ["opened", "resumed"].contains(&message["type"].as_str().unwrap()) {
+                    return message;
+                }
+            }
+        }
+    };
+    let resumed = returned(&since(&first["epoch"], 1));
+    assert_eq!(resumed["type"], "resumed");
+    assert_eq!(resumed["version"], 1);
+    let updates = resumed["updates"].as_array().unwrap();
+    assert_eq!(updates.len(), 1);
+    assert_eq!(updates[0]["by"], "7");
+    assert!(updates[0]["changes"].to_string().contains("0.3"));
+    // Of another document, or one of the future, nothing is known.
+    assert_eq!(returned(&since(&json!("other"), 1))["type"], "opened");
+    assert_eq!(returned(&since(&first["epoch"], 3))["type"], "opened");
 }

@@ -2,6 +2,7 @@
 
 use super::commands::Commands;
 use super::drafts::Drafts;
+use super::earlier::Earlier;
 use super::folder::Folder;
 use super::limits::ROOMS;
 use super::pins::Pins;
@@ -33,6 +34,8 @@ pub(super) struct Studio {
     pub(super) commands: &'static dyn Commands,
     /// Files that are made one after the other.
     pub(super) making: tokio::sync::Mutex<()>,
+    /// Tokens that windows come back with.
+    pub(super) earlier: Earlier,
     token: Token,
     host: String,
     rooms: Mutex<BTreeMap<PathBuf, Arc<Room>>>,
@@ -48,6 +51,7 @@ impl Studio {
         port: u16,
         commands: &'static dyn Commands,
     ) -> Result<Self, String> {
+        let token = Token::new()?;
         Ok(Self {
             folder,
             scene,
@@ -58,10 +62,18 @@ impl Studio {
             windows: Arc::default(),
             commands,
             making: tokio::sync::Mutex::default(),
-            token: Token::new()?,
+            earlier: Earlier::none(&token),
+            token,
             host: format!("127.0.0.1:{port}"),
             rooms: Mutex::default(),
         })
+    }
+
+    /// Windows of the user's earlier programs come back, and those of this one to later ones.
+    #[must_use]
+    pub(super) fn with_earlier(mut self, port: u16) -> Self {
+        self.earlier = Earlier::of_user(&self.token, port, self.folder.path());
+        self
     }
 
     /// What `Host` must be.

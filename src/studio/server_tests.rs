@@ -299,6 +299,29 @@ fn a_websocket_without_the_token_is_told_nothing() {
 }
 
 #[test]
+fn a_window_comes_back_by_proofs_alone() {
+    let served = Served::new();
+    let token = crate::studio::token::Token::of(&served.token);
+    let back = |name: &str| {
+        let number = "7".repeat(64);
+        frame(&format!(
+            "{{\"type\":\"back\",\"name\":\"{name}\",\"number\":\"{number}\",\"tab\":\"\",\"author\":\"me\"}}"
+        ))
+    };
+    let nobody = served.upgrade(&back(&"0".repeat(64)));
+    assert!(!String::from_utf8_lossy(&nobody).contains("challenge"));
+    // The program proves that it has the token, and gives it to nobody who does not.
+    for wrong in [served.token.as_str(), "", token.proof("window", "").text()] {
+        let proof = frame(&format!("{{\"type\":\"proof\",\"proof\":\"{wrong}\"}}"));
+        let answer = served.upgrade(&[back(&token.name()), proof].concat());
+        let answer = String::from_utf8_lossy(&answer).into_owned();
+        let own = token.proof("program", &"7".repeat(64));
+        assert!(answer.contains("challenge") && answer.contains(own.text()));
+        assert!(!answer.contains("welcome") && !answer.contains(&served.token));
+    }
+}
+
+#[test]
 fn new_scenes_are_made_within_the_folder_and_over_nothing() {
     let served = Served::new();
     let folder = served.base.path().join("open");

@@ -3,9 +3,10 @@
 use super::atomic;
 use super::gallery;
 use super::limits::{HELLO, WINDOWS};
-use super::messages::WindowMessage;
+use super::messages::{Since, WindowMessage};
 use super::room::Room;
 use super::served::Studio;
+use super::token::random;
 use super::window::{Sent, Window, WindowInput};
 use axum::extract::ws::{Message, WebSocket};
 use serde_json::json;
@@ -35,21 +36,18 @@ impl Drop for Place {
 
 /// Serves a window until it goes.
 pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
-    let hello = tokio::time::timeout(HELLO, socket.recv()).await;
-    let Ok(Some(Ok(Message::Text(text)))) = hello else {
+    let Some((tab, author)) = greeted(&mut socket, &studio).await else {
         return;
-    };
-    let tab = match serde_json::from_str(&text) {
-        Ok(WindowMessage::Hello { token, tab }) if studio.token().is(&token) => tab,
-        _ => return,
     };
     let Some(_place) = Place::take(&studio) else {
         return;
     };
-    let window = Arc::new(Window::new(NEXT.fetch_add(1, Ordering::Relaxed), &tab));
+    let window = Window::new(NEXT.fetch_add(1, Ordering::Relaxed), &tab).of_author(&author);
+    let window = Arc::new(window);
     let welcome = json!({
         "type": "welcome",
-        "window": window.id.to_string(),
+        "window": window.author,
+        "token": studio.token().text(),
         "folder": studio.folder.name(),
         "scene": studio.scene,
         "settings": studio.settings.all(),
@@ -65,6 +63,47 @@ pub(super) async fn serve(mut socket: WebSocket, studio: Arc<Studio>) {
     let _ = visit.last(&mut socket).await;
     if let Some(room) = visit.room.take() {
         room.remove_window(&visit.window);
+    }
+}
+
+/// The next message, where it comes in time.
+async fn said(socket: &mut WebSocket) -> Option<WindowMessage> {
+    let message = tokio::time::timeout(HELLO, socket.recv()).await;
+    match message {
+        Ok(Some(Ok(Message::Text(text)))) => serde_json::from_str(&text).ok(),
+        _ => None,
+    }
+}
+
+/// Tab and author of a window that has the token, or proves that it has one of an earlier program.
+async fn greeted(socket: &mut WebSocket, studio: &Studio) -> Option<(String, String)> {
+    let (name, number, tab, author) = match said(socket).await? {
+        WindowMessage::Hello { token, tab, author } => {
+            return studio.token().is(&token).then_some((tab, author));
+        }
+        WindowMessage::Back {
+            name,
+            number,
+            tab,
+            author,
+        } => (name, number, tab, author),
+        _ => return None,
+    };
+    let token = studio.earlier.named(&name)?;
+    let own = random().ok()?;
+    let challenge = json!({
+        "type": "challenge",
+        "number": own,
+        "proof": token.proof("program", &number).text(),
+    });
+    let challenge = Message::Text(challenge.to_string().into());
+    socket.send(challenge).await.ok()?;
+    match said(socket).await? {
+        WindowMessage::Proof { proof } => {
+            let is_right = token.proof("window", &own).is(&proof);
+            is_right.then_some((tab, author))
+        }
+        _ => None,
     }
 }
 
@@ -109,7 +148,7 @@ impl Visit {
     fn obey(&mut self, said: WindowMessage) -> Result<(), String> {
         let id = self.window.id;
         match said {
-            WindowMessage::Open { scene } => return self.open(&scene),
+            WindowMessage::Open { scene, since } => return self.open(&scene, since.as_ref()),
             WindowMessage::Ping { number } => {
                 let told = json!({ "type": "pong", "number": number });
                 self.window.send(told.to_string().into());
@@ -119,14 +158,16 @@ impl Visit {
             WindowMessage::Shown => self.window.acknowledge(WindowInput::Answer),
             WindowMessage::MapShown => self.window.acknowledge(WindowInput::Map),
             WindowMessage::QuestionShown => self.window.acknowledge(WindowInput::Question),
-            WindowMessage::Hello { .. } => return Err("it is known who you are".to_owned()),
+            WindowMessage::Hello { .. }
+            | WindowMessage::Back { .. }
+            | WindowMessage::Proof { .. } => return Err("it is known who you are".to_owned()),
             WindowMessage::New { scene, from } => {
                 let text = match from {
                     None => empty(&scene),
                     Some(of) => gallery::beginning(&of)?,
                 };
                 self.write(&scene, &text)?;
-                return self.open(&scene);
+                return self.open(&scene, None);
             }
             _ => {}
         }
@@ -155,7 +196,7 @@ impl Visit {
             }
             WindowMessage::SaveAs { scene } => {
                 self.write(&scene, &room.text())?;
-                self.open(&scene)
+                self.open(&scene, None)
             }
             WindowMessage::Reload => room.decide(true),
             WindowMessage::KeepMine => room.decide(false),
@@ -178,7 +219,7 @@ impl Visit {
         }
     }
 
-    fn open(&mut self, scene: &str) -> Result<(), String> {
+    fn open(&mut self, scene: &str, since: Option<&Since>) -> Result<(), String> {
         let room = self.studio.room(scene)?;
         if let Ok(path) = self.studio.folder.file(scene) {
             let recent = self.studio.recent.clone();
@@ -188,7 +229,7 @@ impl Visit {
         if let Some(before) = self.room.replace(room.clone()) {
             before.remove_window(&self.window);
         }
-        room.join(&self.window);
+        room.join(&self.window, since);
         Ok(())
     }
 

@@ -3,15 +3,17 @@
 use super::answer::Answer;
 use super::commands::Question;
 use super::disk::OnDisk;
-use super::limits::LEFT;
-use super::messages::MapRequest;
+use super::limits::{LEFT, LOGGED, LOGGED_SIZE};
+use super::messages::{MapRequest, Since};
 use super::pins::PinRecord;
 use super::text::Text;
 use super::view::{SourcedRun, View};
 use super::window::Window;
 use serde_json::{Value, json};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 /// A document at an instant.
 #[derive(Debug)]
@@ -38,7 +40,14 @@ pub(super) struct State {
     status: String,
     /// Who made the last edits, and the version from which on all are theirs.
     stretch: (u64, u64),
+    /// Tells the document from that of another program.
+    epoch: String,
+    /// The last edits, with their authors: for windows whose connection was lost.
+    log: VecDeque<Logged>,
 }
+
+/// An edit, who made it, and how long it is.
+type Logged = (Arc<str>, Value, usize);
 
 impl State {
     pub(super) fn new(text: Text, disk: OnDisk, pins: PinRecord) -> Self {
@@ -57,6 +66,36 @@ impl State {
             pins,
             status: String::new(),
             stretch: (0, 0),
+            epoch: epoch(),
+            log: VecDeque::new(),
+        }
+    }
+
+    /// What was edited since a window lost its connection; `None`: it must begin anew.
+    pub(super) fn resumed(&self, name: &str, since: &Since) -> Option<String> {
+        let behind = usize::try_from(self.text.version().checked_sub(since.version)?).ok()?;
+        let first = self.log.len().checked_sub(behind)?;
+        let log = self.log.iter().skip(first);
+        let updates = log.map(|(by, changes, _)| json!({ "by": **by, "changes": changes }));
+        let resumed = json!({
+            "type": "resumed",
+            "scene": name,
+            "version": since.version,
+            "updates": updates.collect::<Vec<_>>(),
+        });
+        (since.epoch == self.epoch).then(|| resumed.to_string())
+    }
+
+    fn log(&mut self, by: &str, changes: &[Value]) {
+        let by: Arc<str> = by.into();
+        for one in changes {
+            let size = one.to_string().len();
+            self.log.push_back((by.clone(), one.clone(), size));
+        }
+        let mut size: usize = self.log.iter().map(|(_, _, size)| size).sum();
+        while self.log.len() > LOGGED || size > LOGGED_SIZE {
+            let first = self.log.pop_front();
+            size -= first.map_or(size, |(_, _, size)| size);
         }
     }
 
@@ -137,6 +176,7 @@ impl State {
         json!({
             "type": "opened",
             "scene": name,
+            "epoch": self.epoch,
             "version": self.text.version(),
             "text": self.text.with_unix_newlines(),
             "draft": self.disk.offered(),
@@ -153,15 +193,22 @@ impl State {
     }
 
     /// Tells all windows of changes from a version on, and who made them.
-    pub(super) fn broadcast_changes(&mut self, version: u64, by: u64, changes: &[Value]) {
-        if self.stretch.0 != by {
-            self.stretch = (by, version);
+    pub(super) fn broadcast_changes(
+        &mut self,
+        version: u64,
+        by: Option<&Window>,
+        changes: &[Value],
+    ) {
+        let (number, author) = by.map_or((0, "0"), |window| (window.id, &window.author));
+        if self.stretch.0 != number {
+            self.stretch = (number, version);
         }
+        self.log(author, changes);
         let message = json!({
             "type": "updates",
             "version": version,
             "updates": changes.iter()
-                .map(|changes| json!({ "by": by.to_string(), "changes": changes }))
+                .map(|changes| json!({ "by": author, "changes": changes }))
                 .collect::<Vec<_>>(),
         });
         self.broadcast(&message.to_string().into());
@@ -172,6 +219,7 @@ impl State {
         json!({
             "type": "status",
             "saved": self.disk.holds(self.text.text()),
+            "base": self.disk.base(),
             "undo": undo,
             "redo": redo,
             "disk": self.disk.state_name(),
@@ -188,4 +236,12 @@ impl State {
             self.status = status;
         }
     }
+}
+
+/// A text that no other document has, of this program or of another one.
+fn epoch() -> String {
+    static COUNT: AtomicU64 = AtomicU64::new(0);
+    let time = SystemTime::now().duration_since(UNIX_EPOCH);
+    let time = time.map_or(0, |time| time.as_nanos());
+    format!("{time}-{}", COUNT.fetch_add(1, Ordering::Relaxed))
 }

@@ -1,9 +1,11 @@
 //! The token that tells the windows of the user from everybody else.
 
+use super::by_file::hash;
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 
 /// 256 random bits, in hexadecimal.
-#[derive(Clone)]
+#[derive(Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Token(String);
 
 impl Token {
@@ -20,6 +22,22 @@ impl Token {
         let (own, other) = (self.0.as_bytes(), text.as_bytes());
         let differ = own.iter().zip(other).fold(0, |all, (a, b)| all | (a ^ b));
         own.len() == other.len() && differ == 0
+    }
+
+    /// One that is known.
+    #[cfg(test)]
+    pub(super) fn of(text: &str) -> Self {
+        Self(text.to_owned())
+    }
+
+    /// What tells it from others, and gives nothing of it away.
+    pub(super) fn name(&self) -> String {
+        hash(format!("name {}", self.0).as_bytes())
+    }
+
+    /// What nobody knows who does not have it: of a side, and a number of the other side.
+    pub(super) fn proof(&self, side: &str, number: &str) -> Self {
+        Self(hash(format!("{side} {} {number}", self.0).as_bytes()))
     }
 
     /// The token itself.
@@ -62,5 +80,14 @@ mod tests {
         assert!(!token.is(other.text()));
         assert!(!token.is(&token.text()[..63]));
         assert!(!token.is(""));
+        let proof = token.proof("window", "1");
+        assert!(proof.is(token.proof("window", "1").text()));
+        for wrong in [
+            token.proof("window", "2"),
+            token.proof("program", "1"),
+            other.proof("window", "1"),
+        ] {
+            assert!(!proof.is(wrong.text()));
+        }
     }
 }

@@ -21,6 +21,8 @@ pub(super) struct Window {
     pub(super) id: u64,
     /// The tab that it is in; empty: it says nothing of it.
     pub(super) tab: String,
+    /// Who makes its edits.
+    pub(super) author: String,
     queue: Mutex<Queue>,
     pub(super) wake: Notify,
 }
@@ -78,8 +80,19 @@ impl Window {
         Self {
             id,
             tab: tab.chars().take(NAME).collect(),
+            author: id.to_string(),
             queue: Mutex::default(),
             wake: Notify::new(),
+        }
+    }
+
+    /// Its edits are those of an author, who may have had another connection before.
+    pub(super) fn of_author(self, author: &str) -> Self {
+        let author: String = author.chars().take(NAME).collect();
+        // The number 0 is nobody.
+        match author.as_str() {
+            "" | "0" => self,
+            _ => Self { author, ..self },
         }
     }
 

@@ -49,10 +49,29 @@ function lazily(lengths: (number | null)[], values: Float64Array): (number | nul
   } });
 }
 
+// Rows of a table at first; the others come when they are asked for.
+const ROWS = 100;
+// Where all of them are shown.
+const whole = new WeakSet<Element>();
+
+function shorten(body: HTMLTableSectionElement): void {
+  const { rows } = body, count = rows.length, width = rows[0]?.cells.length ?? 1;
+  // A few more are no reason to hide them.
+  if (count <= 1.5 * ROWS) return;
+  while (rows.length > ROWS) rows[rows.length - 1]!.remove();
+  const cell = body.insertRow().insertCell(), button = document.createElement("button");
+  cell.colSpan = width;
+  button.type = "button";
+  button.className = "all-rows";
+  button.textContent = `Show all ${count} rows`;
+  cell.appendChild(button);
+}
+
 // Makes an element's content another one, and touches only what differs.
 function retell(parent: Element, html: string): void {
   const wanted = document.createElement("template");
   wanted.innerHTML = html;
+  if (!whole.has(parent)) for (const body of wanted.content.querySelectorAll("tbody")) shorten(body);
   reshow(wanted.content);
   patch(parent, wanted.content);
 }
@@ -78,6 +97,11 @@ export class Board {
   private all = false;
 
   constructor(private readonly parts: { tables: Element; compared: Element; charts: Element; machine: Element }, scroller: Element, private readonly told: (sight: number[]) => void) {
+    for (const part of [parts.tables, parts.compared]) part.addEventListener("click", ({ target }) => {
+      if (!(target as Element).matches(".all-rows")) return;
+      whole.add(part);
+      this.again();
+    });
     this.watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.seen.add(target); else this.seen.delete(target);
@@ -172,6 +196,6 @@ export class Board {
     this.made = [];
     this.plots = [];
     this.tables = this.compared = "";
-    for (const part of Object.values(this.parts)) part.replaceChildren();
+    for (const part of Object.values(this.parts)) { part.replaceChildren(); whole.delete(part); }
   }
 }

@@ -1,7 +1,7 @@
 // The questions besides the motion: a tab each, with the options of the command that answers it,
 // and what it finds, told as its page tells it.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useRef, useState } from "preact/hooks";
 import { offer, save } from "./export";
 import { Host } from "./host";
 import type { Link, Message } from "./link";
@@ -74,8 +74,8 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const wanted = useRef(question), answered = useRef(-1), newest = useRef(-1);
   wanted.current = question;
 
-  // What was chosen for one scene is nothing of another.
-  useEffect(() => { setValues({}); setPart({}); answered.current = newest.current = -1; }, [scene]);
+  // What was chosen for one scene is nothing of another. (At once: later it would undo what is chosen.)
+  useLayoutEffect(() => { setValues({}); setPart({}); answered.current = newest.current = -1; }, [scene]);
 
   // ---- which questions fit: asked anew some time after the text was another
   useEffect(() => {
@@ -176,7 +176,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
       </div>
       {open && own.length > 1 && <div key="parts" class="parts" role="radiogroup" aria-label="which question">{own.map((one) =>
         <label key={one.command} title={one.why ?? ""}><input type="radio" name="part" checked={chosen === one} disabled={!!one.why} onChange={() => setPart((all) => ({ ...all, [tab]: one.command }))} /> {one.command}</label>)}</div>}
-      {open && chosen && <p key="about" class="soft about"><code>dam {chosen.command}</code> {chosen.about}</p>}
+      {open && chosen && <p key="about" class="soft about">{chosen.about}</p>}
       {open && chosen?.why && <p key="why" class="why" role="status">This scene does not fit: {chosen.why}</p>}
       {open && chosen && !chosen.why && <details key={`options ${chosen.command}`} class="options" open={needs.length > 0 || chosen.fields.some((one) => one.required)}>
         <summary>Options{said(values[chosen.command])}</summary>

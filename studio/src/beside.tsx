@@ -1,6 +1,6 @@
 // What is shown beside the run: earlier runs that are pinned, and a signal over another.
 
-import { useEffect, useState } from "preact/hooks";
+import { useLayoutEffect, useState } from "preact/hooks";
 import type { Answer } from "./answer";
 import type { Link } from "./link";
 import { useTyping } from "./typing";
@@ -10,14 +10,12 @@ interface Props { link: Link; answer: Answer; opened: number; stale: boolean }
 export function Beside({ link, answer: { pins, signals }, opened, stale }: Props) {
   const [along, setAlong] = useState("t"), [up, setUp] = useState("");
   const names = signals.map(([name]) => name);
-  useEffect(() => { setAlong("t"); setUp(""); }, [opened]);
+  useLayoutEffect(() => { setAlong("t"); setUp(""); }, [opened]);
   const over = (x: string, y: string) => {
     setAlong(x); setUp(y);
     link.send({ type: "over", signals: y ? [x, y] : null });
   };
-  const choice = (label: string, value: string, all: string[], set: (value: string) => void) => (
-    <label>{label} <select value={all.includes(value) ? value : ""} onChange={(event) => set(event.currentTarget.value)}>{all.map((one) => <option value={one}>{one || "–"}</option>)}</select></label>
-  );
+  const choice = (label: string, value: string, all: string[], set: (value: string) => void) => <Choice label={label} value={value} all={all} set={set} />;
   return (
     <div class="tools seen-beside" role="group" aria-label="beside the run">
       <button type="button" disabled={stale || pins.length >= 3} title="keep this run: later ones are drawn over it, and their figures stand beside its own" onClick={() => link.send({ type: "pin", name: "" })}>Pin this run</button>
@@ -31,6 +29,15 @@ export function Beside({ link, answer: { pins, signals }, opened, stale }: Props
       {choice("over", along, names, (x) => over(x, up))}
     </div>
   );
+}
+
+// Many signals are listed once somebody is about to choose.
+const MANY = 300;
+
+function Choice({ label, value, all, set }: { label: string; value: string; all: string[]; set: (value: string) => void }) {
+  const [isWanted, want] = useState(false), own = all.includes(value) ? value : "", open = () => want(true);
+  const shown = isWanted || all.length <= MANY ? all : [own];
+  return <label onPointerEnter={open}>{label} <select value={own} onFocus={open} onChange={(event) => set(event.currentTarget.value)}>{shown.map((one) => <option value={one}>{one || "–"}</option>)}</select></label>;
 }
 
 function Name({ text, label, take }: { text: string; label: string; take: (text: string) => void }) {

@@ -251,7 +251,7 @@ export function Drawing({ link, scene, version, root, isAt, edit, drag }: Props)
         </div>
         <p class="mobility" aria-hidden="true">{sketch.told.join("; ")}</p>
       </div>
-      {told ? <p class="told" role="status">{told}</p> : stale && <p class="told" role="status">{sketch.draft ? "Not whole yet: drawn as its text has it." : "Stale: the scene has faults; this is the last good drawing."}</p>}
+      {told ? <p class="drawing-note" role="status">{told}</p> : stale && <p class="drawing-note" role="status">{sketch.draft ? "Not whole yet: drawn as its text has it." : "Stale: the scene has faults; this is the last good drawing."}</p>}
       <p class="soft">{TOOLS[tool].help}</p>
       <ul class="structure" aria-label="structure">{[...sketch.told, ...sketch.courses.flatMap(({ name, range }) => range ? [`input ${name && `${name} `}${range}`] : [])].map((line) => <li>{line}</li>)}</ul>
       <button type="button" onClick={fresh}>New linkage</button>

@@ -13,10 +13,11 @@ import { json } from "@codemirror/lang-json";
 import { bracketMatching, foldGutter, foldKeymap, HighlightStyle, indentOnInput, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, lintKeymap, setDiagnostics, type Diagnostic } from "@codemirror/lint";
 import { highlightSelectionMatches, searchKeymap } from "@codemirror/search";
-import { Annotation, ChangeSet, Compartment, EditorState, Transaction, type ChangeSpec, type TransactionSpec } from "@codemirror/state";
+import { Annotation, ChangeSet, Compartment, EditorState, Text, Transaction, type ChangeSpec, type TransactionSpec } from "@codemirror/state";
 import { drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import type { Link, Message } from "./link";
+import { difference, merged } from "./merge";
 import { fields, setFields, type Field } from "./numbers";
 import { Guide } from "./schema";
 
@@ -27,6 +28,9 @@ const outside = Annotation.define<boolean>();
 const REST = 120;
 // So many messages with edits go out before the first of them is taken.
 const AHEAD = 3;
+// Most that a scene may be (bytes), that an edit inserts at once, and that the edits of a message
+// are (characters): the server takes no larger message than a scene.
+const LARGEST = 1 << 20, PIECE = 32_000, MESSAGE = 1 << 18;
 const nonce = document.querySelector<HTMLMetaElement>("meta[name=nonce]")?.content ?? "";
 
 const colours = HighlightStyle.define([
@@ -49,6 +53,39 @@ const look = EditorView.theme({
   ".cm-help": { padding: "4px 8px" },
 });
 
+const encoder = new TextEncoder();
+
+function isTooLarge(doc: Text): boolean {
+  if (3 * doc.length <= LARGEST) return false;
+  let bytes = 0;
+  for (const part of doc) bytes += encoder.encode(part).length;
+  return bytes > LARGEST;
+}
+
+// Large insertions as several small ones, from the end on, so that places before stay right.
+function pieces(changes: ChangeSet): ChangeSet[] {
+  const all: { from: number; to: number; insert: Text }[] = [], made: ChangeSet[] = [];
+  changes.iterChanges((from, to, _, __, insert) => { all.push({ from, to, insert }); });
+  if (all.every(({ insert }) => insert.length <= PIECE)) return [changes];
+  let length = changes.length;
+  const add = (from: number, to: number, insert: Text) => {
+    const one = ChangeSet.of({ from, to, insert }, length);
+    length = one.newLength;
+    made.push(one);
+  };
+  for (const { from, to, insert } of all.reverse()) {
+    let at = 0;
+    do {
+      let end = Math.min(at + PIECE, insert.length);
+      // Both halves of a character go together.
+      if (end < insert.length && /[\ud800-\udbff]/.test(insert.sliceString(end - 1, end))) end++;
+      add(from + at, at ? from + at : to, insert.slice(at, end));
+      at = end;
+    } while (at < insert.length);
+  }
+  return made;
+}
+
 export class Editor {
   readonly view: EditorView;
   // The text as it is; the view comes after.
@@ -59,6 +96,11 @@ export class Editor {
   private flying = 0;
   private sent = 0;
   private later: (() => void)[] = [];
+  // The text as the server was last heard to have it, and which document that is.
+  private heard = Text.empty;
+  private epoch = "";
+  // What is to be the text once it can be changed.
+  private owed: string | null = null;
   private readonly writable = new Compartment();
   private schema: { at: number; guide: Promise<Guide> } | null = null;
   private scene = "";
@@ -66,6 +108,9 @@ export class Editor {
   private told = false;
   private locked = false;
   changed: () => void = () => {};
+  // The text was changed, by whomever; what could not be.
+  edited: () => void = () => {};
+  refused: (words: string) => void = () => {};
 
   constructor(private readonly parent: Element, private readonly link: Link, private readonly by: () => string) {
     this.state = this.own("", 0);
@@ -85,6 +130,7 @@ export class Editor {
     const made = this.state.update(spec);
     this.state = made.state;
     if (made.docChanged) {
+      this.edited();
       this.behind = this.behind ? this.behind.compose(made.changes) : made.changes;
       this.say();
       this.push();
@@ -112,7 +158,9 @@ export class Editor {
       if (!one.docChanged || one.annotation(outside)) continue;
       const changes = this.behind ? one.changes.map(this.behind) : one.changes;
       this.behind = this.behind?.map(one.changes, true) ?? null;
-      this.state = this.state.update({ changes }).state;
+      this.edited();
+      const all = pieces(changes), drag = all.length > 1 ? [dragged.of(this.drag())] : [];
+      for (const piece of all) this.state = this.state.update({ changes: piece, annotations: drag }).state;
       this.changed();
       this.push();
     }
@@ -144,6 +192,12 @@ export class Editor {
           } };
         }),
         this.writable.of([]),
+        EditorState.transactionFilter.of((made) => {
+          const grows = made.docChanged && made.newDoc.length > made.startState.doc.length && made.annotation(outside) === undefined;
+          if (!grows || !isTooLarge(made.newDoc)) return made;
+          queueMicrotask(() => this.refuse());
+          return [];
+        }),
         keymap.of([
           { key: "Mod-z", run: step("undo"), preventDefault: true },
           { key: "Mod-y", mac: "Mod-Shift-z", run: step("redo"), preventDefault: true },
@@ -163,30 +217,87 @@ export class Editor {
   open(message: Message): void {
     this.flying = this.sent = 0;
     this.later = [];
+    this.owed = null;
+    this.epoch = message.epoch;
     this.scene = message.scene;
     this.schema = null;
     this.told = false;
     this.behind = null;
     this.say();
     this.state = this.own(message.text, message.version);
+    this.heard = this.state.doc;
     this.view.setState(this.fresh(message.text));
     this.lock(message.draft !== null);
     this.changed();
   }
 
+  private refuse(): void { this.refused("A scene has at most 1 MB: with this it would have more, so nothing was changed."); }
+
+  // ---- the connection is lost and comes back
+
+  // The document and the version that the window knows; null: none.
+  get since(): { epoch: string; version: number } | null { return this.epoch ? { epoch: this.epoch, version: getSyncedVersion(this.state) } : null; }
+
+  // What was on the way is not: it goes out anew, unless it turns out to have come.
+  lost(): void { this.flying = this.sent = 0; }
+
+  // The same document: what was edited elsewhere meanwhile.
+  resume(message: Message): void {
+    this.lost();
+    this.receive(message);
+  }
+
+  // What a server that was started again does not have; null: it has all, as far as is known here.
+  left(isSaved: boolean): { text: string; heard: string } | null {
+    const text = this.state.doc.toString(), heard = this.heard.toString();
+    return isSaved && text === heard ? null : { text, heard };
+  }
+
+  // Makes it the text of the document that was opened in its place, as soon as that can be changed:
+  // where others have been there before, what both sides made of it. False: they changed the same.
+  owe({ text, heard }: { text: string; heard: string }): boolean {
+    const now = this.state.doc.toString(), isFirst = getSyncedVersion(this.state) === 0;
+    const both = isFirst ? text : merged(heard, text, now);
+    this.owed = both ?? text;
+    this.pay();
+    return both !== null;
+  }
+
+  // It is not wanted any more.
+  forgive(): void { this.owed = null; }
+
+  private pay(): void {
+    const owed = this.owed;
+    if (owed === null || this.locked) return;
+    this.owed = null;
+    const changes = difference(this.state.doc.toString(), owed);
+    if (changes.insert || changes.to > changes.from) this.change(changes, this.drag());
+  }
+
   // Whether nothing can be changed.
-  lock(on: boolean): void { this.locked = on; this.view.dispatch({ effects: this.writable.reconfigure(on ? EditorState.readOnly.of(true) : []) }); }
+  lock(on: boolean): void {
+    this.locked = on;
+    this.view.dispatch({ effects: this.writable.reconfigure(on ? EditorState.readOnly.of(true) : []) });
+    this.pay();
+  }
 
   // A new step of undo, that the next edits with its number belong to.
   drag(): number { return ++this.drags; }
 
-  // Changes the text from outside of it.
-  change(changes: ChangeSpec, drag: number): void {
-    if (!this.locked) this.dispatch({ changes, annotations: dragged.of(drag) });
+  // Changes the text from outside of it; false: it cannot be.
+  change(changes: ChangeSpec, drag: number): boolean {
+    if (this.locked) return false;
+    const all = this.state.changes(changes);
+    if (all.newLength > all.length && isTooLarge(all.apply(this.state.doc))) { this.refuse(); return false; }
+    for (const piece of pieces(all)) this.dispatch({ changes: piece, annotations: dragged.of(drag) });
+    return true;
   }
 
   // Does something once the server has all edits.
   when(act: () => void): void { if (this.settled()) act(); else this.later.push(act); }
+
+  // Whether the server has all edits.
+  get isSettled(): boolean { return this.settled(); }
 
   private settled(): boolean { return sendableUpdates(this.state).length === 0; }
 
@@ -202,18 +313,24 @@ export class Editor {
     const updates = sendableUpdates(this.state), heard = getSyncedVersion(this.state), fresh = updates.slice(this.sent);
     if (!updates.length) { this.later.splice(0).forEach((act) => act()); return; }
     if (this.isBusy || !fresh.length) return;
-    const gone = this.link.send({
-      type: "push", version: heard + this.sent, heard,
-      updates: fresh.map(({ changes, origin }) => ({ changes: changes.toJSON(), drag: origin.annotation(dragged) })),
-    });
-    if (!gone) return;
+    const next: { changes: unknown; drag: number | undefined }[] = [];
+    let size = 0;
+    for (const { changes, origin } of fresh) {
+      const json = changes.toJSON();
+      size += JSON.stringify(json).length;
+      if (next.length && size > MESSAGE) break;
+      next.push({ changes: json, drag: origin.annotation(dragged) });
+    }
+    if (!this.link.send({ type: "push", version: heard + this.sent, heard, updates: next })) return;
     this.flying++;
-    this.sent = updates.length;
+    this.sent += next.length;
+    if (this.sent < updates.length) this.push();
   }
 
   private receive({ version, updates }: Message): void {
     const known = getSyncedVersion(this.state);
     const fresh = updates.slice(Math.max(0, known - version));
+    for (const one of fresh) this.heard = ChangeSet.fromJSON(one.changes).apply(this.heard);
     const own = fresh.filter((one: any) => one.by === this.by()).length;
     if (own) { this.landed(); this.sent = Math.max(0, this.sent - own); }
     if (fresh.length) this.dispatch(receiveUpdates(this.state, fresh.map((one: any) => ({ changes: ChangeSet.fromJSON(one.changes), clientID: one.by }))));

@@ -76,7 +76,7 @@ export function Expectations({ link, scene, feed, latest, isAt, edit, program }:
       {/* One line, so that nothing changes its place while a number moves. */}
       {verdicts.length > 0 && <details>
         <summary class={failed.length ? "failed" : "met"}><b>{failed.length ? "✗" : "✓"} Expectations: {met} of {verdicts.length} met</b>{failed.length > 0 && <span class="soft"> not {failed.join(", ")}</span>}</summary>
-        <div class="scroll"><table>
+        <div class="expect-scroll"><table>
           <thead><tr><th>figure</th><th /><th class="number">found</th><th class="number">expected</th><th class="number">within</th><th class="left">source</th></tr></thead>
           <tbody>{verdicts.map((one, k) => <tr key={k} class={one.holds ? "met" : "failed"} title={one.message}>
             <td><code>{one.what}</code></td><td>{one.holds ? "✓ met" : "✗ not met"}</td>
@@ -84,7 +84,7 @@ export function Expectations({ link, scene, feed, latest, isAt, edit, program }:
             <td class="number">{shown(one.expected, one.unit)}</td><td class="number">{shown(one.within, one.unit, 3)}</td><td class="left soft">{one.source}</td></tr>)}</tbody>
         </table></div>
       </details>}
-      {others > 0 && <p class="soft">{others === 1 ? "One expectation is" : `${others} expectations are`} of the steady motion, of kinematics or forces: dam steady, dam kinematics and dam forces judge them.</p>}
+      {others > 0 && <p class="soft">{others === 1 ? "One expectation is" : `${others} expectations are`} not of this run but of the steady motion, of kinematics or of forces. They are checked there.</p>}
       <div class="tools">
         {!offers && <button type="button" onClick={() => void ask()} disabled={asking}>{asking ? "The errors of the figures are looked for …" : "Expect a figure of this run…"}</button>}
         {offers && chosen && <>

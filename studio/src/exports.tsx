@@ -15,8 +15,8 @@ export function Exports({ link, scene, stale, tell }: { link: Link; scene: strin
   const run = { question: JSON.stringify({ command: "run" }) };
   return (
     <span class="exports" role="group" aria-label="export" aria-busy={busy}>
-      <button type="button" aria-label="Export report" disabled={!scene || busy || stale} title="the page of dam run, as a file" onClick={() => void fetched(named.replace(/\.json$/, ".html"), { ...run, name: "report.html" }, "/api/file")}>⤓ report</button>
-      <button type="button" aria-label="Export record" disabled={!scene || busy || stale} title="the record of dam run, as CSV" onClick={() => void fetched(named.replace(/\.json$/, ".csv"), { ...run, name: "record.csv" }, "/api/file")}>⤓ record</button>
+      <button type="button" aria-label="Export report" disabled={!scene || busy || stale} title="the report of this run with all charts, as a file" onClick={() => void fetched(named.replace(/\.json$/, ".html"), { ...run, name: "report.html" }, "/api/file")}>⤓ report</button>
+      <button type="button" aria-label="Export record" disabled={!scene || busy || stale} title="the record of this run, as CSV" onClick={() => void fetched(named.replace(/\.json$/, ".csv"), { ...run, name: "record.csv" }, "/api/file")}>⤓ record</button>
       <button type="button" aria-label="Export scene" disabled={!scene || busy} title="the scene as it is edited, as a file" onClick={() => void fetched(named, {}, "/api/text")}>⤓ scene</button>
     </span>
   );

@@ -37,7 +37,7 @@ export function First({ link, folder, scene, saved, open, make, back, tour, tour
   const search = useRef<HTMLInputElement>(null);
   useEffect(() => { void link.get("/api/first").then(setTold, () => setFailed(true)); }, []);
   useEffect(() => search.current?.focus(), [told]);
-  if (!told) return <section class="first" aria-label="first page" aria-busy={!failed}><p class="soft">{failed ? "The list of scenes did not come: load the page anew." : "…"}</p></section>;
+  if (!told) return <section class="first-page" aria-label="first page" aria-busy={!failed}><p class="soft">{failed ? "The list of scenes did not come: load the page anew." : "…"}</p></section>;
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean);
   const fits = (...texts: (string | null)[]) => { const all = texts.join(" ").toLowerCase(); return wanted.every((word) => all.includes(word)); };
   const titleOf = (name: string) => told.scenes.find((one) => one.name === name)?.title ?? null;
@@ -53,7 +53,7 @@ export function First({ link, folder, scene, saved, open, make, back, tour, tour
   };
   const existing = (name: string) => <Entry key={name} name={name} words={titleOf(name)} act={() => open(name)} />;
   return (
-    <section class="first" aria-label="first page">
+    <section class="first-page" aria-label="first page">
       <header>
         <h1>Scenes of mechanisms</h1>
         <input type="search" ref={search} value={words} placeholder="Search scenes, templates, scenarios" aria-label="search scenes, templates and scenarios"

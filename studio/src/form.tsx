@@ -30,19 +30,19 @@ const faultsAt = (desk: Desk, path: Step[]): Fault[] => { const own = address(pa
 const faultsIn = (desk: Desk, path: Step[]): Fault[] => { const own = address(path); return desk.faults.filter((fault) => fault.path === own || fault.path.startsWith(`${own}.`) || fault.path.startsWith(`${own}[`)); };
 
 function Told({ desk, path }: { desk: Desk; path: Step[] }) {
-  return <>{faultsAt(desk, path).map((fault) => <p class={`told ${fault.severity}`} role="alert">{fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</p>)}</>;
+  return <>{faultsAt(desk, path).map((fault) => <p class={`field-note ${fault.severity}`} role="alert">{fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</p>)}</>;
 }
 
-function Row({ desk, path, schema, name, required, remove, children, wide, write: _ }: FieldProps & { children: any; wide?: boolean }) {
+function Row({ desk, path, schema, name, required, remove, children, wide, why = "", write: _ }: FieldProps & { children: any; wide?: boolean; why?: string }) {
   const id = `field ${address(path)}`, set = find(desk.root, path) !== undefined;
-  const help = helpOf(schema), wrong = faultsAt(desk, path).some((fault) => fault.severity === "error");
+  const help = helpOf(schema), wrong = why !== "" || faultsAt(desk, path).some((fault) => fault.severity === "error");
   return (
-    <div class={`field${wide ? " wide" : ""}${wrong ? " wrong" : ""}`} data-field={address(path)}>
+    <div class={`field${wide ? " field-wide" : ""}${wrong ? " wrong" : ""}`} data-field={address(path)}>
       <label for={id} title={help}>{shown(name)}{required && !set ? <span class="need"> required</span> : null}</label>
       <div class="entry">{children}</div>
       {remove && set && !required ? <button type="button" class="drop" aria-label={`remove ${address(path)}`} title={`remove ${shown(name)}`} onClick={() => desk.edit((edits) => edits.remove(path))}>×</button> : <span />}
       <p class="help">{help}{schema["default"] !== undefined && typeof schema["default"] !== "object" ? ` Default ${JSON.stringify(schema["default"])}.` : ""}</p>
-      <Told desk={desk} path={path} />
+      {why ? <p class="field-note error" role="alert">{why}</p> : <Told desk={desk} path={path} />}
     </div>
   );
 }
@@ -50,21 +50,26 @@ function Row({ desk, path, schema, name, required, remove, children, wide, write
 function Scalar({ shape, ...props }: FieldProps & { shape: Shape & { sort: "scalar" } }) {
   const { desk, path, write, required, schema } = props, value = find(desk.root, path), id = `field ${address(path)}`;
   const text = value && value.sort !== "wrong" ? value.text : "";
-  const [typed, setTyped] = useState(text);
+  const [typed, setTyped] = useState(text), [why, setWhy] = useState("");
   // (At once, here and below: an effect after the picture is drawn would undo what is typed before.)
-  useLayoutEffect(() => setTyped(text), [text]);
+  useLayoutEffect(() => { setTyped(text); setWhy(""); }, [text]);
   const unit = shape.units[0] ?? "", bare = value?.sort === "number" || typed === "";
   const enter = () => {
+    setWhy("");
     if (typed === text) return;
     if (typed.trim() === "") { if (value && !required) desk.edit((edits) => edits.remove(path)); else setTyped(text); return; }
-    write(path, literal(shape, typed));
+    const made = literal(shape, typed);
+    if ("why" in made) { setWhy(made.why); return; }
+    write(path, made.json);
+    // What was worked out to what stands there already.
+    if (find(desk.root, path) === value && made.json === (value && desk.text.slice(value.from, value.to))) setTyped(text);
   };
   const preset = schema["default"] !== undefined && typeof schema["default"] !== "object" ? String(schema["default"]) : "";
   return (
-    <Row {...props}>
-      <input type="text" id={id} value={typed} placeholder={preset} spellcheck={false} list={shape.words.length ? `${id} words` : undefined} aria-invalid={faultsAt(desk, path).some((fault) => fault.severity === "error")}
-        onInput={(event) => setTyped(event.currentTarget.value)} onBlur={enter} onKeyDown={(event) => { if (event.key === "Enter") enter(); if (event.key === "Escape") setTyped(text); }} />
-      {unit && bare ? <span class="unit" title={`also as text with a unit: ${shape.units.join(", ")}`}>{unit}</span> : null}
+    <Row {...props} why={why}>
+      <input type="text" id={id} value={typed} placeholder={preset} spellcheck={false} list={shape.words.length ? `${id} words` : undefined} aria-invalid={why !== "" || faultsAt(desk, path).some((fault) => fault.severity === "error")}
+        onInput={(event) => setTyped(event.currentTarget.value)} onBlur={enter} onKeyDown={(event) => { if (event.key === "Enter") enter(); if (event.key === "Escape") { setTyped(text); setWhy(""); } }} />
+      {unit && bare ? <span class="field-unit" title={`also as text with a unit: ${shape.units.join(", ")}`}>{unit}</span> : null}
       {shape.words.length ? <datalist id={`${id} words`}>{shape.words.map((word) => <option value={word} />)}</datalist> : null}
     </Row>
   );
@@ -98,9 +103,8 @@ function Raw(props: FieldProps) {
     write(path, list);
   };
   return (
-    <Row {...props} wide>
+    <Row {...props} wide why={wrong}>
       <textarea id={`field ${address(path)}`} rows={Math.min(8, Math.max(1, typed.split("\n").length))} value={typed} placeholder="[…, …]" spellcheck={false} onInput={(event) => setTyped(event.currentTarget.value)} onBlur={enter} />
-      {wrong && <p class="told error" role="alert">{wrong}</p>}
     </Row>
   );
 }

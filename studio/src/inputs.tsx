@@ -16,7 +16,7 @@ function InputRow({ course, value, disabled, set }: { course: Course; value: num
   const label = course.name ? `input ${course.name} of the linkage` : "input of the linkage";
   return (
     <>
-      <label class="wide">{course.name || "input"} <input type="range" aria-label={label} disabled={disabled} min={0} max={course.values.length - 1} value={nearest(course, value)} onInput={(event) => set(course.values[Number(event.currentTarget.value)]!)} /></label>
+      <label class="input-row">{course.name || "input"} <input type="range" aria-label={label} disabled={disabled} min={0} max={course.values.length - 1} value={nearest(course, value)} onInput={(event) => set(course.values[Number(event.currentTarget.value)]!)} /></label>
       <output>{course.unit === "rad" ? numbers.withUnit(value * 180 / Math.PI, "°", 4) : numbers.withUnit(value, course.unit, 4)}</output>
     </>
   );

@@ -1,6 +1,6 @@
 // The kinds of objects: small pictures, and the list that objects are added from.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useLayoutEffect, useRef, useState } from "preact/hooks";
 
 export interface Part { from?: string; kind: string; meaning: string; inputs?: string }
 export interface Parts { kinds: Part[]; objects: Part[] }
@@ -25,7 +25,7 @@ export function Picture({ kind, size = 22, x, y }: { kind: string; size?: number
 export function Palette({ parts, add, close }: { parts: Parts; add: (part: Part) => void; close: (() => void) | null }) {
   const [words, setWords] = useState("");
   const search = useRef<HTMLInputElement>(null);
-  useEffect(() => { if (close) search.current!.focus(); }, []);
+  useLayoutEffect(() => { if (close) search.current!.focus(); }, []);
   const wanted = words.toLowerCase().split(/\s+/).filter(Boolean);
   const fits = (part: Part) => { const own = `${part.from ?? ""} ${part.kind.replace("_", " ")} ${part.meaning}`.toLowerCase(); return wanted.every((word) => own.includes(word)); };
   const kinds = parts.kinds.filter(fits), objects = parts.objects.filter(fits);
@@ -36,7 +36,7 @@ export function Palette({ parts, add, close }: { parts: Parts; add: (part: Part)
     </button>
   );
   return (
-    <div class="palette" role="dialog" aria-label="add an object" onKeyDown={(event) => { if (event.key === "Escape" && close) close(); }}>
+    <div class="palette" role="dialog" aria-label="add an object" onKeyDown={(event) => { if (event.key === "Escape" && close) { event.preventDefault(); close(); } }}>
       <div class="tools">
         <input type="text" ref={search} placeholder="Search kinds and catalogue" aria-label="search kinds and catalogue" value={words} onInput={(event) => setWords(event.currentTarget.value)}
           onKeyDown={(event) => { if (event.key === "Enter" && first) add(first); }} />

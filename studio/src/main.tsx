@@ -14,6 +14,7 @@ import { ObjectForm, SceneForm, type Desk } from "./form";
 import type { Outline } from "./graph";
 import { Host } from "./host";
 import type { Parts } from "./kinds";
+import { isUnfinished, take } from "./keys";
 import { Link, shownScene, type Message } from "./link";
 import { MapView } from "./map";
 import { Models } from "./models";
@@ -37,7 +38,23 @@ const link = new Link();
 const VIEWS = [["objects", "Objects"], ["drawing", "Drawing"], ["text", "Text"], ["model", "Dynamic model"], ["equations", "Equations"]] as const;
 type View = (typeof VIEWS)[number][0];
 
-interface Status { saved: boolean; undo: boolean; redo: boolean; disk: string }
+interface Status { saved: boolean; undo: boolean; redo: boolean; disk: string; base: string }
+// What a notice is about: it goes when that is another. What the user did is about the text and the
+// file, a run about its answer.
+type About = "deed" | "run" | "file";
+
+// Faults that are listed.
+const MOST = 100;
+
+// What is to be known of an answer that is not that of the text.
+function stalenessOf(faults: number, isThere: boolean): string {
+  const has = faults ? `the text has ${faults} ${faults === 1 ? "fault" : "faults"}` : "this text has no answer";
+  return isThere ? `Stale: ${has}. This is the last good answer.` : `No answer yet: ${has}.`;
+}
+
+// Requests in words of the reader.
+const DEEDS: Record<string, string> = { save: "saving", save_as: "saving", new: "new scene", open: "other scene", undo: "undoing", redo: "redoing" };
+const NO_STATUS: Status = { saved: true, undo: false, redo: false, disk: "same", base: "" };
 
 // Addresses of the figures of a run: numbers, however deep they stand.
 function figuresOf(objects: Record<string, any>): string[] {
@@ -61,12 +78,15 @@ function Studio() {
   const [scenes, setScenes] = useState<string[]>([]);
   const [folder, setFolder] = useState("");
   const [scene, setScene] = useState("");
-  const [status, setStatus] = useState<Status>({ saved: true, undo: false, redo: false, disk: "same" });
+  const [status, setStatus] = useState<Status>(NO_STATUS);
+  const stood = useRef(NO_STATUS), baseBefore = useRef<string | null>(null);
   const [draft, setDraft] = useState<{ time: number; other_base: boolean } | null>(null);
   const [faults, setFaults] = useState<any[]>([]);
   const [answer, setAnswer] = useState<Answer | null>(null);
   const [stale, setStale] = useState(false);
-  const [told, setTold] = useState("");
+  const [told, setTold] = useState<{ words: string; about: About } | null>(null);
+  const tell = (words: string, about: About = "deed") => setTold(words ? { words, about } : null);
+  const cleared = (...about: About[]) => setTold((before) => before && about.includes(before.about) ? null : before);
   const [home, setHome] = useState(false), [touring, setTouring] = useState(false);
   const atHome = useRef(false), again = useRef(false), judged = useRef<((head: Answer) => void) | null>(null), program = useRef("");
   atHome.current = home;
@@ -107,8 +127,12 @@ function Studio() {
       drawing.current = true;
       requestAnimationFrame(draw);
     };
+    own.edited = () => cleared("deed");
+    own.refused = tell;
     own.changed = () => { changed = true; soon(); };
-    link.state = setConnected;
+    link.state = (on) => { setConnected(on); if (on) cleared("deed"); else own.lost(); };
+    // What only this window has.
+    addEventListener("beforeunload", (event) => { if (!own.isSettled) event.preventDefault(); });
     link.on("welcome", (message) => {
       self.current = message.window;
       setFolder(message.folder);
@@ -120,11 +144,18 @@ function Studio() {
         // Of a connection that was lost the page stays where it is.
         again.current = current.current !== "";
         const wanted = current.current || (shownScene.get() ?? message.scene);
-        if (wanted) link.send({ type: "open", scene: wanted });
+        if (wanted) link.send({ type: "open", scene: wanted, ...(again.current && own.since ? { since: own.since } : {}) });
         else setHome(true);
       });
     });
+    link.on("resumed", (message) => {
+      again.current = false;
+      own.resume(message);
+      setOpened((count) => count + 1);
+    });
     link.on("opened", (message) => {
+      // The server was started again: what it does not have is here.
+      const left = again.current && message.scene === current.current ? own.left(stood.current.saved) : null;
       if (message.scene !== current.current) {
         setObjects([]); setChosen([]); setFaults([]);
         void link.get(`/api/parts?scene=${encodeURIComponent(message.scene)}`).then(setParts, () => {});
@@ -134,15 +165,26 @@ function Studio() {
       setScene(message.scene);
       if (!again.current) enter();
       again.current = false;
-      setDraft(message.draft);
-      setTold("");
+      tell("");
       wrong.current = false;
       own.open(message);
+      // The draft is an older text of this window, unless the file has been changed since.
+      const isOlder = left !== null && message.draft !== null && !message.draft.other_base;
+      setDraft(isOlder ? null : message.draft);
+      if (isOlder) link.send({ type: "draft", restore: true });
+      baseBefore.current = left ? stood.current.base : null;
+      if (left && !own.owe(left)) tell("Another window changed the same lines while the server was away. Undo shows them.", "file");
       setOpened((count) => count + 1);
       void own.guide().then(setGuide, () => {});
     });
     link.on("status", (message) => {
-      setStatus(message as unknown as Status);
+      const now = message as unknown as Status;
+      if (JSON.stringify(now) !== JSON.stringify(stood.current)) cleared("deed");
+      if (now.saved) cleared("file");
+      stood.current = now;
+      setStatus(now);
+      if (baseBefore.current !== null && baseBefore.current !== now.base) tell("The file was changed while the server was away. Undo shows the file as it is now, Save writes over it.", "file");
+      baseBefore.current = null;
       if (!message.draft) { setDraft(null); own.lock(false); }
     });
     link.on("checked", (message: Message) => {
@@ -156,9 +198,9 @@ function Studio() {
       hearing.current.checked(message.version);
       if (models.current) setVersion(message.version);
     });
-    link.on("failed", (message) => { setTold(message.message); setStale(true); });
+    link.on("failed", (message) => { tell(message.message, "run"); setStale(true); });
     link.on("error", (message) => {
-      setTold(message.message);
+      tell(message.message);
       again.current = false;
       if (!current.current) setHome(true);
     });
@@ -177,6 +219,7 @@ function Studio() {
       const before = latest.current;
       latest.current = head;
       judged.current?.(head);
+      cleared("run");
       setStale(wrong.current);
       // The sentence is drawn anew where it says something else.
       const seen = (one: Answer) => JSON.stringify([one.verdict, one.warnings, one.coarse, one.title, one.pins, one.signals]);
@@ -185,8 +228,10 @@ function Studio() {
     const keys = (event: KeyboardEvent) => {
       if (atHome.current || !(event.ctrlKey || event.metaKey) || place.current!.contains(event.target as Node)) return;
       const type = ({ z: event.shiftKey ? "redo" : "undo", y: "redo", s: "save" } as Record<string, string>)[event.key.toLowerCase()];
-      if (!type) return;
+      // A field takes back what is typed in it; what is saved has it.
+      if (!type || (type !== "save" && isUnfinished(event.target))) return;
       event.preventDefault();
+      if (type === "save") take(event.target);
       act(type);
     };
     addEventListener("keydown", keys);
@@ -201,7 +246,11 @@ function Studio() {
     enter();
     if (part === "numbers") setSide("numbers"); else if (part !== "scene") look(part);
   };
-  const act = (type: string, more = {}) => editor.current!.when(() => link.send({ type, ...more }));
+  const act = (type: string, more = {}) => {
+    cleared("deed");
+    if (link.isOpen) editor.current!.when(() => link.send({ type, ...more }));
+    else tell(`The server does not answer: there is no ${DEEDS[type] ?? "answer"} until it is back.`);
+  };
   const saveAs = () => {
     const name = prompt("Name of the new file in this folder", scene.replace(/\.json$/, "-2.json"));
     if (name) act("save_as", { scene: name });
@@ -223,15 +272,14 @@ function Studio() {
   };
   const edit = (make: (edits: Edits) => Change[], drag?: number): boolean => {
     const own = editor.current!, { text, root } = tree();
-    if (!root) { setTold("The text is not whole at present: mend it in the text view first."); return false; }
+    if (!root) { tell("The text is not whole at present: mend it in the text view first."); return false; }
     const changes = make(new Edits(text, root));
-    if (changes.length) own.change(changes, drag ?? own.drag());
-    return changes.length > 0;
+    return changes.length > 0 && own.change(changes, drag ?? own.drag());
   };
   const select = (ids: string[]) => { setChosen(ids); if (ids.length || side !== "properties") setSide("properties"); };
   const rename = (id: string, other: string) => {
-    if (!/^[A-Za-z_][A-Za-z0-9_-]*$/.test(other)) { setTold(`“${other}” is no name: letters, digits, _ and - are, and a letter comes first.`); redraw(0); return; }
-    if (objects.some((one) => one.id === other)) { setTold(`There is an object ${other} already.`); return; }
+    if (!/^[A-Za-z_][A-Za-z0-9_-]*$/.test(other)) { tell(`“${other}” is no name: letters, digits, _ and - are, and a letter comes first.`); redraw(0); return; }
+    if (objects.some((one) => one.id === other)) { tell(`There is an object ${other} already.`); redraw(0); return; }
     if (edit((edits) => edits.rename(id, other))) setChosen((before) => before.map((one) => one === id ? other : one));
   };
   const look = (next: View) => { setView(next); setVersion(newest.current); if (next === "text") { editor.current!.flush(); requestAnimationFrame(() => editor.current!.view.requestMeasure()); } };
@@ -251,7 +299,8 @@ function Studio() {
   const graph = useMemo(() => view === "objects" ? <Objects key="objects" objects={objects} faults={faults} parts={parts} selected={chosen} select={select} edit={edit} /> : null, [view, objects, faults, parts, chosen]);
   const fields: Field[] = editor.current?.state.field(fieldsOf) ?? [];
   const errors = faults.filter((fault) => fault.severity === "error");
-  const figures = latest.current ? figuresOf(latest.current.figures) : [];
+  const found = latest.current?.figures, figures = useMemo(() => found ? figuresOf(found) : [], [found]);
+  const isSaved = status.saved && (editor.current?.isSettled ?? true);
   return (
     <div class="studio">
       <div key="top" class="top" role="toolbar" aria-label="scene">
@@ -261,31 +310,31 @@ function Studio() {
         <label><span class="soft">{folder}/</span> <select aria-label="scene" value={scene} onChange={(event) => act("open", { scene: event.currentTarget.value })}>
           {scenes.concat(scene && !scenes.includes(scene) ? [scene] : []).map((one) => <option value={one}>{one}</option>)}
         </select></label>
-        <span class={status.saved ? "soft" : "unsaved"} role="status">{status.saved ? "saved" : "not saved"}</span>
-        <button type="button" class="save" onClick={() => act("save")} disabled={status.saved} title="Ctrl-S">Save</button>
+        <span class={isSaved ? "soft" : "unsaved"} role="status">{isSaved ? "saved" : "not saved"}</span>
+        <button type="button" class="save" onClick={() => act("save")} disabled={isSaved} title="Ctrl-S">Save</button>
         <button type="button" onClick={saveAs}>Save as…</button>
         <button type="button" class="undo" onClick={() => act("undo")} disabled={!status.undo} title="Ctrl-Z">Undo</button>
         <button type="button" onClick={() => act("redo")} disabled={!status.redo} title="Ctrl-Y">Redo</button>
-        <Exports link={link} scene={scene} stale={stale} tell={setTold} />
+        <Exports link={link} scene={scene} stale={stale} tell={tell} />
         </>}
         <button type="button" onClick={fresh}>New…</button>
         <button type="button" onClick={() => setTouring(true)}>Tour</button>
         <Units link={link} changed={() => { board.current?.again(); redraw(0); }} />
         {!connected && <span class="lost" role="alert">{link.known
-          ? "The server is gone. What was not saved is kept as a draft: start dam studio again."
-          : "This window was not opened by dam studio: run it, or open the address that --no-open prints."}</span>}
+          ? `The server is gone. This window keeps its edits and sends them when the studio runs on port ${location.port} again.`
+          : "This window was not opened by dam studio: start the studio, which opens a window of its own."}</span>}
       </div>
-      {(draft || status.disk !== "same" || told) && <div key="notices" class="notices">
+      {(draft || status.disk !== "same" || told !== null) && <div key="notices" class="notices">
         {draft && <p role="alert"><b>A draft of {new Date(1000 * draft.time).toLocaleString()} holds changes that were not saved.</b>
           {draft.other_base && " The file has been changed since."}
           <button type="button" onClick={() => act("draft", { restore: true })}>Restore the draft</button>
-          <button type="button" onClick={() => act("draft", { restore: false })}>Discard it</button></p>}
+          <button type="button" onClick={() => { editor.current!.forgive(); act("draft", { restore: false }); }}>Discard it</button></p>}
         {status.disk === "changed" && <p role="alert"><b>The file was changed by another program.</b>
           <button type="button" onClick={() => act("reload")}>Reload it</button>
           <button type="button" onClick={() => act("keep_mine")}>Keep mine</button>
           <button type="button" onClick={saveAs}>Save as…</button></p>}
         {status.disk === "gone" && <p role="alert"><b>The file is gone.</b> Save writes it anew.</p>}
-        {told && <p role="alert">{told} <button type="button" onClick={() => setTold("")}>Close</button></p>}
+        {told && <p role="alert">{told.words} <button type="button" onClick={() => tell("")}>Close</button></p>}
       </div>}
       <div key="stage" class={home ? "stage home" : "stage"}>
       <div key="panes" class={view === "drawing" ? "panes draws" : "panes"}>
@@ -297,8 +346,9 @@ function Studio() {
           {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => document.getElementById(`object-${id}`)?.scrollIntoView({ block: "start" })} />}
           <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
           <div key="faults" class="faults" aria-label="faults" role="region">
-            {faults.map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
+            {faults.slice(0, MOST).map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
               <b>{fault.severity}</b> {fault.path && <code>{fault.path}</code>} {fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</button>)}
+            {faults.length > MOST && <p class="soft">{faults.length - MOST} more.</p>}
           </div>
         </div>
         <div class="pane-middle">
@@ -309,17 +359,16 @@ function Studio() {
           <div class="side">{editor.current && (side === "numbers" ? <Sliders editor={editor.current} fields={fields} spans={spans.current} /> : properties())}</div>
         </div>
         <main class={`answers${stale ? " stale" : ""}${tab === MOTION ? "" : " asks"}`} ref={answers} aria-label="answers">
-          <header key="print" class="print-head"><h1>{latest.current?.title || scene}</h1><p>{folder}/{scene}, dam {program.current}{status.saved ? "" : ", changes not saved"}</p></header>
+          <header key="print" class="print-head"><h1>{latest.current?.title || scene}</h1><p>{folder}/{scene}, dam {program.current}{isSaved ? "" : ", changes not saved"}</p></header>
           <Asking key="asking" link={link} scene={scene} tab={tab} choose={setTab} hearing={hearing.current} opened={opened} faulty={wrong.current} />
-          {stale && <p key="stale" class="stale-mark" role="status">{errors.length
-            ? `Stale: the text has ${errors.length} ${errors.length === 1 ? "fault" : "faults"}; this is the last good answer.` : "Stale: there is no answer to this text."}</p>}
+          {stale && <p key="stale" class="stale-mark" role="status">{stalenessOf(errors.length, answer !== null)}</p>}
           {answer && <p key="verdict" class={`verdict ${answer.verdict.sort}`}><span class="sort">{answer.coarse ? "First look, the model is still being judged" : "Answer"}</span>
             <b>{said(answer.verdict.headline)}</b> {said(answer.verdict.text)}</p>}
           {answer && answer.warnings.length > 0 && <ul key="warnings" class="warnings">{answer.warnings.map((one) => <li>{said(one)}</li>)}</ul>}
           {scene && <Expectations key={`expectations ${scene}`} link={link} scene={scene} feed={judged} latest={latest} isAt={(one) => editor.current!.isAt(one)} edit={edit} program={program.current} />}
           {answer && <Beside key="pins" link={link} answer={answer} opened={opened} stale={stale} />}
           <div key="beside" class="beside">
-            {editor.current && <MapView key="map" editor={editor.current} link={link} fields={fields} figures={figures} spans={spans.current} scene={scene} />}
+            {editor.current && <MapView key="map" editor={editor.current} link={link} fields={fields} figures={figures} spans={spans.current} scene={scene} opened={opened} />}
             <Host key="machine" kind="section" class="machine" label="machine moving" of={(element) => { moving.current = element; }} />
           </div>
           <Host key="figures" kind="section" class="figures" label="figures" of={(element) => { tables.current = element; }} />
@@ -327,7 +376,7 @@ function Studio() {
           <Host key="compared" kind="section" class="compared" label="figures beside pinned runs" of={(element) => { compared.current = element; }} />
         </main>
       </div>
-      {home && <First key="first" link={link} folder={folder} scene={scene} saved={status.saved} toured={seen.get() !== null} back={enter} tour={() => setTouring(true)}
+      {home && <First key="first" link={link} folder={folder} scene={scene} saved={isSaved} toured={seen.get() !== null} back={enter} tour={() => setTouring(true)}
         open={(wanted) => act("open", { scene: wanted })} make={(name, from: From | null) => act("new", { scene: name, from })} />}
       </div>
       {touring && <Tour key="tour" link={link} scene={scene} home={home} show={show} end={() => setTouring(false)} />}

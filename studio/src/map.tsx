@@ -8,7 +8,7 @@ import type { Link, Message } from "./link";
 import { patch } from "./patch";
 import { fieldOf, spanOf, written, type Field, type Span } from "./numbers";
 
-interface Props { editor: Editor; link: Link; fields: Field[]; figures: string[]; spans: Map<string, Span>; scene: string }
+interface Props { editor: Editor; link: Link; fields: Field[]; figures: string[]; spans: Map<string, Span>; scene: string; opened: number }
 
 // What is most often asked: how fast, against how stiff, heavy or loose.
 function first(fields: Field[], not: string | undefined, wanted: RegExp): string | undefined {
@@ -16,7 +16,7 @@ function first(fields: Field[], not: string | undefined, wanted: RegExp): string
   return (usable.find((field) => wanted.test(`${field.quantity} ${field.address}`)) ?? usable[0])?.address;
 }
 
-export function MapView({ editor, link, fields, figures, spans, scene }: Props) {
+export function MapView({ editor, link, fields, figures, spans, scene, opened }: Props) {
   const [on, setOn] = useState(false);
   const [x, setX] = useState<string>();
   const [y, setY] = useState<string>();
@@ -50,7 +50,7 @@ export function MapView({ editor, link, fields, figures, spans, scene }: Props) 
   useEffect(() => {
     if (scene) link.send({ type: "map", question: question === null ? null : JSON.parse(question) });
     if (question === null && place.current) { live.drop(made.current); made.current = []; place.current.replaceChildren(); }
-  }, [question, scene]);
+  }, [question, scene, opened]);
 
   const mark = () => {
     const { x, y } = now.current, [a, b] = [x, y].map((address) => address === undefined ? null : fieldOf(editor.state, address)?.value ?? null);

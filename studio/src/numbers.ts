@@ -1,6 +1,7 @@
 // The numbers of the text: where they stand, how far they may be moved, how they are written.
 
 import { StateEffect, StateField, type ChangeSpec, type EditorState } from "@codemirror/state";
+import { typedNumber } from "./entry";
 
 // A number as the server tells of it; places are those of the text as it is at present.
 export interface Field {
@@ -77,16 +78,12 @@ export function written(value: number, before: string, whole: boolean, span?: Sp
   return (wide ? rounded.toExponential() : String(rounded)).replace("e+", "e");
 }
 
-const NUMBER = /^\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(.*?)\s*$/;
-
-// The change of the text that makes a field what was typed; null: that is no number.
-export function typed(field: Field, text: string): ChangeSpec | null {
-  const match = NUMBER.exec(text);
-  if (!match) return null;
-  const value = Number(match[1]), unit = match[2] ?? "";
-  if (!Number.isFinite(value)) return null;
-  // As it was typed, where JSON has it so.
-  const plain = /^-?(0|[1-9]\d*)(\.\d+)?([eE][-+]?\d+)?$/.test(match[1]!) ? match[1]! : String(value);
-  if (unit === "" || unit === field.unit) return { from: field.number_at[0], to: field.number_at[1], insert: plain };
-  return { from: field.value_at[0], to: field.value_at[1], insert: JSON.stringify(`${plain} ${unit}`) };
+// The change of the text that makes a field what was typed; text: why that cannot be.
+export function typed(field: Field, text: string): ChangeSpec | string {
+  const given = typedNumber(text);
+  if (given.sort !== "number") return given.sort === "wrong" ? given.why : `“${text.trim()}” is not a number.`;
+  const { number, unit } = given.entry;
+  if (field.whole && !(Number.isInteger(Number(number)) && unit === "")) return "This is a whole number.";
+  if (unit === "" || unit === field.unit) return { from: field.number_at[0], to: field.number_at[1], insert: number };
+  return { from: field.value_at[0], to: field.value_at[1], insert: JSON.stringify(`${number} ${unit}`) };
 }

@@ -1,9 +1,10 @@
 // The mechanism as a graph: objects with their ports, joined by dragging from port to port or
 // with the keyboard.
 
-import { useEffect, useRef, useState } from "preact/hooks";
+import { useEffect, useLayoutEffect, useMemo, useRef, useState } from "preact/hooks";
 import { clip, copied, pasted } from "./copy";
-import { BOX, boxes, freeName, ownerOf, portAt, type Box, type Outline } from "./graph";
+import { BOX, boxes, freeName, ownerOf, portAt, within, type Box, type Outline } from "./graph";
+import { isInField } from "./keys";
 import { Palette, Picture, type Part, type Parts } from "./kinds";
 import { Steps, written, type Change, type Edits } from "./tree";
 
@@ -19,15 +20,27 @@ interface Props {
 interface View { x: number; y: number; k: number }
 interface Pull { output: string | null; input: string | null; x: number; y: number; ends: { x: number; y: number } }
 
-const faultsOf = (faults: Fault[], id: string): Fault[] => faults.filter(({ path }) => path === id || path.startsWith(`${id}.`));
+function byObject(faults: Fault[]): Map<string, Fault[]> {
+  const all = new Map<string, Fault[]>();
+  for (const fault of faults) {
+    const id = fault.path.split(".")[0]!, own = all.get(id) ?? [];
+    own.push(fault);
+    all.set(id, own);
+  }
+  return all;
+}
+// A graph of more objects is built where it is in sight.
+const MANY = 60;
 
-// Where an input is written, and with what, when it hangs on an output.
-function connection(edits: Edits, object: Outline, address: string | null, output: string): Change[] {
-  const known = object.inputs.find((one) => one.address === address) ?? (object.open ? undefined : object.inputs[0]);
-  if (known && !known.address.endsWith(".object")) return edits.set(["objects", object.id, "input"], JSON.stringify(output));
-  if (known) return edits.set(["objects", object.id, "inputs", known.name, "object"], JSON.stringify(output));
-  if (!object.open) return [];
-  const name = freeName("input", object.inputs.map((one) => one.name));
+// Where an input is written, and with what, when it is connected to an output; without an address to
+// the only input, or one that is free. Text: why it cannot be.
+function connection(edits: Edits, object: Outline, address: string | null, output: string): Change[] | string {
+  const { id, inputs, open, kind } = object, free = inputs.find((one) => one.output === "") ?? (open || inputs.length > 1 ? undefined : inputs[0]);
+  const known = address === null ? free : inputs.find((one) => one.address === address);
+  if (known) return edits.set(["objects", ...known.address.split(".")], JSON.stringify(output));
+  if (inputs.length && !open) return `All inputs of ${id} are connected: drop on the one that is to change.`;
+  if (!open) return kind ? `${id} has no input: nothing drives an object of kind ${kind.replaceAll("_", " ")}.` : `The kind of ${id} is not known, and so are its inputs.`;
+  const name = freeName("input", inputs.map((one) => one.name));
   return edits.set(["objects", object.id, "inputs", name], written({ object: output, ratio: 1 }));
 }
 
@@ -54,19 +67,24 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
   const [edge, setEdge] = useState<string | null>(null);
   const [adding, setAdding] = useState(false);
   const [joining, setJoining] = useState<string | null>(null);
+  // Why what was dragged could not be connected.
+  const [refused, setRefused] = useState("");
   const [, redraw] = useState(0);
   const pan = useRef<{ x: number; y: number; view: View } | null>(null);
-  const drawn = boxes(objects), at = new Map(drawn.map((box) => [box.object.id, box]));
+  const { drawn, at, faultsBy } = useMemo(() => {
+    const drawn = boxes(objects);
+    return { drawn, at: new Map(drawn.map((box) => [box.object.id, box])), faultsBy: byObject(faults) };
+  }, [objects, faults]);
 
   const fitted = (): View => {
     const room = svg.current?.getBoundingClientRect() ?? { width: 500, height: 400 };
-    const right = Math.max(BOX.width, ...drawn.map((box) => box.x + BOX.width)), bottom = Math.max(BOX.head, ...drawn.map((box) => box.y + box.height));
+    const right = drawn.reduce((most, box) => Math.max(most, box.x + BOX.width), BOX.width), bottom = drawn.reduce((most, box) => Math.max(most, box.y + box.height), BOX.head);
     const k = Math.max(0.3, Math.min(1.25, (room.width - 48) / right, (room.height - 40) / bottom));
     return { k, x: (room.width - k * right) / 2, y: (room.height - k * bottom) / 2 };
   };
   // What is drawn stays in sight as objects come and go.
   const shape = drawn.map((box) => `${box.object.id} ${box.x} ${box.y} ${box.height}`).join();
-  useEffect(() => { setView(fitted()); }, [shape]);
+  useLayoutEffect(() => { setView(fitted()); }, [shape]);
   useEffect(() => {
     const own = svg.current!, room = new ResizeObserver(() => setView(fitted()));
     room.observe(own);
@@ -130,7 +148,7 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
   useEffect(() => {
     const act = (event: ClipboardEvent) => {
       const at = document.activeElement;
-      if (at && at !== document.body && !at.closest(".objects") || at?.matches("input, select")) return;
+      if (at && at !== document.body && !at.closest(".objects") || isInField(at)) return;
       const taken = event.type === "paste" ? clipboard.current.paste(event.clipboardData?.getData("text/plain") ?? "") : clipboard.current.copy();
       if (!taken) return;
       event.preventDefault();
@@ -141,13 +159,21 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
     return () => { for (const type of ["copy", "cut", "paste"] as const) document.removeEventListener(type, act); };
   }, []);
   const connect = (output: string, object: Outline, address: string | null) => {
-    if (ownerOf(output) !== object.id) edit((edits) => connection(edits, object, address, output));
+    let why = ownerOf(output) === object.id ? `${object.id} cannot drive itself.` : "";
+    if (!why) edit((edits) => {
+      const made = connection(edits, object, address, output);
+      if (typeof made !== "string") return made;
+      why = made;
+      return [];
+    });
+    setRefused(why);
     setJoining(null);
   };
 
   const begin = (event: PointerEvent, output: string | null, input: string | null, ends: { x: number; y: number }) => {
     event.stopPropagation();
     event.preventDefault();
+    setRefused("");
     svg.current!.setPointerCapture(event.pointerId);
     setPull({ output, input, ends, ...placeOf(event) });
   };
@@ -159,21 +185,26 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
     pan.current = null;
     if (!pull) return;
     setPull(null);
+    const there = placeOf(event), isFar = Math.hypot(there.x - pull.ends.x, there.y - pull.ends.y) * now.k > 12;
     const under = document.elementFromPoint(event.clientX, event.clientY), id = under?.closest<SVGElement>("[data-id]")?.dataset["id"];
     const object = objects.find((one) => one.id === id);
     if (pull.output !== null) {
       if (object) connect(pull.output, object, under?.closest<SVGElement>("[data-input]")?.dataset["input"] ?? null);
+      else if (isFar) setRefused(`Nothing is connected: drop ${pull.output} on an input.`);
       return;
     }
     const [owner] = pull.input!.split(".");
     const output = under?.closest<SVGElement>("[data-output]")?.dataset["output"] ?? object?.id;
     const target = objects.find((one) => one.id === owner);
     if (output && target) connect(output, target, pull.input);
-    else if (!object) edit((edits) => released(edits, pull.input!));
+    else if (!object && target?.inputs.some((one) => one.address === pull.input && one.output !== "")) edit((edits) => released(edits, pull.input!));
+    else if (isFar) setRefused(`Nothing is connected: drop this input of ${owner} on an output.`);
   };
   const keys = (event: KeyboardEvent) => {
-    const { key } = event, box = (event.target as Element).closest<SVGElement>("[data-id]"), id = box?.dataset["id"];
-    if (key === "Escape") { setJoining(null); setEdge(null); setAdding(false); return; }
+    const { key } = event, target = event.target as Element, box = target.closest<SVGElement>("[data-id]"), id = box?.dataset["id"];
+    // What is added has keys of its own, and buttons have theirs.
+    if (isInField(target) || target.closest("[role=dialog]") || (target.closest("button") && (key === "Enter" || key === " "))) return;
+    if (key === "Escape") { setRefused(""); setJoining(null); setEdge(null); setAdding(false); return; }
     if (key === "Delete" || key === "Backspace") { event.preventDefault(); remove(); return; }
     if ((event.ctrlKey || event.metaKey) && key.toLowerCase() === "d") { event.preventDefault(); duplicate(); return; }
     if ((event.ctrlKey || event.metaKey) && key.toLowerCase() === "a") { event.preventDefault(); select(objects.map((one) => one.id)); return; }
@@ -189,14 +220,19 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
     if (key === "F2" && id) { event.preventDefault(); select([id]); requestAnimationFrame(() => document.getElementById("object-name")?.focus()); }
   };
 
+  // The whole view is as large as the window at most.
+  const room = { width: svg.current?.clientWidth || innerWidth, height: svg.current?.clientHeight || innerHeight };
+  const inSight = drawn.length > MANY ? within(drawn, { left: -now.x / now.k, top: -now.y / now.k, right: (room.width - now.x) / now.k, bottom: (room.height - now.y) / now.k }) : null;
+  const isSeen = ({ object: { id } }: Box): boolean => inSight === null || inSight.has(id) || pull?.output?.split(".")[0] === id;
   const curve = (a: { x: number; y: number }, b: { x: number; y: number }) => { const d = Math.max(36, Math.abs(b.x - a.x) / 2); return `M${a.x} ${a.y}C${a.x + d} ${a.y} ${b.x - d} ${b.y} ${b.x} ${b.y}`; };
   const edges = drawn.flatMap((box) => box.object.inputs.map((input, index) => {
     const from = at.get(ownerOf(input.output));
-    if (!from) return null;
+    // Of many that begin at an object in sight those whose end is.
+    if (!from || !(isSeen(box) || (isSeen(from) && at.size <= MANY))) return null;
     const port = Math.max(0, from.object.outputs.findIndex((one) => one.address === input.output));
     const d = curve(portAt(from, "out", port), portAt(box, "in", index));
     return (
-      <g key={input.address} class={`edge${edge === input.address ? " chosen" : ""}`} tabindex={0} role="button" data-edge={input.address} aria-label={`connection from ${input.output} to ${box.object.id}`}
+      <g key={input.address} class={`connection${edge === input.address ? " chosen" : ""}`} tabindex={0} role="button" data-edge={input.address} aria-label={`connection from ${input.output} to ${box.object.id}`}
         onPointerDown={(event) => { event.stopPropagation(); setEdge(input.address); select([]); }}>
         <title>{input.output} drives {box.object.id}{box.object.open ? ` (${input.name})` : ""}; Delete takes it away</title>
         <path class="hit" d={d} /><path d={d} />
@@ -215,11 +251,12 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
       </div>
       <div class="canvas">
         <svg class="objects-graph" ref={svg} role="group" aria-label="objects of the mechanism"
+          onPointerDownCapture={() => setRefused("")}
           onPointerDown={(event) => { if (event.button === 0) { svg.current!.setPointerCapture(event.pointerId); pan.current = { x: event.clientX, y: event.clientY, view: now }; } }}
           onPointerMove={move} onPointerUp={drop} onPointerCancel={() => { setPull(null); pan.current = null; }} onDblClick={() => setView(fitted())}>
           <g transform={`translate(${now.x.toFixed(2)} ${now.y.toFixed(2)}) scale(${now.k.toFixed(4)})`}>
             {edges}
-            {drawn.map((box) => <ObjectBox key={box.object.id} box={box} faults={faultsOf(faults, box.object.id)} chosen={selected.includes(box.object.id)} target={joining !== null && joining !== box.object.id} begin={begin}
+            {drawn.filter(isSeen).map((box) => <ObjectBox key={box.object.id} box={box} faults={faultsBy.get(box.object.id) ?? NONE} chosen={selected.includes(box.object.id)} target={joining !== null && joining !== box.object.id} begin={begin}
               choose={(event) => { setEdge(null); if (joining) { connect(joining, box.object, null); return; } select(event.shiftKey ? selected.includes(box.object.id) ? selected.filter((id) => id !== box.object.id) : [...selected, box.object.id] : [box.object.id]); }} />)}
             {pull && <path class="pull" d={pull.output !== null ? curve(pull.ends, pull) : curve(pull, pull.ends)} />}
           </g>
@@ -230,7 +267,8 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
           <button type="button" onClick={() => setView(fitted())}>Fit</button>
         </div>
         {joining && <p class="hint-line" role="status">Connect {joining} to …: choose an object, Escape ends.</p>}
-        {!joining && objects.length > 0 && !selected.length && !edge && <p class="hint-line soft">Drag from port to port to connect; C connects with the keyboard, Shift selects several.</p>}
+        {refused && !joining && <p class="hint-line refused" role="status">{refused}</p>}
+        {!joining && !refused && objects.length > 0 && !selected.length && !edge && <p class="hint-line soft">Drag from port to port to connect; C connects with the keyboard, Shift selects several.</p>}
         {(adding || objects.length === 0) && <Palette parts={parts} add={add} close={objects.length ? () => setAdding(false) : null} />}
       </div>
     </div>
@@ -239,6 +277,7 @@ export function Objects({ objects, faults, parts, selected, select, edit }: Prop
 
 interface BoxProps { box: Box; faults: Fault[]; chosen: boolean; target: boolean; choose: (event: PointerEvent) => void; begin: (event: PointerEvent, output: string | null, input: string | null, ends: { x: number; y: number }) => void }
 
+const NONE: Fault[] = [];
 const cut = (text: string, length: number): string => text.length > length ? `${text.slice(0, length - 1)}…` : text;
 
 function ObjectBox({ box, faults, chosen, target, choose, begin }: BoxProps) {
@@ -258,8 +297,8 @@ function ObjectBox({ box, faults, chosen, target, choose, begin }: BoxProps) {
       <rect class="frame" x={x} y={y} width={BOX.width} height={height} rx={inputs.length || open ? 6 : 22} />
       {ports.length < 2 && <Picture kind={object.kind} x={x + 12} y={y + height / 2 - 12} size={24} />}
       <text class="id" x={x + left} y={y + height / 2 - 8}>{cut(object.id, ports.length < 2 ? 13 : 11)}</text>
-      <text class="kind" x={x + left} y={y + height / 2 + 7}>{cut(kind, 16)}</text>
-      <text class="kind" x={x + left} y={y + height / 2 + 21}>{cut(object.detail.replaceAll("_", " "), 18)}</text>
+      <text class="object-kind" x={x + left} y={y + height / 2 + 7}>{cut(kind, 16)}</text>
+      <text class="object-kind" x={x + left} y={y + height / 2 + 21}>{cut(object.detail.replaceAll("_", " "), 18)}</text>
       {faults.length > 0 && <g class={errors ? "badge error" : "badge warning"}><circle cx={x + BOX.width - 4} cy={y + 4} r={10} /><text x={x + BOX.width - 4} y={y + 8} text-anchor="middle">{faults.length}</text></g>}
       {ports.map((port, index) => {
         const place = portAt(box, "in", index);

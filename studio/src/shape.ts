@@ -3,6 +3,7 @@
 // A form is made from the schema alone: a property that the program declares is in it, with
 // unit and help.
 
+import { typedNumber } from "./entry";
 import type { Guide, Schema } from "./schema";
 
 export interface Group { sort: "group"; properties: Record<string, Schema>; required: string[]; variants: string[] }
@@ -49,15 +50,11 @@ export function groupOf(guide: Guide, given: Schema): Group {
   };
 }
 
-const NUMBER = /^-?(0|[1-9]\d*)(\.\d+)?([eE][-+]?\d+)?$/;
-const LOOSE = /^[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?$/;
-
-// What was typed, as JSON: a number where it is one and may be one.
-export function literal(shape: Shape, typed: string): string {
-  const text = typed.trim();
-  if (shape.sort === "scalar" && shape.numbers) {
-    if (NUMBER.test(text)) return text;
-    if (LOOSE.test(text)) return String(Number(text));
-  }
-  return JSON.stringify(text);
+// What was typed, as JSON: a number where it is one and may be one; or why it cannot be written.
+export function literal(shape: Shape, typed: string): { json: string } | { why: string } {
+  const text = typed.trim(), given = shape.sort === "scalar" && shape.numbers ? typedNumber(text) : null;
+  if (given?.sort === "wrong") return { why: given.why };
+  if (given?.sort !== "number") return { json: JSON.stringify(text) };
+  const { number, unit } = given.entry;
+  return { json: unit ? JSON.stringify(`${number} ${unit}`) : number };
 }

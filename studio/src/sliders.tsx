@@ -7,6 +7,8 @@ import { choice, fieldIn } from "./units";
 import { fieldOf, shareOf, spanOf, typed, valueAt, written, type Field, type Span } from "./numbers";
 
 const STEPS = 1000;
+// Of more objects than these the numbers are shown one object at a time.
+const MANY = 40;
 // Width of the knob that the browser draws (pixels).
 const KNOB = 16;
 // A key that rests this long begins a new step of undo.
@@ -28,18 +30,28 @@ export function Sliders({ editor, fields, spans }: Props) {
   const groups = new Map<string, Field[]>();
   for (const field of fields) {
     const id = field.address.split(/[.[]/)[0]!;
-    groups.set(id, [...(groups.get(id) ?? []), field]);
+    const own = groups.get(id) ?? [];
+    own.push(field);
+    groups.set(id, own);
   }
   return (
     <div class="sliders" role="group" aria-label="numbers of the scene">
       {[...groups].map(([id, own]) => (
-        <details key={id} open={id !== "run" && own.length <= 60}>
-          <summary>{id} <span class="soft">{own.length}</span></summary>
-          {own.map(slider)}
-        </details>
+        <Group key={id} id={id} count={own.length} open={id !== "run" && own.length <= 60 && groups.size <= MANY}>{() => own.map(slider)}</Group>
       ))}
       {fields.length === 0 && <p class="soft">No numbers can be read from the text yet.</p>}
     </div>
+  );
+}
+
+// The numbers of an object, made where they are looked at.
+function Group({ id, count, open, children }: { id: string; count: number; open: boolean; children: () => VNode[] }) {
+  const [isOpen, setOpen] = useState(open);
+  return (
+    <details open={isOpen} onToggle={(event) => setOpen(event.currentTarget.open)}>
+      <summary>{id} <span class="soft">{count}</span></summary>
+      {isOpen && children()}
+    </details>
   );
 }
 
@@ -48,7 +60,7 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
   const bar = useRef<HTMLInputElement>(null);
   // Where it is held: asked of the page once, which would be laid out anew at every move.
   const place = useRef({ left: 0, width: 1 });
-  const [wrong, setWrong] = useState(false);
+  const [wrong, setWrong] = useState("");
   // What is being typed stays, whatever comes of edits before.
   const [typing, setTyping] = useState<string | null>(null);
   const { address, value, unit, units, si } = field;
@@ -92,10 +104,12 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
   };
   const enter = (text: string) => {
     const own = fieldOf(editor.state, address), change = own && typed(own, other ? other.back(text) : unit ? text : text.replace(` ${shownUnit}`, ""));
-    setWrong(!change);
-    setTyping(change ? null : text);
-    if (change) { spans.delete(address); editor.change(change, editor.drag()); }
+    const isFine = change !== undefined && typeof change !== "string";
+    setWrong(isFine ? "" : change ?? "This number is not in the text any more.");
+    setTyping(isFine ? null : text);
+    if (isFine) { spans.delete(address); editor.change(change, editor.drag()); }
   };
+  const forget = () => { setWrong(""); setTyping(null); };
   return (
     <div class="slider" data-address={address}>
       <label for={`number ${address}`} title={`${address}${field.quantity ? `: ${field.quantity}` : ""}`}>{name}</label>
@@ -103,12 +117,13 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
         aria-valuetext={words}
         onPointerDown={(event) => { held.current = true; place.current = event.currentTarget.getBoundingClientRect(); raw.current = false; drag.current = editor.drag(); }}
         onInput={(event) => move(Number(event.currentTarget.value) / STEPS)} onChange={settle} />
-      <input type="text" id={`number ${address}`} value={typing ?? words} aria-invalid={wrong} spellcheck={false} size={12}
+      <input type="text" id={`number ${address}`} value={typing ?? words} aria-invalid={wrong !== ""} aria-describedby={wrong ? `wrong ${address}` : undefined} spellcheck={false} size={12}
         title={units.length ? `in ${units.join(", ")}` : field.whole ? "a whole number" : "a number"}
         onFocus={(event) => event.currentTarget.select()}
         onInput={(event) => setTyping(event.currentTarget.value)}
-        onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value); }}
-        onBlur={(event) => { const given = event.currentTarget.value; if (given !== words) enter(given); else setTyping(null); }} />
+        onKeyDown={(event) => { if (event.key === "Enter") enter(event.currentTarget.value); if (event.key === "Escape") forget(); }}
+        onBlur={(event) => { const given = event.currentTarget.value; if (given !== words) enter(given); else forget(); }} />
+      {wrong && <p class="number-note" role="alert" id={`wrong ${address}`}>{wrong}</p>}
     </div>
   );
 }

@@ -2,6 +2,7 @@
 // The page stays in use meanwhile.
 
 import { useEffect, useReducer, useRef, useState } from "preact/hooks";
+import { isInField } from "./keys";
 import { Kept, type Link } from "./link";
 
 export const seen = new Kept("tour");
@@ -12,7 +13,7 @@ export type Show = (part: "home" | "scene" | "numbers" | "objects" | "equations"
 interface Step { part: Parameters<Show>[0]; at: string; title: string; does: string; try: string }
 
 const STEPS: Step[] = [
-  { part: "home", at: ".first", title: "Open a scene", does: "A scene is a machine with what is asked of it: objects, numbers, a run. Here are those of the folder, templates to begin with, and scenarios whose answers are known.", try: "Open one: the tour goes on by itself." },
+  { part: "home", at: ".first-page", title: "Open a scene", does: "A scene is a machine with what is asked of it: objects, numbers, a run. Here are those of the folder, templates to begin with, and scenarios whose answers are known.", try: "Open one: the tour goes on by itself." },
   { part: "numbers", at: ".pane-middle", title: "Move a number", does: "Every number of the scene has its unit and a slider. What you change is the text of the scene, nothing else.", try: "Drag a slider, or type a value with another unit." },
   { part: "scene", at: ".answers .verdict", title: "Read the verdict", does: "The answer in a sentence, worked out anew with every change: whether pairs stay closed, how exact the positions are, why a run stopped.", try: "Move the number further and see when the sentence changes." },
   { part: "scene", at: ".machine", title: "See it move", does: "The machine as it moves in this run, deviations magnified.", try: "Press play." },
@@ -87,7 +88,7 @@ export function Tour({ link, scene, home, show, end }: Props) {
     before.current = now;
   }, [scene, home]);
   useEffect(() => {
-    const keys = (event: KeyboardEvent) => { if (event.key === "Escape" && !event.defaultPrevented) { event.preventDefault(); finish(); } };
+    const keys = (event: KeyboardEvent) => { if (event.key === "Escape" && !event.defaultPrevented && !isInField(event.target)) { event.preventDefault(); finish(); } };
     addEventListener("keydown", keys);
     // What is pointed at may move.
     let frame = 0;
@@ -104,7 +105,7 @@ export function Tour({ link, scene, home, show, end }: Props) {
     <>
       {around && <svg class="tour-light" aria-hidden="true" width={w} height={h}>
         <path class="shade" fill-rule="evenodd" d={`M0 0H${w}V${h}H0ZM${around.left} ${around.top}h${around.width}v${around.height}h${-around.width}Z`} />
-        <rect class="ring" x={around.left + 1.5} y={around.top + 1.5} width={Math.max(0, around.width - 3)} height={Math.max(0, around.height - 3)} rx={5} />
+        <rect class="tour-ring" x={around.left + 1.5} y={around.top + 1.5} width={Math.max(0, around.width - 3)} height={Math.max(0, around.height - 3)} rx={5} />
       </svg>}
       <div class={`tour-card ${cornerFor(around)}`} role="dialog" aria-label="tour" aria-live="polite">
         <p class="soft">{index + 1} of {STEPS.length}</p>

@@ -6,6 +6,7 @@
 // (`sentence/reading.rs`).
 
 import { useEffect, useRef, useState } from "preact/hooks";
+import { typedNumber } from "./entry";
 import { Kept, type Link } from "./link";
 import type { Field } from "./numbers";
 
@@ -105,8 +106,9 @@ export function fieldIn(field: Field): { text: string; unit: string; back: (type
     unit: own.unit,
     // What was typed without a unit, or in this one, in the unit that the text has.
     back: (typed) => {
-      const [, number, unit] = /^\s*([-+\d.eE]+)\s*(.*?)\s*$/.exec(typed) ?? [];
-      return number === undefined || (unit && unit !== own.unit) || !Number.isFinite(Number(number)) ? typed : digits(Number(number) * own.factor / factor);
+      const given = typedNumber(typed);
+      if (given.sort !== "number" || (given.entry.unit && given.entry.unit !== own.unit)) return typed;
+      return digits(Number(given.entry.number) * own.factor / factor);
     },
   };
 }

@@ -263,7 +263,7 @@ test("of a frame that floats the inputs tell the place, its parts are dragged", 
   await expect(page.locator(".drawing output", { hasText: "20 °" })).toHaveCount(1);
   await joint(page, "frame.origin").focus();
   await page.keyboard.press("ArrowRight");
-  await expect(page.locator(".drawing .told")).toContainText("floats");
+  await expect(page.locator(".drawing .drawing-note")).toContainText("floats");
   expect(await textOf(page)).toBe(file);
   const tilted = await places(page);
   expect(tilted["slide.origin"][1]).toBeCloseTo(start["slide.origin"][0] * Math.sin(Math.PI / 9), 9);

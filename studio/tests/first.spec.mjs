@@ -17,7 +17,7 @@ test.afterEach(async () => {
 });
 
 const button = (page, name) => page.getByRole("button", { name, exact: true });
-const entry = (page, text) => page.locator(".first .entry", { hasText: text });
+const entry = (page, text) => page.locator(".first-page .entry", { hasText: text });
 const home = (page) => page.getByRole("region", { name: "first page" });
 const shownScene = (page) => page.locator(".top select[aria-label=scene]");
 const search = (page) => page.getByLabel("search scenes, templates and scenarios");
@@ -41,12 +41,12 @@ test("a folder opens with its scenes, templates and scenarios, searched together
   await expect(page.getByRole("region", { name: "Opened last" })).toHaveCount(0);
   await expect(entry(page, "lift_off.json")).toContainText("Valve train");
   await expect(entry(page, "A crank press on a motor")).toContainText("press");
-  await expect(page.locator(".first h3")).toHaveCount(9);
+  await expect(page.locator(".first-page h3")).toHaveCount(9);
   await expect(button(page, "Undo")).toHaveCount(0);
   await search(page).fill("clutch hard");
-  await expect(page.locator(".first .entry")).toHaveCount(1);
+  await expect(page.locator(".first-page .entry")).toHaveCount(1);
   await search(page).fill("no such machine anywhere");
-  await expect(page.locator(".first [role=status]")).toContainText("Nothing here");
+  await expect(page.locator(".first-page [role=status]")).toContainText("Nothing here");
   await search(page).press("Escape");
   await expect(search(page)).toHaveValue("");
   await entry(page, "two_masses.json").first().click();
@@ -133,7 +133,7 @@ test("the tour goes through the page by the keyboard, and Escape ends it", async
   for (let k = 0; k < 12 && await card.count(); k++) {
     const now = await title.textContent();
     seen.push(now);
-    await expect(page.locator(".tour-light .ring")).toBeVisible();
+    await expect(page.locator(".tour-light .tour-ring")).toBeVisible();
     await expect(button(page, now === "Save" ? "Done" : "Next")).toBeFocused();
     await page.keyboard.press("Enter");
     if (seen.length < 10) await expect(title).not.toHaveText(now);

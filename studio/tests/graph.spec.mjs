@@ -154,14 +154,14 @@ test("three faults are told at their objects and fields, and mended there", asyn
   await expect(box(page, "rocker").locator(".badge.error")).toHaveText("1");
   await expect(box(page, "shaft").locator(".badge.error")).toHaveText("1");
   await box(page, "rocker").click();
-  await expect(page.locator(".form .told.error").first()).toContainText("rockr");
+  await expect(page.locator(".form .field-note.error").first()).toContainText("rockr");
   await page.locator("#object-kind").selectOption("rocker");
   await expect(box(page, "rocker").locator(".badge")).toHaveCount(0);
   await box(page, "shaft").click();
-  await expect(page.locator('[data-field="shaft.motion.speed"] .told.error')).toContainText("furlong");
+  await expect(page.locator('[data-field="shaft.motion.speed"] .field-note.error')).toContainText("furlong");
   await field(page, "shaft.motion.speed").fill("10 rev/s");
   await button(page, "Scene and run").click();
-  await expect(page.locator('[data-field="run.duration"] .told.error')).toBeVisible();
+  await expect(page.locator('[data-field="run.duration"] .field-note.error')).toBeVisible();
   await field(page, "run.duration").fill("0.5");
   await field(page, "run.duration").press("Enter");
   await expect(page.locator(".faults button")).toHaveCount(0);

@@ -67,30 +67,38 @@ impl Inputs {
         }
     }
 
+    /// The input ports of an object as its text has them: the name of each, and the output
+    /// that it is connected to.
+    pub(crate) fn ports(self, node: &Node) -> Vec<(&str, Option<&str>)> {
+        match self {
+            Self::None => Vec::new(),
+            Self::OneOrSeveral => self.written(node).ports(node),
+            Self::One => vec![(super::INPUT, node.get(super::INPUT).and_then(Node::text))],
+            Self::Several => {
+                let inputs = node.get("inputs").map_or(&[][..], Node::members);
+                let ports = inputs.iter().map(|input| {
+                    let output = input.value.get("object").and_then(Node::text);
+                    (input.name.as_str(), output)
+                });
+                ports.collect()
+            }
+        }
+    }
+
+    /// Which of its alternatives the text of an object has.
+    pub(crate) fn written(self, node: &Node) -> Self {
+        match (self, node.get("inputs")) {
+            (Self::OneOrSeveral, Some(_)) => Self::Several,
+            (Self::OneOrSeveral, None) => Self::One,
+            (one, _) => one,
+        }
+    }
+
     /// The outputs that the inputs of an object hang on, by its ports, as its text has
     /// them.
     pub(crate) fn references(self, node: &Node) -> Vec<(&str, &str)> {
-        match self {
-            Self::None => Vec::new(),
-            Self::OneOrSeveral => match node.get("inputs") {
-                Some(_) => Self::Several.references(node),
-                None => Self::One.references(node),
-            },
-            Self::One => {
-                let input = node.get(super::INPUT).and_then(Node::text);
-                input
-                    .map(|input| (super::INPUT, input))
-                    .into_iter()
-                    .collect()
-            }
-            Self::Several => {
-                let inputs = node.get("inputs").map_or(&[][..], Node::members);
-                let named = inputs
-                    .iter()
-                    .filter_map(|m| Some((m.name.as_str(), m.value.get("object")?.text()?)));
-                named.collect()
-            }
-        }
+        let ports = self.ports(node).into_iter();
+        ports.filter_map(|(name, output)| Some((name, output?))).collect()
     }
 }
 

@@ -85,29 +85,23 @@ fn of(id: &str, node: &Node, kind: Option<&Kind>, from: Option<&str>) -> Outline
     }
 }
 
-/// Of an object of unknown kind, what it has.
+/// The ports that the declaration of its kind has for the text; of an object of unknown kind, what
+/// it has.
 fn inputs(id: &str, node: &Node, inputs: Option<Inputs>) -> Vec<Input> {
-    let written = |node: Option<&Node>| node.and_then(Node::text).unwrap_or_default().to_owned();
-    let has = |name: &str| node.get(name).is_some();
-    let one = || Input {
-        name: "input".to_owned(),
-        address: format!("{id}.input"),
-        output: written(node.get("input")),
+    let declared = inputs.unwrap_or(match node.get("input") {
+        Some(_) => Inputs::One,
+        None => Inputs::Several,
+    });
+    let is_named = declared.written(node) == Inputs::Several;
+    let port = |(name, output): (&str, Option<&str>)| Input {
+        name: name.to_owned(),
+        address: match is_named {
+            true => format!("{id}.inputs.{name}.object"),
+            false => format!("{id}.{name}"),
+        },
+        output: output.unwrap_or_default().to_owned(),
     };
-    match inputs {
-        Some(Inputs::None) => Vec::new(),
-        Some(Inputs::One) => vec![one()],
-        None if has("input") => vec![one()],
-        _ => {
-            let named = node.get("inputs").map_or(&[][..], Node::members).iter();
-            let input = |member: &crate::frontend::read::Member| Input {
-                name: member.name.clone(),
-                address: format!("{id}.inputs.{}.object", member.name),
-                output: written(member.value.get("object")),
-            };
-            named.map(input).collect()
-        }
-    }
+    declared.ports(node).into_iter().map(port).collect()
 }
 
 fn detail(node: &Node) -> String {
@@ -142,6 +136,7 @@ fn detail(node: &Node) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::{BuiltIn, Document};
+    use crate::frontend::object::{Inputs, Registry};
 
     fn outline(text: &str) -> Vec<super::Outline> {
         Document::parse("scene", text.as_bytes())
@@ -156,6 +151,9 @@ mod tests {
                 "motor": { "kind": "drive", "motion": { "speed": "10 rev/s" } },
                 "lever": { "from": "rocker/steel-lever-205mm", "input": "moter" },
                 "sum": { "kind": "differential", "inputs": { "a": { "object": "motor" }, "b": {} } },
+                "press": { "kind": "linkage", "input": "motor" },
+                "loose": { "kind": "linkage" },
+                "arm": { "kind": "linkage", "inputs": { "hip": { "object": "motor" }, "knee": {} } },
                 "odd": { "kind": "rokcer", "input": "motor" } } }"#,
         );
         let told: Vec<_> = objects
@@ -175,6 +173,9 @@ mod tests {
                 ("motor", "drive", 0, false),
                 ("lever", "rocker", 1, false),
                 ("sum", "differential", 2, true),
+                ("press", "linkage", 1, false),
+                ("loose", "linkage", 1, false),
+                ("arm", "linkage", 2, false),
                 ("odd", "", 1, false),
             ]
         );
@@ -183,6 +184,28 @@ mod tests {
         assert_eq!(objects[1].inputs[0].output, "moter");
         assert_eq!(objects[2].inputs[1].address, "sum.inputs.b.object");
         assert_eq!(objects[2].inputs[1].output, "");
+        let port = |object: usize, input: usize| {
+            let port = &objects[object].inputs[input];
+            (port.address.as_str(), port.output.as_str())
+        };
+        assert_eq!(port(3, 0), ("press.input", "motor"));
+        assert_eq!(port(4, 0), ("loose.input", ""));
+        assert_eq!(port(5, 1), ("arm.inputs.knee.object", ""));
+    }
+
+    #[test]
+    fn every_kind_that_is_driven_has_a_port() {
+        for kind in Registry::standard().kinds() {
+            let name = kind.name;
+            let text = format!(
+                r#"{{ "objects": {{ "one": {{ "kind": "{name}", "input": "x", "inputs": {{}} }},
+                    "other": {{ "kind": "{name}", "input": "x" }} }} }}"#
+            );
+            let objects = outline(&text);
+            let has = objects.iter().any(|one| !one.inputs.is_empty() || one.open);
+            let is_driven = kind.inputs != Inputs::None;
+            assert_eq!(has, is_driven, "{name}");
+        }
     }
 
     #[test]

@@ -153,7 +153,7 @@ impl<'m> Row<'m> {
     fn bar(&mut self, length: f64) {
         let (x, length_written) = (coordinate(self.x), coordinate(length));
         self.out.push_str(&format!(
-            "<path class=\"bar\" d=\"M{x} 0h{length_written}\"/>"
+            "<path class=\"rod\" d=\"M{x} 0h{length_written}\"/>"
         ));
         self.x += length;
     }
@@ -173,7 +173,7 @@ impl<'m> Row<'m> {
             }
             Closure::Force => (
                 format!(
-                    "<path class=\"bar\" d=\"M{} 0h10M{} 0h12\"/><path class=\"gap\" d=\"M{} -12v24\"/>\
+                    "<path class=\"rod\" d=\"M{} 0h10M{} 0h12\"/><path class=\"gap\" d=\"M{} -12v24\"/>\
                      <circle class=\"gap\" cx=\"{}\" cy=\"0\" r=\"6\"/>",
                     at(0.0),
                     at(22.0),
@@ -184,7 +184,7 @@ impl<'m> Row<'m> {
             ),
             Closure::Form => (
                 format!(
-                    "<path class=\"bar\" d=\"M{} 0h8M{} 0h10\"/>\
+                    "<path class=\"rod\" d=\"M{} 0h8M{} 0h10\"/>\
                      <path class=\"gap\" d=\"M{} -12h-5v24h5M{} -12h5v24h-5\"/>\
                      <circle class=\"gap\" cx=\"{}\" cy=\"0\" r=\"5\"/>",
                     at(0.0),
