@@ -2,6 +2,7 @@
 
 mod linkages;
 mod table_period;
+mod table_roughness;
 
 use super::cam;
 use super::measures::Measures;
@@ -306,6 +307,7 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
             }
             (false, _) => points,
         };
+        table_roughness::warn(fields, &points);
         Some(PositionSpec::Table {
             points,
             periodic,
