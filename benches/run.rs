@@ -80,7 +80,7 @@ impl Sink for Nobody {
 
     fn switch(&mut self, _event: &SwitchEvent<'_>) {}
 
-    fn looks_within(&self, _until: f64) -> bool {
+    fn reads_within_steps(&self, _until: f64) -> bool {
         false
     }
 }

@@ -59,7 +59,7 @@ impl<'a> Budget<'a> {
 
     /// This budget; `listener` is told whenever somebody asks whether it was interrupted.
     #[must_use]
-    pub fn heard_by(self, listener: &'a dyn Listener) -> Self {
+    pub fn with_listener(self, listener: &'a dyn Listener) -> Self {
         Self {
             listener: Some(listener),
             ..self
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn who_listens_is_told_at_each_look_and_may_end_it() {
         let third = Third::default();
-        let budget = Budget::interrupted_by(&third.flag).heard_by(&third);
+        let budget = Budget::interrupted_by(&third.flag).with_listener(&third);
         let alone = budget.uninterrupted();
         assert_eq!((budget.spent(), budget.is_interrupted()), (None, false));
         assert_eq!((alone.spent(), alone.is_interrupted()), (None, false));

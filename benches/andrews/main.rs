@@ -91,7 +91,7 @@ impl Sink for Last {
 
     fn switch(&mut self, _: &SwitchEvent<'_>) {}
 
-    fn looks_within(&self, _: f64) -> bool {
+    fn reads_within_steps(&self, _: f64) -> bool {
         false
     }
 }

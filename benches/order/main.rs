@@ -9,7 +9,7 @@
 mod cases;
 
 use cases::{Case, OF_EACH, SEED, cases};
-use dam::ask::Judging;
+use dam::ask::ModelAssessment;
 use dam::prelude::*;
 use dam::studies::Control;
 use dam::studies::order::{Certainty, Certificate, FigureAccuracy};
@@ -96,7 +96,7 @@ fn judged(case: &Case) -> Certificate {
     );
     let reading = Scene::from_json(&text).and_then(|scene| scene.decode());
     let reading = reading.unwrap_or_else(|error| panic!("{text}\n{error}"));
-    let made = Mechanism::of_within(reading, Judging::Asked, &Control::default());
+    let made = Mechanism::of_within(reading, ModelAssessment::Asked, &Control::default());
     let made = made.unwrap_or_else(|error| panic!("{text}\n{error}"));
     made.certificate.expect("a certificate")
 }

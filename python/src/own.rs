@@ -1,13 +1,13 @@
 //! Python functions in scenes: position functions and loads.
 //!
-//! A position function is interpolated beforehand (`position::Interpolated`); a load is called.
+//! A position function is interpolated beforehand (`position::ChebyshevInterpolation`); a load is called.
 //! An exception ends the run by its watch.
 
 use crate::fault;
 use crate::work::watched;
 use dam::build::{Load, Position};
 use dam::load::{Force, LoadFunction};
-use dam::position::{Interpolated, PositionFunction};
+use dam::position::{ChebyshevInterpolation, PositionFunction};
 use dam::read::Node;
 use pyo3::prelude::*;
 use std::fmt;
@@ -79,8 +79,8 @@ pub(crate) fn position(
         })
     };
     let made = match reach {
-        None => Interpolated::periodic(&words, &mut ask, period, &breaks),
-        Some(reach) => Interpolated::between(&words, &mut ask, reach, &breaks),
+        None => ChebyshevInterpolation::periodic(&words, &mut ask, period, &breaks),
+        Some(reach) => ChebyshevInterpolation::between(&words, &mut ask, reach, &breaks),
     };
     if let Some(error) = raised {
         return Err(error);
@@ -115,8 +115,8 @@ pub(crate) fn position_jets(
         })
     };
     let made = match reach {
-        None => Interpolated::periodic("", &mut ask, period, &breaks),
-        Some(reach) => Interpolated::between("", &mut ask, reach, &breaks),
+        None => ChebyshevInterpolation::periodic("", &mut ask, period, &breaks),
+        Some(reach) => ChebyshevInterpolation::between("", &mut ask, reach, &breaks),
     };
     if let Some(error) = raised {
         return Err(error);

@@ -5,7 +5,7 @@ use crate::fault;
 use crate::studies::{cam, compare, find, law, linkages, map, methods, reduce, run, steady};
 use crate::tree::node;
 use crate::work::{compute, compute_here, directly};
-use dam::ask::{CamQuestion, FindQuestion, Judging, StrokeQuestion};
+use dam::ask::{CamQuestion, FindQuestion, ModelAssessment, StrokeQuestion};
 use dam::diagnostics::{Diagnostic, Diagnostics};
 use dam::motion::stroke::{Criterion, Skewness};
 use dam::object::law::read_argument;
@@ -154,7 +154,7 @@ impl Scene {
         let scene = self.asked();
         let found = compute(py, None, move |_| {
             let ready = scene.decode().and_then(|reading| {
-                Mechanism::of_within(reading, Judging::Never, &Control::default())
+                Mechanism::of_within(reading, ModelAssessment::Never, &Control::default())
             });
             Ok(match ready {
                 Ok(ready) => {

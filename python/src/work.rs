@@ -100,7 +100,7 @@ impl Watch {
 
     /// The budget that ends with it.
     pub(crate) fn budget(&self) -> Budget<'_> {
-        Budget::interrupted_by(&self.stop).heard_by(self)
+        Budget::interrupted_by(&self.stop).with_listener(self)
     }
 
     /// Says which share is done.

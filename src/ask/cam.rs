@@ -1,7 +1,7 @@
 //! The cam of an object.
 
-use super::ended::Ended;
-use super::{Judging, Mechanism, Scene};
+use super::ended::NoResult;
+use super::{Mechanism, ModelAssessment, Scene};
 use crate::Error;
 use crate::fault::Fault;
 use crate::frontend::diagnostics::Diagnostic;
@@ -121,20 +121,20 @@ pub(crate) fn lift_off_by_runs<E: From<Error>>(
     control: &Control<'_>,
     mut prepare: impl FnMut(String, f64) -> Result<Mechanism, E>,
 ) -> Result<Option<LiftOff>, E> {
-    let opens = |cam_speed: f64| -> Result<bool, Ended<E>> {
+    let opens = |cam_speed: f64| -> Result<bool, NoResult<E>> {
         let (address, tried) = search.setting(cam_speed);
-        let one = prepare(format!("{address}={tried}"), cam_speed).map_err(Ended::Failed)?;
+        let one = prepare(format!("{address}={tried}"), cam_speed).map_err(NoResult::Failed)?;
         let found = steady_contact(&one.system, search.object, &one.settings, control);
         match found.map_err(|faults| one.diagnose(&faults))? {
             Steady::Closed => Ok(false),
             Steady::Opens => Ok(true),
-            Steady::Interrupted => Err(Ended::Interrupted),
+            Steady::Interrupted => Err(NoResult::Interrupted),
         }
     };
     match lift_off(search.start, opens) {
         Ok(found) => Ok(Some(found)),
-        Err(Ended::Interrupted) => Ok(None),
-        Err(Ended::Failed(error)) => Err(error),
+        Err(NoResult::Interrupted) => Ok(None),
+        Err(NoResult::Failed(error)) => Err(error),
     }
 }
 
@@ -150,14 +150,14 @@ impl Scene {
         question: &CamQuestion,
         control: &Control<'_>,
     ) -> Result<Option<LiftOff>, Error> {
-        let ready = self.prepare_judging(Judging::Needed, control)?;
+        let ready = self.prepare_judging(ModelAssessment::Needed, control)?;
         let search = ready.cam(question, |found| {
             SpeedSearch::new(ready.model(), found.object, found.force)
         })?;
         let search = search.map_err(Error::question)?;
         lift_off_by_runs(&search, control, |setting, _| {
             self.with_arguments(&[setting])
-                .prepare_judging(Judging::Needed, control)
+                .prepare_judging(ModelAssessment::Needed, control)
         })
     }
 }

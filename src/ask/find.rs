@@ -6,7 +6,7 @@ use crate::dynamics::model::Model;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::studies::condition::Condition;
 use crate::studies::find::{Aim, FoundValue, Goal, Sample, Span, State, search};
-use crate::studies::judgement::{Ending, checks, ending};
+use crate::studies::judgement::{RunEnd, checks, ending};
 use crate::studies::rigid::Rigid;
 use crate::studies::run::{RunResult, run};
 use crate::studies::{Control, lookup, plausible};
@@ -176,7 +176,7 @@ fn goal(aim: Aim, of: &str, span: &Span, model: &Model) -> Result<Goal, String> 
 }
 
 /// Values of figures by their addresses, and what became of the scene.
-type Known<'f> = (BTreeMap<&'f str, Option<f64>>, State);
+type FigureValues<'f> = (BTreeMap<&'f str, Option<f64>>, State);
 
 /// Evaluation of the scene at the places of a range.
 struct Evaluation<'p> {
@@ -258,7 +258,7 @@ impl Evaluation<'_> {
 
     /// The figures at a value of the parameter, and what became of the scene; `None`: ended from
     /// outside.
-    fn figures_at(&self, value: f64) -> Result<Option<Known<'_>>, Error> {
+    fn figures_at(&self, value: f64) -> Result<Option<FigureValues<'_>>, Error> {
         let ready = (self.prepare)(&[self.span.axis.setting(value)])?;
         let asked = self.figures();
         let (of_studies, of_run): (Vec<&str>, Vec<&str>) = asked.into_iter().partition(|figure| {
@@ -320,10 +320,10 @@ fn state_of(result: &RunResult) -> State {
         return State::NotTrusted(failed.map_or_else(why, |check| check.name.to_owned()));
     }
     match ending(figures) {
-        Ending::Complete => State::Computed,
-        Ending::OfMechanism | Ending::OfScene => State::Stopped(why()),
+        RunEnd::Complete => State::Computed,
+        RunEnd::OfMechanism | RunEnd::OfScene => State::Stopped(why()),
         // (A bound on steps or switches that is spent says nothing of what comes after it.)
-        Ending::OfComputation | Ending::FromOutside => State::NotTrusted(why()),
+        RunEnd::OfComputation | RunEnd::FromOutside => State::NotTrusted(why()),
     }
 }
 

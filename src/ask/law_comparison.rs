@@ -1,7 +1,7 @@
 //! Laws of motion compared at a place of a scene: each takes the other's place, and the scene runs.
 
-use super::ended::Ended;
-use super::{Judging, Mechanism, Scene};
+use super::ended::NoResult;
+use super::{Mechanism, ModelAssessment, Scene};
 use crate::Error;
 use crate::dynamics::model::{Model, NodeMotion};
 use crate::frontend::object::law::stroke_law;
@@ -87,7 +87,7 @@ impl Scene {
     ) -> Result<LawComparison, Error> {
         let prepare = |settings: &[String]| {
             self.with_arguments(settings)
-                .prepare_judging(Judging::Needed, control)
+                .prepare_judging(ModelAssessment::Needed, control)
         };
         let run = |ready: &Mechanism, settings: &RunSettings, _| {
             let found = crate::studies::run::run(&ready.system, settings, control, &mut []);
@@ -124,8 +124,8 @@ pub(crate) fn compare<E: From<Error>>(
                 constants: law.constants(),
                 response,
             }),
-            Err(Ended::Interrupted) => break,
-            Err(Ended::Failed(error)) => return Err(error),
+            Err(NoResult::Interrupted) => break,
+            Err(NoResult::Failed(error)) => return Err(error),
         }
     }
     Ok(LawComparison {
@@ -175,12 +175,12 @@ struct Trial<'a, P, R> {
 }
 
 impl<P, R> Trial<'_, P, R> {
-    fn response<E: From<Error>>(&mut self, law: &str) -> Result<LawResponse, Ended<E>>
+    fn response<E: From<Error>>(&mut self, law: &str) -> Result<LawResponse, NoResult<E>>
     where
         P: FnMut(&[String]) -> Result<Mechanism, E>,
         R: FnMut(&Mechanism, &RunSettings, bool) -> Result<RunResult, E>,
     {
-        let ready = (self.prepare)(&[law.to_owned()]).map_err(Ended::Failed)?;
+        let ready = (self.prepare)(&[law.to_owned()]).map_err(NoResult::Failed)?;
         let (object, drive, speed) = place(&self.question.at, ready.model())?;
         let result = self.motion(&ready, speed, SAMPLES)?;
         if !result.is_complete() {
@@ -191,10 +191,10 @@ impl<P, R> Trial<'_, P, R> {
         let found = response(ready.model(), object, &result);
         let mut found = found.map_err(Error::question)?;
         if self.question.lift_off && found.separations.is_some() {
-            let edge: Result<_, Ended<E>> = lift_off(speed.abs(), |tried| {
+            let edge: Result<_, NoResult<E>> = lift_off(speed.abs(), |tried| {
                 let tried = tried * speed.signum();
                 let setting = format!("{drive}.motion.speed={tried}");
-                let ready = (self.prepare)(&[law.to_owned(), setting]).map_err(Ended::Failed)?;
+                let ready = (self.prepare)(&[law.to_owned(), setting]).map_err(NoResult::Failed)?;
                 let result = self.motion(&ready, tried, FEW)?;
                 let figures = result
                     .figures
@@ -216,7 +216,7 @@ impl<P, R> Trial<'_, P, R> {
         ready: &Mechanism,
         speed: f64,
         samples: usize,
-    ) -> Result<RunResult, Ended<E>>
+    ) -> Result<RunResult, NoResult<E>>
     where
         R: FnMut(&Mechanism, &RunSettings, bool) -> Result<RunResult, E>,
     {
@@ -229,9 +229,9 @@ impl<P, R> Trial<'_, P, R> {
             of_accuracy: None,
             ..ready.settings.clone()
         };
-        let result = (self.run)(ready, &settings, samples == FEW).map_err(Ended::Failed)?;
+        let result = (self.run)(ready, &settings, samples == FEW).map_err(NoResult::Failed)?;
         match result.outcome.stop.is_from_outside() {
-            true => Err(Ended::Interrupted),
+            true => Err(NoResult::Interrupted),
             false => Ok(result),
         }
     }

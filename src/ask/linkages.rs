@@ -2,7 +2,7 @@
 
 use super::Mechanism;
 use crate::Error;
-use crate::studies::forces::{ForceStudy, Refused, forces_of};
+use crate::studies::forces::{ForceStudy, NoForces, forces_of};
 use crate::studies::kinematics::{Column, Kinematics, Quantity, Question, kinematics_of};
 
 impl Mechanism {
@@ -21,8 +21,8 @@ impl Mechanism {
     /// What cannot be answered; faults of the linkage's numbers.
     pub fn forces(&self, question: &Question) -> Result<ForceStudy, Error> {
         forces_of(self.model(), &self.complete(question)).map_err(|refused| match refused {
-            Refused::Question(message) => Error::question(message),
-            Refused::Linkage(faults) => self.diagnose(&faults),
+            NoForces::Question(message) => Error::question(message),
+            NoForces::Linkage(faults) => self.diagnose(&faults),
         })
     }
 

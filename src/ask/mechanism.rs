@@ -36,7 +36,7 @@ impl Mechanism {
     /// Every fault of the first stage that finds any: of the model, of what the scene
     /// expects, of the start.
     pub fn of(reading: Reading) -> Result<Self, Error> {
-        Self::of_within(reading, Judging::Needed, &Control::default())
+        Self::of_within(reading, ModelAssessment::Needed, &Control::default())
     }
 
     /// The same, with the model judged as far as is said, and ended from outside.
@@ -45,7 +45,7 @@ impl Mechanism {
     /// As of [`Self::of`].
     pub fn of_within(
         mut reading: Reading,
-        judging: Judging,
+        judging: ModelAssessment,
         control: &Control<'_>,
     ) -> Result<Self, Error> {
         let places = reading.places.clone();
@@ -179,7 +179,7 @@ impl Mechanism {
 
 /// Whether the error of the model is judged, by runs of finer and lesser models.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Judging {
+pub enum ModelAssessment {
     /// Nowhere: an object whose level is open stands for one mass.
     Never,
     /// Where an object leaves its level open.
@@ -188,7 +188,7 @@ pub enum Judging {
     Asked,
 }
 
-impl Judging {
+impl ModelAssessment {
     fn applies(self, scene: &TypedScene) -> bool {
         let open = scene.elastic().open().next().is_some();
         match self {

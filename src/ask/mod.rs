@@ -47,7 +47,7 @@ pub(crate) use law_comparison::compare as compare_laws;
 pub use law_comparison::{LawComparison, LawQuestion};
 pub use laws::FollowedCycle;
 pub use map::{Map, MapQuestion};
-pub use mechanism::{Judging, Mechanism};
+pub use mechanism::{Mechanism, ModelAssessment};
 pub use run::RunOptions;
 pub use scene::Scene;
 pub use synthesis::{StrokeQuestion, Synthesis};

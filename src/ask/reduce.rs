@@ -1,6 +1,6 @@
 //! The smallest scene.
 
-use super::{Judging, Mechanism, Scene};
+use super::{Mechanism, ModelAssessment, Scene};
 use crate::Error;
 use crate::studies::Control;
 use crate::studies::reduce::{Reduction, reduce};
@@ -30,7 +30,7 @@ impl Scene {
     /// # Errors
     /// As of [`Self::reduce`].
     pub fn reduce_within(&self, control: &Control<'_>) -> Result<Reduction, Error> {
-        let ready = Mechanism::of_within(self.decode()?, Judging::Never, control)?;
+        let ready = Mechanism::of_within(self.decode()?, ModelAssessment::Never, control)?;
         let settings = ready.settings.clone();
         Ok(reduce(
             self.document(),

@@ -1,12 +1,12 @@
 //! Scenes as the library's user holds them.
 
-use super::{FindQuestion, Judging, Mechanism};
+use super::{FindQuestion, Mechanism, ModelAssessment};
 use crate::Error;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics};
 use crate::frontend::object::{Kind, Registry};
 use crate::frontend::read::Node;
 use crate::frontend::scene::{
-    BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded,
+    BuiltIn, Catalogue, Document, Folder, LayeredCatalogue, Overrides, Reading, read_bounded,
 };
 use crate::studies::Control;
 use crate::studies::compare::{Comparison, compare};
@@ -248,17 +248,17 @@ impl Scene {
     /// # Errors
     /// As of [`Self::prepare`].
     pub fn prepare_within(&self, control: &Control<'_>) -> Result<Mechanism, Error> {
-        self.prepare_judging(Judging::Asked, control)
+        self.prepare_judging(ModelAssessment::Asked, control)
     }
 
     /// The same, judged as far as is said: what is not to be run needs no more than
-    /// [`Judging::Needed`].
+    /// [`ModelAssessment::Needed`].
     ///
     /// # Errors
     /// As of [`Self::prepare`].
     pub fn prepare_judging(
         &self,
-        judging: Judging,
+        judging: ModelAssessment,
         control: &Control<'_>,
     ) -> Result<Mechanism, Error> {
         Mechanism::of_within(self.decode()?, judging, control)
@@ -266,7 +266,7 @@ impl Scene {
 
     /// Ready for questions that are no run.
     fn unjudged(&self) -> Result<Mechanism, Error> {
-        self.prepare_judging(Judging::Needed, &Control::default())
+        self.prepare_judging(ModelAssessment::Needed, &Control::default())
     }
 
     /// Whether the scene is right; what its user should know all the same, a line each.
@@ -275,7 +275,7 @@ impl Scene {
     /// Everything that is wrong with it.
     pub fn check(&self) -> Result<Vec<String>, Error> {
         Ok(self
-            .prepare_judging(Judging::Never, &Control::default())?
+            .prepare_judging(ModelAssessment::Never, &Control::default())?
             .warnings())
     }
 
@@ -339,7 +339,7 @@ impl Scene {
     ) -> Result<FoundValue, Error> {
         let prepare = |settings: &[String]| {
             self.with_arguments(settings)
-                .prepare_judging(Judging::Needed, control)
+                .prepare_judging(ModelAssessment::Needed, control)
         };
         super::find::find(question, &prepare, control, &|_| {})
     }
@@ -400,7 +400,7 @@ impl Scene {
         match &self.catalogue {
             Some(own) => {
                 let own: &(dyn Catalogue + Sync) = &**own;
-                read(&Layered(own, &BuiltIn))
+                read(&LayeredCatalogue(own, &BuiltIn))
             }
             None => read(&BuiltIn),
         }

@@ -53,7 +53,7 @@ impl From<Value> for Document<'_> {
 
 /// A document with what is doubtful about it.
 #[derive(Serialize)]
-pub(crate) struct Warned<'a, D> {
+pub(crate) struct DocumentWithWarnings<'a, D> {
     #[serde(flatten)]
     pub(crate) document: D,
     pub(crate) warnings: &'a [String],

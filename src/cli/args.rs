@@ -128,13 +128,13 @@ pub(crate) struct SchemaArgs {
     /// Offer the ids of this scene for `input`, and what its catalogue has for `from`
     pub(crate) scene: Option<PathBuf>,
     /// What is described; all but scenes as one JSON document
-    #[arg(long, value_name = "WHAT", value_enum, default_value_t = Described::Scenes)]
-    pub(crate) of: Described,
+    #[arg(long, value_name = "WHAT", value_enum, default_value_t = SchemaSubject::Scenes)]
+    pub(crate) of: SchemaSubject,
 }
 
 /// What `dam schema` describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Described {
+pub(crate) enum SchemaSubject {
     /// The JSON Schema of scenes
     Scenes,
     /// Addresses of results, with unit, sign and meaning

@@ -7,7 +7,7 @@ use super::answer::{Answer, AnswerForm};
 use super::args::scene::SceneArgs;
 use super::failure::Failure;
 use super::input::Input;
-use super::interrupt::{self, Keeping};
+use super::interrupt::{self, InterruptGuard};
 use super::output::OutputFolder;
 use crate::budget::Budget;
 
@@ -20,7 +20,7 @@ pub(crate) trait Asker {
     fn budget(&self) -> &Budget<'_>;
 
     /// Says that there is something to keep from now on, should the command be ended.
-    fn keep(&self) -> Option<Keeping> {
+    fn keep(&self) -> Option<InterruptGuard> {
         None
     }
 
@@ -54,7 +54,7 @@ impl Asker for Terminal {
         interrupt::budget()
     }
 
-    fn keep(&self) -> Option<Keeping> {
+    fn keep(&self) -> Option<InterruptGuard> {
         Some(interrupt::keep())
     }
 

@@ -5,7 +5,7 @@ use super::failure::Failure;
 use super::input::Input;
 use super::status::Status;
 use super::{console, described};
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::cli::args::scene::SceneArgs;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::object::Registry;
@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 
 /// Checks a scene as far as is possible without running it.
 pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
-    let ready = Input::load(&args.scene)?.prepare_judging(&[], Judging::Never)?;
+    let ready = Input::load(&args.scene)?.prepare_judging(&[], ModelAssessment::Never)?;
     let start = ready.system.initial_state();
     let start = start.map_err(|faults| ready.reading.places.diagnose(&faults))?;
     let warnings = &ready.reading.warnings;

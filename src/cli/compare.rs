@@ -1,6 +1,6 @@
 //! `dam compare`: the same scene for several values of a parameter.
 
-use super::answer::{Answer, AnswerForm, Content, Document, PAGE, Warned};
+use super::answer::{Answer, AnswerForm, Content, Document, DocumentWithWarnings, PAGE};
 use super::args::CompareArgs;
 use super::asker::Terminal;
 use super::failure::Failure;
@@ -9,7 +9,7 @@ use super::interrupt;
 use super::output::OutputFolder;
 use super::run::{abscissa, run_with_progress};
 use super::status::Status;
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::dynamics::integrate::Stop;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Quantity;
@@ -103,7 +103,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let answer = Answer {
         command: "compare",
         findings: &shown,
-        document: Document::made(|| Warned {
+        document: Document::made(|| DocumentWithWarnings {
             document: labelled(document(&scene, &comparison), label.as_ref()),
             warnings: &told,
         }),
@@ -221,7 +221,7 @@ fn parse_over(over: &str) -> Result<ValueList, Failure> {
 
 fn prepare_all(input: &Input<'_>, over: &ValueList) -> Result<Vec<Ready>, Failure> {
     over.settings()
-        .map(|setting| input.prepare_judging(&[setting], Judging::Asked))
+        .map(|setting| input.prepare_judging(&[setting], ModelAssessment::Asked))
         .collect()
 }
 

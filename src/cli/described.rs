@@ -1,6 +1,6 @@
 //! `dam schema --of`: what the program declares, for editors and for the pages of reference.
 
-use super::args::Described;
+use super::args::SchemaSubject;
 use crate::frontend::diagnostics::CODES;
 use crate::frontend::scene;
 use crate::studies::studied;
@@ -9,12 +9,12 @@ use serde_json::{Value, json};
 
 /// What is declared, as a document; `None`: the JSON Schema of scenes, which has a command of
 /// its own.
-pub(super) fn document(of: Described) -> Option<Value> {
+pub(super) fn document(of: SchemaSubject) -> Option<Value> {
     match of {
-        Described::Scenes => None,
-        Described::Results => Some(results()),
-        Described::Units => Some(units()),
-        Described::Codes => Some(codes()),
+        SchemaSubject::Scenes => None,
+        SchemaSubject::Results => Some(results()),
+        SchemaSubject::Units => Some(units()),
+        SchemaSubject::Codes => Some(codes()),
     }
 }
 

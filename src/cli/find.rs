@@ -8,7 +8,7 @@ use super::interrupt::{self, Stage};
 use super::output::OutputFolder;
 use super::progress::Count;
 use super::status::Status;
-use crate::ask::{FindQuestion, Judging, find};
+use crate::ask::{FindQuestion, ModelAssessment, find};
 use crate::report::find::findings;
 use crate::report::findings::Source;
 use crate::studies::find::Aim;
@@ -39,7 +39,7 @@ pub(crate) fn command(args: &FindArgs) -> Result<Status, Failure> {
     let prepare = |settings: &[String]| {
         Ready::of_within(
             input.decode(settings)?,
-            Judging::Needed,
+            ModelAssessment::Needed,
             interrupt::budget(),
         )
     };

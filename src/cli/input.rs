@@ -4,12 +4,12 @@ use super::console;
 use super::failure::Failure;
 use super::interrupt::{self, Stage};
 use super::shown;
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::budget::Budget;
 use crate::cli::args::scene::SceneArgs;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::{
-    BuiltIn, Catalogue, Document, Folder, Layered, Overrides, Reading, read_bounded,
+    BuiltIn, Catalogue, Document, Folder, LayeredCatalogue, Overrides, Reading, read_bounded,
 };
 use std::fs;
 
@@ -78,8 +78,10 @@ impl<'a> Input<'a> {
 
     /// Catalogue in which `from` looks: the folder beside the scene, then what is built
     /// in.
-    pub(crate) fn catalogue(&self) -> Layered<'_, dyn Catalogue + Sync + 'a, dyn Catalogue + Sync> {
-        Layered(&*self.folder, &BuiltIn)
+    pub(crate) fn catalogue(
+        &self,
+    ) -> LayeredCatalogue<'_, dyn Catalogue + Sync + 'a, dyn Catalogue + Sync> {
+        LayeredCatalogue(&*self.folder, &BuiltIn)
     }
 
     /// Decodes the scene with further overrides.
@@ -91,7 +93,7 @@ impl<'a> Input<'a> {
 
     /// Decodes the scene and builds its system; every fault of one stage at once.
     pub(crate) fn prepare(&self, further: &[String]) -> Result<Ready, Failure> {
-        self.prepare_judging(further, Judging::Needed)
+        self.prepare_judging(further, ModelAssessment::Needed)
     }
 
     /// The same as it stands, and prints what is doubtful in its text.
@@ -105,7 +107,7 @@ impl<'a> Input<'a> {
     pub(crate) fn prepare_judging(
         &self,
         further: &[String],
-        judging: Judging,
+        judging: ModelAssessment,
     ) -> Result<Ready, Failure> {
         let reading = self.decode(further)?;
         interrupt::enter(Stage::Preparing);

@@ -67,15 +67,15 @@ pub(crate) fn answering() {
 
 /// For as long as it lives, the program does not end from outside.
 #[derive(Debug)]
-pub(crate) struct Keeping(());
+pub(crate) struct InterruptGuard(());
 
 /// Says that there is something to keep from now on.
-pub(crate) fn keep() -> Keeping {
+pub(crate) fn keep() -> InterruptGuard {
     *keepers() += 1;
-    Keeping(())
+    InterruptGuard(())
 }
 
-impl Drop for Keeping {
+impl Drop for InterruptGuard {
     fn drop(&mut self) {
         *keepers() -= 1;
     }

@@ -1,6 +1,8 @@
 //! `dam map`: a figure over one or two parameters, with a cause for every point.
 
-use super::answer::{Answer, AnswerForm, Content, Document, Files, PAGE, Warned, files};
+use super::answer::{
+    Answer, AnswerForm, Content, Document, DocumentWithWarnings, Files, PAGE, files,
+};
 use super::args::MapArgs;
 use super::console;
 use super::failure::Failure;
@@ -78,7 +80,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let answer = Answer {
         command: "map",
         findings: &findings(&study, &result, &command, warnings, source),
-        document: Document::made(|| Warned {
+        document: Document::made(|| DocumentWithWarnings {
             document: document(&study, &result),
             warnings: &told,
         }),
@@ -129,7 +131,7 @@ fn range(text: &str) -> Result<Range<usize>, String> {
 }
 
 /// The rows of all parts.
-fn merged(study: &Study<'_>, files: &[PathBuf]) -> Result<Known, Failure> {
+fn merged(study: &Study<'_>, files: &[PathBuf]) -> Result<KnownCells, Failure> {
     let read = |path: &PathBuf| {
         let name = path.display().to_string();
         let mut bytes = Vec::new();
@@ -170,14 +172,14 @@ fn question(args: &MapArgs) -> Result<Question, Failure> {
     })
 }
 
-type Known = BTreeMap<usize, Vec<Cell>>;
+type KnownCells = BTreeMap<usize, Vec<Cell>>;
 
 /// The folder, checked, with its journal and the rows that this one knows.
 fn prepare_folder(
     args: &MapArgs,
     study: &Study<'_>,
     path: &Path,
-) -> Result<(OutputFolder, Journal, Known), Failure> {
+) -> Result<(OutputFolder, Journal, KnownCells), Failure> {
     let folder = OutputFolder::prepare(path, &study.scene, &FILES, args.out.force)?;
     let (journal, known) = Journal::open(path, study, args.resume, args.out.force)?;
     Ok((folder, journal, known))

@@ -106,7 +106,7 @@ impl Sink for Progress<'_> {
         }
     }
 
-    fn looks_within(&self, _until: f64) -> bool {
+    fn reads_within_steps(&self, _until: f64) -> bool {
         false
     }
 }

@@ -9,7 +9,7 @@ use super::failure::Failure;
 use super::interrupt;
 use super::output::OutputFolder;
 use super::status::Status;
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::Overrides;
 use crate::report::diagram::Diagram;
@@ -23,7 +23,7 @@ const FILES: [&str; 3] = ["reduced.json", "reduction.json", PAGE];
 pub(crate) fn command(args: &ReduceArgs, asker: &dyn Asker) -> Result<Status, Failure> {
     let input = asker.input(&args.scene)?;
     let accuracy = accuracy::setting(&args.accuracy, &args.figure)?;
-    let ready = input.prepare_judging(&accuracy, Judging::Never)?;
+    let ready = input.prepare_judging(&accuracy, ModelAssessment::Never)?;
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {

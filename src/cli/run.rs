@@ -11,7 +11,7 @@ use super::interrupt::{self, Stage};
 use super::output::OutputFolder;
 use super::progress::Progress;
 use super::status::Status;
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::dynamics::integrate::{Sink, Stop};
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Figures;
@@ -64,12 +64,12 @@ struct Document<'a> {
 /// A document, with what the figures are worth where that was judged.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Certified<'a> {
+enum CertifiedDocument<'a> {
     Alone(&'a Document<'a>),
     With(Value),
 }
 
-impl<'a> Certified<'a> {
+impl<'a> CertifiedDocument<'a> {
     fn new(document: &'a Document<'a>, certificate: Option<&Certificate>) -> Self {
         let value = certificate.map(|certificate| {
             let mut value = serde_json::to_value(document).unwrap_or_default();
@@ -84,7 +84,7 @@ impl<'a> Certified<'a> {
 pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failure> {
     let input = asker.input(&args.scene)?;
     let accuracy = super::accuracy::setting(&args.accuracy, &[])?;
-    let mut ready = input.prepare_judging(&accuracy, Judging::Asked)?;
+    let mut ready = input.prepare_judging(&accuracy, ModelAssessment::Asked)?;
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
     if !quiet && !ready.reading.warnings.is_empty() {
@@ -168,7 +168,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let answer = Answer {
         command: "run",
         findings: &findings(&report, Source::scene(input.text(), &ready.scene().hash)),
-        document: Written::made(|| Certified::new(&document, certificate)),
+        document: Written::made(|| CertifiedDocument::new(&document, certificate)),
         files: files_of(FILES, contents),
         // Warnings are told in their time.
         quiet: true,

@@ -5,7 +5,7 @@ use super::console;
 use super::failure::Failure;
 use super::input::{Input, Ready};
 use super::status::Status;
-use crate::dynamics::model::{Coordinate, LinkageBody, Model, MultiLinkageBody, Reduced};
+use crate::dynamics::model::{Coordinate, LinkageBody, ModalReduction, Model, MultiLinkageBody};
 use crate::dynamics::system::{Regime, System};
 use crate::exact::{Parts, Refusal};
 use crate::report::diagram::Diagram;
@@ -188,7 +188,7 @@ fn document(ready: &Ready) -> serde_json::Value {
 
 /// Reduction of an object: modes with their shares of the output, and what the others
 /// give way by.
-fn reduced(model: &Model, reduced: &Reduced) -> serde_json::Value {
+fn reduced(model: &Model, reduced: &ModalReduction) -> serde_json::Value {
     let modes = modes(model, reduced).map(|mode| match mode.frequency {
         Some(frequency) => {
             json!({ "id": mode.id, "share": mode.share, "natural_frequency": frequency })

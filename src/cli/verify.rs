@@ -7,9 +7,9 @@ use super::failure::Failure;
 use super::input::{Input, print_doubts};
 use super::interrupt;
 use super::status::Status;
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::report::quantity::counted;
-use crate::report::requirements::{Verified, document, findings, junit, suite};
+use crate::report::requirements::{VerifiedScene, document, findings, junit, suite};
 use std::path::Path;
 
 /// Runs the command.
@@ -23,7 +23,7 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
                 let file = path.display().to_string();
                 let why = failure.message();
                 wrong.push(failure);
-                Verified {
+                VerifiedScene {
                     scene: file.clone(),
                     file,
                     requirements: Err(why),
@@ -54,7 +54,7 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
     if !args.quiet {
         let [held, count] = all
             .iter()
-            .map(Verified::count)
+            .map(VerifiedScene::count)
             .fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
         let scenes = counted(all.len() - wrong.len(), "scene");
         let refused = match wrong.len() {
@@ -75,21 +75,21 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
     if !wrong.is_empty() {
         return Ok(Status::WrongScene);
     }
-    Ok(match expects && all.iter().all(Verified::holds) {
+    Ok(match expects && all.iter().all(VerifiedScene::holds) {
         true => Status::Answered,
         false => Status::NotTrusted,
     })
 }
 
-fn verified(args: &VerifyArgs, path: &Path) -> Result<Verified, Failure> {
+fn verified(args: &VerifyArgs, path: &Path) -> Result<VerifiedScene, Failure> {
     let scene = SceneArgs {
         set: args.set.clone(),
         ..SceneArgs::of(path)
     };
-    let ready = Input::load(&scene)?.prepare_judging(&[], Judging::Asked)?;
+    let ready = Input::load(&scene)?.prepare_judging(&[], ModelAssessment::Asked)?;
     print_doubts(&ready.reading, args.quiet);
     let requirements = ready.verify_within(interrupt::budget())?;
-    Ok(Verified {
+    Ok(VerifiedScene {
         file: path.display().to_string(),
         scene: ready.scene().name.clone(),
         requirements: Ok(requirements),

@@ -1,7 +1,7 @@
 //! Forces over the motion of a node: what a law answers, whether it is one of the library's
 //! (`laws`, a file each) or supplied by its user.
 
-use super::laws::Declared;
+use super::laws::LawInstance;
 use std::fmt;
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ pub trait LoadFunction: fmt::Debug + Send + Sync {
     fn description(&self) -> String;
 
     /// The declaration that it was read by, with its numbers; `None`: no text states it.
-    fn declared(&self) -> Option<Declared> {
+    fn declared(&self) -> Option<LawInstance> {
         None
     }
 

@@ -36,7 +36,7 @@ pub use condition::{Condition, UNTIL};
 pub use contact::ContactElement;
 pub use loads::{LinearLoad, LinearPiece, Load, LoadLaw, LoadVariable, WrittenLoad};
 pub use part::{DRIVEN_END, MODE, OUTPUT, ObjectPart, PartInput, STOP, SUM, owner_of};
-pub use pressing::Pressing;
+pub use pressing::ContactPartner;
 pub use span::{Span, SpanAxis, SpanFigure};
 pub use stop::{Stop, StopPart};
 
@@ -60,7 +60,7 @@ pub struct Model {
     /// discrete state that changes at located events.
     pub tracks: Vec<Track>,
     /// Elastic objects that are reduced to vibration modes.
-    pub reduced: Vec<Reduced>,
+    pub reduced: Vec<ModalReduction>,
     /// One-sided stops against the ground.
     pub stops: Vec<StopPart>,
     /// The scene's objects and their outputs, in the order of their ids; then the inner
@@ -89,7 +89,7 @@ impl Model {
     }
 
     /// Reduction of an object to modes, if it is reduced to modes.
-    pub fn reduced(&self, object: usize) -> Option<&Reduced> {
+    pub fn reduced(&self, object: usize) -> Option<&ModalReduction> {
         self.reduced.iter().find(|reduced| reduced.object == object)
     }
 
@@ -334,7 +334,7 @@ pub struct MultiLinkageBody {
 /// node, a massless output; modes and the inertia at the driven end are parts of their own.
 /// Behind a contact element its part is a chain of masses, and the output one of its own.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reduced {
+pub struct ModalReduction {
     /// The object concerned, index into [`Model::objects`].
     pub object: usize,
     /// The masses of the modes, each an oscillator on the object's law, or those of the

@@ -88,7 +88,7 @@ impl Peak {
     }
 
     /// True when none of the times between two instants counts.
-    pub(crate) fn leaves_out(&self, [from, to]: [f64; 2]) -> bool {
+    pub(crate) fn excludes(&self, [from, to]: [f64; 2]) -> bool {
         to < self.bounds[0] || from > self.bounds[1]
     }
 

@@ -1,7 +1,7 @@
 //! Vector arithmetic of the propagation: four numbers side by side, with
 //! branch-free exponential, sine and cosine.
 //!
-//! Everything is written for an [`Arith`]: [`Fused`] where the processor
+//! Everything is written for an [`Arith`]: [`FusedMultiplyAdd`] where the processor
 //! multiplies and adds in one instruction (the caller then runs inside a
 //! function compiled for that processor), [`Plain`] elsewhere, so that no
 //! build ever calls a library routine for a multiply-add. Both agree to
@@ -43,7 +43,7 @@ pub(crate) struct Plain;
 
 /// Fused multiply-add, of one rounding; for processors that have it.
 #[derive(Clone, Copy)]
-pub(crate) struct Fused;
+pub(crate) struct FusedMultiplyAdd;
 
 impl Arith for Plain {
     #[inline(always)]
@@ -70,7 +70,7 @@ impl Arith for Plain {
     }
 }
 
-impl Arith for Fused {
+impl Arith for FusedMultiplyAdd {
     #[inline(always)]
     fn fma(a: f64, b: f64, c: f64) -> f64 {
         a.mul_add(b, c)
@@ -88,7 +88,7 @@ impl Arith for Fused {
         #[target_feature(enable = "avx2,fma")]
         #[inline(never)]
         fn fused<T: Task>(task: T) -> T::Output {
-            task.run::<Fused>()
+            task.run::<FusedMultiplyAdd>()
         }
         // SAFETY: only functions that the processor has the features for run
         // in this arithmetic.
@@ -105,7 +105,7 @@ impl Arith for Fused {
     }
 }
 
-/// True when this processor can be computed on in [`Fused`] arithmetic.
+/// True when this processor can be computed on in [`FusedMultiplyAdd`] arithmetic.
 #[cfg(target_arch = "x86_64")]
 pub(crate) fn fuses() -> bool {
     std::is_x86_feature_detected!("avx2") && std::is_x86_feature_detected!("fma")
@@ -117,7 +117,7 @@ pub(crate) fn fuses() -> bool {
 pub(crate) fn run_out_of_line<T: Task>(plain: bool, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
     if !plain && fuses() {
-        return Fused::run_out_of_line(task);
+        return FusedMultiplyAdd::run_out_of_line(task);
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = plain;

@@ -216,7 +216,7 @@ pub(crate) fn shift(coefficients: &mut [f64], by: f64) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::lanes::Fused;
+    use super::super::lanes::FusedMultiplyAdd;
     use super::*;
 
     #[test]
@@ -238,7 +238,7 @@ mod tests {
         let frequency = 62.831_853_071_795_86;
         let time = 100_000.025;
         let (p, e) = Plain::product(frequency, time);
-        assert_eq!(Fused::product(frequency, time), (p, e));
+        assert_eq!(FusedMultiplyAdd::product(frequency, time), (p, e));
         let reference = (p % std::f64::consts::TAU) + e;
         let close = |turn: fn(f64, f64) -> f64| {
             let difference = turn(frequency, time) - reference;
@@ -247,6 +247,6 @@ mod tests {
             assert!((turn(frequency, 0.025) - frequency * 0.025).abs() < 3e-16);
         };
         close(turn::<Plain>);
-        close(turn::<Fused>);
+        close(turn::<FusedMultiplyAdd>);
     }
 }

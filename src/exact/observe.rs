@@ -118,7 +118,7 @@ pub(super) fn bounds_in_phase(
         return Ahead::default();
     }
     let scene = scene(&work.regimes[regime], &work.phase, o, &work.variants);
-    let task = Bounded {
+    let task = FunctionalBounds {
         scene,
         track: &work.tracks[o],
         f,
@@ -128,14 +128,14 @@ pub(super) fn bounds_in_phase(
 }
 
 /// Bounds of a functional over a part of a phase.
-struct Bounded<'a> {
+struct FunctionalBounds<'a> {
     scene: Scene<'a>,
     track: &'a Track,
     f: usize,
     span: [f64; 2],
 }
 
-impl Task for Bounded<'_> {
+impl Task for FunctionalBounds<'_> {
     type Output = Ahead;
 
     #[inline(always)]

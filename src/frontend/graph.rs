@@ -18,7 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 pub struct MechanismGraph<'a> {
     graph: DiGraph<Vertex<'a>, Edge<'a>>,
     by_id: BTreeMap<&'a str, NodeIndex>,
-    dangling: Vec<Dangling<'a>>,
+    dangling: Vec<DanglingInput<'a>>,
 }
 
 /// An object in the graph.
@@ -44,7 +44,7 @@ pub struct Edge<'a> {
 
 /// An input that names no object, or an output that an object has not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Dangling<'a> {
+pub struct DanglingInput<'a> {
     /// Id of the object whose input it is.
     pub id: &'a str,
     /// Name of the input port.
@@ -92,7 +92,7 @@ impl<'a> MechanismGraph<'a> {
                 };
                 self.graph.add_edge(driver, self.by_id[id], joint);
             }
-            _ => self.dangling.push(Dangling { id, input, output }),
+            _ => self.dangling.push(DanglingInput { id, input, output }),
         }
     }
 
@@ -135,7 +135,7 @@ impl<'a> MechanismGraph<'a> {
     }
 
     /// Inputs that lead nowhere, in the order of the objects' ids.
-    pub fn dangling(&self) -> &[Dangling<'a>] {
+    pub fn dangling(&self) -> &[DanglingInput<'a>] {
         &self.dangling
     }
 
@@ -220,7 +220,7 @@ impl<'a> MechanismGraph<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Dangling, Entry, MechanismGraph};
+    use super::{DanglingInput, Entry, MechanismGraph};
 
     fn entry(id: &'static str, drivers: &[&'static str]) -> Entry<'static> {
         let ports = ["input", "other"];
@@ -263,7 +263,7 @@ mod tests {
         assert_eq!(graph.inputs("b").len(), 2);
         assert_eq!(
             graph.dangling(),
-            [Dangling {
+            [DanglingInput {
                 id: "z",
                 input: "input",
                 output: "nobody"

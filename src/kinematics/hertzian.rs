@@ -171,7 +171,7 @@ impl Ellipse {
 
 /// How far one body of a contact along a line gives way: what its approach is counted from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Backing {
+pub(crate) enum ApproachReference {
     /// A cylinder of this radius, up to its axis: it is pressed between the contact and a line
     /// opposite.
     Cylinder(f64),
@@ -184,7 +184,7 @@ pub(crate) enum Backing {
     },
 }
 
-impl Backing {
+impl ApproachReference {
     pub(crate) fn curvature(self) -> f64 {
         match self {
             Self::Cylinder(radius) => 1.0 / radius,
@@ -209,13 +209,15 @@ impl Backing {
 /// so do C. Weber and K. Banaschek, *Formänderung und Profilrücknahme*, 1953, for gear teeth).
 /// A line has no approach of its own: far away it grows without limit, and so depends on what
 /// it is counted from.
-pub(crate) fn line_approach(load: f64, bodies: [(Material, Backing); 2]) -> Option<f64> {
+pub(crate) fn line_approach(load: f64, bodies: [(Material, ApproachReference); 2]) -> Option<f64> {
     let half = half_width(load, bodies)?;
-    let of_body = |(material, backing): (Material, Backing)| {
+    let of_body = |(material, backing): (Material, ApproachReference)| {
         let nu = material.poisson_ratio;
         let logarithm = match backing {
-            Backing::Cylinder(radius) => 2.0 * (4.0 * radius / half).ln() - 1.0,
-            Backing::Depth { depth, .. } => 2.0 * (2.0 * depth / half).ln() - nu / (1.0 - nu),
+            ApproachReference::Cylinder(radius) => 2.0 * (4.0 * radius / half).ln() - 1.0,
+            ApproachReference::Depth { depth, .. } => {
+                2.0 * (2.0 * depth / half).ln() - nu / (1.0 - nu)
+            }
         };
         load * material.compliance() / PI * logarithm
     };
@@ -231,14 +233,14 @@ pub(crate) fn line_pressure(load: f64, modulus: f64, curvature: f64) -> Option<f
 }
 
 /// a (m) of a contact along a line; `None`: see [`line_approach`].
-fn half_width(load: f64, bodies: [(Material, Backing); 2]) -> Option<f64> {
+fn half_width(load: f64, bodies: [(Material, ApproachReference); 2]) -> Option<f64> {
     let curvature: f64 = bodies.iter().map(|body| body.1.curvature()).sum();
     if !(curvature > 0.0 && load > 0.0) {
         return None;
     }
     let modulus = contact_modulus(bodies.map(|body| body.0));
     let half = (4.0 * load / (PI * modulus * curvature)).sqrt();
-    let small = |body: &(Material, Backing)| half <= SMALL * body.1.size();
+    let small = |body: &(Material, ApproachReference)| half <= SMALL * body.1.size();
     bodies.iter().all(small).then_some(half)
 }
 

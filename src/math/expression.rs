@@ -34,13 +34,13 @@ use std::sync::Arc;
 
 pub(crate) use affine::Affine;
 pub(crate) use crossing::{Stretch, VARIABLES, follow};
-pub(crate) use enclosed::Enclosed;
+pub(crate) use enclosed::TaylorBounds;
 pub(crate) use evaluate::Scalar;
 pub(crate) use function::Function;
 pub(crate) use interval::Interval;
 pub(crate) use moving::RateBounds;
 pub(crate) use of_one::{MOST, OfOne, Repetition};
-pub(crate) use ordered::{Ordered, about};
+pub(crate) use ordered::{SeriesProgram, about};
 pub(crate) use program::{Code, OPEN, Op, Program};
 pub(crate) use third::Third;
 

@@ -5,7 +5,7 @@ use crate::report::plot::{Axis, Band, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{counted, significant, with_unit};
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::condition::Condition;
-use crate::studies::find::{Best, End, FoundValue, Limit, Range, Sample, State};
+use crate::studies::find::{Best, ConditionEnd, FoundValue, Limit, Range, Sample, State};
 
 /// Digits of the parameter at the answer; places are known to one part in 10⁷ of the range.
 const DIGITS: usize = 8;
@@ -129,7 +129,7 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
 }
 
 /// The two ends of a range in words.
-fn range(answer: &FoundValue, [from, to]: [&End; 2]) -> String {
+fn range(answer: &FoundValue, [from, to]: [&ConditionEnd; 2]) -> String {
     let [from, to] = [from, to].map(|end| end.sample.value);
     match from == to {
         true => format!("at {}", parameter(answer, from, DIGITS)),

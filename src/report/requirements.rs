@@ -12,7 +12,7 @@ const DIGITS: usize = 7;
 
 /// A scene with what it expects.
 #[derive(Clone, Debug)]
-pub struct Verified {
+pub struct VerifiedScene {
     /// The file, as it was named.
     pub file: String,
     /// Name of the scene; of one that is wrong the file.
@@ -21,7 +21,7 @@ pub struct Verified {
     pub requirements: Result<Vec<Requirement>, String>,
 }
 
-impl Verified {
+impl VerifiedScene {
     /// Requirements that hold, and all.
     pub fn count(&self) -> [usize; 2] {
         let all = self.requirements.as_deref().unwrap_or_default();
@@ -36,7 +36,7 @@ impl Verified {
 }
 
 /// The table of a scene.
-pub fn findings(verified: &Verified) -> Findings<'_> {
+pub fn findings(verified: &VerifiedScene) -> Findings<'_> {
     let [held, all] = verified.count();
     let (sort, headline) = match (&verified.requirements, all) {
         (Err(why), _) => (Sort::Numerical, why.clone()),
@@ -126,8 +126,8 @@ fn quantity(value: f64, unit: &str) -> String {
 }
 
 /// The JSON document of several scenes.
-pub fn document(all: &[Verified]) -> Value {
-    let scene = |one: &Verified| {
+pub fn document(all: &[VerifiedScene]) -> Value {
+    let scene = |one: &VerifiedScene| {
         let mut document = json!({ "file": one.file, "scene": one.scene, "holds": one.holds() });
         match &one.requirements {
             Ok(requirements) => document["requirements"] = json!(requirements),
@@ -137,7 +137,7 @@ pub fn document(all: &[Verified]) -> Value {
     };
     json!({
         "dam": 1,
-        "holds": all.iter().all(Verified::holds),
+        "holds": all.iter().all(VerifiedScene::holds),
         "scenes": all.iter().map(scene).collect::<Vec<_>>(),
     })
 }
@@ -163,7 +163,7 @@ pub fn junit(suites: &[Suite]) -> String {
 pub type Suite = (String, [usize; 3]);
 
 /// The suite of a scene, in the units that are chosen at present.
-pub fn suite(one: &Verified) -> Suite {
+pub fn suite(one: &VerifiedScene) -> Suite {
     let file = escape(&one.file);
     let mut cases = String::new();
     let mut counts = [0; 3];
@@ -212,12 +212,12 @@ pub fn suite(one: &Verified) -> Suite {
 
 #[cfg(test)]
 mod tests {
-    use super::{Verified, junit};
+    use super::{VerifiedScene, junit};
     use crate::studies::expectations::Requirement;
 
     #[test]
     fn junit_counts_failures_and_errors_and_escapes_what_it_says() {
-        let scene = |requirements: Result<Vec<Requirement>, String>| Verified {
+        let scene = |requirements: Result<Vec<Requirement>, String>| VerifiedScene {
             file: "a<b>.json".to_owned(),
             scene: "A \"name\"".to_owned(),
             requirements,

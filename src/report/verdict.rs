@@ -4,7 +4,7 @@
 use crate::dynamics::record::{CreepFigures, Figures, PairFigures, Units};
 use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
-use crate::studies::judgement::{Ending, Judgement, checks, ending, is_unchecked};
+use crate::studies::judgement::{Judgement, RunEnd, checks, ending, is_unchecked};
 
 /// Sort of a verdict: good news, bad news, or neither.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,10 +102,10 @@ impl Verdict {
 pub fn verdict(figures: &Figures) -> Verdict {
     let judgement = Judgement::of(figures);
     let ending = ending(figures);
-    let failed_check = judgement == Judgement::NotToBeTrusted && ending != Ending::OfComputation;
+    let failed_check = judgement == Judgement::NotToBeTrusted && ending != RunEnd::OfComputation;
     let text = match judgement {
-        _ if ending != Ending::Complete && !failed_check => stopped(figures, ending),
-        Judgement::NotToBeTrusted if ending == Ending::OfScene => {
+        _ if ending != RunEnd::Complete && !failed_check => stopped(figures, ending),
+        Judgement::NotToBeTrusted if ending == RunEnd::OfScene => {
             let ended = stopped(figures, ending);
             ended.words(". ").sentence(failed(figures))
         }
@@ -142,13 +142,13 @@ fn failed(figures: &Figures) -> Sentence {
 }
 
 /// A run that did not reach its end.
-fn stopped(figures: &Figures, ending: Ending) -> Sentence {
+fn stopped(figures: &Figures, ending: RunEnd) -> Sentence {
     let reason = figures.run.stopped_because.as_deref().unwrap_or("");
     let what = match ending {
-        Ending::FromOutside | Ending::Complete => "The run is not finished: it ended",
-        Ending::OfComputation => "The computation stopped",
-        Ending::OfScene => "The run ends",
-        Ending::OfMechanism => "The mechanism stops",
+        RunEnd::FromOutside | RunEnd::Complete => "The run is not finished: it ended",
+        RunEnd::OfComputation => "The computation stopped",
+        RunEnd::OfScene => "The run ends",
+        RunEnd::OfMechanism => "The mechanism stops",
     };
     let ended = Sentence::from(format!("{what} at t = ")).quantity(figures.run.time, "s", 6);
     match reason.trim_end() {

@@ -8,7 +8,7 @@ use crate::dynamics::integrate::{Outcome, Stop};
 use crate::dynamics::model::{Closure, Coordinate, LinkBase, Model, ObjectPart};
 use crate::dynamics::record::{
     CreepFigures, EnergyAudit, EquationCheck, Figures, ImpactFigures, JointFigures, ObjectFigures,
-    PairFigures, PressingFigures, Recorded, RunSummary, StopFigures, Units, acceleration_rounding,
+    PairFigures, PressingFigures, RunRecord, RunSummary, StopFigures, Units, acceleration_rounding,
     drive_cycle,
 };
 use crate::units::shown;
@@ -21,7 +21,7 @@ pub(super) fn summary(
     settings: &RunSettings,
     outcome: &Outcome,
     choice: &Choice,
-    recorded: &Recorded,
+    recorded: &RunRecord,
     window: Result<[f64; 2], String>,
 ) -> RunSummary {
     let complete = outcome.stop == Stop::Complete;
@@ -87,14 +87,14 @@ pub(super) fn stop_in_words(stop: &Stop) -> (&'static str, String) {
 }
 
 /// The first of what puts the numbers of a run in doubt.
-pub(super) fn spoiling(recorded: &Recorded, settings: &RunSettings) -> Option<Warning> {
+pub(super) fn spoiling(recorded: &RunRecord, settings: &RunSettings) -> Option<Warning> {
     if recorded.failure.is_some() || !recorded.audit.error().is_finite() {
         return Some(Warning::NotFinite);
     }
     out_of_balance(recorded, settings)
 }
 
-fn out_of_balance(recorded: &Recorded, settings: &RunSettings) -> Option<Warning> {
+fn out_of_balance(recorded: &RunRecord, settings: &RunSettings) -> Option<Warning> {
     let error = recorded.audit.error();
     let bound = EnergyAudit::bound(settings.tolerance);
     (error > bound).then_some(Warning::EnergyAudit { error, bound })
@@ -104,7 +104,7 @@ fn out_of_balance(recorded: &Recorded, settings: &RunSettings) -> Option<Warning
 pub(super) fn warnings_of(
     model: &Model,
     settings: &RunSettings,
-    recorded: &Recorded,
+    recorded: &RunRecord,
     run: &RunSummary,
 ) -> Vec<Warning> {
     let mut warnings = Vec::new();
@@ -157,7 +157,7 @@ pub(super) fn warnings_of(
 /// An acceleration of which rounding may be more than this share is said to be rounded.
 const ROUNDED: f64 = 0.01;
 
-fn rounded_acceleration(model: &Model, object: usize, recorded: &Recorded) -> Option<Warning> {
+fn rounded_acceleration(model: &Model, object: usize, recorded: &RunRecord) -> Option<Warning> {
     let (part, own) = (&model.objects[object], &recorded.figures[object]);
     let rounding = acceleration_rounding(model, object, own);
     (rounding > ROUNDED * own.peak_acceleration).then(|| Warning::RoundedAcceleration {
@@ -178,7 +178,7 @@ fn returns(switch_times: &[f64]) -> Option<(usize, f64)> {
     Some((1 + returned.count(), first))
 }
 
-fn pair_warnings(model: &Model, object: usize, recorded: &Recorded, time: f64) -> Vec<Warning> {
+fn pair_warnings(model: &Model, object: usize, recorded: &RunRecord, time: f64) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let part = &model.objects[object];
     if let Some(stop) = &recorded.figures[object].stop

@@ -5,7 +5,7 @@ use super::run::RunResult;
 use crate::dynamics::model::Model;
 use crate::dynamics::record::AddressError;
 use crate::fault::Fault;
-use crate::frontend::scene::{Allowed, Expectation, Expected, StudyAddress};
+use crate::frontend::scene::{AllowedValues, Expectation, Expected, StudyAddress};
 use crate::units::shown;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -47,7 +47,7 @@ impl Verdict {
                 time,
                 within,
             } => {
-                let allowed = Allowed::Near {
+                let allowed = AllowedValues::Near {
                     value: *time,
                     within: *within,
                 };
@@ -62,13 +62,13 @@ impl Verdict {
     }
 
     /// Not judged yet.
-    fn open(what: String, allowed: &Allowed) -> Self {
+    fn open(what: String, allowed: &AllowedValues) -> Self {
         let (at_least, at_most) = match *allowed {
-            Allowed::Near { .. } => (None, None),
-            Allowed::Between { least, most } => (least, most),
+            AllowedValues::Near { .. } => (None, None),
+            AllowedValues::Between { least, most } => (least, most),
         };
         let (expected, within) = match (*allowed, at_least, at_most) {
-            (Allowed::Near { value, within }, ..) => (value, within),
+            (AllowedValues::Near { value, within }, ..) => (value, within),
             (_, Some(least), Some(most)) => (0.5 * (least + most), 0.5 * (most - least)),
             (_, least, most) => (least.or(most).unwrap_or(f64::NAN), 0.0),
         };
@@ -200,7 +200,7 @@ pub(super) fn did_you_mean(close: &[String]) -> String {
 
 fn check_figure(
     figure: &str,
-    allowed: &Allowed,
+    allowed: &AllowedValues,
     result: &RunResult,
     known: &BTreeMap<String, Option<f64>>,
 ) -> Verdict {
@@ -231,7 +231,7 @@ fn check_figure(
 }
 
 /// The verdict on a figure that was found, or has no value.
-pub(super) fn judged(figure: &str, allowed: &Allowed, found: Option<f64>) -> Verdict {
+pub(super) fn judged(figure: &str, allowed: &AllowedValues, found: Option<f64>) -> Verdict {
     let mut verdict = Verdict::open(figure.to_owned(), allowed);
     match found {
         Some(found) => judge(&mut verdict, allowed, found),
@@ -241,7 +241,7 @@ pub(super) fn judged(figure: &str, allowed: &Allowed, found: Option<f64>) -> Ver
 }
 
 fn check_stop(reason: &str, time: f64, within: f64, result: &RunResult) -> Verdict {
-    let allowed = Allowed::Near {
+    let allowed = AllowedValues::Near {
         value: time,
         within,
     };
@@ -257,13 +257,13 @@ fn check_stop(reason: &str, time: f64, within: f64, result: &RunResult) -> Verdi
     verdict
 }
 
-fn judge(verdict: &mut Verdict, allowed: &Allowed, found: f64) {
+fn judge(verdict: &mut Verdict, allowed: &AllowedValues, found: f64) {
     verdict.found = Some(found);
     // A number that is none fails.
     verdict.holds = allowed.holds(found);
     verdict.message = match *allowed {
-        Allowed::Near { value, within } => near(verdict, found, value, within),
-        Allowed::Between { least, most } => between(verdict, found, [least, most]),
+        AllowedValues::Near { value, within } => near(verdict, found, value, within),
+        AllowedValues::Between { least, most } => between(verdict, found, [least, most]),
     };
 }
 
@@ -303,7 +303,7 @@ mod tests {
     use super::{Verdict, check, unknown_figures};
     use crate::dynamics::integrate::{PhysicalStop, Stop};
     use crate::dynamics::model::{Coordinate, Model, ObjectPart, PartInput};
-    use crate::frontend::scene::{Allowed, Expectation, Expected};
+    use crate::frontend::scene::{AllowedValues, Expectation, Expected};
     use crate::studies::run::RunResult;
     use crate::studies::testing::result_with;
 
@@ -318,7 +318,7 @@ mod tests {
     fn figure(figure: &str, value: f64, within: f64) -> Expected {
         Expected::Figure {
             figure: figure.to_owned(),
-            allowed: Allowed::Near { value, within },
+            allowed: AllowedValues::Near { value, within },
         }
     }
 
@@ -328,7 +328,7 @@ mod tests {
         let between = |least: Option<f64>, most: Option<f64>| {
             let what = Expected::Figure {
                 figure: "rocker.delta_max".to_owned(),
-                allowed: Allowed::Between { least, most },
+                allowed: AllowedValues::Between { least, most },
             };
             judge(what, &result)
         };
@@ -355,7 +355,7 @@ mod tests {
         let nothing = result_with(|rocker| rocker.delta_max = f64::NAN);
         let what = Expected::Figure {
             figure: "rocker.delta_max".to_owned(),
-            allowed: Allowed::Between {
+            allowed: AllowedValues::Between {
                 least: Some(0.0),
                 most: None,
             },

@@ -67,7 +67,7 @@ impl Judgement {
     /// The verdict on a run, be it one by itself or that of a cell of a map.
     pub fn of_run<'o>(made: Made<'_>, objects: impl Iterator<Item = &'o ObjectFigures>) -> Self {
         // What stops at its very start, as by self-locking, leaves nothing to check.
-        let at_start = made.ending == Ending::OfMechanism && made.time <= 0.0;
+        let at_start = made.ending == RunEnd::OfMechanism && made.time <= 0.0;
         let checks = if at_start { &[] } else { made.checks };
         let judged = Self::decide(made.ending, checks, || Self::of_objects(objects));
         match say_nothing(checks) {
@@ -78,18 +78,18 @@ impl Judgement {
 
     /// The one rule by which every result is judged: how its computation ended and its checks
     /// come before what it says of the mechanism.
-    pub fn decide(ending: Ending, checks: &[Check], mechanism: impl FnOnce() -> Self) -> Self {
+    pub fn decide(ending: RunEnd, checks: &[Check], mechanism: impl FnOnce() -> Self) -> Self {
         let checked = checks.iter().all(Check::passed);
         match ending {
-            Ending::OfComputation => Self::NotToBeTrusted,
-            Ending::Complete | Ending::FromOutside | Ending::OfScene | Ending::OfMechanism
+            RunEnd::OfComputation => Self::NotToBeTrusted,
+            RunEnd::Complete | RunEnd::FromOutside | RunEnd::OfScene | RunEnd::OfMechanism
                 if !checked =>
             {
                 Self::NotToBeTrusted
             }
-            Ending::OfMechanism => Self::NotInWorkingOrder,
-            Ending::FromOutside | Ending::OfScene => Self::NotJudged,
-            Ending::Complete => mechanism(),
+            RunEnd::OfMechanism => Self::NotInWorkingOrder,
+            RunEnd::FromOutside | RunEnd::OfScene => Self::NotJudged,
+            RunEnd::Complete => mechanism(),
         }
     }
 
@@ -122,8 +122,8 @@ impl Judgement {
     pub fn of_pair_in(figures: &Figures, pair: &PairFigures) -> Self {
         match (Self::of(figures), ending(figures)) {
             (Self::NotToBeTrusted, _) => Self::NotToBeTrusted,
-            (_, Ending::FromOutside | Ending::OfScene) => Self::NotJudged,
-            (_, Ending::Complete | Ending::OfMechanism | Ending::OfComputation) => {
+            (_, RunEnd::FromOutside | RunEnd::OfScene) => Self::NotJudged,
+            (_, RunEnd::Complete | RunEnd::OfMechanism | RunEnd::OfComputation) => {
                 Self::of_pair(pair)
             }
         }
@@ -175,7 +175,7 @@ const ENERGY: &str = "energy balance";
 #[derive(Clone, Copy, Debug)]
 pub struct Made<'c> {
     /// How it ended.
-    pub ending: Ending,
+    pub ending: RunEnd,
     /// Time that it got to (s).
     pub time: f64,
     /// The checks that it made of itself.
@@ -184,7 +184,7 @@ pub struct Made<'c> {
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ending {
+pub enum RunEnd {
     /// At its end.
     Complete,
     /// By the user or a limit of the user's.
@@ -197,7 +197,7 @@ pub enum Ending {
     OfMechanism,
 }
 
-impl Ending {
+impl RunEnd {
     /// How a run ended that stopped for a reason of this short name.
     pub(in crate::studies) fn named(stopped: &str) -> Self {
         match stopped {
@@ -215,10 +215,10 @@ impl Ending {
 }
 
 /// How the run of these figures ended.
-pub fn ending(figures: &Figures) -> Ending {
+pub fn ending(figures: &Figures) -> RunEnd {
     match figures.run.complete {
-        true => Ending::Complete,
-        false => Ending::named(figures.run.stopped.as_deref().unwrap_or("")),
+        true => RunEnd::Complete,
+        false => RunEnd::named(figures.run.stopped.as_deref().unwrap_or("")),
     }
 }
 
@@ -248,14 +248,14 @@ impl Errors {
     /// The checks of a run that ended so, with the figures of these objects.
     pub(in crate::studies) fn checks<'o>(
         &self,
-        ending: Ending,
+        ending: RunEnd,
         objects: impl Iterator<Item = &'o ObjectFigures>,
     ) -> Vec<Check> {
         // Accelerations grow without bound towards a dead-centre position, or a pole, that ends
         // a run.
         let unknown = match ending {
-            Ending::OfMechanism | Ending::OfScene => 0,
-            Ending::Complete | Ending::FromOutside | Ending::OfComputation => {
+            RunEnd::OfMechanism | RunEnd::OfScene => 0,
+            RunEnd::Complete | RunEnd::FromOutside | RunEnd::OfComputation => {
                 objects.filter(|one| !is_finite(one)).count()
             }
         };
@@ -297,13 +297,13 @@ fn is_finite(object: &ObjectFigures) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::Ending;
+    use super::RunEnd;
 
     #[test]
     fn a_stop_of_an_unknown_name_certifies_nothing() {
-        assert_eq!(Ending::named("dead_position"), Ending::OfMechanism);
+        assert_eq!(RunEnd::named("dead_position"), RunEnd::OfMechanism);
         for unknown in ["", "method", "something_new"] {
-            assert_eq!(Ending::named(unknown), Ending::OfComputation, "{unknown}");
+            assert_eq!(RunEnd::named(unknown), RunEnd::OfComputation, "{unknown}");
         }
     }
 }

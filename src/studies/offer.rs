@@ -118,7 +118,7 @@ fn rounded_up(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{offers, rounded_up};
-    use crate::ask::{Judging, Mechanism};
+    use crate::ask::{Mechanism, ModelAssessment};
     use crate::budget::Budget;
     use crate::frontend::scene::{BuiltIn, Document, Overrides};
     use crate::studies::expectations::check;
@@ -129,7 +129,7 @@ mod tests {
     fn made(text: &str) -> Mechanism {
         let document = Document::parse("scene", text.as_bytes()).unwrap();
         let reading = document.scene(&BuiltIn, &Overrides::none()).unwrap();
-        Mechanism::of_within(reading, Judging::Asked, &Budget::FREE).unwrap()
+        Mechanism::of_within(reading, ModelAssessment::Asked, &Budget::FREE).unwrap()
     }
 
     #[test]

@@ -15,7 +15,7 @@ use crate::dynamics::integrate::{
 };
 use crate::dynamics::model::{SpanFigure, UNTIL};
 use crate::dynamics::record::{
-    EnergyAudit, Figures, Record, Recorded, Recorder, RecorderSettings, RunSummary, StudyFigure,
+    EnergyAudit, Figures, Record, Recorder, RecorderSettings, RunRecord, RunSummary, StudyFigure,
     Tee, choose_window, drive_cycle, judge_confirmed,
 };
 use crate::dynamics::system::{InitialState, System};
@@ -141,7 +141,7 @@ const REFINEMENT: f64 = 4.0;
 /// A motion and what was found of it.
 pub(super) struct Motion {
     /// Samples, figures, audit.
-    pub(super) recorded: Recorded,
+    pub(super) recorded: RunRecord,
     /// Outcome: how it ended.
     pub(super) outcome: Outcome,
     /// Choice of method by which it was found.
@@ -430,7 +430,7 @@ fn attempt(
 /// A run ends where its forces stop being numbers, though its motion goes on:
 /// of a given motion they are only looked at. A mechanism that stops by itself,
 /// or a method that gave up, has its own reason.
-fn stopped_at_failure(outcome: Outcome, recorded: &mut Recorded) -> Outcome {
+fn stopped_at_failure(outcome: Outcome, recorded: &mut RunRecord) -> Outcome {
     let Some(failure) = &recorded.failure else {
         return outcome;
     };

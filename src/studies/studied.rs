@@ -5,7 +5,7 @@
 //! kinematics` and `dam forces` find when nothing further is asked.
 
 use super::expectations::{Verdict, did_you_mean, judged};
-use super::forces::{self, ForceStudy, Refused, figures, figures_of_inputs, only_loaded_output};
+use super::forces::{self, ForceStudy, NoForces, figures, figures_of_inputs, only_loaded_output};
 use super::kinematics::{
     self, AskedSeveral, Kinematics, KinematicsRequest, NamedFigure, Over, Question, linkage_of,
     several_of,
@@ -13,7 +13,7 @@ use super::kinematics::{
 use crate::dynamics::model::Model;
 use crate::fault::Fault;
 use crate::frontend::read::{QuantityChoice, UnitFault, closest};
-use crate::frontend::scene::{Expectation, Expected, Measured, SpanAddress};
+use crate::frontend::scene::{Expectation, Expected, MeasuredValue, SpanAddress};
 use crate::kinematics::linkage::kinetostatics::Kinetostatics;
 use crate::units::quantities::{ALL, NUMBER};
 use crate::units::{Mismatch, Quantity, parse};
@@ -111,8 +111,8 @@ pub(super) fn forces_over(
     };
     let found = forces::forces_of(model, &question);
     let found = found.map_err(|refused| match refused {
-        Refused::Question(message) => message,
-        Refused::Linkage(faults) => in_words(faults),
+        NoForces::Question(message) => message,
+        NoForces::Linkage(faults) => in_words(faults),
     })?;
     // Without a part of its loads it answers another question.
     match forces::loads_left_out(&found, model, object) {
@@ -193,8 +193,8 @@ pub(super) fn unit(figure: &str, model: &Model) -> Option<String> {
 }
 
 /// Faults of numbers whose unit is none of what their figure measures, once the model says it.
-pub fn wrong_units(measured: &[Measured], model: &Model) -> Vec<Fault> {
-    let wrong = |one: &Measured| {
+pub fn wrong_units(measured: &[MeasuredValue], model: &Model) -> Vec<Fault> {
+    let wrong = |one: &MeasuredValue| {
         let at = Address::of(&one.figure)?;
         let known = figures_at(model, at).ok()?;
         wrong_unit(one, unit_of(at, &known)?)
@@ -218,7 +218,7 @@ pub(super) fn quantity_of(unit: &str) -> Quantity {
 }
 
 /// Why a number has another unit than one that is wanted; `None`: it has not.
-fn wrong_unit(one: &Measured, unit: &str) -> Option<Fault> {
+fn wrong_unit(one: &MeasuredValue, unit: &str) -> Option<Fault> {
     let si = if unit.is_empty() { "1" } else { unit };
     let quantity = quantity_of(unit);
     let words = match quantity.units {

@@ -11,12 +11,12 @@ use super::limits::{MASSES, ROWS, RUN, SAMPLES};
 use super::pins::Source;
 use super::units::Counter;
 use super::view::{SourcedRun, View};
-use crate::ask::{Judging, Mechanism};
+use crate::ask::{Mechanism, ModelAssessment};
 use crate::budget::Budget;
 use crate::dynamics::integrate::Stop;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Severity};
 use crate::frontend::scene::{
-    BuiltIn, Catalogue, Document, Layered, Overrides, Reading, TypedScene, edit,
+    BuiltIn, Catalogue, Document, LayeredCatalogue, Overrides, Reading, TypedScene, edit,
 };
 use crate::report::live::{self, Charts};
 use crate::report::sentence::Sentence;
@@ -64,7 +64,7 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
                 reading: None,
             },
             Ok(document) => {
-                let catalogue = Layered(self.catalogue, &BuiltIn);
+                let catalogue = LayeredCatalogue(self.catalogue, &BuiltIn);
                 let (faults, reading) = match document.scene(&catalogue, &Overrides::none()) {
                     Ok(reading) => (reading.warnings.clone(), Some(reading)),
                     Err(faults) => (faults, None),
@@ -87,7 +87,7 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
     pub(super) fn message(&self, document: Option<&Document>, faults: &Diagnostics) -> String {
         let mut counter = Counter::new(self.text);
         let numbers = document.map(|document| {
-            let numbers = document.numbers(&Layered(self.catalogue, &BuiltIn));
+            let numbers = document.numbers(&LayeredCatalogue(self.catalogue, &BuiltIn));
             let one = |number| {
                 let mut value = json!(number);
                 let crate::frontend::scene::Number {
@@ -103,7 +103,8 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
             };
             numbers.into_iter().map(one).collect::<Vec<Value>>()
         });
-        let objects = document.map(|document| document.outline(&Layered(self.catalogue, &BuiltIn)));
+        let objects =
+            document.map(|document| document.outline(&LayeredCatalogue(self.catalogue, &BuiltIn)));
         let faults = faults
             .items
             .iter()
@@ -152,7 +153,7 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
     pub(super) fn run(
         &self,
         reading: Reading,
-        judging: Judging,
+        judging: ModelAssessment,
         stop: &AtomicBool,
     ) -> Result<Option<Ran>, Diagnostics> {
         let budget = Budget::interrupted_by(stop).within(RUN);
@@ -160,7 +161,7 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
         let source = Source {
             text: self.text.to_owned(),
             hash: reading.scene.hash.clone(),
-            judged: matches!(judging, Judging::Asked),
+            judged: matches!(judging, ModelAssessment::Asked),
         };
         let mut mechanism = Mechanism::of_within(reading, judging, &budget).map_err(wrong)?;
         let settings = &mut mechanism.settings;
@@ -182,7 +183,7 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
         if result.outcome.stop == Stop::Interrupted {
             return Ok(None);
         }
-        let coarse = matches!(judging, Judging::Never) && is_judged(mechanism.scene());
+        let coarse = matches!(judging, ModelAssessment::Never) && is_judged(mechanism.scene());
         Ok(Some(Ran {
             version: self.version,
             mechanism,

@@ -8,7 +8,7 @@
 use super::limits::{CELLS, RUN};
 use super::messages::MapRequest;
 use crate::budget::Budget;
-use crate::frontend::scene::{BuiltIn, Catalogue, Document, Layered, Overrides};
+use crate::frontend::scene::{BuiltIn, Catalogue, Document, LayeredCatalogue, Overrides};
 use crate::report::live;
 use crate::studies::map::{Cell, Listener, MapResult, Panels, Question, Study, StudyFault, map};
 use serde_json::json;
@@ -43,7 +43,7 @@ impl<C: Catalogue + Sync> Task<'_, C> {
             let axis = range.axis(CELLS[0]);
             axis.setting(axis.from)
         });
-        let catalogue = Layered(self.catalogue, &BuiltIn);
+        let catalogue = LayeredCatalogue(self.catalogue, &BuiltIn);
         let reading = document.scene(&catalogue, &Overrides::new(settings)).ok()?;
         Some(format!("{} {:?}", reading.scene.hash, self.asked))
     }
@@ -54,7 +54,7 @@ impl<C: Catalogue + Sync> Task<'_, C> {
         let Ok(document) = Document::parse(self.name, self.text.as_bytes()) else {
             return false;
         };
-        let catalogue = Layered(self.catalogue, &BuiltIn);
+        let catalogue = LayeredCatalogue(self.catalogue, &BuiltIn);
         let mut last = 0;
         for count in CELLS {
             let question = Question {

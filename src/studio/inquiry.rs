@@ -6,7 +6,7 @@ use super::commands::{CommandScene, Commands, Question};
 use super::folder::Shelf;
 use super::limits::ANSWER;
 use super::window::Window;
-use crate::frontend::scene::{BuiltIn, Document, Layered, Overrides};
+use crate::frontend::scene::{BuiltIn, Document, LayeredCatalogue, Overrides};
 use serde_json::{Value, json};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -148,7 +148,7 @@ impl Inquirer {
     /// Tells scenes apart, whatever their texts look like; `None`: it is none.
     fn hash(&self, name: &str, text: &str) -> Option<String> {
         let document = Document::parse(name, text.as_bytes()).ok()?;
-        let catalogue = Layered(&self.shelf, &BuiltIn);
+        let catalogue = LayeredCatalogue(&self.shelf, &BuiltIn);
         let reading = document.scene(&catalogue, &Overrides::none()).ok()?;
         Some(reading.scene.hash)
     }

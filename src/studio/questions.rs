@@ -4,10 +4,10 @@ use super::answer::is_judged;
 use super::limits::{FIGURES, JUDGED, RUN};
 use super::room::Room;
 use super::served::Studio;
-use crate::ask::{Judging, Mechanism};
+use crate::ask::{Mechanism, ModelAssessment};
 use crate::budget::Budget;
 use crate::frontend::object::{Inputs, Registry};
-use crate::frontend::scene::{BuiltIn, Catalogue, Document, Layered, Overrides};
+use crate::frontend::scene::{BuiltIn, Catalogue, Document, LayeredCatalogue, Overrides};
 use crate::report::live;
 use crate::studies::offer::offers;
 use crate::studies::spread::spread;
@@ -57,7 +57,7 @@ pub(super) async fn parts(Opened(room): Opened) -> Response {
         };
         json!({ "kind": kind.name, "meaning": kind.doc, "inputs": inputs })
     });
-    let catalogue = Layered(room.catalogue(), &BuiltIn);
+    let catalogue = LayeredCatalogue(room.catalogue(), &BuiltIn);
     let mut names = catalogue.names();
     names.sort_unstable();
     names.dedup();
@@ -75,7 +75,7 @@ pub(super) async fn parts(Opened(room): Opened) -> Response {
 /// The dynamic model and the equations of a scene as it is edited at present; where the levels
 /// of its objects are open, those of the levels that are chosen, with their error.
 pub(super) async fn model(opened: Opened) -> Response {
-    respond(opened, Judging::Asked, |mechanism| {
+    respond(opened, ModelAssessment::Asked, |mechanism| {
         let [model, equations] = live::model(&mechanism.system);
         let accuracy = mechanism.certificate.as_ref().map(live::accuracy);
         json!({ "model": accuracy.unwrap_or_default() + &model, "equations": equations })
@@ -99,12 +99,12 @@ pub(super) async fn linkages(opened: Opened, Query(place): Query<Place>) -> Resp
         let linkages = live::sketches(&mechanism.system, &at);
         json!({ "linkages": linkages })
     };
-    respond(opened, Judging::Never, tell).await
+    respond(opened, ModelAssessment::Never, tell).await
 }
 
 /// The figures of its run that it may expect, with how closely.
 pub(super) async fn figures(opened: Opened) -> Response {
-    respond(opened, Judging::Asked, |mechanism| {
+    respond(opened, ModelAssessment::Asked, |mechanism| {
         let budget = Budget::FREE.within(FIGURES);
         let Ok(result) = mechanism.run_within(&budget) else {
             return json!({ "figures": [] });
@@ -122,7 +122,7 @@ pub(super) async fn figures(opened: Opened) -> Response {
 
 async fn respond(
     Opened(room): Opened,
-    judging: Judging,
+    judging: ModelAssessment,
     tell: impl FnOnce(&Mechanism) -> Value + Send + 'static,
 ) -> Response {
     let worked = tokio::task::spawn_blocking(move || answer_json(&room, judging, tell)).await;
@@ -135,26 +135,26 @@ async fn respond(
 /// `None`: the text is no scene, or none that can be run.
 fn answer_json(
     room: &Room,
-    judging: Judging,
+    judging: ModelAssessment,
     tell: impl FnOnce(&Mechanism) -> Value,
 ) -> Option<Value> {
     let (version, text) = room.newest();
     let document = Document::parse(room.name(), text.as_bytes()).ok()?;
-    let catalogue = Layered(room.catalogue(), &BuiltIn);
+    let catalogue = LayeredCatalogue(room.catalogue(), &BuiltIn);
     let read = || document.scene(&catalogue, &Overrides::none()).ok();
     let reading = read()?;
     let made = |reading, judging, time| {
         Mechanism::of_within(reading, judging, &Budget::FREE.within(time)).ok()
     };
     let judged = match judging {
-        Judging::Never => None,
+        ModelAssessment::Never => None,
         _ if !is_judged(&reading.scene) => None,
         _ => made(read()?, judging, JUDGED),
     };
     // What takes too long to judge is told as it stands.
     let mechanism = match judged {
         Some(mechanism) => mechanism,
-        None => made(reading, Judging::Never, RUN)?,
+        None => made(reading, ModelAssessment::Never, RUN)?,
     };
     let mut told = tell(&mechanism);
     told["version"] = json!(version);

@@ -9,7 +9,7 @@ use super::limits::BODY;
 use super::questions::{self, Opened};
 use super::served::{Studio, keep};
 use super::socket;
-use crate::frontend::scene::{BuiltIn, Document, Layered, schema_of};
+use crate::frontend::scene::{BuiltIn, Document, LayeredCatalogue, schema_of};
 use crate::report::live;
 use axum::extract::{DefaultBodyLimit, Extension, State, WebSocketUpgrade};
 use axum::http::StatusCode;
@@ -95,7 +95,7 @@ async fn schema(Opened(room): Opened) -> Response {
     match Document::parse(room.name(), room.text().as_bytes()) {
         Ok(document) => {
             let catalogue = room.catalogue();
-            Json(schema_of(&document, &Layered(catalogue, &BuiltIn))).into_response()
+            Json(schema_of(&document, &LayeredCatalogue(catalogue, &BuiltIn))).into_response()
         }
         Err(_) => Json(crate::frontend::scene::schema(
             &crate::frontend::object::Registry::standard(),

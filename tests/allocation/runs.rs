@@ -3,7 +3,7 @@
 use crate::counting::allocations;
 use dam::expression::Expression;
 use dam::integrate::{Dynamics, Limits, Method, Modes, Settings, Sink, Stop, integrate};
-use dam::laws::Declared;
+use dam::laws::LawInstance;
 use dam::model::*;
 use dam::motion::DriveMotion;
 use dam::position::{Position, PositionSpec};
@@ -148,8 +148,8 @@ fn model() -> Model {
         load(4, LoadLaw::constant(-2.0)),
         load(4, LoadLaw::Pieces { track: 1, pieces }),
         load(3, LoadLaw::Written(written(GUARDED))),
-        load(3, Declared::friction(1.0, 0.1).law()),
-        load(0, Declared::kloss([30.0, 0.2, 100.0]).law()),
+        load(3, LawInstance::friction(1.0, 0.1).law()),
+        load(0, LawInstance::kloss([30.0, 0.2, 100.0]).law()),
         load(0, LoadLaw::speed_table(vec![(0.0, 1.0), (50.0, 0.0)])),
         load(1, LoadLaw::spring(10.0, 1.0)),
     ];

@@ -7,7 +7,7 @@
 
 use dam::lower::lower;
 use dam::record::Figures;
-use dam::scene::{BuiltIn, Document, Folder, Layered, Overrides};
+use dam::scene::{BuiltIn, Document, Folder, LayeredCatalogue, Overrides};
 use dam::studies::run::run;
 use dam::studies::{Control, RunSettings};
 use dam::system::System;
@@ -33,7 +33,7 @@ fn figures(path: &Path) -> Figures {
     let document = Document::parse(&path.display().to_string(), &bytes).expect("a document");
     let reading = document
         .scene(
-            &Layered(&Folder::beside(path), &BuiltIn),
+            &LayeredCatalogue(&Folder::beside(path), &BuiltIn),
             &Overrides::none(),
         )
         .expect("a scene");

@@ -2,7 +2,7 @@
 //! others judges it in `peers/tests/schema.rs`.
 
 use dam::object::Registry;
-use dam::scene::{BuiltIn, Document, Folder, Layered, Overrides, schema, schema_text};
+use dam::scene::{BuiltIn, Document, Folder, LayeredCatalogue, Overrides, schema, schema_text};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
@@ -108,7 +108,7 @@ fn the_committed_scenes_are_read_and_name_the_schema() {
         );
         let document = Document::parse("scene.json", text.as_bytes()).expect("JSON");
         let beside = Folder::beside(&path);
-        let catalogue = Layered(&beside, &BuiltIn);
+        let catalogue = LayeredCatalogue(&beside, &BuiltIn);
         if let Err(diagnostics) = document.scene(&catalogue, &Overrides::none()) {
             panic!("{}: {diagnostics}", path.display());
         }

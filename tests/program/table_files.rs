@@ -1,7 +1,7 @@
 //! Tables in files beside a scene: the same as in the scene, and nothing from outside.
 
 use dam::Scene;
-use dam::scene::{BuiltIn, Document, Folder, Layered, Overrides};
+use dam::scene::{BuiltIn, Document, Folder, LayeredCatalogue, Overrides};
 use proptest::prelude::*;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
@@ -38,7 +38,7 @@ fn canonical(folder: &Path, points: &str) -> (serde_json::Value, String) {
     let text = SCENE.replace("POINTS", points);
     let document = Document::parse("scene.json", text.as_bytes()).unwrap();
     let beside = Folder::beside(&folder.join("scene.json"));
-    let reading = document.scene(&Layered(&beside, &BuiltIn), &Overrides::none());
+    let reading = document.scene(&LayeredCatalogue(&beside, &BuiltIn), &Overrides::none());
     let reading = reading.unwrap_or_else(|faults| panic!("{faults}"));
     (reading.canonical, reading.scene.hash)
 }

@@ -1,7 +1,7 @@
 //! The error of the model itself, and the least model within an accuracy: held against
 //! closed forms of the continuum and against long chains.
 
-use dam::ask::Judging;
+use dam::ask::ModelAssessment;
 use dam::builder::spec::Level;
 use dam::prelude::*;
 use dam::studies::Control;
@@ -11,7 +11,7 @@ use dam::studies::order::{Certainty, Certificate, FigureAccuracy};
 fn judged(text: &str) -> (Mechanism, Certificate) {
     let scene = Scene::from_json(text).expect("a scene");
     let reading = scene.decode().expect("a sound scene");
-    let mechanism = Mechanism::of_within(reading, Judging::Asked, &Control::default());
+    let mechanism = Mechanism::of_within(reading, ModelAssessment::Asked, &Control::default());
     let mechanism = mechanism.expect("a mechanism");
     let certificate = mechanism.certificate.clone().expect("a certificate");
     (mechanism, certificate)

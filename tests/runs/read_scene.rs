@@ -3,7 +3,7 @@
 use dam::model::{Closure, ContactForm, Coordinate};
 use dam::object::spec::{BodySpec, ChainSpec, InertiaSplit, LoadLawSpec, Lumping, MassChoice};
 use dam::position::PositionSpec;
-use dam::scene::{Allowed, BuiltIn, Document, Expected, Overrides, Reading, StartSpec};
+use dam::scene::{AllowedValues, BuiltIn, Document, Expected, Overrides, Reading, StartSpec};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 const TWO_MASSES: &str = include_str!("../rocker_scene.json");
@@ -58,7 +58,7 @@ fn the_two_mass_rocker_is_read() {
         }
     );
     let Expected::Figure {
-        allowed: Allowed::Near { within, .. },
+        allowed: AllowedValues::Near { within, .. },
         ..
     } = scene.expect[0].what
     else {

@@ -1,7 +1,7 @@
 //! A run whose figures are to keep an accuracy is integrated no more finely than that needs,
 //! and says truly how far its figures are off by it.
 
-use dam::ask::Judging;
+use dam::ask::ModelAssessment;
 use dam::prelude::*;
 use dam::studies::run::{RunResult, run};
 use dam::studies::spread::spread;
@@ -41,7 +41,7 @@ fn asking(name: &str, figure: &str, accuracy: &str, open: &[&str]) -> Value {
 fn prepared(scene: &Value) -> Mechanism {
     let scene = Scene::from_json(&scene.to_string()).expect("a scene");
     let reading = scene.decode().expect("a sound scene");
-    Mechanism::of_within(reading, Judging::Asked, &Control::default()).expect("a mechanism")
+    Mechanism::of_within(reading, ModelAssessment::Asked, &Control::default()).expect("a mechanism")
 }
 
 fn run_at(mechanism: &Mechanism, tolerance: f64) -> RunResult {

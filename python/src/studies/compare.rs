@@ -3,7 +3,7 @@
 use super::{Asked, run};
 use crate::answer::{Columns, Figure, Told};
 use crate::work::Watch;
-use dam::ask::Judging;
+use dam::ask::ModelAssessment;
 use dam::read::Node;
 use dam::report::abscissa::Abscissa;
 use dam::report::compare::{document, findings};
@@ -38,7 +38,7 @@ pub(crate) fn ask(
         let (value, at) = values.next().unwrap_or_else(|| (label.into(), 0));
         let scene = Scene::clone(&scene).set(address, value);
         let budget = watch.budget();
-        let ready = Mechanism::of_within(scene.decode()?, Judging::Asked, &budget)?;
+        let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Asked, &budget)?;
         let part = (f64::from(at) / count, f64::from(at + 1) / count);
         let result = run::within(&ready, watch, part)?;
         let scene = Arc::new(scene);

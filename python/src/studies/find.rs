@@ -3,10 +3,10 @@
 use super::{Asked, interrupted};
 use crate::answer::{Columns, Told};
 use crate::work::Watch;
-use dam::ask::{FindQuestion, Judging};
+use dam::ask::{FindQuestion, ModelAssessment};
 use dam::report::find::findings;
 use dam::report::findings::Findings;
-use dam::report::requirements::{self, Verified};
+use dam::report::requirements::{self, VerifiedScene};
 use dam::studies::find::FoundValue;
 use dam::{Error, Mechanism, Scene};
 use serde_json::Value;
@@ -28,7 +28,7 @@ pub(crate) fn ask(
     watch: &Watch,
 ) -> Result<FoundBest, Error> {
     let budget = watch.budget();
-    let ready = Mechanism::of_within(scene.decode()?, Judging::Never, &budget)?;
+    let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Never, &budget)?;
     let found = scene.find(question, &budget)?;
     if !found.found.complete {
         return Err(interrupted("the search"));
@@ -86,7 +86,7 @@ impl Told for FoundBest {
 }
 
 /// A scene with what it expects, judged.
-pub(crate) struct Requirements(Verified);
+pub(crate) struct Requirements(VerifiedScene);
 
 /// Judges what a scene expects.
 ///
@@ -94,12 +94,12 @@ pub(crate) struct Requirements(Verified);
 /// Everything that is wrong with the scene.
 pub(crate) fn verify(scene: &Scene, watch: &Watch) -> Result<Requirements, Error> {
     let budget = watch.budget();
-    let ready = Mechanism::of_within(scene.decode()?, Judging::Asked, &budget)?;
+    let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Asked, &budget)?;
     let requirements = ready.verify_within(&budget)?;
     if budget.is_interrupted() {
         return Err(interrupted("the judging"));
     }
-    Ok(Requirements(Verified {
+    Ok(Requirements(VerifiedScene {
         file: String::new(),
         scene: ready.scene().name.clone(),
         requirements: Ok(requirements),

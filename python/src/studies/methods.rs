@@ -3,7 +3,7 @@
 use super::{Asked, interrupted, plain};
 use crate::answer::{Columns, Told};
 use crate::work::Watch;
-use dam::ask::Judging;
+use dam::ask::ModelAssessment;
 use dam::report::diagram::Diagram;
 use dam::report::findings::Findings;
 use dam::report::methods::{findings, sweep_findings, sweep_rows};
@@ -40,7 +40,7 @@ pub(crate) fn ask(
     let (ready, models) = match choosing {
         true => with_model(&scene, accuracy.unwrap_or(USUAL), watch)?,
         false => (
-            scene.prepare_judging(Judging::Needed, &watch.budget())?,
+            scene.prepare_judging(ModelAssessment::Needed, &watch.budget())?,
             None,
         ),
     };
@@ -75,7 +75,7 @@ fn with_model(
     let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
     let found = models(&mut reading.scene, &settings, accuracy, &watch.budget());
     let found = found.map_err(diagnose)?;
-    let ready = Mechanism::of_within(reading, Judging::Never, &watch.budget())?;
+    let ready = Mechanism::of_within(reading, ModelAssessment::Never, &watch.budget())?;
     Ok((ready, Some(found)))
 }
 
@@ -107,7 +107,7 @@ pub(crate) fn over(
     }
     let at = |x: f64| -> Result<Mechanism, Error> {
         crate::scene::with_setting(Scene::clone(&scene), &axis.setting(x))?
-            .prepare_judging(Judging::Needed, &watch.budget())
+            .prepare_judging(ModelAssessment::Needed, &watch.budget())
     };
     let ready = at(axis.from)?;
     let mut asked = Plan::new(accuracy.unwrap_or(ready.settings.tolerance));

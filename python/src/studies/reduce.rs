@@ -3,7 +3,7 @@
 use super::{Asked, interrupted};
 use crate::answer::Told;
 use crate::work::Watch;
-use dam::ask::Judging;
+use dam::ask::ModelAssessment;
 use dam::report::diagram::Diagram;
 use dam::report::findings::{Findings, Source};
 use dam::report::reduce::{document, findings};
@@ -24,7 +24,7 @@ pub(crate) struct Reduced {
 /// Everything that is wrong with the scene.
 pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Reduced, Error> {
     let budget = watch.budget();
-    let ready = Mechanism::of_within(scene.decode()?, Judging::Never, &budget)?;
+    let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Never, &budget)?;
     let found = scene.reduce_within(&budget)?;
     if budget.is_interrupted() {
         return Err(interrupted("the search"));

@@ -3,7 +3,7 @@
 use super::{Asked, interrupted, plain};
 use crate::answer::{Figure, Table, Told};
 use crate::work::Watch;
-use dam::ask::Judging;
+use dam::ask::ModelAssessment;
 use dam::integrate::{Modes, Sink, SwitchEvent};
 use dam::polynomial::Step;
 use dam::report::abscissa::Abscissa;
@@ -32,7 +32,7 @@ pub(crate) struct Run {
 /// Everything that is wrong with it.
 pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Run, Error> {
     let budget = watch.budget();
-    let ready = Mechanism::of_within(scene.decode()?, Judging::Asked, &budget)?;
+    let ready = Mechanism::of_within(scene.decode()?, ModelAssessment::Asked, &budget)?;
     let asked = Asked { scene, ready };
     let result = within(&asked.ready, watch, (0.0, 1.0))?;
     Ok(Run { asked, result })
@@ -97,7 +97,7 @@ impl Sink for Teller<'_> {
         self.watch.at(self.from + self.scale * time);
     }
 
-    fn looks_within(&self, _until: f64) -> bool {
+    fn reads_within_steps(&self, _until: f64) -> bool {
         false
     }
 }

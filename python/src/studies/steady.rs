@@ -3,7 +3,7 @@
 use super::{Asked, plain};
 use crate::answer::{Columns, Told};
 use crate::work::Watch;
-use dam::ask::Judging;
+use dam::ask::ModelAssessment;
 use dam::report::findings::Findings;
 use dam::report::steady::{
     SteadyReport, periodic_findings, periodic_rows, rigid_findings, rigid_rows,
@@ -25,7 +25,7 @@ pub(crate) struct Steady {
 /// # Errors
 /// Everything that is wrong with the scene; why there is no steady motion.
 pub(crate) fn ask(scene: Arc<Scene>, watch: &Watch) -> Result<Steady, Error> {
-    let ready = scene.prepare_judging(Judging::Needed, &watch.budget())?;
+    let ready = scene.prepare_judging(ModelAssessment::Needed, &watch.budget())?;
     let found = ready.steady_within(&watch.budget())?;
     let asked = Asked { scene, ready };
     Ok(Steady { asked, found })

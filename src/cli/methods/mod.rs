@@ -10,7 +10,7 @@ use super::input::{Input, Ready};
 use super::interrupt;
 use super::output::OutputFolder;
 use super::status::Status;
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::dynamics::integrate::Method;
 use crate::fault::Fault;
 use crate::report::diagram::Diagram;
@@ -153,7 +153,7 @@ fn with_model(
     let settings = RunSettings::of(&reading.scene).map_err(|fault| diagnose(vec![fault]))?;
     let asked = args.accuracy.unwrap_or(USUAL_SHARE);
     let found = models(&mut reading.scene, &settings, asked, control).map_err(diagnose)?;
-    let ready = Ready::of_within(reading, Judging::Never, control)?;
+    let ready = Ready::of_within(reading, ModelAssessment::Never, control)?;
     Ok((ready, Some(found)))
 }
 

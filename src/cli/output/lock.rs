@@ -11,7 +11,7 @@ pub(super) struct Lock(#[allow(dead_code, reason = "held, not examined")] File);
 
 /// Why a folder is not to be had.
 #[derive(Debug)]
-pub(super) enum Refused {
+pub(super) enum LockError {
     /// Another program writes there.
     Taken,
     /// The lock cannot be opened.
@@ -21,10 +21,10 @@ pub(super) enum Refused {
 impl Lock {
     /// Takes a folder that exists. Where the file system knows no locks (some of
     /// those over a network), there is none.
-    pub(super) fn take(folder: &Path) -> Result<Self, Refused> {
-        let file = open(folder).map_err(Refused::System)?;
+    pub(super) fn take(folder: &Path) -> Result<Self, LockError> {
+        let file = open(folder).map_err(LockError::System)?;
         match file.try_lock() {
-            Err(TryLockError::WouldBlock) => Err(Refused::Taken),
+            Err(TryLockError::WouldBlock) => Err(LockError::Taken),
             Ok(()) | Err(TryLockError::Error(_)) => Ok(Self(file)),
         }
     }

@@ -17,7 +17,7 @@ mod tests;
 use super::failure::Failure;
 use super::{console, interrupt, journal};
 use crate::cli::args::scene::OutArgs;
-use lock::{Lock, Refused};
+use lock::{Lock, LockError};
 use provenance::{Provenance, digest};
 use std::collections::BTreeSet;
 use std::fs;
@@ -105,11 +105,11 @@ impl OutputFolder {
         fs::create_dir_all(folder)
             .map_err(|error| format!("cannot make the output folder `{shown}`: {error}"))?;
         let lock = Lock::take(folder).map_err(|refused| match refused {
-            Refused::Taken => format!(
+            LockError::Taken => format!(
                 "another dam is at work for the folder `{shown}`; wait for it, or choose another \
                  folder"
             ),
-            Refused::System(error) => format!("cannot open the output folder `{shown}`: {error}"),
+            LockError::System(error) => format!("cannot open the output folder `{shown}`: {error}"),
         })?;
         let _keeping = interrupt::keep();
         try_writing(folder).map_err(|error| format!("cannot write into `{shown}`: {error}"))?;

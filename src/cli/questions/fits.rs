@@ -1,9 +1,9 @@
 //! Which questions a scene fits, and of what in it they can be asked.
 
 use super::TABS;
-use crate::ask::{Judging, Mechanism};
+use crate::ask::{Mechanism, ModelAssessment};
 use crate::dynamics::model::Model;
-use crate::frontend::scene::{BuiltIn, Document, Layered, Overrides};
+use crate::frontend::scene::{BuiltIn, Document, LayeredCatalogue, Overrides};
 use crate::kinematics::motion::LawName;
 use crate::studies::cam::objects_with_cam;
 use crate::studies::kinematics::{Subject, linkage_of, several_of};
@@ -29,11 +29,11 @@ pub(super) fn of(asked: &CommandScene<'_>) -> Vec<Fit> {
     let Ok(document) = Document::parse(asked.name, asked.text.as_bytes()) else {
         return Vec::new();
     };
-    let catalogue = Layered(asked.catalogue, &BuiltIn);
+    let catalogue = LayeredCatalogue(asked.catalogue, &BuiltIn);
     let Ok(reading) = document.scene(&catalogue, &Overrides::none()) else {
         return Vec::new();
     };
-    let ready = Mechanism::of_within(reading, Judging::Never, &asked.budget);
+    let ready = Mechanism::of_within(reading, ModelAssessment::Never, &asked.budget);
     let tree: Value = serde_json::from_str(asked.text).unwrap_or_default();
     let one = |ready: &Mechanism, command| {
         let (choices, why) = fit(command, ready, &tree);

@@ -20,7 +20,7 @@ pub(super) struct Contact {
 
 /// A contact at a state.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pressed {
+pub(super) struct ContactState {
     pub(super) object: usize,
     pub(super) component: Option<usize>,
     pub(super) mode: i64,
@@ -105,10 +105,10 @@ impl Contact {
     }
 
     /// What it does at a deformation and its rate.
-    pub(super) fn press(&self, x: f64, rate: f64, modes: &[i64]) -> Pressed {
+    pub(super) fn press(&self, x: f64, rate: f64, modes: &[i64]) -> ContactState {
         let mode = self.component.map_or(1, |component| modes[component]);
         let restitution = self.pair.form.restitution();
-        let mut pressed = Pressed {
+        let mut pressed = ContactState {
             object: self.object,
             component: self.component,
             mode,

@@ -9,7 +9,7 @@
 //! both sums handed from each node to what drives it. The force of a link is inner to the
 //! law of its mass: it works on the coordinates of masses alone.
 
-use super::contact::{Contact, Pressed};
+use super::contact::{Contact, ContactState};
 use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::model::{Law, LinkBase, LoadLaw, LoadVariable, Model, NodeMotion};
 use crate::dynamics::stated::{
@@ -46,7 +46,7 @@ pub(super) struct At {
 }
 
 /// Why something cannot be checked.
-type Unknown = Option<&'static str>;
+type Uncheckable = Option<&'static str>;
 
 /// A link with the numbers of its pair.
 struct LinkPlace {
@@ -68,11 +68,11 @@ pub(super) struct Mechanics<'s> {
     /// Contacts of stops, by load.
     stops: Vec<Option<Contact>>,
     /// Why the motion, or the force, of a node is not checked.
-    pub(super) no_motion: Vec<Unknown>,
-    pub(super) no_force: Vec<Unknown>,
+    pub(super) no_motion: Vec<Uncheckable>,
+    pub(super) no_force: Vec<Uncheckable>,
     pub(super) nodes: Vec<At>,
     /// Forces and depths of all contacts at the state looked at last.
-    pub(super) pressed: Vec<Pressed>,
+    pub(super) pressed: Vec<ContactState>,
     /// Kinetic energy at the state looked at last.
     pub(super) kinetic: f64,
 }

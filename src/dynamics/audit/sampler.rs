@@ -69,13 +69,13 @@ pub(super) const LATE: f64 = 64.0 * f64::EPSILON;
 /// A state at the end of a stretch, the one beside it by roundings of the instant, and how
 /// long the stretch is.
 #[derive(Clone, Debug)]
-pub(crate) struct End {
+pub(crate) struct StretchEnd {
     pub(super) state: Vec<f64>,
     pub(super) beside: Vec<f64>,
     pub(super) length: f64,
 }
 
-impl End {
+impl StretchEnd {
     fn new(entries: usize) -> Self {
         Self {
             state: vec![0.0; entries],
@@ -106,8 +106,8 @@ pub(crate) struct Turn {
     /// begins.
     pub(super) before: Vec<f64>,
     pub(super) after: Vec<f64>,
-    pub(super) last: Option<End>,
-    pub(super) next: Option<End>,
+    pub(super) last: Option<StretchEnd>,
+    pub(super) next: Option<StretchEnd>,
     pub(super) modes: [Modes; 2],
     pub(super) impact: Option<Impact>,
 }
@@ -148,7 +148,7 @@ pub(crate) struct InstantSampler {
     awaits: Option<usize>,
     /// The place that the next switch is kept at, and the end of the stretch before it.
     place: usize,
-    last: Option<(f64, End)>,
+    last: Option<(f64, StretchEnd)>,
     /// Stretches met, and looks at those that are drawn.
     stretches: usize,
     drawn: Vec<DrawnInstant>,
@@ -228,12 +228,14 @@ impl InstantSampler {
         }
         if keeps_end {
             let entries = self.entries;
-            let (time, end) = self.last.get_or_insert_with(|| (until, End::new(entries)));
+            let (time, end) = self
+                .last
+                .get_or_insert_with(|| (until, StretchEnd::new(entries)));
             *time = until;
             end.see(until, [from, until], state);
         }
         if let Some(turn) = self.awaits.take() {
-            let mut end = End::new(self.entries);
+            let mut end = StretchEnd::new(self.entries);
             end.see(from, [from, until], state);
             self.found.turns[turn].next = Some(end);
         }

@@ -2,9 +2,9 @@
 //!
 //! An impact follows its coefficient of restitution; its impulse and its energy are balanced.
 
-use super::contact::Pressed;
+use super::contact::ContactState;
 use super::judge::Judge;
-use super::sampler::{End, LATE, Turn};
+use super::sampler::{LATE, StretchEnd, Turn};
 use crate::dynamics::integrate::Impact;
 
 /// Roundings of the displacements through which a stretch knows its speeds.
@@ -23,7 +23,8 @@ pub(super) fn judge(judge: &mut Judge<'_>, turn: &Turn) {
 fn continuity(judge: &mut Judge<'_>, turn: &Turn) {
     let count = turn.before.len() / 2;
     let bound = judge.bound();
-    let mut pairs: Vec<(&[f64], &[f64], Option<&End>)> = vec![(&turn.before, &turn.after, None)];
+    let mut pairs: Vec<(&[f64], &[f64], Option<&StretchEnd>)> =
+        vec![(&turn.before, &turn.after, None)];
     pairs.extend(
         turn.last
             .iter()
@@ -65,7 +66,7 @@ fn continuity(judge: &mut Judge<'_>, turn: &Turn) {
 
 /// How far rounding leaves an entry of the state at the end of a stretch open: of the
 /// instant, about which what is stiff moves, and of the displacements.
-fn unsure(judge: &Judge<'_>, end: &End, node: usize, order: usize, entry: usize) -> f64 {
+fn unsure(judge: &Judge<'_>, end: &StretchEnd, node: usize, order: usize, entry: usize) -> f64 {
     let moved = (end.state[entry] - end.beside[entry]).abs();
     match order == 0 || end.length == 0.0 {
         true => moved,
@@ -80,7 +81,7 @@ fn pressed_at(
     turn: &Turn,
     side: usize,
     component: usize,
-) -> Option<Pressed> {
+) -> Option<ContactState> {
     let y = [&turn.before, &turn.after][side];
     judge.take_state(turn.time, y, &turn.modes[side].0);
     let mut all = judge.mechanics.pressed.iter();

@@ -3,7 +3,7 @@
 use super::driven_end::{balanced_shares, loaded};
 use super::modes::{Modal, ModalLowering};
 use super::spec::{BodySpec, ChainSpec, InertiaSplit, Level, Lumping, PairSpec};
-use super::{Connected, ModelBuilder, Place, contact, driven_end, stop};
+use super::{InputConnection, ModelBuilder, Place, contact, driven_end, stop};
 use crate::dynamics::laws::contact::law_of_link;
 use crate::dynamics::model::{Closure, Coordinate, Law, Loss, NodeIndex, Pair};
 use crate::dynamics::stated::StatedPosition;
@@ -170,7 +170,7 @@ fn shares(faults: &mut Faults, split: &InertiaSplit, masses: usize) -> Vec<f64> 
 impl ModelBuilder {
     /// Lowers a chain of masses, or a rigid object, behind what an input hangs on, to
     /// its nodes, links and loads. `input`: `None` where that has faults of its own.
-    pub fn chain(&mut self, at: &Place, input: Option<&Connected>, spec: &ChainSpec) {
+    pub fn chain(&mut self, at: &Place, input: Option<&InputConnection>, spec: &ChainSpec) {
         let law = self.law_of(at, input, spec);
         let parameters = ChainParameters::new(&spec.body);
         let pair = self.pair(at, spec);
@@ -252,7 +252,12 @@ impl ModelBuilder {
     }
 
     /// The law that the driver asks for.
-    fn law_of(&mut self, at: &Place, input: Option<&Connected>, spec: &ChainSpec) -> Option<Law> {
+    fn law_of(
+        &mut self,
+        at: &Place,
+        input: Option<&InputConnection>,
+        spec: &ChainSpec,
+    ) -> Option<Law> {
         if !spec.lever.is_finite() || spec.lever == 0.0 {
             let message = format!("{} is no lever", spec.lever);
             let hint = "give a number other than zero";

@@ -7,8 +7,8 @@ use super::spec::{BodySpec, ChainSpec, ContactSpec};
 use super::{ChainParameters, ModelBuilder, Place};
 use crate::dynamics::laws::contact::keys;
 use crate::dynamics::model::{
-    Closure, ContactElement, ContactForm, Law, Link, LinkBase, Node, NodeIndex, NodeMotion, Pair,
-    Pressing,
+    Closure, ContactElement, ContactForm, ContactPartner, Law, Link, LinkBase, Node, NodeIndex,
+    NodeMotion, Pair,
 };
 use crate::fault::Faults;
 use crate::kinematics::cam::{CamGeometry, DiscCam};
@@ -97,7 +97,7 @@ impl ModelBuilder {
     pub fn pressing(&mut self, at: &Place, spec: &ChainSpec, geometry: &CamGeometry) {
         let position = Position::new(&spec.position).ok();
         let cam = position.and_then(|position| DiscCam::new(&position, geometry).ok());
-        let pressing = cam.and_then(|cam| Pressing::on_cam(cam, spec.lever));
+        let pressing = cam.and_then(|cam| ContactPartner::on_cam(cam, spec.lever));
         if let Some(part) = self.model.objects.get_mut(at.object) {
             part.pressing = pressing.map(Arc::new);
         }
@@ -106,7 +106,7 @@ impl ModelBuilder {
     /// Tells how hard a part presses on what it touches, where the geometry is known.
     pub(super) fn presses(&mut self, part: usize, contact: &ContactSpec) {
         if let Some(part) = self.model.objects.get_mut(part) {
-            let pressing = contact.pressure.map(Pressing::Fixed);
+            let pressing = contact.pressure.map(ContactPartner::Fixed);
             part.pressing = pressing.map(Arc::new);
         }
     }

@@ -7,7 +7,7 @@
 //!
 //! It is a chain on a contact as any other, with its point, events, statics and closed forms.
 //! Its masses are no places on the object. Loads and followers act on the sum
-//! (`Reduced::output`), and motion and deviation are read from it; in `exact` the deviation is
+//! (`ModalReduction::output`), and motion and deviation are read from it; in `exact` the deviation is
 //! the same sum (`TreeObject::output`).
 
 use super::continuum::Continuum;
@@ -15,7 +15,7 @@ use super::modal_output::{self, Shares};
 use super::modes::ModalLowering;
 use super::spec::ContactSpec;
 use super::{ChainParameters, ModelBuilder, Place};
-use crate::dynamics::model::{NodeIndex, Pair, PartInput, Reduced, SUM};
+use crate::dynamics::model::{ModalReduction, NodeIndex, Pair, PartInput, SUM};
 
 impl ModalLowering<'_> {
     /// Lowers the object free of its driver, behind a contact element.
@@ -46,7 +46,7 @@ impl ModalLowering<'_> {
         for load in &spec.loads {
             modal_output::load(into, at, load, &shares, [output, law.driver]);
         }
-        into.model.reduced.push(Reduced {
+        into.model.reduced.push(ModalReduction {
             object: at.object,
             modes: shares,
             output: Some(output),

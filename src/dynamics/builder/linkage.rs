@@ -2,7 +2,7 @@
 
 use super::assembly_range::{DEAD, place, range};
 use super::spec::DrivenLinkage;
-use super::{Connected, ModelBuilder, Place};
+use super::{InputConnection, ModelBuilder, Place};
 use crate::dynamics::model::{Law, LinkageBody, NodeIndex, Pair, TrackSource};
 use crate::dynamics::stated::StatedPosition;
 use crate::fault::Fault;
@@ -17,7 +17,7 @@ use std::sync::Arc;
 impl ModelBuilder {
     /// Lowers a linkage behind what an input hangs on (`None` where that has faults
     /// of its own): its structure is found here, and everything that is wrong with it.
-    pub fn linkage(&mut self, at: &Place, input: Option<&Connected>, spec: &DrivenLinkage) {
+    pub fn linkage(&mut self, at: &Place, input: Option<&InputConnection>, spec: &DrivenLinkage) {
         let position = Position::new(&spec.position);
         let linkage = Linkage::new(spec.linkage.clone());
         let (position, linkage) = match (position, linkage) {
@@ -130,7 +130,7 @@ impl ModelBuilder {
         &mut self,
         at: &Place,
         node: NodeIndex,
-        input: &Connected,
+        input: &InputConnection,
         position: &Position,
         linkage: &Linkage,
     ) {

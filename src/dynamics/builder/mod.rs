@@ -39,7 +39,7 @@ pub(crate) mod written;
 pub use chain::ChainParameters;
 pub(crate) use contact::{STATIC_BEHIND_A_CURVE, instead_of_static};
 pub(crate) use driven_end::{BALANCED_BEHIND_AN_OPENING_PAIR, INSTEAD_OF_BALANCED};
-pub use place::{Connected, Place};
+pub use place::{InputConnection, Place};
 
 use crate::dynamics::model::{Model, NodeIndex, ObjectPart, Track, TrackSource};
 use crate::fault::{Fault, Faults};
@@ -68,7 +68,7 @@ pub struct ModelBuilder {
     /// Outputs that others hang on.
     followed: BTreeSet<String>,
     /// Loads that look at objects which may have no node yet.
-    waiting: Vec<written::Waiting>,
+    waiting: Vec<written::PendingReference>,
 }
 
 /// A node as the builder knows it: its object, and where it stands at the start.
@@ -121,7 +121,7 @@ impl ModelBuilder {
         inputs: impl IntoIterator<Item = (&'c str, &'c str)>,
     ) -> Option<Place> {
         let connected = |(port, output): (&str, &str)| {
-            Some(Connected {
+            Some(InputConnection {
                 port: port.to_owned(),
                 output: output.to_owned(),
                 coordinate: self.model.objects[*self.indices.get(output)?].coordinate,

@@ -1,7 +1,7 @@
 //! The output of an object that is reduced to modes: a sum, on which loads act.
 
 use super::spec::{LoadLawSpec, LoadSpec};
-use super::{Connected, ModelBuilder, Place};
+use super::{InputConnection, ModelBuilder, Place};
 use crate::dynamics::model::{Load, LoadLaw, NodeIndex, Pair};
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::position::Position;
@@ -16,13 +16,13 @@ pub(super) fn sum(
     shares: &Shares,
     pair: Pair,
 ) -> Option<NodeIndex> {
-    let connected = |node| Connected {
+    let connected = |node| InputConnection {
         port: String::new(),
         output: at.id.clone(),
         coordinate: into.model.objects[at.object].coordinate,
         node,
     };
-    let all: Vec<Connected> = shares.iter().map(|share| connected(share.0)).collect();
+    let all: Vec<InputConnection> = shares.iter().map(|share| connected(share.0)).collect();
     let ratios = shares.iter().map(|share| share.1).collect();
     let sum = match Constraint::linear(ratios, 0.0) {
         Ok(constraint) => into.combine(at, &all.iter().collect::<Vec<_>>(), constraint),

@@ -21,7 +21,7 @@ use super::modal_output::{self, Shares};
 use super::smooth::is_smooth;
 use super::spec::{ChainSpec, ContactSpec, InertiaSplit, LoadLawSpec, LoadSpec, MassChoice};
 use super::{ChainParameters, FREE_FALL, ModelBuilder, Place, contact};
-use crate::dynamics::model::{Closure, Law, MODE, Pair, PartInput, Reduced};
+use crate::dynamics::model::{Closure, Law, MODE, ModalReduction, Pair, PartInput};
 use crate::fault::Faults;
 use std::f64::consts::TAU;
 
@@ -79,8 +79,8 @@ impl Rest {
     }
 
     /// An object with these modes and this rest.
-    fn reduced(&self, object: usize, modes: Shares) -> Reduced {
-        Reduced {
+    fn reduced(&self, object: usize, modes: Shares) -> ModalReduction {
+        ModalReduction {
             object,
             modes,
             output: None,

@@ -1,7 +1,7 @@
 //! The single steps: nodes, laws, links, outputs.
 
 use super::assembly_range::DEAD;
-use super::{ChainParameters, Connected, ModelBuilder, NodeEntry, Place};
+use super::{ChainParameters, InputConnection, ModelBuilder, NodeEntry, Place};
 use crate::dynamics::model::{
     Coordinate, DRIVEN_END, Law, Link, LinkBase, Load, LoadLaw, Node, NodeIndex, NodeMotion,
     ObjectPart, Pair, TrackSource,
@@ -47,7 +47,7 @@ impl ModelBuilder {
         &mut self,
         at: &Place,
         property: &str,
-        driver: &Connected,
+        driver: &InputConnection,
         position: Position,
         lever: f64,
     ) -> Option<Law> {
@@ -73,13 +73,13 @@ impl ModelBuilder {
 
     /// The node on which several inputs are combined: φ = G(φ₁, …, φₖ), the drivers in
     /// the order of the connections. What hangs on it loads driver i with F·∂G/∂φᵢ.
-    /// It belongs to the object, whose law follows it ([`Connected::node`]).
+    /// It belongs to the object, whose law follows it ([`InputConnection::node`]).
     pub fn combine(
         &mut self,
         at: &Place,
-        inputs: &[&Connected],
+        inputs: &[&InputConnection],
         constraint: Constraint,
-    ) -> Connected {
+    ) -> InputConnection {
         let drivers: Vec<NodeIndex> = inputs.iter().map(|input| input.node).collect();
         let start = self.combined(&drivers, &constraint);
         let motion = NodeMotion::Constrained {
@@ -98,7 +98,7 @@ impl ModelBuilder {
             part: at.object,
             start,
         });
-        Connected {
+        InputConnection {
             port: String::new(),
             output: at.id.clone(),
             coordinate,

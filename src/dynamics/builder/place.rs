@@ -8,12 +8,12 @@ pub struct Place {
     pub(super) id: String,
     /// Index into [`crate::dynamics::model::Model::objects`].
     pub(super) object: usize,
-    pub(super) inputs: Vec<Connected>,
+    pub(super) inputs: Vec<InputConnection>,
 }
 
 /// Connection of an object's input: the output that drives it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Connected {
+pub struct InputConnection {
     /// Name of the input port.
     pub port: String,
     /// The output that it is connected to: `press`, `press.ram`.
@@ -45,7 +45,7 @@ impl Place {
 
     /// Connection of an input; `None` where that object has faults of its own: nothing is
     /// to be said then about what follows it.
-    pub fn input(&self, port: &str) -> Option<&Connected> {
+    pub fn input(&self, port: &str) -> Option<&InputConnection> {
         self.inputs.iter().find(|input| input.port == port)
     }
 }

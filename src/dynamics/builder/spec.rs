@@ -6,7 +6,7 @@
 
 pub use super::level::{InertiaSplit, Level, Lumping, Uniform};
 pub use super::written::WrittenSpec;
-pub use crate::dynamics::laws::Declared;
+pub use crate::dynamics::laws::LawInstance;
 use crate::dynamics::load::CustomLoad;
 use crate::dynamics::model::{Closure, ContactForm, ContactLaw, Coordinate};
 pub use crate::kinematics::hertzian::ContactPressure;
@@ -294,7 +294,7 @@ pub enum LoadLawSpec {
         over: Option<String>,
     },
     /// A law over the own motion that the library declares: `{ "spring": { "rate", "preload" } }`.
-    Declared(Declared),
+    Declared(LawInstance),
     /// `{ "weight": { "inclination" } }` (sliders): W = −m·g·sin(inclination) with
     /// the mass m that it acts on (each its own where there are several), the
     /// inclination of the positive direction above the horizontal.

@@ -55,14 +55,14 @@ pub(super) const NO_NODE_YET: NodeIndex = NodeIndex::MAX;
 
 /// What refers to an object that may be lowered later.
 #[derive(Clone, Debug)]
-pub(super) struct Waiting {
-    what: Referring,
+pub(super) struct PendingReference {
+    what: ReferenceKind,
     over: String,
     path: String,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Referring {
+enum ReferenceKind {
     /// Index into [`Model::loads`](crate::dynamics::model::Model::loads): an expression.
     Load(usize),
     /// Index into [`Model::tracks`](crate::dynamics::model::Model::tracks): the axis of a table
@@ -142,8 +142,8 @@ impl ModelBuilder {
             object,
         });
         let track = self.model.tracks.len() - 1;
-        self.waiting.push(Waiting {
-            what: Referring::Track(track),
+        self.waiting.push(PendingReference {
+            what: ReferenceKind::Track(track),
             over: over.to_owned(),
             path: format!("{path}.over"),
         });
@@ -157,8 +157,8 @@ impl ModelBuilder {
         if let (Some(over), Some(load)) = (over, last)
             && is_written(&self.model.loads[load])
         {
-            self.waiting.push(Waiting {
-                what: Referring::Load(load),
+            self.waiting.push(PendingReference {
+                what: ReferenceKind::Load(load),
                 over: over.clone(),
                 path: format!("{path}.over"),
             });
@@ -176,8 +176,8 @@ impl ModelBuilder {
                 continue;
             };
             match waiting.what {
-                Referring::Load(load) => self.connect_load(load, node),
-                Referring::Track(track) => self.connect_track(track, node),
+                ReferenceKind::Load(load) => self.connect_load(load, node),
+                ReferenceKind::Track(track) => self.connect_track(track, node),
             }
         }
     }

@@ -65,7 +65,7 @@ const LEAST_RATIO: f64 = 3.0;
 
 /// What a run knows of its changes.
 #[derive(Debug)]
-pub(super) struct Changing {
+pub(super) struct ChangeTracker {
     pub(super) reserve: Vec<Reserve>,
     pub(super) changes: Vec<Change>,
     window: u64,
@@ -86,7 +86,7 @@ struct Trial {
     y: Vec<f64>,
 }
 
-impl Changing {
+impl ChangeTracker {
     pub(super) fn new(reserve: &[Reserve]) -> Self {
         Self {
             reserve: reserve.to_vec(),

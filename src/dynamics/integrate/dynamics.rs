@@ -29,7 +29,7 @@ pub struct Guard {
 
 /// A guard without a sign yet: it keeps its mode until it is beyond a floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Resting {
+pub struct UndecidedGuard {
     /// Component of [`Modes`].
     pub component: usize,
     /// Value below zero at which it has changed its sign.
@@ -347,7 +347,7 @@ pub trait Dynamics: Sync {
         _modes: &Modes,
         _end: f64,
         _fresh: bool,
-        _resting: &[Resting],
+        _resting: &[UndecidedGuard],
     ) -> Option<(f64, EventFunction)> {
         None
     }
@@ -355,7 +355,13 @@ pub trait Dynamics: Sync {
     /// The guards that [`Self::crossing`] looks at of which a state does not tell the sign,
     /// as what errors of `share` of the scales of the state change in them is more than
     /// their value. Default: none.
-    fn undecided(&self, _time: f64, _y: &[f64], _modes: &Modes, _share: f64) -> Vec<Resting> {
+    fn undecided(
+        &self,
+        _time: f64,
+        _y: &[f64],
+        _modes: &Modes,
+        _share: f64,
+    ) -> Vec<UndecidedGuard> {
         Vec::new()
     }
 

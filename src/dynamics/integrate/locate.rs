@@ -1,7 +1,7 @@
 //! The earliest switch on a step: every guard is a polynomial, and none of its
 //! roots is skipped (see [`crate::math::polynomial`]).
 
-use super::run::Touching;
+use super::run::GrazingContact;
 use super::{EventFunction, Guard, continuous::End};
 use crate::math::polynomial::{
     Coefficients, MAX_DEGREE, Step, evaluate, first_both_positive, first_positive,
@@ -9,7 +9,7 @@ use crate::math::polynomial::{
 
 /// A switch found on a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Located {
+pub(super) struct LocatedEvent {
     /// Place on the step, 0 ≤ s ≤ 1.
     pub(super) s: f64,
     /// Index of the event function.
@@ -24,21 +24,21 @@ pub(super) struct Stretch<'a> {
     pub(super) to: &'a End,
     pub(super) zero_at_start: &'a [Guard],
     /// Contacts that just touch: they come apart beyond what numbers resolve.
-    pub(super) touching: &'a [Touching],
+    pub(super) touching: &'a [GrazingContact],
 }
 
 impl Stretch<'_> {
     /// The earliest switch; at the same instant the one of the lowest
     /// component, then the first in the list.
-    pub(super) fn earliest(&self, event_functions: &[EventFunction]) -> Option<Located> {
-        let mut best: Option<Located> = None;
+    pub(super) fn earliest(&self, event_functions: &[EventFunction]) -> Option<LocatedEvent> {
+        let mut best: Option<LocatedEvent> = None;
         for (index, watch) in event_functions.iter().enumerate() {
             let Some(s) = self.fires(watch) else { continue };
             let sooner = best.is_none_or(|b| {
                 s < b.s || (s == b.s && watch.component < event_functions[b.watch].component)
             });
             if sooner {
-                best = Some(Located { s, watch: index });
+                best = Some(LocatedEvent { s, watch: index });
             }
         }
         best
@@ -60,7 +60,7 @@ impl Stretch<'_> {
         let mut first = self.guard(&watch.guards[0], sign);
         let mut second = self.guard(&watch.guards[1], sign);
         let touches =
-            |own: &&Touching| own.component == watch.component && own.rising == watch.rising;
+            |own: &&GrazingContact| own.component == watch.component && own.rising == watch.rising;
         if let Some(touching) = self.touching.iter().find(touches) {
             touching.shift([&mut first, &mut second], degree);
         }

@@ -12,7 +12,7 @@
 //! `System` implements the contract `Dynamics`.
 //!
 //! A listener that looks only at the ends of steps, or at sparse samples, says so
-//! (`Sink::looks_within`). Without a guard to watch, nothing is then evaluated that nobody
+//! (`Sink::reads_within_steps`). Without a guard to watch, nothing is then evaluated that nobody
 //! reads.
 
 mod auto;
@@ -41,14 +41,14 @@ pub use crate::math::narrow::Narrow;
 pub use auto::{MethodChoice, Situation, Vibration, choose, fastest_rate};
 pub use changing::{Cause, Change, Reserve};
 pub use dynamics::{
-    Dynamics, EventFunction, Guard, Impact, Modes, PhysicalStop, Probe, Resting, Singularity,
+    Dynamics, EventFunction, Guard, Impact, Modes, PhysicalStop, Probe, Singularity, UndecidedGuard,
 };
 pub use taylor::degree as series_degree;
 
 pub use outcome::{Limits, Method, Outcome, Settings, Sink, Statistics, Stop, SwitchEvent};
 
 use crate::units::shown;
-use changing::Changing;
+use changing::ChangeTracker;
 use evaluator::Evaluator;
 use run::Run;
 
@@ -111,7 +111,7 @@ pub fn integrate_changing<D: Dynamics>(
 ) -> (Outcome, Vec<Change>) {
     let evaluator = Evaluator::new(dynamics, modes);
     let mut run = Run::new(&evaluator, settings, limits, sink);
-    run.changing = Changing::new(reserve);
+    run.changing = ChangeTracker::new(reserve);
     run.singularities.end = end;
     if y0.len() != 2 * dynamics.coordinates() {
         let reason = format!("the initial state has {} entries", y0.len());

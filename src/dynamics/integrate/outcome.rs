@@ -243,7 +243,7 @@ pub trait Sink {
     /// False when in steps that end at or before the time `until` it looks at
     /// nothing but their ends: what lies between may then be told less accurately
     /// than the ends. Default: true.
-    fn looks_within(&self, _until: f64) -> bool {
+    fn reads_within_steps(&self, _until: f64) -> bool {
         true
     }
 }

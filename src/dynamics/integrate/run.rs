@@ -7,21 +7,21 @@ mod probing;
 mod switching;
 mod touching;
 
-pub(super) use touching::Touching;
+pub(super) use touching::GrazingContact;
 
-use self::narrowing::Narrowing;
-use super::changing::Changing;
+use self::narrowing::NarrowSearch;
+use super::changing::ChangeTracker;
 use super::continuous::{End, Output};
 use super::evaluator::Evaluator;
-use super::locate::{Located, Stretch};
+use super::locate::{LocatedEvent, Stretch};
 use super::pace::Pace;
 use super::radau;
 use super::rosenbrock::Stepper;
 use super::singularities::Singularities;
 use super::taylor::Series;
 use super::{
-    Dynamics, EventFunction, Guard, Limits, Method, Probe, Resting, Settings, Singularity, Sink,
-    Stop,
+    Dynamics, EventFunction, Guard, Limits, Method, Probe, Settings, Singularity, Sink, Stop,
+    UndecidedGuard,
 };
 
 /// A switch at these places of a step is located on a step that ends just behind
@@ -92,9 +92,9 @@ pub(super) struct Run<'a, D: Dynamics> {
     fresh: bool,
     zero_at_start: Vec<Guard>,
     /// Contacts that were closed without a force and a speed that could be told from 0.
-    touching: Vec<Touching>,
+    touching: Vec<GrazingContact>,
     /// Guards that have had no sign since the start.
-    resting: Vec<Resting>,
+    resting: Vec<UndecidedGuard>,
     switches_at_once: u32,
     /// Count of how often the step under way has been shortened to end just behind a
     /// switch.
@@ -105,9 +105,9 @@ pub(super) struct Run<'a, D: Dynamics> {
     /// The own stiff method for fine tolerances, likewise.
     pub(super) radau: Option<radau::Stepper>,
     /// Changes of the method.
-    pub(super) changing: Changing,
+    pub(super) changing: ChangeTracker,
     /// Stretches in which steps must be short.
-    narrow: Narrowing,
+    narrow: NarrowSearch,
     /// Edges of pieces of laws passed by a short step: how many, and since when (s).
     edges: (u32, f64),
     /// Longest step whose polynomial follows the given signals, until the next switch (s).
@@ -159,8 +159,8 @@ impl<'a, D: Dynamics> Run<'a, D> {
             pace: Pace::default(),
             rosenbrock: None,
             radau: None,
-            changing: Changing::new(&[]),
-            narrow: Narrowing::default(),
+            changing: ChangeTracker::new(&[]),
+            narrow: NarrowSearch::default(),
             edges: (0, 0.0),
             given_longest: f64::INFINITY,
             given_steps: 0,
@@ -354,12 +354,12 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// The earliest switch on an output built with the right-hand side.
-    fn earliest_of_smooth(&mut self) -> Option<Located> {
+    fn earliest_of_smooth(&mut self) -> Option<LocatedEvent> {
         self.output.quintic(&self.from, &self.to);
         let unseen = self.event_functions.is_empty()
             && self.probes.is_empty()
             && !self.evaluator.dynamics.has_crossings();
-        if unseen && !self.sink.looks_within(self.to.time) {
+        if unseen && !self.sink.reads_within_steps(self.to.time) {
             return None;
         }
         if self.settings.method == Method::Dop853 {
@@ -374,7 +374,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
 
     /// What a probe has found on an output that only a method of low order has, once
     /// more on a better one: the run restarts from there.
-    fn refine_probe(&mut self, found: Option<Located>) -> Option<Located> {
+    fn refine_probe(&mut self, found: Option<LocatedEvent>) -> Option<LocatedEvent> {
         let probed = found.is_some_and(|found| found.watch >= self.event_functions.len());
         if !probed || self.settings.method == Method::Dop853 {
             return found;
@@ -391,7 +391,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// trusted: ends and middle. Where it is not, and just after a switch, the
     /// accelerations are needed: states within the tolerance do not tell in
     /// which direction a guard that is zero sets out.
-    fn earliest_of_stiff(&mut self, middle: &[f64]) -> Option<Located> {
+    fn earliest_of_stiff(&mut self, middle: &[f64]) -> Option<LocatedEvent> {
         self.output.quintic(&self.from, &self.to);
         if self.zero_at_start.is_empty() && !self.agrees(middle) {
             self.output
@@ -412,7 +412,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
             .all(|((a, b), scale)| (a - b).abs() <= self.settings.tolerance * (scale + b.abs()))
     }
 
-    fn earliest(&self) -> Option<Located> {
+    fn earliest(&self) -> Option<LocatedEvent> {
         let stretch = Stretch {
             step: self.output.step(1.0),
             from: &self.from,

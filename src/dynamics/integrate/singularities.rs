@@ -60,7 +60,7 @@ const SHORTENED: u32 = 20_000;
 const ATTEMPTS: u32 = 40;
 
 /// Meeting of a step with the edges.
-enum Meeting {
+enum EdgeMeeting {
     /// The step keeps away from them.
     None,
     /// The step comes too near in one go: to be taken anew, at most this long (s).
@@ -148,10 +148,10 @@ impl<D: Dynamics> Run<'_, D> {
         }
         self.output.quintic(&self.from, &self.to);
         match self.first_meeting() {
-            Meeting::None => Ok(None),
-            Meeting::TooLong(longest) => Err(self.repeat_shorter_step(longest)),
-            Meeting::Reached(edge, 0.0) => Err(self.end_at(&edge)),
-            Meeting::Reached(edge, s) => {
+            EdgeMeeting::None => Ok(None),
+            EdgeMeeting::TooLong(longest) => Err(self.repeat_shorter_step(longest)),
+            EdgeMeeting::Reached(edge, 0.0) => Err(self.end_at(&edge)),
+            EdgeMeeting::Reached(edge, s) => {
                 let step = self.output.step(1.0);
                 step.state(0.5 * s, middle);
                 let (time, mut y) = (step.time(s), self.to.y.clone());
@@ -178,9 +178,9 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
-    fn first_meeting(&self) -> Meeting {
+    fn first_meeting(&self) -> EdgeMeeting {
         let length = self.to.time - self.from.time;
-        let mut reached = Meeting::None;
+        let mut reached = EdgeMeeting::None;
         let mut first = 1.0;
         for edge in &self.singularities.list {
             let start = Approach::of(edge, &self.from);
@@ -193,18 +193,18 @@ impl<D: Dynamics> Run<'_, D> {
                 let limit = start.time_to(start.distance / RATIO);
                 if let Some(s) = below.filter(|&s| s < 1.0) {
                     let time = limit.filter(|_| start.distance < NEAR_EDGE * edge.span);
-                    return Meeting::TooLong(0.9 * (s * length).min(time.unwrap_or(length)));
+                    return EdgeMeeting::TooLong(0.9 * (s * length).min(time.unwrap_or(length)));
                 }
                 let turned = Approach::of(edge, &self.to).rate >= 0.0 && start.touches();
                 let touched = start.time_to(0.0).is_some_and(|time| time <= length);
                 if let (true, true, Some(limit)) = (turned, touched, limit) {
-                    return Meeting::TooLong(limit.min(0.5 * length));
+                    return EdgeMeeting::TooLong(limit.min(0.5 * length));
                 }
             } else if let Some(s) = below.filter(|&s| s <= first) {
                 // An edge that comes after the end of the run is none.
                 let within = |time: f64| self.from.time + time <= self.singularities.end;
                 if start.distance > close || start.time_to(0.0).is_none_or(within) {
-                    (reached, first) = (Meeting::Reached(*edge, s), s);
+                    (reached, first) = (EdgeMeeting::Reached(*edge, s), s);
                 }
             }
         }

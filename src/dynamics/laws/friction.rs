@@ -1,6 +1,6 @@
 //! Coulomb friction against the ground, regularised: −R·tanh(φ̇/v).
 
-use super::{Declared, Domain, ForceLaw, Measure, Parameter};
+use super::{Domain, ForceLaw, LawInstance, Measure, Parameter};
 use crate::dynamics::load::{Force, LoadFunction, LoadSeries};
 use crate::dynamics::model::LoadLaw;
 use crate::math::polynomial::{Coefficients, MAX_DEGREE, first_positive, product};
@@ -66,8 +66,8 @@ impl LoadFunction for Friction {
         FRICTION.key.to_owned()
     }
 
-    fn declared(&self) -> Option<Declared> {
-        Some(Declared::new(&FRICTION, [self.force, self.width]))
+    fn declared(&self) -> Option<LawInstance> {
+        Some(LawInstance::new(&FRICTION, [self.force, self.width]))
     }
 
     fn series(&self) -> Option<Box<dyn LoadSeries>> {

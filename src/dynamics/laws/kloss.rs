@@ -1,6 +1,6 @@
 //! An asynchronous motor after Kloss: 2·T_b/(s/s_b + s_b/s), s = 1 − ω/ω_s.
 
-use super::{Declared, Domain, ForceLaw, Measure, Parameter};
+use super::{Domain, ForceLaw, LawInstance, Measure, Parameter};
 use crate::dynamics::load::{Force, LoadFunction, LoadSeries};
 use crate::dynamics::model::LoadLaw;
 use crate::math::polynomial::{Coefficients, MAX_DEGREE, against, product};
@@ -93,9 +93,9 @@ impl LoadFunction for Kloss {
         KLOSS.key.to_owned()
     }
 
-    fn declared(&self) -> Option<Declared> {
+    fn declared(&self) -> Option<LawInstance> {
         let values = [self.breakdown, self.breakdown_slip, self.synchronous];
-        Some(Declared::new(&KLOSS, values))
+        Some(LawInstance::new(&KLOSS, values))
     }
 
     fn series(&self) -> Option<Box<dyn LoadSeries>> {

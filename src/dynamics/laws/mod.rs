@@ -66,7 +66,7 @@ impl ForceLaw {
 
 /// A law with its numbers (SI units).
 #[derive(Clone, Debug)]
-pub struct Declared {
+pub struct LawInstance {
     /// The law.
     pub law: &'static ForceLaw,
     /// Its numbers, in their order.
@@ -74,13 +74,13 @@ pub struct Declared {
 }
 
 /// A law is known by its key.
-impl PartialEq for Declared {
+impl PartialEq for LawInstance {
     fn eq(&self, other: &Self) -> bool {
         self.law.key == other.law.key && self.values == other.values
     }
 }
 
-impl Declared {
+impl LawInstance {
     /// A law with its numbers.
     pub(crate) fn new(law: &'static ForceLaw, values: impl Into<Vec<f64>>) -> Self {
         let values = values.into();
@@ -125,7 +125,7 @@ impl Declared {
     }
 }
 
-impl Declared {
+impl LawInstance {
     /// −preload − rate·φ.
     pub fn spring(rate: f64, preload: f64) -> Self {
         Self::new(&SPRING, [rate, preload])
@@ -159,13 +159,13 @@ impl LoadLaw {
     }
 
     /// The declaration that it may be read by, and a factor on that; `None`: there is none.
-    pub(crate) fn declared(&self) -> Option<(Declared, f64)> {
+    pub(crate) fn declared(&self) -> Option<(LawInstance, f64)> {
         match self {
             Self::Linear(own) => {
                 let declared = match (own.running_speed(), own.rate == 0.0, own.damping == 0.0) {
-                    (Some(_), ..) => Declared::linear_motor(own.force, own.force / own.damping),
-                    (None, false, true) => Declared::spring(own.rate, -own.force),
-                    (None, true, false) => Declared::viscous(own.damping),
+                    (Some(_), ..) => LawInstance::linear_motor(own.force, own.force / own.damping),
+                    (None, false, true) => LawInstance::spring(own.rate, -own.force),
+                    (None, true, false) => LawInstance::viscous(own.damping),
                     _ => return None,
                 };
                 Some((declared, 1.0))
@@ -182,12 +182,12 @@ mod tests {
     use crate::math::number::Dual;
 
     /// Numbers at which a law is tried.
-    fn tried(law: &'static ForceLaw) -> Declared {
+    fn tried(law: &'static ForceLaw) -> LawInstance {
         let value = |(at, own): (usize, &Parameter)| match own.domain {
             Domain::UpToOne => 0.2,
             _ => 3.0 + 2.0 * at as f64,
         };
-        Declared::new(
+        LawInstance::new(
             law,
             law.parameters
                 .iter()
@@ -197,7 +197,7 @@ mod tests {
         )
     }
 
-    fn all() -> Vec<Declared> {
+    fn all() -> Vec<LawInstance> {
         let laws = OF_LOADS.into_iter().chain(OF_TORQUES).chain(OF_FORCES);
         laws.map(tried).collect()
     }

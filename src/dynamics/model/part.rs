@@ -1,6 +1,6 @@
 //! What the objects of a scene have become in the model.
 
-use super::pressing::Pressing;
+use super::pressing::ContactPartner;
 use super::{ContactElement, Coordinate, NodeIndex, Pair};
 use std::sync::Arc;
 
@@ -47,7 +47,7 @@ pub struct ObjectPart {
     /// The pair of a rigid object (an elastic object's is in its link 1).
     pub rigid_pair: Option<Pair>,
     /// What it is pressed on, where its shape and what it is made of are known.
-    pub pressing: Option<Arc<Pressing>>,
+    pub pressing: Option<Arc<ContactPartner>>,
 }
 
 /// An input of an object part.

@@ -10,7 +10,7 @@ use crate::kinematics::hertzian::ContactPressure;
 
 /// What an object presses on, where both are of known shape and material.
 #[derive(Clone, Debug)]
-pub enum Pressing {
+pub enum ContactPartner {
     /// The same place all the time: a contact whose stiffness follows from geometry.
     Fixed(ContactPressure),
     /// A cam, along a line.
@@ -24,7 +24,7 @@ pub struct OnCam {
     lever: f64,
 }
 
-impl Pressing {
+impl ContactPartner {
     /// A follower on a cam, whose displacement is so many times that of the law. `None`:
     /// nothing is known of their material.
     pub fn on_cam(cam: DiscCam, lever: f64) -> Option<Self> {

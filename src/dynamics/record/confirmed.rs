@@ -2,7 +2,7 @@
 //! state of the system there.
 
 use super::tally::{CLAIMS, Tally, read};
-use super::{EquationCheck, Log, ObjectFigures, Recorded, Stretch};
+use super::{EquationCheck, Log, ObjectFigures, RunRecord, Stretch};
 use crate::dynamics::model::{Link, LinkBase, Model, NodeMotion};
 use crate::dynamics::segment::Signal;
 use crate::dynamics::system::ObjectState;
@@ -18,7 +18,7 @@ const LEFT_OVER: f64 = 32.0 * f64::EPSILON;
 
 /// A greatest value that was seen again.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Confirmed {
+pub(crate) struct ConfirmedPeak {
     object: usize,
     signal: Signal,
     time: f64,
@@ -54,7 +54,7 @@ impl Log<'_> {
                 }
             };
             looked = Some((claim.time, state));
-            self.confirmed[place] = Some(Confirmed {
+            self.confirmed[place] = Some(ConfirmedPeak {
                 object,
                 signal: claim.signal,
                 time: claim.time,
@@ -65,7 +65,7 @@ impl Log<'_> {
     }
 
     /// What was seen again of the greatest values that have stayed.
-    pub(super) fn confirmed(&self, tallies: &[Tally]) -> Vec<Confirmed> {
+    pub(super) fn confirmed(&self, tallies: &[Tally]) -> Vec<ConfirmedPeak> {
         let mut found = Vec::new();
         for (tally, own) in tallies.iter().zip(self.confirmed.chunks(CLAIMS)) {
             for (claim, confirmed) in tally.claims().into_iter().zip(own) {
@@ -82,7 +82,7 @@ impl Log<'_> {
 }
 
 #[cfg(test)]
-impl Confirmed {
+impl ConfirmedPeak {
     /// The same where the state shows something else, by a share.
     pub(crate) fn off(mut self, share: f64) -> Self {
         self.seen *= 1.0 + share;
@@ -93,7 +93,7 @@ impl Confirmed {
 /// Puts greatest values to the test; `bound` is what is allowed as a share of them.
 pub(crate) fn judge_confirmed(
     check: &mut EquationCheck,
-    recorded: &Recorded,
+    recorded: &RunRecord,
     model: &Model,
     bound: f64,
 ) {

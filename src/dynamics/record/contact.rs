@@ -7,7 +7,7 @@ use crate::math::polynomial::{Coefficients, MAX_DEGREE, Step};
 
 /// A pair that can open, and where its deformation is found.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Opening {
+pub(super) struct ContactMonitor {
     /// Component of the modes: 0 open, −1 on the lower flank, +1 on the upper.
     pub(super) component: usize,
     /// Signal that is the deformation x of link 1, but for `zero`.
@@ -17,7 +17,7 @@ pub(super) struct Opening {
     pub(super) pair: Pair,
 }
 
-impl Opening {
+impl ContactMonitor {
     /// Bernstein coefficients of x over a step.
     pub(super) fn deformation<'r>(&self, step: &Step<'_>, room: &'r mut Coefficients) -> &'r [f64] {
         let count = step.signal(self.coordinate, room).len();
@@ -30,7 +30,7 @@ impl Opening {
     /// Place in an open step where x leaves the flank that it still penetrates: the power
     /// lost there has a kink. (A pair opens inside its flank when damping takes the force
     /// to zero first.)
-    pub(super) fn leaves_flank(&self, mode: i64, x: &[f64], end: f64) -> Option<f64> {
+    pub(super) fn flank_exit(&self, mode: i64, x: &[f64], end: f64) -> Option<f64> {
         if mode != 0 {
             return None;
         }
@@ -90,12 +90,12 @@ fn first_positive_of_either(x: &[f64], end: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::Opening;
+    use super::ContactMonitor;
     use crate::dynamics::model::{Closure, ContactForm, Pair};
 
-    fn opening(closure: Closure, gap: f64, opens: f64) -> Opening {
+    fn opening(closure: Closure, gap: f64, opens: f64) -> ContactMonitor {
         let form = ContactForm::default();
-        Opening {
+        ContactMonitor {
             component: 0,
             coordinate: 0,
             zero: 0.0,
@@ -129,13 +129,13 @@ mod tests {
     fn an_open_pair_leaves_its_flank_where_x_crosses_it() {
         let up = [-0.25, 0.25, 0.75]; // x = s − 1/4
         let force = opening(Closure::Force, 0.0, 1.0);
-        assert_eq!(force.leaves_flank(0, &up, 1.0), Some(0.25));
-        assert_eq!(force.leaves_flank(0, &up, 0.2), None);
-        assert_eq!(force.leaves_flank(-1, &up, 1.0), None);
+        assert_eq!(force.flank_exit(0, &up, 1.0), Some(0.25));
+        assert_eq!(force.flank_exit(0, &up, 0.2), None);
+        assert_eq!(force.flank_exit(-1, &up, 1.0), None);
         let turned = opening(Closure::Force, 0.0, -1.0);
-        assert_eq!(turned.leaves_flank(0, &up, 1.0), None);
+        assert_eq!(turned.flank_exit(0, &up, 1.0), None);
         let down = [1.25, 0.75, 0.25]; // x = 5/4 − s, upper flank at 1
         let form = opening(Closure::Form, 2.0, 1.0);
-        assert_eq!(form.leaves_flank(0, &down, 1.0), Some(0.25));
+        assert_eq!(form.flank_exit(0, &down, 1.0), Some(0.25));
     }
 }

@@ -89,11 +89,11 @@ pub enum Figure {
 }
 
 /// A figure, its address within the object, and how its value is read.
-type Declared = (Figure, &'static str, fn(&ObjectFigures) -> Option<f64>);
+type FigureDeclaration = (Figure, &'static str, fn(&ObjectFigures) -> Option<f64>);
 
 /// All figures in the order of the type.
 #[rustfmt::skip]
-const DECLARED: [Declared; 40] = [
+const DECLARED: [FigureDeclaration; 40] = [
     (Figure::DeltaAbs, "delta_abs", |own| Some(own.delta_abs)),
     (Figure::DeltaMax, "delta_max", |own| Some(own.delta_max)),
     (Figure::DeltaMin, "delta_min", |own| Some(own.delta_min)),

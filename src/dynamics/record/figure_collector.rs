@@ -55,7 +55,7 @@ pub(crate) struct FigureCollector<'s> {
 }
 
 /// Figures, works and failure gathered over a run.
-pub(crate) struct Gathered {
+pub(crate) struct CollectedFigures {
     pub(crate) tallies: Vec<Tally>,
     pub(crate) joints: Vec<JointTracker>,
     pub(crate) audit: EnergyAudit,
@@ -112,8 +112,8 @@ impl<'s> FigureCollector<'s> {
     }
 
     /// Ends the gathering.
-    pub(crate) fn finish(self) -> Gathered {
-        Gathered {
+    pub(crate) fn finish(self) -> CollectedFigures {
+        CollectedFigures {
             tallies: self.tallies,
             joints: self.joints,
             audit: self.audit,

@@ -121,12 +121,12 @@ impl Signal {
 
 /// The variables of a condition over a part of a stretch, the time first.
 #[derive(Clone, Debug)]
-pub(super) struct Fitted {
+pub(super) struct FittedVariables {
     span: [f64; 2],
     signals: [Signal; VARIABLES],
 }
 
-impl Fitted {
+impl FittedVariables {
     /// Fits those that are `read`; `look` gives all at an instant.
     pub(super) fn new(
         [from, to]: [f64; 2],
@@ -178,7 +178,7 @@ impl Fitted {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fitted, NODES};
+    use super::{FittedVariables, NODES};
     use crate::math::chebyshev::Nodes;
     use crate::math::expression::VARIABLES;
 
@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn bounds_hold_what_lies_between_and_are_close() {
         let nodes = Nodes::<NODES>::new();
-        let fitted = Fitted::new([0.2, 1.1], &[true; VARIABLES], &nodes, &mut row);
+        let fitted = FittedVariables::new([0.2, 1.1], &[true; VARIABLES], &nodes, &mut row);
         assert!(fitted.is_resolved());
         for (from, to) in [(0.2, 1.1), (0.2, 0.3), (0.65, 0.65 + 1e-5), (1.0, 1.1)] {
             let (bounds, changes) = fitted.bounds(from, to);
@@ -218,8 +218,8 @@ mod tests {
     fn what_jumps_or_vibrates_too_fast_is_not_resolved() {
         let nodes = Nodes::<NODES>::new();
         let jumps = &mut |time: f64| [f64::from(time > 0.4); VARIABLES];
-        assert!(!Fitted::new([0.0, 1.0], &[true; VARIABLES], &nodes, jumps).is_resolved());
+        assert!(!FittedVariables::new([0.0, 1.0], &[true; VARIABLES], &nodes, jumps).is_resolved());
         let fast = &mut |time: f64| [(200.0 * time).sin(); VARIABLES];
-        assert!(!Fitted::new([0.0, 1.0], &[true; VARIABLES], &nodes, fast).is_resolved());
+        assert!(!FittedVariables::new([0.0, 1.0], &[true; VARIABLES], &nodes, fast).is_resolved());
     }
 }

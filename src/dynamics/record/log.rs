@@ -3,7 +3,7 @@
 mod finish;
 mod stretch;
 
-use super::confirmed::Confirmed;
+use super::confirmed::ConfirmedPeak;
 use super::failure::Failure;
 use super::observer::Observer;
 use super::pairs::PairTracker;
@@ -56,7 +56,7 @@ pub(crate) struct Log<'s> {
     peaks: Vec<(f64, Vec<f64>)>,
     failure: Option<Failure>,
     /// Greatest values that were seen a second time, by object; whether they are.
-    pub(super) confirmed: Vec<Option<Confirmed>>,
+    pub(super) confirmed: Vec<Option<ConfirmedPeak>>,
     pub(super) confirms: bool,
     /// Draws what the check of the run looks at.
     looker: InstantSampler,

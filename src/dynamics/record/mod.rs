@@ -48,7 +48,7 @@ pub use figures::{
 };
 pub(crate) use log::{Course, Log, Stretch};
 pub use quantity::Quantity;
-pub use recorder::{Recorded, Recorder};
+pub use recorder::{Recorder, RunRecord};
 pub use settings::RecorderSettings;
 pub(crate) use spans::span_figures;
 pub use tee::Tee;

@@ -2,7 +2,7 @@
 //! else is observed at a few places and looked for between them.
 
 use super::area::area;
-use super::contact::Opening;
+use super::contact::ContactMonitor;
 use super::observer::Observer;
 use super::peaks::PLACES;
 use super::subdivision::{integral_of_magnitude, maximum, minimum};
@@ -19,7 +19,7 @@ pub(super) struct Coordinates {
     /// δ.
     deviation: Option<usize>,
     /// The deformation of link 1, of a pair that can open.
-    pub(super) opening: Option<Opening>,
+    pub(super) opening: Option<ContactMonitor>,
 }
 
 impl Coordinates {
@@ -29,14 +29,14 @@ impl Coordinates {
         let opening = || {
             if let Some((coordinate, zero, pair)) = system.stop_signal(object) {
                 let component = system.pair_component(object)?;
-                return Some(Opening {
+                return Some(ContactMonitor {
                     component,
                     coordinate,
                     zero,
                     pair,
                 });
             }
-            Some(Opening {
+            Some(ContactMonitor {
                 zero: 0.0,
                 component: system.pair_component(object)?,
                 coordinate: system.first_coordinate(object)?,

@@ -35,7 +35,7 @@ impl Peak {
         time: impl Fn(f64) -> f64,
         mut look: impl FnMut(f64) -> f64,
     ) {
-        if self.leaves_out([time(places[0]), time(places[6])]) {
+        if self.excludes([time(places[0]), time(places[6])]) {
             return;
         }
         let [from, to] = [time(places[0]), time(places[6])];

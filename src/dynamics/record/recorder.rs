@@ -1,6 +1,6 @@
 //! The listener that turns an integration into a record and figures.
 
-use super::confirmed::Confirmed;
+use super::confirmed::ConfirmedPeak;
 use super::failure::Failure;
 
 use super::figure_collector::FigureCollector;
@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 
 /// Record and figures of a run.
 #[derive(Clone, Debug)]
-pub struct Recorded {
+pub struct RunRecord {
     /// Samples, switches, separations.
     pub record: Record,
     /// Figures of every object, in the order of the model's objects.
@@ -31,7 +31,7 @@ pub struct Recorded {
     /// and the record.
     pub failure: Option<Failure>,
     /// Greatest values that closed forms told, seen a second time.
-    pub(crate) confirmed: Vec<Confirmed>,
+    pub(crate) confirmed: Vec<ConfirmedPeak>,
     /// States at instants drawn at random, for the check of the run.
     pub(crate) looks: DrawnInstants,
     /// The first time of each condition of the model, by its name; `None`: it did not hold.
@@ -60,7 +60,7 @@ impl<'s> Recorder<'s> {
     }
 
     /// Ends the recording: closes open intervals and works out the figures.
-    pub fn finish(self) -> Recorded {
+    pub fn finish(self) -> RunRecord {
         let gathered = self.figured.finish();
         let (tallies, joints) = (&gathered.tallies, gathered.joints);
         let mut recorded = self

@@ -1,11 +1,11 @@
 //! Greatest and least values within parts of a motion.
 //!
 //! A stretch without switches is cut where a span begins and ends. On what lies within, a signal
-//! is bounded by a polynomial with its error (`Fitted`); parts whose bound is no greater than what
+//! is bounded by a polynomial with its error (`FittedVariables`); parts whose bound is no greater than what
 //! was seen are left out, the others are halved. The ends of the span belong to it. All methods
 //! alike are looked at.
 
-use super::fitted::{Fitted, NODES, parts};
+use super::fitted::{FittedVariables, NODES, parts};
 use super::tally::{Sense, read};
 use crate::dynamics::audit::fastest_rate;
 use crate::dynamics::model::{Model, Span, SpanFigure, owner_of};
@@ -63,14 +63,14 @@ const MOST: usize = 4000;
 /// Looks for greatest values within spans.
 #[derive(Debug)]
 pub(super) struct SpanSearch {
-    sought: Vec<Sought>,
+    sought: Vec<SpanExtremum>,
     /// Parts in a second, of stretches that may have many vibrations.
     density: f64,
     nodes: Nodes<NODES>,
 }
 
 #[derive(Debug)]
-struct Sought {
+struct SpanExtremum {
     address: String,
     object: usize,
     signal: Signal,
@@ -97,7 +97,7 @@ impl SpanSearch {
             let (owner, name) = owner_of(&figure.figure, |id| part(id).is_some());
             let (_, signal, sense) = READINGS.iter().find(|(known, ..)| *known == name)?;
             let axis = model.axis_of(&figure.span).ok()?;
-            Some(Sought {
+            Some(SpanExtremum {
                 address: figure.address.clone(),
                 object: part(owner)?,
                 signal: *signal,
@@ -109,7 +109,7 @@ impl SpanSearch {
                 best: f64::NEG_INFINITY,
             })
         });
-        let sought: Vec<Sought> = sought.collect();
+        let sought: Vec<SpanExtremum> = sought.collect();
         let density = match sought.is_empty() {
             true => 0.0,
             false => IN_PERIOD * fastest_rate(model) / TAU,
@@ -158,7 +158,7 @@ impl SpanSearch {
     }
 }
 
-impl Sought {
+impl SpanExtremum {
     /// Place on the axis of the span at an instant.
     fn place(&self, time: f64, look: &mut Look<'_>) -> f64 {
         match self.axis {
@@ -276,9 +276,9 @@ impl Sought {
         }
     }
 
-    fn fitted(&self, ends: [f64; 2], nodes: &Nodes<NODES>, look: &mut Look<'_>) -> Fitted {
+    fn fitted(&self, ends: [f64; 2], nodes: &Nodes<NODES>, look: &mut Look<'_>) -> FittedVariables {
         let wanted = std::array::from_fn(|variable| variable == 1);
-        Fitted::new(ends, &wanted, nodes, &mut |time| {
+        FittedVariables::new(ends, &wanted, nodes, &mut |time| {
             let mut row = [0.0; VARIABLES];
             row[1] = self.value(time, look);
             row
@@ -288,7 +288,7 @@ impl Sought {
 
 #[cfg(test)]
 mod tests {
-    use super::{Sought, SpanSearch};
+    use super::{SpanExtremum, SpanSearch};
     use crate::dynamics::model::{Coordinate, Span, SpanAxis};
     use crate::dynamics::record::tally::Sense;
     use crate::dynamics::segment::Signal;
@@ -311,7 +311,7 @@ mod tests {
             SpanAxis::Displacement { .. } => Some(0),
         };
         let mut search = SpanSearch {
-            sought: vec![Sought {
+            sought: vec![SpanExtremum {
                 address: String::new(),
                 object: 1,
                 signal: Signal::Deviation,

@@ -31,7 +31,7 @@ impl Sink for Tee<'_, '_> {
         }
     }
 
-    fn looks_within(&self, until: f64) -> bool {
-        self.0.iter().any(|sink| sink.looks_within(until))
+    fn reads_within_steps(&self, until: f64) -> bool {
+        self.0.iter().any(|sink| sink.reads_within_steps(until))
     }
 }

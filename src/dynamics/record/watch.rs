@@ -1,14 +1,14 @@
 //! The first times at which conditions hold.
 //!
 //! Over a stretch without switches a condition is excluded by bounds of its signals
-//! (`Fitted`); what they leave open is halved, the left half first, down to what the clock
+//! (`FittedVariables`); what they leave open is halved, the left half first, down to what the clock
 //! resolves. No time at which a condition holds is stepped over; a stretch on which that
 //! takes too much work is looked at in places, and is reported.
 //!
 //! All methods alike are watched. A run that `run.until` ends is made once to its `duration`
 //! and once more to that instant.
 
-use super::fitted::{Fitted, NODES, parts};
+use super::fitted::{FittedVariables, NODES, parts};
 use crate::dynamics::audit::fastest_rate;
 use crate::dynamics::model::Model;
 use crate::dynamics::system::ObjectState;
@@ -42,7 +42,7 @@ const PLACES: u64 = 64;
 /// Looks for the first time of each condition of a model.
 #[derive(Debug)]
 pub(super) struct Watch {
-    watched: Vec<Watched>,
+    watched: Vec<WatchedCondition>,
     /// Parts in a second, of stretches that may have many vibrations.
     density: f64,
     nodes: Nodes<NODES>,
@@ -58,7 +58,7 @@ pub(crate) struct FirstTimes {
 }
 
 #[derive(Debug)]
-struct Watched {
+struct WatchedCondition {
     name: String,
     object: usize,
     expression: Expression,
@@ -96,7 +96,7 @@ enum Part {
     Open(f64),
 }
 
-impl Watched {
+impl WatchedCondition {
     fn holds(&self, values: &[f64; VARIABLES]) -> bool {
         let value = self.expression.at(values);
         value != 0.0 && !value.is_nan()
@@ -137,7 +137,7 @@ impl Watched {
         let clock = ROUNDINGS * f64::EPSILON * from.abs().max(to.abs());
         let shortest = clock.max(SHORTEST * length);
         let (mut evaluations, mut fits) = (0, 1);
-        let whole = Rc::new(Fitted::new([from, to], &self.read, nodes, look));
+        let whole = Rc::new(FittedVariables::new([from, to], &self.read, nodes, look));
         let mut waiting = vec![(from, to, whole)];
         while let Some((low, high, fitted)) = waiting.pop() {
             let (bounds, changes) = fitted.bounds(low, high);
@@ -161,7 +161,7 @@ impl Watched {
             let anew = coarse && fits + 2 <= MOST_FITS;
             fits += if anew { 2 } else { 0 };
             let mut half = |from: f64, to: f64| match anew {
-                true => Rc::new(Fitted::new([from, to], &self.read, nodes, look)),
+                true => Rc::new(FittedVariables::new([from, to], &self.read, nodes, look)),
                 false => Rc::clone(&fitted),
             };
             let (left, right) = (half(low, middle), half(middle, high));
@@ -212,7 +212,7 @@ impl Watch {
         let watched = conditions.filter_map(|condition| {
             let object = |part: &usize| model.objects[*part].id == condition.object;
             let program = condition.expression.program();
-            Some(Watched {
+            Some(WatchedCondition {
                 name: condition.name.clone(),
                 object: (0..model.objects.len()).find(object)?,
                 expression: condition.expression.clone(),
@@ -223,7 +223,7 @@ impl Watch {
                 spent: 0,
             })
         });
-        let watched: Vec<Watched> = watched.collect();
+        let watched: Vec<WatchedCondition> = watched.collect();
         let density = match watched.is_empty() {
             true => 0.0,
             false => IN_PERIOD * fastest_rate(model) / TAU,

@@ -1,6 +1,6 @@
 //! Loads as a scene states them.
 
-use crate::dynamics::laws::Declared;
+use crate::dynamics::laws::LawInstance;
 use crate::math::expression::Expression;
 
 /// Displacement and speed of what a load looks at.
@@ -46,7 +46,7 @@ pub(crate) enum StatedLoad {
 
 impl StatedLoad {
     /// What a declared law says; `None`: its formula cannot be read.
-    pub(crate) fn declared(declared: &Declared) -> Option<Self> {
+    pub(crate) fn declared(declared: &LawInstance) -> Option<Self> {
         Some(Self::Declared {
             formula: declared.formula()?,
             numbers: declared.values.clone(),

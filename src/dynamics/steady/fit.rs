@@ -1,7 +1,7 @@
 //! Two functions over a cycle as polynomials on panels.
 
 use super::given::FunctionKind;
-use super::panel::Fitted;
+use super::panel::FittedPanel;
 use super::panel::{COUNT, NODES, Series};
 use super::refusal::Refusal;
 
@@ -37,7 +37,7 @@ pub(super) fn fit(
     breaks: &[f64],
     given: FunctionKind,
     at: At<'_>,
-) -> Result<Vec<Fitted>, Refusal> {
+) -> Result<Vec<FittedPanel>, Refusal> {
     let mut open = first_panels(cycle, breaks);
     let mut sizes = [0.0f64; 2];
     for panel in &open {
@@ -68,7 +68,7 @@ pub(super) fn fit(
                 position: panel.from,
             });
         }
-        done.push(Fitted {
+        done.push(FittedPanel {
             from: panel.from,
             to: panel.to,
             inertia: series[0],

@@ -51,7 +51,7 @@ pub use profile::{Extreme, MOST_TURNS, Profile};
 pub use refusal::{Field, Refusal};
 pub use repeat::least_cycle;
 pub use table::Table;
-pub use table_motion::{Halving, TableFigures, TableMotion};
+pub use table_motion::{SampleHalving, TableFigures, TableMotion};
 
 use serde::Serialize;
 

@@ -42,7 +42,7 @@ pub struct Point {
 
 /// As [`Point`], the work with its sign.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Signed {
+pub(super) struct SignedPoint {
     pub(super) inertia: f64,
     pub(super) inertia_slope: f64,
     pub(super) moment: f64,
@@ -134,9 +134,9 @@ impl Panel {
 }
 
 impl Panel {
-    pub(super) fn signed(&self, position: f64) -> Signed {
+    pub(super) fn signed(&self, position: f64) -> SignedPoint {
         let x = self.x(position);
-        Signed {
+        SignedPoint {
             inertia: chebyshev::value(&self.inertia, x),
             inertia_slope: chebyshev::value(&self.inertia_slope, x),
             moment: chebyshev::value(&self.moment, x),
@@ -146,7 +146,7 @@ impl Panel {
 }
 
 /// A fitted panel with its moment.
-pub(super) fn panel(fitted: Fitted, given: FunctionKind) -> Panel {
+pub(super) fn panel(fitted: FittedPanel, given: FunctionKind) -> Panel {
     let half = 0.5 * (fitted.to - fitted.from);
     let moment = match given {
         FunctionKind::Moment => fitted.other,
@@ -156,7 +156,7 @@ pub(super) fn panel(fitted: Fitted, given: FunctionKind) -> Panel {
 }
 
 /// A panel: J and what is given, the moment or the work.
-pub(super) struct Fitted {
+pub(super) struct FittedPanel {
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) inertia: Series,

@@ -3,7 +3,7 @@
 use super::fit::fit;
 use super::given::FunctionKind;
 use super::panel::COUNT;
-use super::panel::{Panel, Point, Signed, panel};
+use super::panel::{Panel, Point, SignedPoint, panel};
 use super::refusal::Refusal;
 use crate::math::roots::bracketed;
 use std::f64::consts::TAU;
@@ -104,7 +104,7 @@ impl Profile {
             value: greatest.value - profile.start,
             at: greatest.at,
         };
-        let inertia = |point: &Signed| [point.inertia, point.inertia_slope];
+        let inertia = |point: &SignedPoint| [point.inertia, point.inertia_slope];
         profile.least_inertia = profile.extreme(-1.0, &inertia);
         profile.greatest_inertia = profile.extreme(1.0, &inertia);
         let Extreme { value, at } = profile.least_inertia;
@@ -264,7 +264,11 @@ impl Profile {
 
     /// The greatest (`sense` 1) or least (−1) of a function, given with its
     /// derivative in φ; the first position where it is reached.
-    pub(super) fn extreme(&self, sense: f64, function: &dyn Fn(&Signed) -> [f64; 2]) -> Extreme {
+    pub(super) fn extreme(
+        &self,
+        sense: f64,
+        function: &dyn Fn(&SignedPoint) -> [f64; 2],
+    ) -> Extreme {
         let value = |panel: &Panel, place: f64| sense * function(&panel.signed(place))[0];
         let mut best = (f64::NEG_INFINITY, 0, 0.0, [0.0; 2]);
         for (index, panel) in self.panels.iter().enumerate() {

@@ -29,12 +29,12 @@ pub struct TableFigures {
     pub steady: SteadyFigures,
     /// How far the figures move when every second sample is left out; `None`
     /// for an odd number of samples, or too few.
-    pub halving: Option<Halving>,
+    pub halving: Option<SampleHalving>,
 }
 
 /// Figures with all samples less those with every second one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Halving {
+pub struct SampleHalving {
     /// Of T at φ = 0 (J).
     pub energy_at_start: f64,
     /// Of the period (s).
@@ -55,7 +55,7 @@ impl Table {
         let half = self.halved().and_then(|half| half.solve(question).ok());
         motion.figures.halving = half.map(|half| {
             let (all, half) = (&motion.figures.steady, &half.figures.steady);
-            Halving {
+            SampleHalving {
                 energy_at_start: all.energy_at_start - half.energy_at_start,
                 period: all.period - half.period,
                 least_speed: all.least_speed.value - half.least_speed.value,

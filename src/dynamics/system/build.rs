@@ -4,8 +4,8 @@ mod linkages;
 mod refusals;
 
 use super::check::chains_of;
-use super::constraints::Constrained;
-use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, Prescribed, Rigid, Rotor, Step};
+use super::constraints::ConstrainedNode;
+use super::frozen::{Chain, Frozen, FrozenLaw, FrozenTrack, PrescribedNode, Rigid, Rotor, Step};
 use super::loads::{Argument, FrozenLoad};
 use super::pairs::Contact;
 use super::stops::FrozenStop;
@@ -92,7 +92,7 @@ impl<'a> Builder<'a> {
                 let component = self.component(*track);
                 let motion = motion.clone();
                 let node = self.add_node(node, false);
-                self.frozen.steps.push(Step::Prescribed(Prescribed {
+                self.frozen.steps.push(Step::Prescribed(PrescribedNode {
                     node,
                     motion,
                     component,
@@ -132,7 +132,7 @@ impl<'a> Builder<'a> {
                 let node = self.add_node(node, false);
                 let index = self.frozen.constraints.len();
                 self.frozen.steps.push(Step::Constrained(index));
-                self.frozen.constraints.push(Constrained {
+                self.frozen.constraints.push(ConstrainedNode {
                     node,
                     drivers,
                     constraint,

@@ -21,7 +21,7 @@ use crate::math::quantity::Quantity;
 
 /// A node with several drivers.
 #[derive(Clone, Debug)]
-pub(super) struct Constrained {
+pub(super) struct ConstrainedNode {
     /// Internal index of the node.
     pub(super) node: usize,
     /// The driving nodes.
@@ -34,7 +34,7 @@ pub(super) struct Constrained {
     pub(super) multi: Option<MultiPlace>,
 }
 
-impl Constrained {
+impl ConstrainedNode {
     /// Driver and ratio of each term of a linear constraint; none of any other.
     pub(super) fn terms(&self) -> impl Iterator<Item = (usize, f64)> + '_ {
         let ratios = match &self.constraint {
@@ -74,7 +74,7 @@ pub(super) struct ConstraintValues<N> {
 }
 
 impl<N: Quantity> ConstraintValues<N> {
-    pub(super) fn new(constrained: &Constrained) -> Self {
+    pub(super) fn new(constrained: &ConstrainedNode) -> Self {
         let count = constrained.drivers.len();
         // Linear ones, of hundreds of modes as it may be, need no room for k³ derivatives.
         let curved = match constrained.constraint {
@@ -90,7 +90,12 @@ impl<N: Quantity> ConstraintValues<N> {
     }
 
     /// Value and rate of G; the rest stays here.
-    fn evaluate(&mut self, constrained: &Constrained, displacement: &[N], speed: &[N]) -> [N; 2] {
+    fn evaluate(
+        &mut self,
+        constrained: &ConstrainedNode,
+        displacement: &[N],
+        speed: &[N],
+    ) -> [N; 2] {
         let drivers = &constrained.drivers;
         let count = drivers.len();
         if let Constraint::Linear { ratios, offset } = &constrained.constraint {
@@ -135,7 +140,11 @@ impl<N: Quantity> ConstraintValues<N> {
 
 impl ConstraintValues<f64> {
     /// φ, φ̇ and φ̈ of the constrained node from those of all nodes before it.
-    pub(super) fn sample(&mut self, constrained: &Constrained, motion: &[[f64; 3]]) -> [f64; 3] {
+    pub(super) fn sample(
+        &mut self,
+        constrained: &ConstrainedNode,
+        motion: &[[f64; 3]],
+    ) -> [f64; 3] {
         let part = |which: usize| motion.iter().map(|at| at[which]).collect::<Vec<f64>>();
         let [value, rate] = self.evaluate(constrained, &part(0), &part(1));
         let accelerations = constrained.drivers.iter().zip(&self.first);

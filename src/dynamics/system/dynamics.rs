@@ -6,7 +6,7 @@ use super::taylor::{Start, Taylor};
 use super::written::FrozenExpression;
 use super::{Bundle, DIRECTIONS, Scratch, System};
 use crate::dynamics::integrate::{
-    Dynamics, EventFunction, Impact, Modes, PhysicalStop, Probe, Resting, Singularity,
+    Dynamics, EventFunction, Impact, Modes, PhysicalStop, Probe, Singularity, UndecidedGuard,
 };
 use crate::math::narrow::Narrow;
 use crate::math::number::{Dual, Duals};
@@ -314,12 +314,12 @@ impl Dynamics for System {
         modes: &Modes,
         end: f64,
         fresh: bool,
-        resting: &[Resting],
+        resting: &[UndecidedGuard],
     ) -> Option<(f64, EventFunction)> {
         self.frozen.crossing(step, &modes.0, end, fresh, resting)
     }
 
-    fn undecided(&self, time: f64, y: &[f64], modes: &Modes, share: f64) -> Vec<Resting> {
+    fn undecided(&self, time: f64, y: &[f64], modes: &Modes, share: f64) -> Vec<UndecidedGuard> {
         let errors: Vec<f64> = self.scales().iter().map(|scale| share * scale).collect();
         self.frozen.undecided_guards(time, y, &modes.0, &errors)
     }

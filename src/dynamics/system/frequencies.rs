@@ -7,7 +7,7 @@
 //! and damping are left out of the natural frequencies.
 
 use super::System;
-use super::linearised::Linearised;
+use super::linearised::LinearModel;
 use super::linearised::Regime;
 use super::pairs::OPEN;
 use crate::dynamics::integrate::{Dynamics, Modes};
@@ -83,7 +83,7 @@ impl System {
     }
 
     /// The equations of small vibrations at the position at t = 0.
-    fn linearised(&self, regime: Regime) -> Linearised {
+    fn linearised(&self, regime: Regime) -> LinearModel {
         self.frozen.linearised(regime, &self.start_modes())
     }
 

@@ -5,7 +5,7 @@
 //! order, so that a chain is one contiguous range of nodes, of coordinates and
 //! of links.
 
-use super::constraints::Constrained;
+use super::constraints::ConstrainedNode;
 use super::friction::{Group, Several};
 use super::linkages::{FrozenLinkage, OutputPlace};
 use super::loads::FrozenLoad;
@@ -46,7 +46,7 @@ pub(super) struct Frozen {
     /// Rigid nodes that the right-hand side needs.
     pub(super) needed_rigids: Vec<Rigid>,
     /// Nodes with several drivers, drivers before driven.
-    pub(super) constraints: Vec<Constrained>,
+    pub(super) constraints: Vec<ConstrainedNode>,
     /// Constraints that inertia is on, indices into `constraints`.
     pub(super) heavy: Vec<usize>,
     /// Linkages of one input, drivers before driven.
@@ -95,7 +95,7 @@ pub(super) struct Frozen {
 #[derive(Clone, Debug)]
 pub(super) enum Step {
     /// A node with given motion.
-    Prescribed(Prescribed),
+    Prescribed(PrescribedNode),
     /// A motor's rotor.
     Rotor(Rotor),
     /// A rigid object, index into [`Frozen::rigids`].
@@ -108,7 +108,7 @@ pub(super) enum Step {
 
 /// A node with given motion.
 #[derive(Clone, Debug)]
-pub(super) struct Prescribed {
+pub(super) struct PrescribedNode {
     /// Internal index of the node.
     pub(super) node: usize,
     /// φ(t).
@@ -205,7 +205,7 @@ impl Chain {
 #[derive(Clone, Debug)]
 pub(super) struct Branch {
     /// The drive.
-    pub(super) drive: Prescribed,
+    pub(super) drive: PrescribedNode,
     /// The law over the drive's displacement.
     pub(super) law: FrozenLaw,
     /// The chain.

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 impl Frozen {
     /// Mass and stiffness at the position at t = 0, on the law.
-    pub(super) fn linearised(&self, regime: Regime, modes: &[i64]) -> Linearised {
+    pub(super) fn linearised(&self, regime: Regime, modes: &[i64]) -> LinearModel {
         // A massless point has no motion of its own: contact and link 1 are in series. Nor
         // has a body that a rigid contact holds.
         let held =
@@ -136,7 +136,7 @@ impl Frozen {
             // Coordinates may have no inertia but that of a linkage of several inputs.
             mass = coupled.diagonal().iter().copied().collect();
         }
-        Linearised {
+        LinearModel {
             mass,
             coupled,
             stiffness,
@@ -145,7 +145,7 @@ impl Frozen {
 }
 
 /// The equations of small vibrations.
-pub(super) struct Linearised {
+pub(super) struct LinearModel {
     /// The mass of every coordinate by itself.
     pub(super) mass: Vec<f64>,
     /// The mass matrix, where inertia on constrained nodes couples the coordinates.
@@ -153,7 +153,7 @@ pub(super) struct Linearised {
     stiffness: Stiffness,
 }
 
-impl Linearised {
+impl LinearModel {
     /// The squares of the natural frequencies, ascending; `None` where a number is not
     /// finite or the masses have no motion of their own.
     pub(super) fn squares(&self) -> Option<Vec<f64>> {

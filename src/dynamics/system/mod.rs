@@ -66,7 +66,7 @@ pub(crate) use frequencies::MANY_COORDINATES;
 pub use frequencies::VibrationMode;
 pub(crate) use friction::StickSlip;
 pub use linearised::Regime;
-pub use reduce::Reduced;
+pub use reduce::ReducedRotor;
 
 use crate::dynamics::integrate::Modes;
 use crate::dynamics::model::{LoadLaw, Model};

@@ -18,7 +18,7 @@
 mod couple;
 mod direct;
 
-use super::constraints::{Constrained, ConstraintValues};
+use super::constraints::{ConstrainedNode, ConstraintValues};
 use super::frozen::{Frozen, FrozenTrack, Step};
 use super::passes::Work;
 use crate::kinematics::breaks::Breaks;
@@ -261,7 +261,7 @@ impl Frozen {
             offset: 0.0,
         };
         self.steps.push(Step::Constrained(self.constraints.len()));
-        self.constraints.push(Constrained {
+        self.constraints.push(ConstrainedNode {
             node,
             drivers,
             constraint,
@@ -272,7 +272,7 @@ impl Frozen {
 
     /// The tracks of the distances from singular positions, which end a run.
     pub(super) fn place_distances(&mut self) {
-        let of = |one: &Constrained| match one.multi?.value {
+        let of = |one: &ConstrainedNode| match one.multi?.value {
             MultiValue::Distance(_) => Some((one.node, one.multi?.linkage)),
             _ => None,
         };

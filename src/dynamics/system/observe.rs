@@ -5,7 +5,7 @@ use super::passes::{Extent, Work};
 use super::reduced::Modal;
 use super::{Energy, ObjectState, Power, Scratch, System};
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{Closure, Model, ObjectPart, Pair, Pressing};
+use crate::dynamics::model::{Closure, ContactPartner, Model, ObjectPart, Pair};
 use std::sync::Arc;
 
 /// Place of an object of the model in the frozen layout.
@@ -20,7 +20,7 @@ pub(super) struct ObjectPlace {
     /// Of an object that is reduced to modes what it is the sum of.
     pub(super) modal: Option<Modal>,
     /// What it is pressed on, with the node that turns that.
-    pressing: Option<(Arc<Pressing>, usize)>,
+    pressing: Option<(Arc<ContactPartner>, usize)>,
 }
 
 /// Body of an object: drive, motor, rigid object or chain.

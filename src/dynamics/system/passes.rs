@@ -15,7 +15,7 @@
 //! `multi/direct` replace them in scenes of rigid bodies at constant ratios.
 
 use super::constraints::{Chains, ConstraintValues, Coupling};
-use super::friction::{Rubbing, SeveralWork};
+use super::friction::{FrictionMemory, SeveralWork};
 use super::frozen::{Chain, Frozen, Step, segment};
 use super::linkages::{Cursor, LinkageState};
 use super::multi::{Dense, MultiWork};
@@ -77,7 +77,7 @@ pub(super) struct Work<N> {
     /// The linkages, solved once for all that looks at them.
     pub(super) linkages: Vec<RefCell<LinkageState>>,
     /// The friction of their joints.
-    pub(super) rubbing: Vec<Rubbing<N>>,
+    pub(super) rubbing: Vec<FrictionMemory<N>>,
     /// The same of a linkage of several inputs.
     pub(super) several: Option<Box<SeveralWork<N>>>,
     /// Places at which the linkages' tables were last looked up.

@@ -4,7 +4,7 @@
 //! all modes and at every state. Laws of constant ratio hand on nothing: U′ is a
 //! number and U″ is zero.
 
-use super::constraints::Constrained;
+use super::constraints::ConstrainedNode;
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::written::FrozenExpression;
 use crate::dynamics::model::LoadLaw;
@@ -177,7 +177,7 @@ impl Frozen {
     }
 
     /// Coordinates that the gradient of a constraint and its bias depend on.
-    fn gradient(&self, one: &Constrained, place: &[Set]) -> Set {
+    fn gradient(&self, one: &ConstrainedNode, place: &[Set]) -> Set {
         match one.constraint.is_linear() {
             true => Set::new(),
             false => place[one.node].clone(),

@@ -11,7 +11,7 @@ use crate::math::number::Dual;
 /// A rotor with all that hangs rigidly on it, at a position and a speed: its
 /// equation of motion is inertia·φ̈ + inertia_slope·φ̇²/2 = moment.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reduced {
+pub struct ReducedRotor {
     /// J(φ) (kg·m²).
     pub inertia: f64,
     /// dJ/dφ.
@@ -46,9 +46,9 @@ impl System {
         y: &[f64],
         modes: &Modes,
         scratch: &mut Scratch,
-    ) -> Reduced {
+    ) -> ReducedRotor {
         let Some(coordinate) = self.last_coordinate(rotor) else {
-            return Reduced::default();
+            return ReducedRotor::default();
         };
         let node = self.places[rotor].node;
         let speed = y[self.frozen.coordinates + coordinate];
@@ -69,7 +69,7 @@ impl System {
         let (inertia, force, gross) = along(coordinate);
         let (_, by_speed, _) = along(self.frozen.coordinates + coordinate);
         let slope = inertia.derivative;
-        Reduced {
+        ReducedRotor {
             inertia: inertia.value,
             inertia_slope: slope,
             // The passes take the inertia's own moment off the force.

@@ -1,9 +1,9 @@
 //! Objects that are reduced to modes, as they are read off.
 
-use super::frozen::{Frozen, Prescribed, Step, segment};
+use super::frozen::{Frozen, PrescribedNode, Step, segment};
 use super::passes::Work;
 use super::{ObjectState, System};
-use crate::dynamics::model::{Model, Reduced};
+use crate::dynamics::model::{ModalReduction, Model};
 
 /// Place of an object that is reduced to modes in the frozen layout.
 #[derive(Clone, Debug)]
@@ -12,16 +12,16 @@ pub(super) struct Modal {
     modes: Vec<(usize, usize, f64)>,
     /// Node of the output, of a chain of which it is the sum.
     output: Option<usize>,
-    /// See [`Reduced`].
+    /// See [`ModalReduction`].
     under_acceleration: f64,
     offset: f64,
     /// The drive and the laws from it to the driven end, where that moves by a prescribed
     /// law: its jerk moves the output too.
-    course: Option<(Prescribed, Vec<usize>)>,
+    course: Option<(PrescribedNode, Vec<usize>)>,
 }
 
 impl Modal {
-    pub(super) fn of(frozen: &Frozen, model: &Model, reduced: &Reduced) -> Self {
+    pub(super) fn of(frozen: &Frozen, model: &Model, reduced: &ModalReduction) -> Self {
         let place = |&(node, share): &(usize, f64)| {
             let node = frozen.internal[node];
             let chain = frozen
@@ -44,7 +44,7 @@ impl Modal {
 }
 
 /// The drive that prescribes a node's motion, and the laws on the way to the node.
-fn course(frozen: &Frozen, mut node: usize) -> Option<(Prescribed, Vec<usize>)> {
+fn course(frozen: &Frozen, mut node: usize) -> Option<(PrescribedNode, Vec<usize>)> {
     let mut laws = Vec::new();
     loop {
         let drive = frozen.steps.iter().find_map(|step| match step {
@@ -136,7 +136,7 @@ impl Frozen {
     /// The third derivative of a prescribed motion behind laws.
     fn jerk(
         &self,
-        drive: &Prescribed,
+        drive: &PrescribedNode,
         laws: &[usize],
         time: f64,
         modes: &[i64],

@@ -372,7 +372,7 @@ pub(super) fn sample(frozen: &Frozen) -> MotionRanges {
 
 /// A drive's motion up to a horizon (s): half of the samples up to its last break, half over
 /// [`TURNS`] turns after it.
-fn drive_sample(drive: &super::frozen::Prescribed, share: f64, horizon: f64) -> [f64; 3] {
+fn drive_sample(drive: &super::frozen::PrescribedNode, share: f64, horizon: f64) -> [f64; 3] {
     let breaks = drive.motion.breaks();
     let last = breaks.points.last().map_or(0.0, |last| last.max(0.0));
     let last = last.min(horizon);

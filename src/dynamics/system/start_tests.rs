@@ -4,7 +4,7 @@ use super::testing::*;
 use super::testing_random::*;
 use super::{InitialState, System};
 use crate::dynamics::integrate::Dynamics;
-use crate::dynamics::laws::Declared;
+use crate::dynamics::laws::LawInstance;
 use crate::dynamics::model::*;
 use crate::kinematics::position::Position;
 use std::f64::consts::PI;
@@ -226,7 +226,7 @@ fn a_motor_driven_start_takes_the_motors_acceleration_into_account() {
         ..rocker_body(2, 0.0, pair(Closure::Bilateral))
     };
     add_body(&mut model, motor, &body);
-    let torque = Declared::linear_motor(500.0, 100.0).law();
+    let torque = LawInstance::linear_motor(500.0, 100.0).law();
     add_load(&mut model, motor, 0, "torque", torque);
     let system = System::new(model).unwrap();
     let start = system.initial_state().unwrap();

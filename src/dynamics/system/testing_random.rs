@@ -3,7 +3,7 @@
 use super::System;
 use super::testing::*;
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::laws::Declared;
+use crate::dynamics::laws::LawInstance;
 use crate::dynamics::model::*;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::position::Position;
@@ -107,9 +107,9 @@ fn random_load(random: &mut Random) -> LoadLaw {
         0 => LoadLaw::constant(random.between(-3.0, 3.0)),
         1 => LoadLaw::spring(random.between(0.0, 4.0), random.between(-2.0, 2.0)),
         2 => LoadLaw::viscous(random.between(0.0, 1.0)),
-        3 => Declared::friction(random.between(0.0, 2.0), 0.7).law(),
-        4 => Declared::linear_motor(3.0, 2.0).law(),
-        5 => Declared::kloss([3.0, 0.3, 2.0]).law(),
+        3 => LawInstance::friction(random.between(0.0, 2.0), 0.7).law(),
+        4 => LawInstance::linear_motor(3.0, 2.0).law(),
+        5 => LawInstance::kloss([3.0, 0.3, 2.0]).law(),
         _ => LoadLaw::speed_table(vec![(-1.0, 2.0), (0.5, 1.0), (2.0, -1.0)]),
     }
 }

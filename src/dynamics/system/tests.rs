@@ -5,7 +5,7 @@ use super::System;
 use super::testing::*;
 use super::testing_random::*;
 use crate::dynamics::integrate::{Dynamics, Modes};
-use crate::dynamics::laws::Declared;
+use crate::dynamics::laws::LawInstance;
 use crate::dynamics::model::*;
 use crate::kinematics::position::Position;
 use crate::math::number::Dual;
@@ -191,7 +191,7 @@ fn a_rigid_slider_crank_with_motor_obeys_lagranges_equation() {
         motor,
         0,
         "torque",
-        Declared::linear_motor(20.0, 150.0).law(),
+        LawInstance::linear_motor(20.0, 150.0).law(),
     );
     add_load(
         &mut model,

@@ -19,12 +19,12 @@ use super::frozen::Frozen;
 use super::passes::Work;
 use super::taylor::HIGHEST;
 use crate::dynamics::model::{LoadVariable, NodeIndex, WrittenLoad};
-use crate::math::expression::{Expression, OPEN, Ordered, VARIABLES};
+use crate::math::expression::{Expression, OPEN, SeriesProgram, VARIABLES};
 use crate::math::quantity::Quantity;
 use std::sync::Arc;
 
 /// The series of such a load along a motion.
-pub(super) type WrittenSeries = Ordered<{ HIGHEST + 1 }>;
+pub(super) type WrittenSeries = SeriesProgram<{ HIGHEST + 1 }>;
 
 /// A load by an expression, frozen.
 #[derive(Clone, Debug)]
@@ -147,7 +147,7 @@ impl FrozenExpression {
 
     /// Room for its series.
     pub(super) fn series(&self) -> WrittenSeries {
-        Ordered::new(self.expression.program())
+        SeriesProgram::new(self.expression.program())
     }
 
     /// The force where its variables have these values.

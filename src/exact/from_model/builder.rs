@@ -19,14 +19,14 @@ enum Role<'m> {
     /// way.
     Prescribed(PrescribedMotion, Vec<&'m ModelLaw>),
     /// φ = ratio·φ_mass + offset, of a mass of a tree.
-    Moved(Moved),
+    Moved(MovedNode),
     /// Behind something that cannot be propagated exactly.
     Unfit,
 }
 
 /// A node that moves with a mass.
 #[derive(Clone, Copy, Debug)]
-struct Moved {
+struct MovedNode {
     tree: usize,
     mass: usize,
     ratio: f64,
@@ -154,10 +154,10 @@ impl<'m> Builder<'m> {
         object: usize,
         law: &ModelLaw,
         role: &Role<'_>,
-        driver: Moved,
-    ) -> Option<Moved> {
+        driver: MovedNode,
+    ) -> Option<MovedNode> {
         let (ratio, offset) = self.line(object, law, role)?;
-        Some(Moved {
+        Some(MovedNode {
             ratio: ratio * driver.ratio,
             offset: ratio * driver.offset + offset,
             ..driver

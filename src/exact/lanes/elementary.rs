@@ -164,7 +164,7 @@ fn sin_minus<A: Arith>(x: V) -> V {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Fused, Plain};
+    use super::super::{FusedMultiplyAdd, Plain};
     use super::*;
 
     fn arguments() -> impl Iterator<Item = f64> {
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn exponential_sine_and_cosine_are_good_to_rounding() {
         check::<Plain>();
-        check::<Fused>();
+        check::<FusedMultiplyAdd>();
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub enum Severity {
 
 /// A second place that a diagnostic speaks of.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Related {
+pub struct RelatedPlace {
     /// Place that is pointed at.
     pub place: Place,
     /// Label at the place.
@@ -50,7 +50,7 @@ pub struct Diagnostic {
     /// Hints at what would be right.
     pub hints: Vec<String>,
     /// Other places concerned.
-    pub related: Vec<Related>,
+    pub related: Vec<RelatedPlace>,
 }
 
 impl Diagnostic {
@@ -108,7 +108,7 @@ impl Diagnostic {
 
     /// Adds another place.
     pub fn also(mut self, place: Place, label: impl Into<String>) -> Self {
-        self.related.push(Related {
+        self.related.push(RelatedPlace {
             place,
             label: label.into(),
         });

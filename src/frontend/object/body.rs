@@ -103,10 +103,12 @@ fn number_of_masses(fields: &mut Fields<'_>, written: &BodyFields) -> Option<usi
             "wrong-length",
             format!("`{name}` has {length} {entries} for {masses} masses"),
         );
-        fault.related.push(crate::frontend::diagnostics::Related {
-            place: other,
-            label: format!("{masses} masses here"),
-        });
+        fault
+            .related
+            .push(crate::frontend::diagnostics::RelatedPlace {
+                place: other,
+                label: format!("{masses} masses here"),
+            });
     }
     agree.then_some(masses)
 }

@@ -1,6 +1,6 @@
 //! Contact elements.
 
-use super::contact_geometry::{self, Follows, Touching};
+use super::contact_geometry::{self, ContactType, Follows};
 use super::load::number;
 use super::measures::Measures;
 use super::spec::{ContactSpec, OnCamSpec};
@@ -132,17 +132,17 @@ fn stiffness_of(
                 on_cam: Some(on_cam),
                 pressure: None,
             };
-            (Touching::Line, open)
+            (ContactType::Line, open)
         }
     };
     let laws = |quote| kinds::keys(ContactForceLaw::is_of_point, quote, "or");
     let (fits, message, hint) = match touching {
-        Touching::Point => (
+        ContactType::Point => (
             law.is_of_point(),
             format!("a contact in a point has the law {}", laws("`")),
             format!("set `law` to {}, or give a `line`", laws("\"")),
         ),
-        Touching::Line => (
+        ContactType::Line => (
             !law.is_of_power(),
             format!("the law `{}` is that of a contact in a point", law.key),
             "give a `point`, or another `law`".to_owned(),

@@ -7,7 +7,7 @@ use super::spec::OnCamSpec;
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::hertzian::{
-    Backing, ContactPressure, Material, contact_modulus, line_approach, line_pressure,
+    ApproachReference, ContactPressure, Material, contact_modulus, line_approach, line_pressure,
     point_pressure, point_stiffness,
 };
 use crate::units::quantities as q;
@@ -15,7 +15,7 @@ use serde_json::json;
 
 /// What kind of contact a stiffness is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Touching {
+pub(super) enum ContactType {
     /// k of a contact along a line, the secant at a load.
     Line,
     /// K of a contact in a point.
@@ -26,7 +26,7 @@ pub(super) enum Touching {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Follows {
     /// From what is given beside it, with the pressure there.
-    Here(Touching, f64, ContactPressure),
+    Here(ContactType, f64, ContactPressure),
     /// From the object's own cam.
     OnCam(OnCamSpec),
 }
@@ -40,7 +40,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<Follows> {
             "Contact along a line (roller, flat face): k is the secant N/p at a stated load.",
             |slot| {
                 let (stiffness, pressure) = slot.record(|fields| line(fields, own))?;
-                Some(Follows::Here(Touching::Line, stiffness, pressure))
+                Some(Follows::Here(ContactType::Line, stiffness, pressure))
             },
         );
         shape.case(
@@ -48,7 +48,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<Follows> {
             "Contact in a point, by Hertz: K; the law is `hertz`.",
             |slot| {
                 let (stiffness, pressure) = slot.record(|fields| point(fields, own))?;
-                Some(Follows::Here(Touching::Point, stiffness, pressure))
+                Some(Follows::Here(ContactType::Point, stiffness, pressure))
             },
         );
         shape.case(
@@ -209,9 +209,9 @@ fn backing(
     radius: Option<f64>,
     depth: Option<f64>,
     [radius_name, depth_name]: [&'static str; 2],
-) -> Option<Backing> {
+) -> Option<ApproachReference> {
     match (radius, depth) {
-        (Some(radius), None) if radius > 0.0 => Some(Backing::Cylinder(radius)),
+        (Some(radius), None) if radius > 0.0 => Some(ApproachReference::Cylinder(radius)),
         (Some(radius), Some(_)) if radius > 0.0 => {
             let message = format!("`{depth_name}` has no meaning for a convex body");
             let fault = fields.refuse(depth_name, "contradiction", message);
@@ -219,7 +219,7 @@ fn backing(
             fault.hints.push(hint.to_owned());
             None
         }
-        (_, Some(depth)) => Some(Backing::Depth {
+        (_, Some(depth)) => Some(ApproachReference::Depth {
             curvature: curvature(radius),
             depth,
         }),

@@ -54,20 +54,20 @@ pub(super) fn read_modes(fields: &mut Fields<'_>) -> Option<Option<usize>> {
 
 /// The lumping that is asked for; `None`: that of far ends, unless said otherwise.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Lumped(Option<Lumping>);
+pub(super) struct LumpingChoice(Option<Lumping>);
 
 /// Reads `lumping`; `None`: faulty.
-pub(super) fn read_lumping(fields: &mut Fields<'_>) -> Option<Lumped> {
+pub(super) fn read_lumping(fields: &mut Fields<'_>) -> Option<LumpingChoice> {
     let doc = "Where the inertia of each cell of the object is put. `ends`: at the far end of the \
                cell. `balanced`: at both ends, so that the first moment of compliance is kept. It \
                needs a contact that cannot separate, or a contact element. Behind that the first \
                cell is of the former kind. Default `ends`.";
     let names = [("ends", Lumping::Ends), ("balanced", Lumping::Balanced)];
     let asked = fields.maybe("lumping", doc, |slot| slot.choice(&names));
-    asked.map(Lumped)
+    asked.map(LumpingChoice)
 }
 
-impl Lumped {
+impl LumpingChoice {
     /// True when the scene asks for one.
     pub(super) fn is_requested(self) -> bool {
         self.0.is_some()

@@ -5,8 +5,9 @@ mod written_laws;
 use super::Context;
 use super::measures::Measures;
 use super::spec::{LoadLawSpec, LoadSpec, MassChoice};
-use super::written;
-use crate::dynamics::laws::{self, Declared, Domain, ForceLaw, Measure, Parameter};
+use super::{table_period, written};
+use crate::dynamics::builder::written as builder;
+use crate::dynamics::laws::{self, Domain, ForceLaw, LawInstance, Measure, Parameter};
 use crate::dynamics::model::Coordinate;
 use crate::frontend::read::{Bounds, Fields, QuantityChoice, Slot, points};
 use crate::units::quantities as q;
@@ -193,22 +194,22 @@ fn misplaced_unit(fields: &mut Fields<'_>) -> bool {
 
 /// Notes that `over` stands beside a law that depends on no displacement but that of its mass.
 fn misplaced_over(fields: &mut Fields<'_>) -> bool {
-    const OVER: [&str; 5] = [
-        "expression",
-        "window",
-        "position_table",
-        "harmonic",
-        "indicator",
-    ];
+    const OVER: [&str; 4] = ["window", "position_table", "harmonic", "indicator"];
     let harmonic = fields.member("harmonic");
     let over_time = harmonic.is_some_and(|one| one.value.get("frequency").is_some());
     if !fields.has("over") || !over_time && OVER.iter().any(|name| fields.has(name)) {
         return false;
     }
+    let text = fields.member("expression").and_then(|one| one.value.text());
+    let written = text.map(|text| text.contains(builder::OVER[0].0));
+    if written == Some(true) {
+        return false;
+    }
     let message = "this load does not depend on the displacement of the object `over`";
-    let hint = match over_time {
-        true => "give `harmonic` an `order` in place of its `frequency`, or remove `over`",
-        false => {
+    let hint = match (over_time, written) {
+        (true, _) => "give `harmonic` an `order` in place of its `frequency`, or remove `over`",
+        (false, Some(_)) => "use over_phi or over_phi_dot in the expression, or remove `over`",
+        (false, None) => {
             "`over` goes with `expression`, `window`, `position_table`, `harmonic` and `indicator`: \
              remove it"
         }
@@ -238,13 +239,16 @@ fn position_table(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Op
         {
             let closes = points[0].1 == points[points.len() - 1].1;
             if length > period * (1.0 + 1e-12) || !closes {
-                let message = format!("the points span {length}, the period is {period}");
+                let message = table_period::spans("points span", length, period, driver);
                 fields
                     .refuse("period", "out-of-range", message)
                     .hints
                     .push("all points must lie within one period; the force goes on to the first point by itself".to_owned());
                 return None;
             }
+        }
+        if period.is_none() {
+            table_period::check_single_turn(fields, &points, driver);
         }
         Some(LoadLawSpec::PositionTable {
             points,
@@ -292,7 +296,7 @@ fn window(slot: Slot<'_>, driver: Measures, force: QuantityChoice) -> Option<Loa
         if let Some(period) = period {
             fields.fill_in("period", json!(period));
             if to - from > period {
-                let message = format!("the window spans {}, the period is {period}", to - from);
+                let message = table_period::spans("window spans", to - from, period, driver);
                 fields.refuse("to", "out-of-range", message);
                 return None;
             }
@@ -342,7 +346,11 @@ pub(super) fn number(slot: Slot<'_>, parameter: &Parameter, own: Measures) -> Op
 }
 
 /// Reads the numbers of a law that the library declares.
-pub(super) fn declared(slot: Slot<'_>, law: &'static ForceLaw, own: Measures) -> Option<Declared> {
+pub(super) fn declared(
+    slot: Slot<'_>,
+    law: &'static ForceLaw,
+    own: Measures,
+) -> Option<LawInstance> {
     let number = |slot: Slot<'_>, parameter: &Parameter| number(slot, parameter, own);
     let values = match law.parameters {
         [alone] if alone.key.is_empty() => vec![number(slot, alone)?],
@@ -356,5 +364,5 @@ pub(super) fn declared(slot: Slot<'_>, law: &'static ForceLaw, own: Measures) ->
             read.into_iter().collect::<Option<Vec<f64>>>()
         })?,
     };
-    Some(Declared::new(law, values))
+    Some(LawInstance::new(law, values))
 }

@@ -49,6 +49,7 @@ mod rocker;
 mod shaft;
 mod slider;
 mod stop;
+mod table_period;
 mod written;
 
 use crate::dynamics::model::Coordinate;

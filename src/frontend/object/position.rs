@@ -1,14 +1,13 @@
 //! Position functions.
 
 mod linkages;
-mod table_period;
 mod table_roughness;
 
 use super::cam;
 use super::measures::Measures;
 use super::measures::PositionMeasures;
 use super::measures::any;
-use super::plan;
+use super::{plan, table_period};
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
 use crate::frontend::read::{Bounds, Fields, Slot, points};
 use crate::kinematics::position::{CustomPosition, PositionSpec, SlottedDriver, SlottedOutput};
@@ -300,7 +299,7 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
             return None;
         }
         let points = match (periodic, period) {
-            (true, Some(period)) => table_period::closed(fields, points, period)?,
+            (true, Some(period)) => table_period::closed(fields, points, period, ends.driver)?,
             (true, None) => {
                 table_period::check(fields, &points, ends.driver)?;
                 points

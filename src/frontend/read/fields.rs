@@ -21,7 +21,7 @@ pub struct Fields<'a> {
     /// Other names of properties: `inertia`, `mass`.
     synonyms: Vec<(&'static str, &'static str)>,
     /// Groups of names of which one is missing.
-    missing: Vec<Missing>,
+    missing: Vec<MissingProperty>,
     out: Map<String, Json>,
     required: Vec<&'static str>,
     pub(super) alternatives: Vec<Vec<&'static str>>,
@@ -32,7 +32,7 @@ pub struct Fields<'a> {
 }
 
 #[derive(Debug)]
-struct Missing {
+struct MissingProperty {
     names: Vec<&'static str>,
     what: &'static str,
     hint: Option<String>,
@@ -255,13 +255,13 @@ impl<'a> Fields<'a> {
     pub(super) fn note_missing_one_of(&mut self, names: Vec<&'static str>, what: &'static str) {
         let alternatives = quoted_list(names.iter().copied(), "or");
         let hint = Some(format!("give {alternatives}"));
-        self.missing.push(Missing { names, what, hint });
+        self.missing.push(MissingProperty { names, what, hint });
     }
 
     /// Notes that a property is missing (unless a misspelled one stands for it).
     pub fn lack(&mut self, name: &'static str, hint: Option<String>) {
         let names = vec![name];
-        self.missing.push(Missing {
+        self.missing.push(MissingProperty {
             names,
             what: "",
             hint,

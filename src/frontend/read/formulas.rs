@@ -80,13 +80,13 @@ pub(super) fn place(whole: &Place, text: &str, mistake: &Mistake) -> Place {
 }
 
 /// The names in force: those of the object come before those of the scene.
-struct Named<'r> {
+struct NamedNumbers<'r> {
     dimensions: &'r mut Dimensions,
     parameters: &'r Parameters,
     used: &'r mut BTreeSet<String>,
 }
 
-impl Scope for Named<'_> {
+impl Scope for NamedNumbers<'_> {
     fn quantity(&mut self, name: &str) -> Option<Option<Measure>> {
         let own = self
             .dimensions
@@ -122,8 +122,8 @@ impl Scope for Named<'_> {
 }
 
 /// The names that a reader has in force.
-fn named(reader: &mut Reader) -> Named<'_> {
-    Named {
+fn named(reader: &mut Reader) -> NamedNumbers<'_> {
+    NamedNumbers {
         dimensions: &mut reader.dimensions,
         parameters: &reader.parameters,
         used: &mut reader.used,
@@ -137,7 +137,7 @@ fn has_names(reader: &Reader) -> bool {
 /// Variables of an expression, and the parameters of the scene as numbers in SI units.
 struct InExpression<'r> {
     variables: &'r Names<'r>,
-    named: Named<'r>,
+    named: NamedNumbers<'r>,
     faulty: bool,
 }
 

@@ -41,7 +41,7 @@ pub use own::{OWN, Own};
 pub use parameter::Parameters;
 pub use parse::{parse, parse_fragment};
 pub use points::points;
-pub use slot::{Declared, Reader, Slot};
+pub use slot::{DeclaredNumber, Reader, Slot};
 pub use suggest::{closest, did_you_mean, quoted_list};
 pub use synonym::synonyms;
 pub use text::{MAX_DEPTH, MAX_SIZE};

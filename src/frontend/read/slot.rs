@@ -29,12 +29,12 @@ pub struct Reader {
     /// Sources of values that were set from the command line.
     pub overrides: Range<SourceId>,
     /// Numbers met on the way, where they are asked for.
-    pub(super) numbers: Option<Vec<Declared>>,
+    pub(super) numbers: Option<Vec<DeclaredNumber>>,
 }
 
 /// A number of a text with what is declared of it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Declared {
+pub struct DeclaredNumber {
     /// Address of the number.
     pub path: String,
     /// Place of the value in the text.
@@ -69,7 +69,7 @@ impl Reader {
     }
 
     /// The numbers met, faulty ones too, in the order of reading.
-    pub fn numbers(self) -> Vec<Declared> {
+    pub fn numbers(self) -> Vec<DeclaredNumber> {
         self.numbers.unwrap_or_default()
     }
 
@@ -202,7 +202,7 @@ impl<'a> Slot<'a> {
         let Some((numbers, node)) = self.reader.numbers.as_mut().zip(self.node) else {
             return;
         };
-        numbers.push(Declared {
+        numbers.push(DeclaredNumber {
             path: self.path.clone(),
             place: node.place.clone(),
             wanted,
@@ -213,7 +213,7 @@ impl<'a> Slot<'a> {
     /// The same of a number inside this value, which may lie anywhere.
     pub(super) fn declare_at(&mut self, name: &str, node: &Node, wanted: QuantityChoice) {
         if let Some(numbers) = self.reader.numbers.as_mut() {
-            numbers.push(Declared {
+            numbers.push(DeclaredNumber {
                 path: join(&self.path, name),
                 place: node.place.clone(),
                 wanted: Some(wanted),

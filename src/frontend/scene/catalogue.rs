@@ -44,9 +44,9 @@ impl Catalogue for BuiltIn {
 
 /// Two catalogues, the first of which comes first.
 #[derive(Clone, Copy, Debug)]
-pub struct Layered<'a, A: ?Sized, B: ?Sized>(pub &'a A, pub &'a B);
+pub struct LayeredCatalogue<'a, A: ?Sized, B: ?Sized>(pub &'a A, pub &'a B);
 
-impl<A: Catalogue + ?Sized, B: Catalogue + ?Sized> Catalogue for Layered<'_, A, B> {
+impl<A: Catalogue + ?Sized, B: Catalogue + ?Sized> Catalogue for LayeredCatalogue<'_, A, B> {
     fn lookup(&self, name: &str) -> Option<(String, Cow<'_, str>)> {
         self.0.lookup(name).or_else(|| self.1.lookup(name))
     }

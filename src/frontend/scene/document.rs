@@ -9,7 +9,7 @@ use crate::fault::Fault;
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Place, Severity, Source, Sources};
 use crate::frontend::object::Registry;
 use crate::frontend::read::{
-    self, Declared, Files, Member, Node, Parameters, Reader, TableFile, Value, did_you_mean,
+    self, DeclaredNumber, Files, Member, Node, Parameters, Reader, TableFile, Value, did_you_mean,
 };
 use hash::hash;
 use std::collections::BTreeMap;
@@ -227,7 +227,7 @@ impl Document {
     }
 
     /// The numbers that reading it meets, with what is declared of them.
-    pub(super) fn declared(&self, catalogue: &dyn Catalogue) -> Vec<Declared> {
+    pub(super) fn declared(&self, catalogue: &dyn Catalogue) -> Vec<DeclaredNumber> {
         let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
         let tree = self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults);
         let known = ObjectTable::new(&self.registry);

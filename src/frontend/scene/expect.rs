@@ -6,7 +6,7 @@ use super::figures::{
 use super::objects::ObjectTable;
 use super::span::{self, SpanAddress};
 use super::study_address::StudyAddress;
-use super::{Allowed, Expectation, Expected};
+use super::{AllowedValues, Expectation, Expected};
 use crate::dynamics::model::owner_of;
 use crate::frontend::object::Measures;
 use crate::frontend::read::{
@@ -153,7 +153,7 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
             }
             Expected::Figure {
                 figure,
-                allowed: Allowed::Between { least, most },
+                allowed: AllowedValues::Between { least, most },
             }
         }
         About::Figure(figure, _) => {
@@ -163,7 +163,7 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
             let within = absolute(fields, within, value)?;
             Expected::Figure {
                 figure,
-                allowed: Allowed::Near { value, within },
+                allowed: AllowedValues::Near { value, within },
             }
         }
         About::Stop(reason) => {

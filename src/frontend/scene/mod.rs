@@ -25,7 +25,7 @@ mod study_address;
 mod template;
 mod variation;
 
-pub use catalogue::{BuiltIn, Catalogue, Layered, NamedBytes};
+pub use catalogue::{BuiltIn, Catalogue, LayeredCatalogue, NamedBytes};
 pub use document::{Document, Places, Reading};
 #[cfg(feature = "studio")]
 pub(crate) use figures::is_expectable;
@@ -62,7 +62,7 @@ pub struct TypedScene {
     /// Expectations of the run.
     pub expect: Vec<Expectation>,
     /// Numbers with units of figures whose quantity follows from the model.
-    pub measured: Vec<Measured>,
+    pub measured: Vec<MeasuredValue>,
     /// SHA-256 (hex) of the canonical scene: defaults filled in, SI, keys sorted.
     pub hash: String,
 }
@@ -214,7 +214,7 @@ pub struct Expectation {
 
 /// A number written with a unit, of a figure whose quantity follows from the model.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Measured {
+pub struct MeasuredValue {
     /// Address of the figure.
     pub figure: String,
     /// Address of the number.
@@ -227,7 +227,7 @@ pub struct Measured {
 
 /// Values that a figure may have (booleans as 0 and 1).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Allowed {
+pub enum AllowedValues {
     /// A value and what differs from it by no more than an absolute bound.
     Near {
         /// Expected value.
@@ -244,7 +244,7 @@ pub enum Allowed {
     },
 }
 
-impl Allowed {
+impl AllowedValues {
     /// The limits: infinite where there is none.
     pub fn limits(&self) -> [f64; 2] {
         match *self {
@@ -279,7 +279,7 @@ pub enum Expected {
         /// Address.
         figure: String,
         /// Values that it may have.
-        allowed: Allowed,
+        allowed: AllowedValues,
     },
     /// The run stops at a time for a named reason.
     Stops {

@@ -1,7 +1,7 @@
 //! The numbers of a scene's text: where each stands, what it measures, how far it may go.
 
 use super::{Catalogue, Document};
-use crate::frontend::read::{Bounds, Declared, QuantityChoice};
+use crate::frontend::read::{Bounds, DeclaredNumber, QuantityChoice};
 use crate::units::{UnitError, number_and_unit, parse};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -56,7 +56,7 @@ fn is_parameter(path: &str) -> bool {
     !["expect", "dam", "name"].contains(&top)
 }
 
-fn number(declared: &Declared, text: &str) -> Option<Number> {
+fn number(declared: &DeclaredNumber, text: &str) -> Option<Number> {
     let whole = declared.place.range.clone();
     let raw = text.get(whole.clone())?;
     let (number, unit, offset) = match raw.strip_prefix('"') {

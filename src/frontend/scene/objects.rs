@@ -1,9 +1,9 @@
 //! The objects of a scene, and who drives whom.
 
 use super::address::RESERVED;
-use super::{Catalogue, Measured, SceneObject};
+use super::{Catalogue, MeasuredValue, SceneObject};
 use crate::dynamics::model::Coordinate;
-use crate::frontend::diagnostics::{Diagnostic, Related};
+use crate::frontend::diagnostics::{Diagnostic, RelatedPlace};
 use crate::frontend::graph::MechanismGraph;
 use crate::frontend::object::{Context, Inputs, Kind, KnownObject, Object, OwnObject, Registry};
 use crate::frontend::read::{Fields, Node, Slot, Value, is_name};
@@ -21,7 +21,7 @@ pub(super) struct ObjectTable {
     /// Stops of objects as `object.stop`, with what their object does: turn or slide.
     pub(super) stops: BTreeMap<String, Option<Coordinate>>,
     /// Numbers with units of figures whose quantity follows from the model.
-    pub(super) measured: RefCell<Vec<Measured>>,
+    pub(super) measured: RefCell<Vec<MeasuredValue>>,
     /// Names that editors offer for `from`, with the kind of each.
     offered: Vec<(String, String)>,
 }
@@ -64,7 +64,7 @@ impl ObjectTable {
         if let Some(text) = text
             && let Some(measure) = slot.quantity_of(text)
         {
-            self.measured.borrow_mut().push(Measured {
+            self.measured.borrow_mut().push(MeasuredValue {
                 figure: figure.to_owned(),
                 path: slot.path().to_owned(),
                 text: text.to_owned(),
@@ -308,7 +308,7 @@ fn report_cycle(slot: &mut Slot<'_>, node: &Node, known: &ObjectTable, cycle: &[
     fault.related = cycle[1..]
         .iter()
         .filter_map(|id| {
-            Some(Related {
+            Some(RelatedPlace {
                 place: place(id)?,
                 label: String::new(),
             })

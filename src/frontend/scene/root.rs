@@ -1,7 +1,7 @@
 //! The top level of a scene.
 
 use super::objects::{self, ObjectTable};
-use super::{Expectation, Measured, RunSpec, SceneObject, SteadySpec, expect, run, steady};
+use super::{Expectation, MeasuredValue, RunSpec, SceneObject, SteadySpec, expect, run, steady};
 use crate::frontend::read::Slot;
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -13,7 +13,7 @@ pub(super) struct Root {
     pub(super) run: RunSpec,
     pub(super) steady: Option<SteadySpec>,
     pub(super) expect: Vec<Expectation>,
-    pub(super) measured: Vec<Measured>,
+    pub(super) measured: Vec<MeasuredValue>,
 }
 
 /// Reads (or describes) a whole scene.

@@ -70,13 +70,13 @@ pub struct Rates {
 }
 
 /// The question of closing: the demand over the pieces of a turn.
-pub struct Closing<'a> {
+pub struct ClosureProblem<'a> {
     demand: &'a dyn Fn(usize, f64) -> Demand,
     /// The demand at places of every piece, both ends among them.
     samples: Vec<Vec<(f64, Demand)>>,
 }
 
-impl<'a> Closing<'a> {
+impl<'a> ClosureProblem<'a> {
     /// The demand at φ in a piece, over stretches (rad) on which it is smooth.
     pub fn new(pieces: &[[f64; 2]], demand: &'a dyn Fn(usize, f64) -> Demand) -> Self {
         let count = intervals(pieces.len());

@@ -2,7 +2,7 @@
 
 use super::disc::{CamState, DiscCam};
 use super::spec::{Contact, Surface};
-use crate::kinematics::hertzian::{Backing, Material, line_approach, line_pressure};
+use crate::kinematics::hertzian::{ApproachReference, Material, line_approach, line_pressure};
 
 /// Depths below flat or hollow surfaces from which an approach is counted (m): of the
 /// follower and of the cam.
@@ -54,8 +54,8 @@ impl DiscCam {
             _ => 0.0,
         };
         let backing = |index: usize, curvature: f64| match depths[index] {
-            _ if curvature > 0.0 => Ok(Backing::Cylinder(1.0 / curvature)),
-            Some(depth) => Ok(Backing::Depth { curvature, depth }),
+            _ if curvature > 0.0 => Ok(ApproachReference::Cylinder(1.0 / curvature)),
+            Some(depth) => Ok(ApproachReference::Depth { curvature, depth }),
             None => Err(NoStiffness::Depth { of_cam: index == 1 }),
         };
         let material_of = |index: usize| Material {

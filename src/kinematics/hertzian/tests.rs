@@ -1,7 +1,7 @@
 //! Of contacts after Hertz.
 
 use super::{
-    Backing, ContactPressure, Material, contact_modulus, line_approach, line_pressure,
+    ApproachReference, ContactPressure, Material, contact_modulus, line_approach, line_pressure,
     point_pressure, point_stiffness,
 };
 use std::f64::consts::PI;
@@ -86,7 +86,7 @@ fn the_approach_of_a_roller_is_the_strain_along_its_axis() {
     // Johnson, 5.54 and 5.55: the stresses on the line of symmetry of a cylinder between
     // two loads; their strain added up from the contact to the axis.
     let (load, radius) = (1e5, 8e-3);
-    let roller = (STEEL, Backing::Cylinder(radius));
+    let roller = (STEEL, ApproachReference::Cylinder(radius));
     let curvature = 2.0 / radius;
     let a = (4.0 * load / (PI * contact_modulus([STEEL; 2]) * curvature)).sqrt();
     let nu = 0.3;
@@ -119,12 +119,12 @@ fn the_approach_of_a_half_space_is_the_strain_below_its_contact() {
     // depth d, in plane strain.
     let (load, radius) = (3e5, 12e-3);
     for (material, depth) in [(STEEL, 20e-3), (STEEL, 4e-3), (RUBBER, 20e-3)] {
-        let flat = Backing::Depth {
+        let flat = ApproachReference::Depth {
             curvature: 0.0,
             depth,
         };
         let load = if material == STEEL { load } else { 1e-5 * load };
-        let roller = (material, Backing::Cylinder(radius));
+        let roller = (material, ApproachReference::Cylinder(radius));
         let modulus = contact_modulus([material; 2]);
         let a = (4.0 * load * radius / (PI * modulus)).sqrt();
         let nu = material.poisson_ratio;
@@ -178,11 +178,16 @@ fn the_pressure_along_a_line_carries_the_load() {
 
 #[test]
 fn what_fits_into_each_other_has_no_small_contact() {
-    let hollow = |radius: f64| Backing::Depth {
+    let hollow = |radius: f64| ApproachReference::Depth {
         curvature: -1.0 / radius,
         depth: 20e-3,
     };
-    let bodies = |radius| [(STEEL, Backing::Cylinder(8e-3)), (STEEL, hollow(radius))];
+    let bodies = |radius| {
+        [
+            (STEEL, ApproachReference::Cylinder(8e-3)),
+            (STEEL, hollow(radius)),
+        ]
+    };
     assert_eq!(line_approach(1e5, bodies(8e-3)), None);
     assert!(line_approach(1e5, bodies(16e-3)).is_some());
     let tight = line_approach(1e5, bodies(16e-3)).unwrap();

@@ -6,7 +6,7 @@ mod misfit;
 use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
-use super::newton::{NewtonGroup, Side, Tied};
+use super::newton::{NewtonGroup, PreparedJoint, Side};
 use super::plan::{Driver, Plan, Step, size};
 use super::skeleton::Skeleton;
 use super::spec::LinkageSpec;
@@ -219,11 +219,11 @@ fn larger_group(
     };
     let joints = pairs
         .iter()
-        .map(|&pair| Tied::of_pair(&spec.pairs[pair], own));
+        .map(|&pair| PreparedJoint::of_pair(&spec.pairs[pair], own));
     // What does not meet, or has no pitch curve, was refused before.
-    let tied = couplings
-        .iter()
-        .filter_map(|&coupling| Tied::of_coupling(&spec.couplings[coupling], &spec.pairs, own));
+    let tied = couplings.iter().filter_map(|&coupling| {
+        PreparedJoint::of_coupling(&spec.couplings[coupling], &spec.pairs, own)
+    });
     let newton = NewtonGroup {
         bodies: group.iter().map(|&body| bodies.list[body]).collect(),
         ties: joints.chain(tied).collect(),

@@ -73,7 +73,7 @@ pub(super) enum Decomposition {
 }
 
 /// Who was given the equations of a tie.
-struct Handing<'a> {
+struct TieAssignment<'a> {
     ties: &'a [Tie],
     /// Of every equation of every tie the body that has it.
     owner: Vec<Vec<Option<usize>>>,
@@ -88,7 +88,7 @@ pub(super) type Held = (Vec<usize>, Vec<usize>);
 
 /// Splits `bodies` joined by `ties` into groups.
 pub(super) fn decompose(bodies: usize, ties: &[Tie]) -> Decomposition {
-    let mut handing = Handing::new(ties, vec![NEEDED; bodies]);
+    let mut handing = TieAssignment::new(ties, vec![NEEDED; bodies]);
     let mut held = handing.hand_out();
     let free = handing.free();
     if held.is_empty() && free.is_empty() {
@@ -111,13 +111,13 @@ fn overconstrained_part(bodies: usize, ties: &[Tie]) -> Option<Held> {
     (0..bodies).find_map(|body| {
         let mut needed = vec![NEEDED; bodies];
         needed[body] = 0;
-        let held = Handing::new(&ties, needed).hand_out();
+        let held = TieAssignment::new(&ties, needed).hand_out();
         // Nobody takes the equations of the ties that are left out.
         held.into_iter().find(|(bodies, _)| !bodies.is_empty())
     })
 }
 
-impl<'a> Handing<'a> {
+impl<'a> TieAssignment<'a> {
     fn new(ties: &'a [Tie], needed: Vec<usize>) -> Self {
         Self {
             ties,
@@ -128,7 +128,7 @@ impl<'a> Handing<'a> {
     }
 }
 
-impl Handing<'_> {
+impl TieAssignment<'_> {
     /// Hands out all equations; what holds a part more than once.
     fn hand_out(&mut self) -> Vec<Held> {
         let mut held = Vec::new();

@@ -83,7 +83,7 @@ pub(super) struct Directions<const N: usize> {
 
 /// Surroundings of a dyad at an input, as far as they are known.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Around<const N: usize> {
+pub(super) struct DyadSurroundings<const N: usize> {
     /// The frames that the outer pairs are fixed to.
     pub(super) known: [Frame<N>; 2],
     /// The frame of the driven link in its assembly.
@@ -96,7 +96,7 @@ impl Dyad {
     #[inline]
     pub(super) fn directions<const N: usize>(
         &self,
-        around: &Around<N>,
+        around: &DyadSurroundings<N>,
         sign: f64,
         size: f64,
     ) -> Directions<N> {
@@ -113,7 +113,7 @@ impl Dyad {
     #[inline]
     pub(super) fn place<const N: usize>(
         &self,
-        around: &Around<N>,
+        around: &DyadSurroundings<N>,
         of: [Vector<N>; 2],
     ) -> [Frame<N>; 2] {
         let relative = &around.relative;
@@ -143,7 +143,12 @@ impl Dyad {
     /// Two circles: the inner pin lies to the left of the line from the first
     /// outer pin to the second on branch +.
     #[inline(always)]
-    fn rrr<const N: usize>(&self, around: &Around<N>, sign: f64, typical: f64) -> Directions<N> {
+    fn rrr<const N: usize>(
+        &self,
+        around: &DyadSurroundings<N>,
+        sign: f64,
+        typical: f64,
+    ) -> Directions<N> {
         let (arms, lengths, apart) = self.arms(around);
         let square = apart.square();
         let [a, b] = lengths;
@@ -170,7 +175,7 @@ impl Dyad {
     #[inline(always)]
     fn arms<const N: usize>(
         &self,
-        around: &Around<N>,
+        around: &DyadSurroundings<N>,
     ) -> ([Local<N>; 2], [Series<N>; 2], Vector<N>) {
         let arms = [0, 1].map(|k| self.arm(around, k));
         let lengths = [arms[0].length(), arms[1].length()];
@@ -179,7 +184,7 @@ impl Dyad {
 
     /// From the outer to the inner element of a body.
     #[inline(always)]
-    pub(super) fn arm<const N: usize>(&self, around: &Around<N>, k: usize) -> Local<N> {
+    pub(super) fn arm<const N: usize>(&self, around: &DyadSurroundings<N>, k: usize) -> Local<N> {
         if let Some(arm) = self.arms[k] {
             return Local::Arm(arm);
         }
@@ -191,12 +196,12 @@ impl Dyad {
 
     /// From the first outer element to the second.
     #[inline(always)]
-    pub(super) fn separation<const N: usize>(&self, around: &Around<N>) -> Vector<N> {
+    pub(super) fn separation<const N: usize>(&self, around: &DyadSurroundings<N>) -> Vector<N> {
         around.known[1].place(self.known[1].point) - around.known[0].place(self.known[0].point)
     }
 
     /// By how much a link fails to reach a guide (m); negative where it does.
-    pub(super) fn overreach(&self, around: &Around<1>) -> f64 {
+    pub(super) fn overreach(&self, around: &DyadSurroundings<1>) -> f64 {
         let relative = &around.relative;
         match self.form {
             Form::Rrp => {
@@ -215,7 +220,11 @@ impl Dyad {
 
     /// Direction of the outer guide `k` and of the body on it.
     #[inline(always)]
-    fn guided<const N: usize>(&self, around: &Around<N>, k: usize) -> (Vector<N>, Vector<N>) {
+    fn guided<const N: usize>(
+        &self,
+        around: &DyadSurroundings<N>,
+        k: usize,
+    ) -> (Vector<N>, Vector<N>) {
         let along = around.known[k].direction.turn_constant(self.known[k].along);
         let frame = self.outer[k].guide(&around.relative).frame(along);
         (along, frame)
@@ -223,7 +232,7 @@ impl Dyad {
 
     /// How far to the left of the outer guide `k` the inner element lies.
     #[inline(always)]
-    fn aside<const N: usize>(&self, around: &Around<N>, k: usize) -> Series<N> {
+    fn aside<const N: usize>(&self, around: &DyadSurroundings<N>, k: usize) -> Series<N> {
         let guide = self.outer[k].guide(&around.relative);
         self.arm(around, k).across(guide)
     }
@@ -231,7 +240,12 @@ impl Dyad {
     /// A circle and a line: the inner pin lies ahead of the outer pin along the
     /// guide on branch +.
     #[inline(always)]
-    fn rrp<const N: usize>(&self, around: &Around<N>, sign: f64, typical: f64) -> Directions<N> {
+    fn rrp<const N: usize>(
+        &self,
+        around: &DyadSurroundings<N>,
+        sign: f64,
+        typical: f64,
+    ) -> Directions<N> {
         let arm = self.arm(around, 0);
         let length = arm.length();
         let (along, second) = self.guided(around, 1);
@@ -250,7 +264,12 @@ impl Dyad {
     /// A guide between two pins: with `sign` + the second outer pin lies ahead
     /// of the first along the guide.
     #[inline(always)]
-    fn rpr<const N: usize>(&self, around: &Around<N>, sign: f64, size: f64) -> Directions<N> {
+    fn rpr<const N: usize>(
+        &self,
+        around: &DyadSurroundings<N>,
+        sign: f64,
+        size: f64,
+    ) -> Directions<N> {
         let relative = &around.relative;
         let guides = [0, 1].map(|k| self.inner[k].guide(relative));
         let off = self.arm(around, 0).across(guides[0]) - self.arm(around, 1).across(guides[1]);
@@ -271,7 +290,7 @@ impl Dyad {
     /// Two lines: one assembly, `sign` only says on which side the second guide
     /// points, so that the margin goes through zero where they are parallel.
     #[inline(always)]
-    fn prp<const N: usize>(&self, around: &Around<N>, sign: f64) -> Directions<N> {
+    fn prp<const N: usize>(&self, around: &DyadSurroundings<N>, sign: f64) -> Directions<N> {
         let (first, one) = self.guided(around, 0);
         let (second, other) = self.guided(around, 1);
         Directions {
@@ -288,7 +307,7 @@ impl Dyad {
     }
 
     /// The side to which the second guide of PRP or RPP points; + for all others.
-    pub(super) fn side(&self, around: &Around<1>) -> f64 {
+    pub(super) fn side(&self, around: &DyadSurroundings<1>) -> f64 {
         let sine = match self.form {
             Form::Prp => {
                 let [(first, _), (second, _)] = [0, 1].map(|k| self.guided(around, k));
@@ -302,7 +321,7 @@ impl Dyad {
 
     /// Where the inner pin of PRP lies.
     #[inline(always)]
-    fn crossing<const N: usize>(&self, around: &Around<N>) -> Vector<N> {
+    fn crossing<const N: usize>(&self, around: &DyadSurroundings<N>) -> Vector<N> {
         let (first, _) = self.guided(around, 0);
         let (second, _) = self.guided(around, 1);
         let foot =
@@ -315,7 +334,7 @@ impl Dyad {
     /// All directions are given: one assembly, `sign` as for PRP. The angle
     /// between the guides of the second body changes only where it is driven.
     #[inline(always)]
-    fn rpp<const N: usize>(&self, around: &Around<N>, sign: f64) -> Directions<N> {
+    fn rpp<const N: usize>(&self, around: &DyadSurroundings<N>, sign: f64) -> Directions<N> {
         let relative = &around.relative;
         let (_, second) = self.guided(around, 1);
         let inner = self.inner[1].guide(relative).seen(second);
@@ -331,7 +350,7 @@ impl Dyad {
     #[inline(always)]
     fn slider<const N: usize>(
         &self,
-        around: &Around<N>,
+        around: &DyadSurroundings<N>,
         first: &Frame<N>,
         direction: Vector<N>,
     ) -> Frame<N> {

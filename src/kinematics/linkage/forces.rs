@@ -7,7 +7,7 @@ use crate::kinematics::breaks::Breaks;
 use crate::math::jet::Jet;
 
 /// Contribution of one spring, damper or force on the input coordinate; meanings and
-/// orders as in [`Reduced`](super::Reduced).
+/// orders as in [`ReducedLinkage`](super::ReducedLinkage).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ForcePart {
     /// V, V′, V″ (J).

@@ -3,7 +3,7 @@
 
 use super::choice::{Wrong, mismatch, names, requested_branch, short, start_in_words};
 use super::dyad::Margin;
-use super::newton::{NewtonGroup, Tied};
+use super::newton::{NewtonGroup, PreparedJoint};
 use super::plan::Plan;
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::Scratch;
@@ -226,7 +226,7 @@ fn put(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
         state.put(body, &NewtonGroup::frame::<1>(scratch, index));
         // Where nothing counts the turns it is the angle in (−π, π].
         let angle = scratch.unknowns[3 * index + 2][0];
-        state.near[body.base] = match group.ties.iter().any(Tied::turns) {
+        state.near[body.base] = match group.ties.iter().any(PreparedJoint::turns) {
             false => state.links[body.base].angle(),
             true => angle,
         };

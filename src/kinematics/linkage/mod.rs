@@ -61,8 +61,8 @@ mod welds;
 mod workspace;
 
 pub use forces::ForcePart;
-pub use range::{Cause, ChangePoint, End, OutOfReach, Period, Range, Reach};
-pub use reduced::Reduced;
+pub use range::{Cause, ChangePoint, OutOfReach, Period, Range, RangeEnd, Reach};
+pub use reduced::ReducedLinkage;
 pub use rounding::Rounding;
 pub use structure::{Group, GroupKind, Structure};
 pub use workspace::{Pose, Workspace};
@@ -250,7 +250,7 @@ impl Linkage {
                     *upper
                 }
             }
-            Reach::Everywhere => End {
+            Reach::Everywhere => RangeEnd {
                 at: q,
                 cause: Cause::Unexplored,
             },
@@ -333,12 +333,12 @@ fn explore(
 
 fn ranged(course: &Course, ways: [WayEnd; 2]) -> Range {
     let end = |way: WayEnd| match way {
-        WayEnd::Ends(at, DeadPosition { group }) => End {
+        WayEnd::Ends(at, DeadPosition { group }) => RangeEnd {
             at,
             cause: DeadPosition { group: group + 1 },
         },
-        WayEnd::Ends(at, cause) => End { at, cause },
-        WayEnd::Repeats(_) | WayEnd::Everywhere => End {
+        WayEnd::Ends(at, cause) => RangeEnd { at, cause },
+        WayEnd::Repeats(_) | WayEnd::Everywhere => RangeEnd {
             at: f64::INFINITY,
             cause: Cause::Unexplored,
         },

@@ -16,7 +16,7 @@ use super::state::State;
 use super::vector::Vector;
 use crate::math::linear::dense::{factorise, solve};
 use crate::math::series::Series;
-pub(super) use tied::Tied;
+pub(super) use tied::PreparedJoint;
 
 /// Most iterations from a guess of the table; two or three are usual.
 const MOST_ITERATIONS: usize = 40;
@@ -41,7 +41,7 @@ pub(super) struct NewtonGroup {
     /// Bodies of the group.
     pub(super) bodies: Vec<Body>,
     /// Its joints: pairs, then couplings; their equations are three a body.
-    pub(super) ties: Vec<Tied>,
+    pub(super) ties: Vec<PreparedJoint>,
 }
 
 /// The iteration did not come to an end.

@@ -7,7 +7,7 @@ use super::newton::NewtonGroup;
 use super::spec::{LinkageSpec, PairKind, PairSpec, PointOf};
 use super::state::{Motion, Scratch, State};
 use super::vector::{Local, Vector};
-use super::welds::Attached;
+use super::welds::AttachedLink;
 
 /// The driver: the pair whose relative coordinate is the input.
 #[derive(Clone, Debug, PartialEq)]
@@ -90,7 +90,7 @@ pub(super) struct Plan {
     /// The groups after the driver, in the order of solution.
     pub(super) steps: Vec<Step>,
     /// Links that are welded to others, placed after all groups.
-    pub(super) attached: Vec<Attached>,
+    pub(super) attached: Vec<AttachedLink>,
     /// Number of links.
     pub(super) links: usize,
     /// A length typical of the linkage (m).

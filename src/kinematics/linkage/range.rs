@@ -29,15 +29,15 @@ pub enum Reach {
     /// belong to it.
     Interval {
         /// The lower end.
-        lower: End,
+        lower: RangeEnd,
         /// The upper end.
-        upper: End,
+        upper: RangeEnd,
     },
 }
 
 /// End of the reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct End {
+pub struct RangeEnd {
     /// The input there (rad or m).
     pub at: f64,
     /// Why it goes no further.
@@ -84,7 +84,7 @@ pub struct OutOfReach {
     /// The input asked for (rad or m).
     pub input: f64,
     /// The end of the reach that lies before it.
-    pub end: End,
+    pub end: RangeEnd,
     /// Both ends of the reach (rad or m).
     pub reach: [f64; 2],
 }
@@ -121,7 +121,7 @@ impl Range {
         let Reach::Interval { lower, upper } = self.reach else {
             return Vec::new();
         };
-        let dead = |[end, _]: &[End; 2]| matches!(end.cause, Cause::DeadPosition { .. });
+        let dead = |[end, _]: &[RangeEnd; 2]| matches!(end.cause, Cause::DeadPosition { .. });
         let ends = [[lower, upper], [upper, lower]].into_iter().filter(dead);
         ends.map(|ends| ends.map(|end| end.at)).collect()
     }
@@ -140,7 +140,7 @@ impl Range {
             }
             (Reach::Everywhere, None) => "goes everywhere".to_owned(),
             (Reach::Interval { lower, upper }, _) => {
-                let why = |end: &End| match end.cause {
+                let why = |end: &RangeEnd| match end.cause {
                     Cause::DeadPosition { group } => {
                         format!("dead-centre position of {}", structure.describe(group))
                     }

@@ -12,7 +12,7 @@ use super::workspace::Workspace;
 /// order more than their own derivative; those that the order solved to does
 /// not give are zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Reduced {
+pub struct ReducedLinkage {
     /// J, J′, J″: reduced inertia (kg·m², or kg for a sliding input). J′ needs
     /// order 2, J″ order 3.
     pub inertia: [f64; 3],
@@ -29,8 +29,8 @@ pub struct Reduced {
 
 impl Linkage {
     /// The linkage on its input coordinate, at the position solved for.
-    pub fn reduced(&self, workspace: &Workspace) -> Reduced {
-        let mut reduced = Reduced::default();
+    pub fn reduced(&self, workspace: &Workspace) -> ReducedLinkage {
+        let mut reduced = ReducedLinkage::default();
         match workspace.order() {
             0 => self.masses::<1>(workspace, &mut reduced),
             1 => self.masses::<2>(workspace, &mut reduced),
@@ -44,7 +44,7 @@ impl Linkage {
     }
 
     /// Inertia and weights.
-    fn masses<const N: usize>(&self, workspace: &Workspace, reduced: &mut Reduced) {
+    fn masses<const N: usize>(&self, workspace: &Workspace, reduced: &mut ReducedLinkage) {
         let [gx, gy] = self.spec().gravity;
         for (link, motion) in self.spec().links.iter().zip(&workspace.state.links) {
             if link.mass == 0.0 && link.moment == 0.0 {
@@ -76,7 +76,7 @@ impl Linkage {
     }
 }
 
-impl Reduced {
+impl ReducedLinkage {
     fn add(&mut self, part: &ForcePart) {
         for k in 0..3 {
             self.potential[k] += part.potential[k];

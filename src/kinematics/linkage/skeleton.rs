@@ -10,7 +10,7 @@ use super::spec::{
     AssemblySpec, LinkSpec, LinkageSpec, PairKind, PairSpec, PointOf, Redundant, RedundantPart,
 };
 use super::structure::{Group, GroupKind};
-use super::welds::{self, Attached};
+use super::welds::{self, AttachedLink};
 
 /// A linkage as it is solved.
 #[derive(Clone, Debug)]
@@ -20,7 +20,7 @@ pub(super) struct Skeleton {
     /// Pairs that are left out.
     left_out: Vec<usize>,
     /// Links that are attached to others, and have no pairs here.
-    pub(super) attached: Vec<Attached>,
+    pub(super) attached: Vec<AttachedLink>,
     /// Number of the linkage's own links and pairs.
     own: [usize; 2],
 }

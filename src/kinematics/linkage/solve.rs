@@ -1,9 +1,9 @@
 //! Solving a linkage at one input, group by group.
 
 use super::course::{Course, Table};
-use super::dyad::{Around, Dyad};
+use super::dyad::{Dyad, DyadSurroundings};
 use super::elements::{Frame, inverse};
-use super::newton::{NewtonGroup, Tied};
+use super::newton::{NewtonGroup, PreparedJoint};
 use super::plan::{Plan, Step};
 use super::state::{Motion, State};
 use super::vector::nearest_turn;
@@ -91,8 +91,8 @@ pub(super) fn drive<const N: usize>(plan: &Plan, state: &mut State, input: f64) 
 
 /// Surroundings of a dyad, as far as they are known.
 #[inline(always)]
-pub(super) fn around<const N: usize>(dyad: &Dyad, state: &State) -> Around<N> {
-    Around {
+pub(super) fn around<const N: usize>(dyad: &Dyad, state: &State) -> DyadSurroundings<N> {
+    DyadSurroundings {
         known: [
             state.frame(dyad.known[0].link),
             state.frame(dyad.known[1].link),
@@ -151,7 +151,7 @@ fn iterate<const N: usize>(
             unknown[0] = value;
         }
     }
-    for link in group.ties.iter().flat_map(Tied::known_links) {
+    for link in group.ties.iter().flat_map(PreparedJoint::known_links) {
         state.near[link] = match guess {
             Guess::Table(table) => table.near(place, link, reduced)[2],
             Guess::Near(anchor) => anchor.near(link, reduced)[2],

@@ -13,7 +13,7 @@ use crate::fault::Faults;
 
 /// A link that is attached to a base.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Attached {
+pub(super) struct AttachedLink {
     pub(super) link: usize,
     /// The base; `None`: the ground.
     pub(super) base: Option<usize>,
@@ -59,12 +59,12 @@ impl Place {
 pub(super) fn attached(
     spec: &LinkageSpec,
     preferred: impl IntoIterator<Item = usize>,
-) -> Vec<Attached> {
+) -> Vec<AttachedLink> {
     let places = places(spec, preferred);
     let links = places.iter().enumerate();
     let attached = links.filter_map(|(link, place)| {
         let Place { base, at, angle } = (*place)?;
-        (base != Some(link)).then_some(Attached {
+        (base != Some(link)).then_some(AttachedLink {
             link,
             base,
             at,
@@ -130,7 +130,7 @@ fn spread(spec: &LinkageSpec, first: Place, places: &mut [Option<Place>]) {
 }
 
 /// Gives the pairs of attached links to their bases, and what is said of their assembly.
-pub(super) fn give_to_bases(spec: &mut LinkageSpec, attached: &[Attached]) {
+pub(super) fn give_to_bases(spec: &mut LinkageSpec, attached: &[AttachedLink]) {
     let of = |link: Option<usize>| attached.iter().find(|one| Some(one.link) == link);
     for pair in &mut spec.pairs {
         let [on, link] = [&mut pair.on, &mut pair.link].map(|end| {
@@ -162,7 +162,7 @@ pub(super) fn give_to_bases(spec: &mut LinkageSpec, attached: &[Attached]) {
     });
 }
 
-impl Attached {
+impl AttachedLink {
     /// A point of it as a point of its base.
     fn on_base(&self, at: [f64; 2]) -> PointOf {
         let Self {
@@ -198,7 +198,7 @@ impl Attached {
 }
 
 /// Coordinate of a pair as one between the bases of its links, less that between these (rad).
-pub(super) fn shift(pair: &PairSpec, attached: &[Attached]) -> f64 {
+pub(super) fn shift(pair: &PairSpec, attached: &[AttachedLink]) -> f64 {
     if pair.slides() {
         return 0.0;
     }

@@ -4,7 +4,7 @@ use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::math::expression::Scalar as _;
 use crate::math::expression::{
-    Enclosed, Expression, Interval, MOST, OfOne, Program, RateBounds, Repetition, Third,
+    Expression, Interval, MOST, OfOne, Program, RateBounds, Repetition, TaylorBounds, Third,
 };
 use crate::math::jet::Jet;
 
@@ -166,7 +166,7 @@ impl WrittenMotion {
         to: f64,
     ) -> [Interval; N] {
         let (piece, turn) = self.piece(segment);
-        let time = Enclosed::<N>::variable(from, to);
+        let time = TaylorBounds::<N>::variable(from, to);
         let found = self.function.at(time, piece, turn);
         found.affine(self.factor, 0.0).0
     }

@@ -32,7 +32,7 @@ const PROBES: [f64; 2] = [-0.77, 0.31];
 /// and nothing is asked of the function any more. U′ is good to about ten digits, U″ to
 /// nine, U‴ to seven.
 #[derive(Clone)]
-pub struct Interpolated {
+pub struct ChebyshevInterpolation {
     /// What stands for it in texts.
     words: String,
     /// Pieces between breaks, from the first on.
@@ -57,13 +57,13 @@ impl Panel {
     }
 }
 
-impl fmt::Debug for Interpolated {
+impl fmt::Debug for ChebyshevInterpolation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.words)
     }
 }
 
-impl Interpolated {
+impl ChebyshevInterpolation {
     /// A function that repeats after a `period` (rad or m), but for what it gains over it;
     /// `breaks` are the places in [0, period) where its formula changes. `words` stand for
     /// it in texts and hashes: another function should have others.
@@ -294,7 +294,7 @@ fn panel(middle: f64, half: f64, series: [f64; TERMS]) -> Panel {
     }
 }
 
-impl PositionFunction for Interpolated {
+impl PositionFunction for ChebyshevInterpolation {
     fn jet(&self, segment: i64, phi: f64) -> Jet {
         let (panels, shift, gain) = self.piece(segment, phi);
         let phi = phi - shift;
@@ -321,7 +321,7 @@ impl PositionFunction for Interpolated {
 
 #[cfg(test)]
 mod tests {
-    use super::Interpolated;
+    use super::ChebyshevInterpolation;
     use crate::kinematics::position::PositionFunction;
     use std::f64::consts::TAU;
 
@@ -339,7 +339,7 @@ mod tests {
 
     #[test]
     fn derivatives_follow_from_values() {
-        let found = Interpolated::periodic("u", |phi| exact(phi)[0], TAU, &[]).unwrap();
+        let found = ChebyshevInterpolation::periodic("u", |phi| exact(phi)[0], TAU, &[]).unwrap();
         for index in 0..500 {
             let phi = -20.0 + 0.0813 * f64::from(index);
             let (jet, exact) = (found.jet(0, phi), exact(phi));
@@ -360,7 +360,8 @@ mod tests {
     fn each_side_of_a_break_has_its_own_formula() {
         // |sin φ| has corners at 0 and π.
         let corners = [0.0, 0.5 * TAU];
-        let found = Interpolated::periodic("v", |phi| phi.sin().abs(), TAU, &corners).unwrap();
+        let found =
+            ChebyshevInterpolation::periodic("v", |phi| phi.sin().abs(), TAU, &corners).unwrap();
         let breaks = found.breaks();
         for phi in [-7.0, -0.1, 0.1, 3.0, 3.2, 40.0] {
             let segment = breaks.locate(phi, 1.0);
@@ -372,7 +373,7 @@ mod tests {
         // Just beyond a corner the formula of the segment goes on.
         let segment = breaks.locate(-1e-3, 1.0);
         assert!((found.jet(segment, 1e-6).value + 1e-6).abs() < 1e-12);
-        let wrong = Interpolated::periodic("v", |phi| phi.sin().abs(), TAU, &[0.0]);
+        let wrong = ChebyshevInterpolation::periodic("v", |phi| phi.sin().abs(), TAU, &[0.0]);
         assert!(
             wrong
                 .unwrap_err()
@@ -383,18 +384,19 @@ mod tests {
 
     #[test]
     fn a_period_that_is_none_is_told() {
-        let wrong = Interpolated::periodic("v", |phi| (0.5 * phi).sin(), TAU, &[]);
+        let wrong = ChebyshevInterpolation::periodic("v", |phi| (0.5 * phi).sin(), TAU, &[]);
         assert!(wrong.unwrap_err().message.contains("near φ = 0"));
-        let constant = Interpolated::periodic("v", |_| 0.3, TAU, &[]).unwrap();
+        let constant = ChebyshevInterpolation::periodic("v", |_| 0.3, TAU, &[]).unwrap();
         assert!(constant.jet(0, 100.0).first.abs() < 1e-12);
     }
 
     #[test]
     fn a_reach_ends_where_it_is_said() {
-        let found = Interpolated::between("w", |phi| phi.sqrt(), (0.5, 2.0), &[]).unwrap();
+        let found =
+            ChebyshevInterpolation::between("w", |phi| phi.sqrt(), (0.5, 2.0), &[]).unwrap();
         assert_eq!(found.reach(), Some((0.5, 2.0)));
         assert!((found.jet(0, 1.7).second + 0.25 * 1.7f64.powf(-1.5)).abs() < 1e-8);
-        assert!(Interpolated::between("w", |phi| phi.sqrt(), (-1.0, 2.0), &[]).is_err());
-        assert!(Interpolated::between("w", |_| 1.0, (2.0, 1.0), &[]).is_err());
+        assert!(ChebyshevInterpolation::between("w", |phi| phi.sqrt(), (-1.0, 2.0), &[]).is_err());
+        assert!(ChebyshevInterpolation::between("w", |_| 1.0, (2.0, 1.0), &[]).is_err());
     }
 }

@@ -30,7 +30,7 @@ pub use assembly_range::OutOfReach;
 pub use cam::Cam;
 pub use four_bar::FourBar;
 pub use function::PositionFunction;
-pub use interpolated::Interpolated;
+pub use interpolated::ChebyshevInterpolation;
 pub use linkage::LinkageOutput;
 pub(crate) use linkage::reach as linkage_reach;
 pub use slider_crank::SliderCrank;

@@ -17,9 +17,9 @@ const GREATEST_POWER: f64 = 9e15;
 
 /// Bounds of the first `N` Taylor coefficients.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Enclosed<const N: usize>(pub(crate) [Interval; N]);
+pub(crate) struct TaylorBounds<const N: usize>(pub(crate) [Interval; N]);
 
-impl<const N: usize> Enclosed<N> {
+impl<const N: usize> TaylorBounds<N> {
     /// The variable itself between two places.
     pub(crate) fn variable(from: f64, to: f64) -> Self {
         let mut all = [Interval::of(0.0); N];
@@ -151,28 +151,28 @@ fn product<const N: usize>(a: &[Interval; N], b: &[Interval; N], k: usize) -> In
     sum((0..=k).map(|i| a[i] * b[k - i]))
 }
 
-impl<const N: usize> Add for Enclosed<N> {
+impl<const N: usize> Add for TaylorBounds<N> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         Self(from_fn(|k| self.0[k] + other.0[k]))
     }
 }
 
-impl<const N: usize> Sub for Enclosed<N> {
+impl<const N: usize> Sub for TaylorBounds<N> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         Self(from_fn(|k| self.0[k] - other.0[k]))
     }
 }
 
-impl<const N: usize> Neg for Enclosed<N> {
+impl<const N: usize> Neg for TaylorBounds<N> {
     type Output = Self;
     fn neg(self) -> Self {
         Self(self.0.map(|c| -c))
     }
 }
 
-impl<const N: usize> Mul for Enclosed<N> {
+impl<const N: usize> Mul for TaylorBounds<N> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         if other.is_still() {
@@ -190,7 +190,7 @@ impl<const N: usize> Mul for Enclosed<N> {
     }
 }
 
-impl<const N: usize> Div for Enclosed<N> {
+impl<const N: usize> Div for TaylorBounds<N> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         if other.is_still() {
@@ -205,7 +205,7 @@ impl<const N: usize> Div for Enclosed<N> {
     }
 }
 
-impl<const N: usize> Scalar for Enclosed<N> {
+impl<const N: usize> Scalar for TaylorBounds<N> {
     fn number(value: f64) -> Self {
         Self::constant(Interval::of(value))
     }
@@ -298,12 +298,12 @@ impl<const N: usize> Scalar for Enclosed<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::Enclosed;
+    use super::TaylorBounds;
     use crate::math::expression::{Expression, OPEN, Third};
 
-    fn enclosed<const N: usize>(text: &str, from: f64, to: f64) -> Enclosed<N> {
+    fn enclosed<const N: usize>(text: &str, from: f64, to: f64) -> TaylorBounds<N> {
         let expression = Expression::new(text, &["x"]).unwrap();
-        let x = Enclosed::variable(from, to);
+        let x = TaylorBounds::variable(from, to);
         expression.program().value.evaluate(&[x], &|_| OPEN)
     }
 
@@ -321,7 +321,7 @@ mod tests {
             let expression = Expression::new(text, &["x"]).unwrap();
             let code = &expression.program().value;
             for (low, high) in [(-2.1, -2.0), (0.3, 0.31), (1.0, 1.4)] {
-                let found: Enclosed<4> = enclosed(text, low, high);
+                let found: TaylorBounds<4> = enclosed(text, low, high);
                 for k in 0..=20 {
                     let x = low + (high - low) * f64::from(k) / 20.0;
                     let jet = code.evaluate(&[Third::variable(x)], &|_| OPEN).0;
@@ -339,18 +339,18 @@ mod tests {
     #[test]
     fn high_coefficients_of_little_are_close_to_those_in_closed_form() {
         // Of exp(2x) 2ᵏ·eˣ²/k!, of 1/(1 − x) all 1/(1 − x)ᵏ⁺¹, of cos⁴⁰⁰⁰ at 0 −2000 x².
-        let found: Enclosed<10> = enclosed("exp(2*x)", 0.5, 0.5);
+        let found: TaylorBounds<10> = enclosed("exp(2*x)", 0.5, 0.5);
         let wanted = 2f64.powi(9) * 1f64.exp() / 362_880.0;
         assert!((found.0[9].middle() / wanted - 1.0).abs() < 1e-12);
-        let found: Enclosed<10> = enclosed("1/(1 - x)", 0.5, 0.5);
+        let found: TaylorBounds<10> = enclosed("1/(1 - x)", 0.5, 0.5);
         assert!((found.0[9].middle() / 1024.0 - 1.0).abs() < 1e-12);
-        let found: Enclosed<3> = enclosed("cos(x)^4000", 0.0, 0.0);
+        let found: TaylorBounds<3> = enclosed("cos(x)^4000", 0.0, 0.0);
         assert!((found.0[2].middle() / -2000.0 - 1.0).abs() < 1e-10);
     }
 
     #[test]
     fn steps_that_are_past_leave_nothing() {
-        let found: Enclosed<10> = enclosed("tanh((x - 3)/1e-5)", 0.0, 2.5);
+        let found: TaylorBounds<10> = enclosed("tanh((x - 3)/1e-5)", 0.0, 2.5);
         assert!(found.0[9].high.abs() < 1e-200 && found.0[9].low.abs() < 1e-200);
     }
 }

@@ -15,7 +15,7 @@ pub(crate) type Row<const N: usize> = [f64; N];
 
 /// Operations in a form that extends a series, with its memory.
 #[derive(Clone, Debug)]
-pub(crate) struct Ordered<const N: usize> {
+pub(crate) struct SeriesProgram<const N: usize> {
     steps: Vec<Step>,
     /// For each step, its series and that of its companion.
     rows: Vec<Row<N>>,
@@ -46,7 +46,7 @@ enum Step {
     },
 }
 
-impl<const N: usize> Ordered<N> {
+impl<const N: usize> SeriesProgram<N> {
     /// The extension of a program's value.
     pub(crate) fn new(program: &Program) -> Self {
         Self::of(&program.value)
@@ -275,7 +275,7 @@ fn along<const N: usize>(x: &Row<N>, slope: &Row<N>, k: usize) -> f64 {
 /// The first coefficients of a function about a place.
 pub(crate) fn about<const N: usize>(function: Function, place: f64) -> Row<N> {
     let code = Code(vec![Op::Variable(0), Op::Of(function, 0)]);
-    let mut ordered = Ordered::<N>::of(&code);
+    let mut ordered = SeriesProgram::<N>::of(&code);
     std::array::from_fn(|order| {
         let x = |_| match order {
             0 => place,
@@ -302,7 +302,7 @@ mod tests {
             "x % 0.3 + fract(5*x) + floor(x)*x + (x > 0.2 ? x^2 : 1/x)",
         ] {
             let expression = Expression::new(text, &["x"]).unwrap();
-            let mut ordered = Ordered::<12>::new(expression.program());
+            let mut ordered = SeriesProgram::<12>::new(expression.program());
             let motion = [0.65, 0.5, -0.3, 0.2];
             let series: [f64; 12] = std::array::from_fn(|order| {
                 let x = |_| motion.get(order).copied().unwrap_or(0.0);

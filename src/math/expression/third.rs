@@ -229,7 +229,7 @@ fn derivatives(function: Function, x: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::expression::{Expression, OPEN, Ordered};
+    use crate::math::expression::{Expression, OPEN, SeriesProgram};
 
     #[test]
     fn derivatives_agree_with_the_series() {
@@ -246,7 +246,7 @@ mod tests {
                 .value
                 .evaluate(&[Third::variable(0.65)], &|_| OPEN)
                 .0;
-            let mut ordered = Ordered::<4>::new(expression.program());
+            let mut ordered = SeriesProgram::<4>::new(expression.program());
             let series: [f64; 4] = std::array::from_fn(|order| {
                 ordered.extend(order, |_| [0.65, 1.0, 0.0, 0.0][order], &|_| OPEN)
             });

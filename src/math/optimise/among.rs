@@ -4,7 +4,7 @@
 //! through three tells one: a look or two are left of the six or seven that climbing along
 //! parabolas takes.
 
-use super::parabola::{Sight, bracket, highest, refine_maximum};
+use super::parabola::{SamplePoint, bracket, highest, refine_maximum};
 
 /// Looks at places that the polynomial tells; what is not found then is not smooth.
 const BOLD: usize = 3;
@@ -26,7 +26,7 @@ struct Course {
 }
 
 impl Course {
-    fn through(points: &[Sight]) -> Self {
+    fn through(points: &[SamplePoint]) -> Self {
         let mut own = Self {
             places: [0.0; ROOM],
             first: [0.0; ROOM],
@@ -39,7 +39,7 @@ impl Course {
         own
     }
 
-    fn add(&mut self, (place, value): Sight) {
+    fn add(&mut self, (place, value): SamplePoint) {
         let n = self.count;
         let mut next = value;
         for back in 0..n {
@@ -63,7 +63,7 @@ impl Course {
     }
 
     /// True where the highest point is at an end at which it still rises.
-    fn rises_beyond(&self, points: &[Sight; 7], top: usize) -> bool {
+    fn rises_beyond(&self, points: &[SamplePoint; 7], top: usize) -> bool {
         match top {
             0 => self.at(points[0].0)[1] <= 0.0,
             6 => self.at(points[6].0)[1] >= 0.0,
@@ -72,7 +72,7 @@ impl Course {
     }
 
     /// Its top between the outer ones of three points, from a place near it on.
-    fn top(&self, three: &[Sight; 3], near: f64) -> Option<Sight> {
+    fn top(&self, three: &[SamplePoint; 3], near: f64) -> Option<SamplePoint> {
         let (from, to) = (three[0].0, three[2].0);
         let mut place = near;
         for _ in 0..ITERATIONS {
@@ -94,11 +94,11 @@ impl Course {
 /// Climbs to the top beside the highest of seven points of a function, which is number
 /// `top`; `near`: about where.
 pub(crate) fn refine_maximum_among(
-    points: &[Sight; 7],
+    points: &[SamplePoint; 7],
     top: usize,
     near: f64,
     look: &mut impl FnMut(f64) -> f64,
-) -> Sight {
+) -> SamplePoint {
     let first = top.clamp(1, 5) - 1;
     let mut three = [points[first], points[first + 1], points[first + 2]];
     let resolution = 1e-9 * (three[2].0 - three[0].0);

@@ -5,11 +5,11 @@
 const MOST_LOOKS: usize = 24;
 
 /// A place and the value there.
-pub(super) type Sight = (f64, f64);
+pub(super) type SamplePoint = (f64, f64);
 
 /// Top of the parabola through three points, when it lies between the outer ones.
 #[inline]
-pub(crate) fn vertex(points: &[Sight; 3]) -> Option<Sight> {
+pub(crate) fn vertex(points: &[SamplePoint; 3]) -> Option<SamplePoint> {
     let [(a, fa), (b, fb), (c, fc)] = *points;
     let (left, right) = ((fb - fa) / (b - a), (fc - fb) / (c - b));
     let bend = (right - left) / (c - a);
@@ -23,7 +23,10 @@ pub(crate) fn vertex(points: &[Sight; 3]) -> Option<Sight> {
 
 /// Climbs to the top between three points: parabolas through the best three
 /// points, and a look into the wider side where they do not lead on.
-pub(crate) fn refine_maximum(mut three: [Sight; 3], look: &mut impl FnMut(f64) -> f64) -> Sight {
+pub(crate) fn refine_maximum(
+    mut three: [SamplePoint; 3],
+    look: &mut impl FnMut(f64) -> f64,
+) -> SamplePoint {
     let (from, to) = (three[0].0, three[2].0);
     for _ in 0..MOST_LOOKS {
         let [(a, _), (b, fb), (c, _)] = three;
@@ -51,13 +54,14 @@ pub(crate) fn refine_maximum(mut three: [Sight; 3], look: &mut impl FnMut(f64) -
 }
 
 /// The highest of three points; of equals the one in the middle.
-pub(super) fn highest(three: &[Sight; 3]) -> Sight {
-    let higher = |best: Sight, point: &Sight| if point.1 > best.1 { *point } else { best };
+pub(super) fn highest(three: &[SamplePoint; 3]) -> SamplePoint {
+    let higher =
+        |best: SamplePoint, point: &SamplePoint| if point.1 > best.1 { *point } else { best };
     three.iter().fold(three[1], higher)
 }
 
 /// The three neighbours around the higher of the old middle and the new point.
-pub(super) fn bracket(three: [Sight; 3], new: Sight) -> [Sight; 3] {
+pub(super) fn bracket(three: [SamplePoint; 3], new: SamplePoint) -> [SamplePoint; 3] {
     let [left, middle, right] = three;
     match (new.0 < middle.0, new.1 > middle.1) {
         (true, true) => [left, new, middle],

@@ -5,7 +5,7 @@ use crate::frontend::scene::in_words;
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
-use crate::studies::order::{Certificate, FigureAccuracy, Tried};
+use crate::studies::order::{Certificate, FigureAccuracy, TriedModel};
 
 /// Relative errors below this are drawn at it.
 pub(in crate::report) const LEAST: f64 = 1e-12;
@@ -50,7 +50,7 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
 }
 
 /// Filled for the model chosen, open for the others.
-fn mark(tried: &Tried, figure: &FigureAccuracy, value: f64) -> Mark {
+fn mark(tried: &TriedModel, figure: &FigureAccuracy, value: f64) -> Mark {
     let chosen = if tried.chosen { ", chosen" } else { "" };
     let shape = match tried.chosen {
         true => Shape::Good,

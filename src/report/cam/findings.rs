@@ -14,7 +14,7 @@ use crate::report::plot::Plots;
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Verdict, capitalised};
 use crate::studies::cam::{CamFigures, CamForce};
-use crate::studies::judgement::{Ending, Judgement};
+use crate::studies::judgement::{Judgement, RunEnd};
 use serde_json::{Value, json};
 
 /// How long a turn is played at normal speed (s).
@@ -65,7 +65,7 @@ impl CamReport<'_> {
 
     /// The verdict: its shape and its contact are as asked.
     pub fn judgement(&self) -> Judgement {
-        Judgement::decide(Ending::Complete, &[], || match grave(self.figures).len() {
+        Judgement::decide(RunEnd::Complete, &[], || match grave(self.figures).len() {
             0 => self.figures.contact(),
             _ => Judgement::NotInWorkingOrder,
         })

@@ -5,7 +5,7 @@ use crate::frontend::scene::in_words;
 use crate::report::plot::palette::method_verdicts as colours;
 use crate::report::plot::{Axis, Field, Kind, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{shortened, significant, with_unit};
-use crate::studies::methods::sweep::{Standing, Sweep};
+use crate::studies::methods::sweep::{MethodStanding, Sweep};
 use crate::studies::methods::{MethodLine, ModelError, Point, Study, Verdict, all_methods};
 use crate::units::shown;
 
@@ -198,7 +198,7 @@ pub(super) fn methods(sweep: &Sweep) -> Vec<Method> {
 }
 
 /// What became of a method at a value of the parameter.
-fn standing_note(sweep: &Sweep, x: f64, method: Method, standing: &Standing) -> String {
+fn standing_note(sweep: &Sweep, x: f64, method: Method, standing: &MethodStanding) -> String {
     let (place, verdict) = (sweep.axis.written(x), standing.verdict.words());
     format!("{method} at {place}: {verdict}: {}", standing.cause)
 }

@@ -11,7 +11,7 @@ use crate::report::quantity::{significant, with_unit};
 use crate::report::verdict::{Sort, Verdict as Answer};
 use crate::studies::judgement::Judgement;
 use crate::studies::methods::Verdict;
-use crate::studies::methods::sweep::{Slice, Standing, Sweep};
+use crate::studies::methods::sweep::{MethodStanding, Slice, Sweep};
 
 /// Where methods fail over the parameter, what they cost, and their causes.
 pub fn sweep_findings<'a>(
@@ -117,7 +117,7 @@ fn value(sweep: &Sweep, x: f64) -> String {
 /// One row a value, one column a method.
 fn standings(sweep: &Sweep) -> Section<'static> {
     let methods = methods(sweep);
-    let cell = |standing: Option<Standing>| match standing {
+    let cell = |standing: Option<MethodStanding>| match standing {
         None => "–".into(),
         Some(standing) => {
             let time = standing.measured_seconds;

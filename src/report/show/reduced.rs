@@ -2,7 +2,7 @@
 //! contact element these are masses of a chain, which have no frequencies of their own.
 
 use super::units;
-use crate::dynamics::model::{Model, Reduced};
+use crate::dynamics::model::{ModalReduction, Model};
 use crate::report::findings::Table;
 use crate::report::quantity::significant;
 
@@ -60,7 +60,7 @@ pub(crate) struct Summand {
 }
 
 /// What the output of a reduced object is the sum of.
-pub(crate) fn modes(model: &Model, reduced: &Reduced) -> impl Iterator<Item = Summand> {
+pub(crate) fn modes(model: &Model, reduced: &ModalReduction) -> impl Iterator<Item = Summand> {
     reduced
         .modes
         .iter()
@@ -88,7 +88,7 @@ pub(crate) fn modes(model: &Model, reduced: &Reduced) -> impl Iterator<Item = Su
 }
 
 /// The static correction.
-fn besides(reduced: &Reduced, unit: &str) -> String {
+fn besides(reduced: &ModalReduction, unit: &str) -> String {
     let correction = significant(reduced.under_acceleration, 6);
     let mut text = format!("−{correction} s²·φ̈ of the driven end");
     if reduced.offset != 0.0 {

@@ -11,7 +11,7 @@ pub use rigid::{rigid_findings, rigid_rows};
 
 use crate::dynamics::steady::cycle_map::Regime;
 use crate::dynamics::steady::flywheel::Flywheel;
-use crate::dynamics::steady::{Halving, Row, SteadyFigures};
+use crate::dynamics::steady::{Row, SampleHalving, SteadyFigures};
 use crate::studies::steady::Agreement;
 
 /// The steady motion of a machine reduced to its drive, as it is shown.
@@ -32,5 +32,5 @@ pub struct SteadyReport<'a> {
     /// Agreement of independent ways.
     pub agreement: Option<&'a Agreement>,
     /// Of a table: what leaving out every second sample changes.
-    pub halving: Option<&'a Halving>,
+    pub halving: Option<&'a SampleHalving>,
 }

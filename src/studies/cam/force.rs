@@ -3,7 +3,7 @@
 use super::reduction::Reduction;
 use crate::dynamics::model::{Closure, Model};
 use crate::dynamics::trajectory::Trajectory;
-use crate::kinematics::cam::closing::{Closing, ClosingSpring, LetsGo, Rates};
+use crate::kinematics::cam::closing::{ClosingSpring, ClosureProblem, LetsGo, Rates};
 use crate::kinematics::cam::search::greatest_over;
 use crate::kinematics::cam::{At, DiscCam, Surface};
 use crate::studies::judgement::Judgement;
@@ -241,7 +241,7 @@ impl<'m> CamForce<'m> {
         let torque = self.extreme(|[.., torque]| torque);
         let return_torque = negative(self.extreme(|[.., torque]| -torque));
         let demand = |piece: usize, phi: f64| self.reduction.demand(self.cam, piece, phi);
-        let closing = Closing::new(&self.reduction.pieces, &demand);
+        let closing = ClosureProblem::new(&self.reduction.pieces, &demand);
         let (spring, speed) = (self.reduction.spring, self.speed);
         let forced = self.reduction.pair().closure == Closure::Force;
         let mut notes = self.reduction.notes.clone();
@@ -277,7 +277,12 @@ impl<'m> CamForce<'m> {
 }
 
 /// The least rate that keeps contact without a reserve, in words.
-fn without_reserve(closing: &Closing<'_>, spring: ClosingSpring, speed: f64, unit: &str) -> String {
+fn without_reserve(
+    closing: &ClosureProblem<'_>,
+    spring: ClosingSpring,
+    speed: f64,
+    unit: &str,
+) -> String {
     let Ok(rates) = closing.rates_for(spring.preload, speed, 0.0) else {
         return ". No rate keeps contact without a reserve either".to_owned();
     };
@@ -297,7 +302,7 @@ fn without_reserve(closing: &Closing<'_>, spring: ClosingSpring, speed: f64, uni
 }
 
 fn answer(
-    closing: &Closing<'_>,
+    closing: &ClosureProblem<'_>,
     spring: ClosingSpring,
     (speed, unit): (f64, &str),
     reserve: Reserve,

@@ -13,7 +13,7 @@ use super::remainder::Remainder;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Dynamics, Modes, Sink, SwitchEvent};
 use crate::dynamics::record::{
-    Course, Failure, Log, Recorded, RecorderSettings, Stretch, Tally, drive_cycle,
+    Course, Failure, Log, RecorderSettings, RunRecord, Stretch, Tally, drive_cycle,
 };
 use crate::dynamics::segment::Segment;
 use crate::dynamics::system::ObjectState;
@@ -249,7 +249,7 @@ impl<'a> CombinedRecord<'a> {
         time: f64,
         (y, modes): (&[f64], &Modes),
         branches: &mut [Branch<'_>],
-    ) -> Recorded {
+    ) -> RunRecord {
         let system = self.route.system;
         let objects = 0..system.model().objects.len();
         let tally = |object| Tally::new(system, object, self.settings.window);

@@ -19,7 +19,7 @@ mod turn;
 use crate::dynamics::integrate::{
     Dynamics, Limits, Modes, Outcome, Sink, Statistics, Stop, SwitchEvent,
 };
-use crate::dynamics::record::{Recorded, RecorderSettings};
+use crate::dynamics::record::{RecorderSettings, RunRecord};
 use crate::dynamics::system::{InitialState, System};
 use crate::exact::event_loop::{Branch, Clock, EventLoop, Listener, Motion, Schedule};
 use crate::exact::{ExactTree, KeptLaws, Part, Parts, Request, RequestedFigures, Rest};
@@ -115,7 +115,7 @@ pub fn mixed(system: &System) -> Option<Mixed> {
 #[derive(Clone, Debug)]
 pub(super) struct MotionFindings {
     /// Samples, figures, audit.
-    pub(super) recorded: Recorded,
+    pub(super) recorded: RunRecord,
     /// Outcome: how it ended.
     pub(super) outcome: Outcome,
     /// Steps of the search over which a pair could not be told from its flank: there the

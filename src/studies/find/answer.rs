@@ -1,6 +1,6 @@
 //! The answer as a whole.
 
-use super::{Found, Goal, Span};
+use super::{FindResult, Goal, Span};
 use crate::studies::condition::Condition;
 use crate::studies::rigid::Rigid;
 use serde_json::{Value, json};
@@ -17,7 +17,7 @@ pub struct FoundValue {
     /// What was sought; `None`: the ranges alone.
     pub goal: Option<Goal>,
     /// What was found.
-    pub found: Found,
+    pub found: FindResult,
     /// The label of figures that take elastic objects for rigid.
     pub rigid: Option<Rigid>,
 }

@@ -21,7 +21,7 @@ pub enum Limit {
 
 /// An end of a range in which all conditions hold.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct End {
+pub struct ConditionEnd {
     /// The last place that is known to meet the conditions.
     pub sample: Sample,
     /// Why it ends.
@@ -38,9 +38,9 @@ pub struct End {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Range {
     /// Its first end, as the parameter goes.
-    pub from: End,
+    pub from: ConditionEnd,
     /// Its last end.
-    pub to: End,
+    pub to: ConditionEnd,
 }
 
 /// The best place.
@@ -59,7 +59,7 @@ pub struct Best {
 
 /// What was found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Found {
+pub struct FindResult {
     /// The best place; `None` where no place meets the conditions, or nothing was to be best.
     pub best: Option<Best>,
     /// The ranges in which all conditions hold, in the order of the parameter.

@@ -21,7 +21,7 @@ mod span;
 mod tests;
 
 pub use answer::FoundValue;
-pub use found::{Best, End, Found, Limit, Range};
+pub use found::{Best, ConditionEnd, FindResult, Limit, Range};
 pub use goal::{Aim, Goal};
 pub use sample::{Sample, State};
 pub use search::{Evaluate, search};

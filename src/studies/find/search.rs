@@ -1,6 +1,6 @@
 //! The search: places, edges, extremes.
 
-use super::found::{Best, End, Found, Limit, Range};
+use super::found::{Best, ConditionEnd, FindResult, Limit, Range};
 use super::goal::{Aim, Goal};
 use super::sample::{Sample, State};
 use super::span::Span;
@@ -38,7 +38,7 @@ pub fn search(
     conditions: &[Condition],
     goal: Option<&Goal>,
     evaluate: &Evaluate<'_>,
-) -> Found {
+) -> FindResult {
     let mut search = RangeSearch {
         span,
         conditions: conditions.to_vec(),
@@ -65,7 +65,7 @@ pub fn search(
         (ranges, best) = search.ranges_and_best();
     }
     let certain = search.is_certain(best.as_ref());
-    Found {
+    FindResult {
         best,
         ranges,
         certain,
@@ -194,7 +194,7 @@ impl RangeSearch<'_> {
         found.retain(|(sample, _)| sample.holds(conditions) == Some(true));
         found.sort_by(|a, b| a.0.share.total_cmp(&b.0.share));
         found.dedup_by(|a, b| (a.0.share - b.0.share).abs() <= 2.0 * NARROW);
-        let end = |(sample, within): &(Sample, f64)| End {
+        let end = |(sample, within): &(Sample, f64)| ConditionEnd {
             sample: sample.clone(),
             limit: Limit::Equality(index),
             within: *within,
@@ -217,7 +217,7 @@ impl RangeSearch<'_> {
     fn ranges(&mut self) -> Vec<Range> {
         let samples = self.samples.clone();
         let mut found = Vec::new();
-        let mut open: Option<End> = None;
+        let mut open: Option<ConditionEnd> = None;
         for (at, sample) in samples.iter().enumerate() {
             if sample.holds(&self.conditions) != Some(true) {
                 continue;
@@ -236,14 +236,14 @@ impl RangeSearch<'_> {
     }
 
     /// The end of a range between its last place and the next one, which does not hold.
-    fn edge(&mut self, inside: &Sample, outside: Option<&Sample>) -> End {
+    fn edge(&mut self, inside: &Sample, outside: Option<&Sample>) -> ConditionEnd {
         let Some(outside) = outside else {
             let limit = match inside.share {
                 0.0 | 1.0 => Limit::Range,
                 // Ended from outside before what comes next.
                 _ => Limit::State(State::NotTrusted("no place was examined".to_owned())),
             };
-            return End {
+            return ConditionEnd {
                 sample: inside.clone(),
                 limit,
                 within: 0.0,
@@ -273,7 +273,7 @@ impl RangeSearch<'_> {
             State::Computed => Limit::Conditions(bad.violated(&self.conditions)),
             other => Limit::State(other.clone()),
         };
-        End {
+        ConditionEnd {
             within: self.width([good.share, bad.share]),
             sample: good,
             limit,
@@ -316,7 +316,7 @@ impl RangeSearch<'_> {
     fn best(&mut self, ranges: &[Range], only_roots: bool) -> Option<Best> {
         let goal = self.goal?;
         let ends = ranges.iter().flat_map(|range| [&range.from, &range.to]);
-        let of_end = |end: &End| Best {
+        let of_end = |end: &ConditionEnd| Best {
             sample: end.sample.clone(),
             limit: Some(end.limit.clone()),
             within: end.within,

@@ -1,6 +1,6 @@
 //! The search on functions whose answers are known.
 
-use super::{Aim, Found, Goal, Limit, Sample, Span, State, search};
+use super::{Aim, FindResult, Goal, Limit, Sample, Span, State, search};
 use crate::studies::condition::{Condition, Relation, WrittenUnit};
 use std::cell::Cell;
 
@@ -36,7 +36,7 @@ fn find(
     conditions: &[Condition],
     aim: Option<(Aim, Figure<'_>)>,
     figures: &dyn Fn(f64) -> Result<Vec<f64>, State>,
-) -> (Found, usize) {
+) -> (FindResult, usize) {
     let span = Span::parse("a.b=0:10").unwrap();
     let looked = Cell::new(0);
     let at = |&share: &f64| {

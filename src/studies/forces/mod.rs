@@ -32,7 +32,7 @@ pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massle
 pub use multi_input::{SeveralDrives, multi_input_forces};
 pub use open::Rests;
 pub use request::{
-    LinkagePositions, Refused, course_of, course_of_record, forces_of, only_loaded_output,
+    LinkagePositions, NoForces, course_of, course_of_record, forces_of, only_loaded_output,
 };
 pub use row::{Forces, LinkPlace, PairForces, Row, Trouble};
 pub use zones::{Zone, ZoneKind};
@@ -43,7 +43,7 @@ use crate::kinematics::linkage::kinetostatics::{
 };
 use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::studies::check::{Check, worst};
-use crate::studies::judgement::{Ending, Judgement};
+use crate::studies::judgement::{Judgement, RunEnd};
 use crate::units::shown;
 use row::Solver;
 
@@ -253,7 +253,7 @@ impl ForceStudy {
     /// The verdict: the forces are known at all positions, and their checks hold.
     pub fn judgement(&self) -> Judgement {
         let known = self.solved().count() == self.rows.len();
-        Judgement::decide(Ending::Complete, &self.checks(), || match known {
+        Judgement::decide(RunEnd::Complete, &self.checks(), || match known {
             true => Judgement::InWorkingOrder,
             false => Judgement::NotInWorkingOrder,
         })

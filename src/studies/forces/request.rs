@@ -79,14 +79,14 @@ impl PositionSource for LinkagePositions<'_> {
 
 /// Why there are no forces.
 #[derive(Debug)]
-pub enum Refused {
+pub enum NoForces {
     /// The question has no answer.
     Question(String),
     /// Something of the linkage is wrong.
     Linkage(Vec<Fault>),
 }
 
-impl From<String> for Refused {
+impl From<String> for NoForces {
     fn from(message: String) -> Self {
         Self::Question(message)
     }
@@ -97,11 +97,11 @@ impl From<String> for Refused {
 ///
 /// # Errors
 /// See [`AskedSeveral::new`], [`KinematicsRequest::new`], [`course_of`], [`study`].
-pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, Refused> {
+pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, NoForces> {
     let object = question.object.as_deref();
     let wrong = |object: usize| {
         let id = &model.objects[object].id;
-        |faults| Refused::Linkage(within(id, faults))
+        |faults| NoForces::Linkage(within(id, faults))
     };
     if let Some(body) = several_of(model, object) {
         let asked = AskedSeveral::new(model, body, question)?;

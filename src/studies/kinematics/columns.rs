@@ -189,7 +189,7 @@ pub(super) fn name(owner: &str, quantity: Quantity, by: Option<&str>) -> String 
 }
 
 /// A column without its values.
-pub(super) struct Heading {
+pub(super) struct ColumnHeading {
     pub(super) owner: String,
     pub(super) quantity: Quantity,
     /// Of a transfer function: the input, where there are several.
@@ -199,7 +199,7 @@ pub(super) struct Heading {
     pub(super) turning: bool,
 }
 
-pub(super) fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> Heading {
+pub(super) fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -> ColumnHeading {
     let own = quantity.own_unit(own);
     let unit = match quantity.shape() {
         Unit::Time(0) => own.to_owned(),
@@ -207,7 +207,7 @@ pub(super) fn heading(owner: &str, quantity: Quantity, own: &str, input: &str) -
         Unit::Time(_) => format!("{own}/s²"),
         Unit::Transfer(order) => transfer_unit(own, input, order),
     };
-    Heading {
+    ColumnHeading {
         owner: owner.to_owned(),
         quantity,
         by: None,
@@ -293,7 +293,7 @@ pub(super) enum Inputs<'a> {
 
 impl Inputs<'_> {
     /// Columns of an owner whose own unit is this.
-    fn of_owner(&self, owner: &str, quantities: &Quantities, own: &str) -> Vec<Heading> {
+    fn of_owner(&self, owner: &str, quantities: &Quantities, own: &str) -> Vec<ColumnHeading> {
         let inputs = match self {
             Self::One(only) => {
                 let heading = |what| heading(owner, what, own, only.unit());
@@ -304,7 +304,7 @@ impl Inputs<'_> {
         let moved = quantities.motion.iter().chain(quantities.more);
         let moved = moved.map(|&what| heading(owner, what, own, ""));
         let by = inputs.iter().flat_map(|&(input, coordinate)| {
-            quantities.first().map(move |what| Heading {
+            quantities.first().map(move |what| ColumnHeading {
                 by: Some(input.to_owned()),
                 ..heading(owner, what, own, coordinate.unit())
             })
@@ -319,7 +319,7 @@ pub(super) fn headings(
     spec: &LinkageSpec,
     inputs: &Inputs<'_>,
     outputs: &[Coordinate],
-) -> Vec<Heading> {
+) -> Vec<ColumnHeading> {
     let named = match inputs {
         Inputs::One(only) => &vec![("input", *only)],
         Inputs::Several(inputs) => inputs,

@@ -5,7 +5,7 @@
 //! J·ẍ + D·ẋ + k·x = 0 with the stiffness k = V″ − Q′.
 
 use super::request::{KinematicsRequest, Over, whole_travel};
-use crate::kinematics::linkage::{Linkage, Reduced, Workspace};
+use crate::kinematics::linkage::{Linkage, ReducedLinkage, Workspace};
 use crate::math::roots::{BISECTIONS, bisect, middle};
 
 /// Intervals in which a root is looked for.
@@ -131,7 +131,7 @@ impl Seeker<'_> {
         before != 0.0 && forces[k + 1] != 0.0
     }
 
-    fn reduced(&mut self, q: f64) -> Option<Reduced> {
+    fn reduced(&mut self, q: f64) -> Option<ReducedLinkage> {
         self.linkage.solve(q, 2, &mut self.work).ok()?;
         Some(self.linkage.reduced(&self.work))
     }

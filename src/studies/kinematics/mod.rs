@@ -36,7 +36,7 @@ use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
 use crate::kinematics::linkage::spec::LinkageSpec;
 use crate::kinematics::linkage::{Linkage, Structure};
 use crate::studies::check::Check;
-use crate::studies::judgement::{Ending, Judgement};
+use crate::studies::judgement::{Judgement, RunEnd};
 use serde::Serialize;
 
 /// Positions, speeds and accelerations of the linkage that a question names, of one input or
@@ -112,7 +112,7 @@ pub struct Kinematics {
     /// Limits of the input's travel, and their reasons.
     pub limits: Vec<Limit>,
     /// Place and reason where the rows end before what was asked.
-    pub stopped: Option<Stopped>,
+    pub stopped: Option<RowsEnd>,
     /// Of several inputs: the singular positions over two of them.
     pub plane: Option<Plane>,
     /// Of several inputs: the positions of all links over their ranges.
@@ -147,8 +147,8 @@ impl Kinematics {
     /// The verdict: it goes through all positions, and its quantities are known there.
     pub fn judgement(&self) -> Judgement {
         let ending = match self.stopped {
-            Some(_) => Ending::OfMechanism,
-            None => Ending::Complete,
+            Some(_) => RunEnd::OfMechanism,
+            None => RunEnd::Complete,
         };
         Judgement::decide(ending, &self.checks(), || Judgement::InWorkingOrder)
     }
@@ -289,7 +289,7 @@ pub struct Limit {
 
 /// Why the rows end early.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Stopped {
+pub struct RowsEnd {
     /// Place on the axis, located to rounding.
     pub at: f64,
     /// Input coordinate there.

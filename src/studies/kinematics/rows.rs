@@ -1,6 +1,6 @@
 //! The rows of a study, one after the other, whatever leads from one to the next.
 
-use super::columns::Heading;
+use super::columns::ColumnHeading;
 use super::extremes::{Edge, extremes};
 use super::{Column, Extremes};
 use crate::studies::endless::{DeadEnd, approach};
@@ -15,7 +15,7 @@ pub(super) trait Course {
     type Outside;
 
     /// The columns, in the order of the values.
-    fn headings(&self) -> Vec<Heading>;
+    fn headings(&self) -> Vec<ColumnHeading>;
 
     /// Goes to a place; the values of all columns there.
     fn at(&mut self, place: f64, values: &mut Vec<f64>) -> Result<(), Self::Outside>;
@@ -24,7 +24,7 @@ pub(super) trait Course {
     fn errors(&mut self, place: f64, values: &[f64], errors: &mut Vec<f64>);
 
     /// Size that is ordinary for a column at a place.
-    fn ordinary(&self, place: f64, heading: &Heading) -> f64;
+    fn ordinary(&self, place: f64, heading: &ColumnHeading) -> f64;
 
     /// Notes the place gone to last as a row; the frames of all links: x, y, cos, sin.
     fn note(&mut self) -> Vec<[f64; 4]>;
@@ -71,7 +71,7 @@ pub(super) struct Rows<C> {
     pub(super) course: C,
     errors: Vec<f64>,
     pub(super) places: Vec<f64>,
-    headings: Vec<Heading>,
+    headings: Vec<ColumnHeading>,
     pub(super) columns: Vec<Column>,
     /// Frames of all links, a row each.
     pub(super) frames: Vec<Vec<[f64; 4]>>,
@@ -80,7 +80,7 @@ pub(super) struct Rows<C> {
 impl<C: Course> Rows<C> {
     pub(super) fn new(course: C) -> Self {
         let headings = course.headings();
-        let column = |heading: &Heading| Column {
+        let column = |heading: &ColumnHeading| Column {
             owner: heading.owner.clone(),
             quantity: heading.quantity,
             by: heading.by.clone(),

@@ -1,13 +1,13 @@
 //! The study of a linkage of one input.
 
-use super::columns::{Heading, Inputs, headings};
+use super::columns::{ColumnHeading, Inputs, headings};
 use super::equilibria::equilibria;
 use super::request::span;
 use super::request::{KinematicsRequest, Over};
 use super::rows::{Course, Rows, evenly, times, warnings};
 use super::summary;
 use super::values;
-use super::{AnyLinkage, Axis, Kinematics, Limit, Stopped};
+use super::{AnyLinkage, Axis, Kinematics, Limit, RowsEnd};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::{Cause, OutOfReach, Reach, Rounding, Workspace};
 use crate::math::roots::bisect;
@@ -132,7 +132,7 @@ impl<'q, 'a> OneInput<'q, 'a> {
 impl Course for OneInput<'_, '_> {
     type Outside = OutOfReach;
 
-    fn headings(&self) -> Vec<Heading> {
+    fn headings(&self) -> Vec<ColumnHeading> {
         let asked = self.asked;
         headings(
             asked.linkage.spec(),
@@ -166,7 +166,7 @@ impl Course for OneInput<'_, '_> {
         );
     }
 
-    fn ordinary(&self, place: f64, heading: &Heading) -> f64 {
+    fn ordinary(&self, place: f64, heading: &ColumnHeading) -> f64 {
         let size = self.asked.linkage.size();
         let unit = |turning: bool| if turning { 1.0 } else { size };
         let input = unit(self.asked.input == Coordinate::Turning);
@@ -185,10 +185,10 @@ impl Course for OneInput<'_, '_> {
 }
 
 /// Where the input reaches its end, between a place inside and one outside.
-fn stop(asked: &KinematicsRequest<'_>, [inside, outside]: [f64; 2], why: &OutOfReach) -> Stopped {
+fn stop(asked: &KinematicsRequest<'_>, [inside, outside]: [f64; 2], why: &OutOfReach) -> RowsEnd {
     let end = why.end.at;
     if !matches!(asked.over, Over::Time { .. }) {
-        return Stopped {
+        return RowsEnd {
             at: end,
             input: end,
             cause: cause(asked, why.end.cause),
@@ -199,7 +199,7 @@ fn stop(asked: &KinematicsRequest<'_>, [inside, outside]: [f64; 2], why: &OutOfR
         !(why.reach[0] < q && q < why.reach[1])
     };
     let [_, outside] = bisect([inside, outside], 200, |place| !beyond(place));
-    Stopped {
+    RowsEnd {
         at: outside,
         input: end,
         cause: cause(asked, why.end.cause),

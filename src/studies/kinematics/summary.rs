@@ -21,7 +21,7 @@ pub(super) fn strokes(asked: &KinematicsRequest<'_>) -> Vec<Stroke> {
     let outputs = (0..spec.outputs.len()).map(|index| {
         let unit = asked.outputs[index].unit();
         (
-            Moving::Output(index),
+            MovingQuantity::Output(index),
             spec.outputs[index].name.clone(),
             unit,
         )
@@ -30,7 +30,7 @@ pub(super) fn strokes(asked: &KinematicsRequest<'_>) -> Vec<Stroke> {
         let slides = matches!(pair.kind, PairKind::Sliding { .. });
         slides.then(|| {
             (
-                Moving::Pair(index),
+                MovingQuantity::Pair(index),
                 format!("pairs.{}", pair.name),
                 Coordinate::Sliding.unit(),
             )
@@ -44,8 +44,8 @@ pub(super) fn strokes(asked: &KinematicsRequest<'_>) -> Vec<Stroke> {
                 return f64::NAN;
             }
             let jet = match moving {
-                Moving::Output(index) => asked.linkage.output(index, &work),
-                Moving::Pair(index) => work.pair(index),
+                MovingQuantity::Output(index) => asked.linkage.output(index, &work),
+                MovingQuantity::Pair(index) => work.pair(index),
             };
             if value { jet.value } else { jet.first }
         };
@@ -74,7 +74,7 @@ pub(super) fn stroke_of(
 }
 
 #[derive(Clone, Copy)]
-enum Moving {
+enum MovingQuantity {
     Output(usize),
     Pair(usize),
 }

@@ -7,7 +7,7 @@ use crate::dynamics::model::Model;
 use crate::dynamics::record::ObjectFigures;
 use crate::studies::RunSettings;
 use crate::studies::document::{spoiling, stop_in_words};
-use crate::studies::judgement::{Ending, Errors, Judgement, Made};
+use crate::studies::judgement::{Errors, Judgement, Made, RunEnd};
 use crate::studies::run::Motion;
 use crate::studies::warning::Warning;
 use crate::units::shown;
@@ -20,33 +20,33 @@ pub(super) fn failure_verdict(
     found: &Motion,
 ) -> Option<(Verdict, String)> {
     let (name, because) = stop_in_words(&found.outcome.stop);
-    let ending = Ending::named(name);
+    let ending = RunEnd::named(name);
     let time = shown(found.outcome.time, 7);
     let method = &found.choice.name;
     let trusted = judgement(model, settings, found) != Judgement::NotToBeTrusted;
     Some(match (ending, trusted) {
-        (Ending::OfComputation, _) => {
+        (RunEnd::OfComputation, _) => {
             let cause = format!("{method} gave up at {time} s: {because}");
             (Verdict::NumericalFailure, cause)
         }
-        (Ending::Complete | Ending::FromOutside | Ending::OfScene | Ending::OfMechanism, false) => {
+        (RunEnd::Complete | RunEnd::FromOutside | RunEnd::OfScene | RunEnd::OfMechanism, false) => {
             let cause = format!("{method}: {}", doubt(settings, found));
             (Verdict::NumericalFailure, cause)
         }
-        (Ending::OfMechanism, true) => (Verdict::Stopped, format!("stops at {time} s: {because}")),
-        (Ending::FromOutside, true) => {
+        (RunEnd::OfMechanism, true) => (Verdict::Stopped, format!("stops at {time} s: {because}")),
+        (RunEnd::FromOutside, true) => {
             let cause = format!("{method} was ended at {time} s: {because}");
             (Verdict::NotFinished, cause)
         }
-        (Ending::OfScene, true) => (Verdict::NotFinished, format!("ends at {time} s: {because}")),
-        (Ending::Complete, true) => return None,
+        (RunEnd::OfScene, true) => (Verdict::NotFinished, format!("ends at {time} s: {because}")),
+        (RunEnd::Complete, true) => return None,
     })
 }
 
 /// The verdict that `dam run` gives on this run.
 fn judgement(model: &Model, settings: &RunSettings, found: &Motion) -> Judgement {
     let figures: Vec<&ObjectFigures> = found.recorded.figures.iter().collect();
-    let ending = Ending::named(stop_in_words(&found.outcome.stop).0);
+    let ending = RunEnd::named(stop_in_words(&found.outcome.stop).0);
     let errors = Errors {
         energy: found.recorded.audit.error(),
         tolerance: settings.tolerance,

@@ -26,7 +26,7 @@ struct Head {
 
 /// Cells in a line: value, verdict, cause, how far it moves, whether it is
 /// determined, rigid margin.
-type Stored = (
+type StoredCells = (
     Option<f64>,
     Verdict,
     String,
@@ -39,14 +39,14 @@ type Stored = (
 #[derive(Debug, Deserialize, Serialize)]
 struct Row {
     row: usize,
-    cells: Vec<Stored>,
+    cells: Vec<StoredCells>,
 }
 
 /// Piece of a map that was shared out: some cells, counted over all panels.
 #[derive(Debug, Deserialize, Serialize)]
 struct Piece {
     first: usize,
-    cells: Vec<Stored>,
+    cells: Vec<StoredCells>,
 }
 
 /// Cells in a line of a piece: a torn file loses no more.
@@ -133,7 +133,7 @@ pub fn merge<'p>(
     Ok(rows.collect())
 }
 
-fn stored(cell: &Cell) -> Stored {
+fn stored(cell: &Cell) -> StoredCells {
     (
         cell.value,
         cell.verdict,
@@ -214,7 +214,7 @@ fn body<T: for<'de> Deserialize<'de>>(line: &[u8]) -> Option<T> {
     (found == digest(body)).then(|| serde_json::from_str(body).ok())?
 }
 
-fn restored((value, verdict, cause, moved, determined, rigid_margin): Stored) -> Cell {
+fn restored((value, verdict, cause, moved, determined, rigid_margin): StoredCells) -> Cell {
     Cell {
         value,
         verdict,

@@ -1,6 +1,6 @@
 //! One point of the chart on its way: a method at one setting, run and timed.
 
-use super::light::{Timed, Track, light_run, median};
+use super::light::{TimedRun, Track, light_run, median};
 use super::setting::Setting;
 use crate::dynamics::integrate::{Method, Stop};
 use crate::dynamics::record::Figures;
@@ -44,7 +44,7 @@ pub(super) struct Attempt {
     pub(super) method: Method,
     pub(super) setting: Setting,
     /// The first timed run; `None` when the method was refused before it.
-    pub(super) timed: Option<Timed>,
+    pub(super) timed: Option<TimedRun>,
     /// Why the method cannot be used at all.
     pub(super) refused: Option<String>,
     /// Wall-clock times of all repetitions (s).

@@ -121,7 +121,7 @@ impl Sink for Listener<'_> {
 
     fn step(&mut self, step: &Step<'_>, _modes: &Modes) {
         self.trace.longest_step = self.trace.longest_step.max(step.length);
-        while self.looks_within(step.end_time()) {
+        while self.reads_within_steps(step.end_time()) {
             let s = (self.due() - step.start) / step.length;
             self.sample_tracks(step, s.clamp(0.0, step.end), true);
             self.next += 1;
@@ -136,7 +136,7 @@ impl Sink for Listener<'_> {
         }
     }
 
-    fn looks_within(&self, until: f64) -> bool {
+    fn reads_within_steps(&self, until: f64) -> bool {
         // The last sample must not be lost to rounding of the clock.
         let until = until + 1e-9 * self.duration / self.intervals as f64;
         self.next <= self.intervals && self.due() <= until
@@ -145,7 +145,7 @@ impl Sink for Listener<'_> {
 
 /// A run and how long it took.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Timed {
+pub(super) struct TimedRun {
     /// Trace that it left.
     pub(super) trace: Trace,
     /// Outcome: how it ended.
@@ -165,7 +165,7 @@ pub(super) fn light_run(
     initial: &InitialState,
     settings: &RunSettings,
     control: &Control<'_>,
-) -> Result<Timed, String> {
+) -> Result<TimedRun, String> {
     let method = settings.method.ok_or("no method was named")?;
     if method == Method::Exact {
         return exact_run(system, tracks, initial, settings, control);
@@ -193,7 +193,7 @@ pub(super) fn light_run(
         Stop::Method { reason, .. } if outcome.statistics.steps == 0 && outcome.time == 0.0 => {
             Err(reason)
         }
-        _ => Ok(Timed {
+        _ => Ok(TimedRun {
             trace: listener.trace,
             outcome,
             seconds,
@@ -208,7 +208,7 @@ fn exact_run(
     initial: &InitialState,
     settings: &RunSettings,
     control: &Control<'_>,
-) -> Result<Timed, String> {
+) -> Result<TimedRun, String> {
     let begun = Instant::now();
     let parts = exact::whole(system).map_err(|faults| reasons(&faults))?;
     let samples = settings.samples.max(1);
@@ -251,7 +251,7 @@ fn exact_run(
         trace.greatest.push(greatest);
         trace.samples.push(samples);
     }
-    Ok(Timed {
+    Ok(TimedRun {
         trace,
         outcome,
         seconds,

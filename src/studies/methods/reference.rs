@@ -18,7 +18,7 @@ use super::setting::{Setting, is_exact};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::record::Figures;
 use crate::studies::spread::CHANGE;
-use moved::Moved;
+use moved::PerturbedRun;
 use serde::Serialize;
 
 /// The motion is determined until the change of loads has moved it by this share.
@@ -70,7 +70,7 @@ pub struct Distance {
 
 /// No reference can be relied on.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Unknown {
+pub(super) struct NoReference {
     /// How far the finest points are apart.
     pub(super) distances: Vec<Distance>,
     /// Doubt about the one that there would be.
@@ -121,17 +121,17 @@ pub(super) fn find(
     problem: &Problem<'_>,
     attempts: &[Attempt],
     effort: &Effort<'_>,
-) -> Result<ReferenceInUse, Unknown> {
+) -> Result<ReferenceInUse, NoReference> {
     let finest = finest_of_each(attempts);
     let scales = scales(problem);
     let exact = finest.iter().position(|&i| is_exact(attempts[i].method));
     let Some(guess) =
         exact.or_else(|| nearest(attempts, &finest, &scales, None).map(|best| best.0))
     else {
-        return Err(Unknown::default());
+        return Err(NoReference::default());
     };
     let guess = finest[guess];
-    let moved = Moved::of(problem, &attempts[guess], effort);
+    let moved = PerturbedRun::of(problem, &attempts[guess], effort);
     let last = last_sample(trace(&attempts[guess]));
     let (until, share) = moved.horizon(trace(&attempts[guess]), last);
     let pair = nearest(attempts, &finest, &scales, Some(until));
@@ -139,7 +139,7 @@ pub(super) fn find(
         (Some(exact), _) => (finest[exact], None),
         (None, Some((one, _, distance))) if distance <= AGREE => (finest[one], Some(distance)),
         _ => {
-            return Err(Unknown {
+            return Err(NoReference {
                 distances: mutual(attempts, &finest, &scales, until),
                 doubt: None,
             });
@@ -157,7 +157,7 @@ pub(super) fn find(
     });
     if doubt.is_some() {
         let distances = mutual(attempts, &finest, &scales, until);
-        return Err(Unknown { distances, doubt });
+        return Err(NoReference { distances, doubt });
     }
     let end = attempt.timed.as_ref().map_or(0.0, |t| t.outcome.time);
     let horizon = match until == last {

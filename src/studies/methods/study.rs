@@ -8,14 +8,14 @@ use super::line::MethodLine;
 use super::models::Models;
 use super::point::Point;
 use super::recommend::{Recommendation, recommend};
-use super::reference::{Distance, Reference, ReferenceInUse, Unknown, find};
+use super::reference::{Distance, NoReference, Reference, ReferenceInUse, find};
 use super::setting::{Setting, all_methods, is_fixed_step, ladder};
 use super::stability::{Spectrum, degree, remark};
 use super::verdict::{Verdict, judge};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
-use crate::studies::judgement::{Ending, Judgement as Working};
+use crate::studies::judgement::{Judgement as Working, RunEnd};
 use crate::studies::run::ended;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
@@ -167,7 +167,7 @@ pub fn study(
         measure_limits(&problem, &spectrum, truth, &mut methods, &effort);
     }
     let (reference, unknown) = match found {
-        Ok(truth) => (Some(truth.public), Unknown::default()),
+        Ok(truth) => (Some(truth.public), NoReference::default()),
         Err(unknown) => (None, unknown),
     };
     Ok(Study {
@@ -193,9 +193,9 @@ pub fn study(
 /// The verdict of a study of methods, which says nothing of the mechanism.
 pub(super) fn working(complete: bool, doubted: bool) -> Working {
     let ending = match (doubted, complete) {
-        (true, _) => Ending::OfComputation,
-        (false, false) => Ending::FromOutside,
-        (false, true) => Ending::Complete,
+        (true, _) => RunEnd::OfComputation,
+        (false, false) => RunEnd::FromOutside,
+        (false, true) => RunEnd::Complete,
     };
     Working::decide(ending, &[], || Working::NotJudged)
 }
@@ -296,7 +296,7 @@ fn lines(
     plan: &Plan,
     spectrum: &Spectrum,
     attempts: &[Attempt],
-    found: &Result<ReferenceInUse, Unknown>,
+    found: &Result<ReferenceInUse, NoReference>,
 ) -> Vec<MethodLine> {
     let truth = found.as_ref().ok();
     let doubt = found

@@ -50,7 +50,7 @@ pub struct Slice {
 
 /// Standing of a method at one value.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Standing {
+pub struct MethodStanding {
     /// The verdict at the asked accuracy (at the fixed step for methods of
     /// fixed step).
     pub verdict: Verdict,
@@ -75,11 +75,11 @@ impl Sweep {
 
 impl Slice {
     /// Standing of a method here; `None`: it was not tried.
-    pub fn standing(&self, method: Method) -> Option<Standing> {
+    pub fn standing(&self, method: Method) -> Option<MethodStanding> {
         let line = self.study.methods.iter().find(|l| l.method == method)?;
         let first = line.points.first()?;
         let best = cheapest(line, self.study.accuracy);
-        Some(Standing {
+        Some(MethodStanding {
             verdict: first.verdict,
             cause: first.cause.clone(),
             measured_seconds: best.and_then(|point| point.measured_seconds),

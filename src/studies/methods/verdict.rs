@@ -1,7 +1,7 @@
 //! What became of a point, and why.
 
 use super::attempt::Attempt;
-use super::light::{Timed, Trace};
+use super::light::{TimedRun, Trace};
 use super::reference::{ReferenceInUse, distance};
 use super::stability::Bound;
 use crate::dynamics::integrate::Stop;
@@ -137,7 +137,7 @@ pub(super) fn judge(
 
 /// The verdict on a run that was out of time after it had failed already.
 fn broken_off(
-    timed: &Timed,
+    timed: &TimedRun,
     truth: &ReferenceInUse,
     growth: Option<f64>,
     bound: Option<&Bound>,
@@ -162,7 +162,7 @@ fn broken_off(
 /// The verdict on a run that did not reach its end. `known`: a reference got
 /// there, within the same bound on switches.
 fn stopped(
-    timed: &Timed,
+    timed: &TimedRun,
     known: bool,
     growth: Option<f64>,
     bound: Option<&Bound>,
@@ -222,7 +222,7 @@ fn has_accumulated_events(trace: &Trace) -> bool {
 /// The verdict on a run that reached its end.
 fn ended(
     attempt: &Attempt,
-    timed: &Timed,
+    timed: &TimedRun,
     truth: &ReferenceInUse,
     error: Option<f64>,
     growth: Option<f64>,
@@ -312,7 +312,7 @@ fn count(trace: &Trace, horizon: f64) -> usize {
 }
 
 /// Greatest |δ| over that of the reference, the worst track.
-fn growth(timed: &Timed, truth: &ReferenceInUse) -> Option<f64> {
+fn growth(timed: &TimedRun, truth: &ReferenceInUse) -> Option<f64> {
     let whole = truth.throughout || !matches!(timed.outcome.stop, Stop::Complete);
     let mut worst: Option<f64> = None;
     for (index, &size) in truth.sizes.iter().enumerate().filter(|(_, s)| **s > 0.0) {
@@ -330,14 +330,14 @@ fn growth(timed: &Timed, truth: &ReferenceInUse) -> Option<f64> {
 }
 
 /// |λ|h where it exceeds the method's limit of stability.
-fn beyond(timed: &Timed, bound: Option<&Bound>) -> Option<f64> {
+fn beyond(timed: &TimedRun, bound: Option<&Bound>) -> Option<f64> {
     let bound = bound?;
     let product = bound.rate() * timed.trace.longest_step;
     (product > bound.limit).then_some(product)
 }
 
 /// A cause, with the limit of stability where the step exceeds it.
-fn with_limit(cause: String, timed: &Timed, bound: Option<&Bound>) -> String {
+fn with_limit(cause: String, timed: &TimedRun, bound: Option<&Bound>) -> String {
     let beyond = beyond(timed, bound).zip(bound);
     beyond.map_or(cause.clone(), |(product, bound)| {
         let place = axis(bound.eigenvalue);
@@ -349,7 +349,7 @@ fn with_limit(cause: String, timed: &Timed, bound: Option<&Bound>) -> String {
 }
 
 /// Why a motion has grown.
-fn grown(timed: &Timed, growth: Option<f64>, bound: Option<&Bound>) -> String {
+fn grown(timed: &TimedRun, growth: Option<f64>, bound: Option<&Bound>) -> String {
     let how_far = match growth {
         Some(growth) if growth.is_finite() => {
             format!(

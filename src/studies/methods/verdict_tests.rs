@@ -1,6 +1,6 @@
 //! Verdicts on runs that ended in every way.
 
-use super::super::light::{Timed, Trace};
+use super::super::light::{TimedRun, Trace};
 use super::super::setting::Setting;
 use super::{Attempt, Verdict, axis, judge, switches};
 use crate::dynamics::integrate::{Method, Outcome, Statistics, Stop};
@@ -10,7 +10,7 @@ fn attempt(stop: Stop, switches: Vec<f64>) -> Attempt {
     Attempt {
         method: Method::Dop853,
         setting: Setting::Tolerance(1e-6),
-        timed: Some(Timed {
+        timed: Some(TimedRun {
             trace: Trace {
                 switches,
                 ..Trace::EMPTY

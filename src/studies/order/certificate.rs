@@ -95,7 +95,7 @@ pub struct Cheaper {
 
 /// A model that was tried.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Tried {
+pub struct TriedModel {
     /// The level of every elastic object.
     pub levels: BTreeMap<String, Level>,
     /// Coordinates of all of them.
@@ -114,7 +114,7 @@ pub struct Certificate {
     /// Every elastic object.
     pub models: BTreeMap<String, ObjectModel>,
     /// Every model that was tried, in the order of their coordinates.
-    pub tried: Vec<Tried>,
+    pub tried: Vec<TriedModel>,
 }
 
 impl FigureAccuracy {

@@ -4,7 +4,7 @@ use super::bound::of_figure;
 use super::judge::{Judge, value};
 use super::requested_figures::{RequestedFigure, requested_figures};
 use super::row::{Course, Families, Family, Row};
-use super::settling::Settled;
+use super::settling::SettledRow;
 use super::trial::{Trial, Trials, coordinates};
 use crate::dynamics::builder::spec::Level;
 use crate::fault::Fault;
@@ -111,7 +111,7 @@ fn may_be_bounded(
     trials: &Trials<'_>,
     row: &Row,
     asked: &RequestedFigure,
-    found: &Settled,
+    found: &SettledRow,
 ) -> bool {
     let runs = || row.runs.iter().map(|&run| &trials.made[run]);
     let bounded = |trial: &Trial| of_figure(&trial.left_out, &asked.figure).is_some();

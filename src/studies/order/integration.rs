@@ -16,7 +16,7 @@ use super::row::Course;
 use super::trial::{Trial, Trials};
 use crate::dynamics::record::Figures;
 use crate::fault::Fault;
-use crate::frontend::scene::{Allowed, Expectation, Expected};
+use crate::frontend::scene::{AllowedValues, Expectation, Expected};
 use crate::math::order::Total;
 use crate::studies::ToleranceOfAccuracy;
 use crate::studies::expectations::of_run;
@@ -173,10 +173,10 @@ fn expectations_are_decided(all: &[Expectation], coarse: &Trial, fine: &Trial) -
 }
 
 /// How far a figure may move: its bound, or how far its limits are.
-fn room(allowed: &Allowed, trial: &Trial, figure: &str) -> f64 {
+fn room(allowed: &AllowedValues, trial: &Trial, figure: &str) -> f64 {
     match *allowed {
-        Allowed::Near { within, .. } => within,
-        Allowed::Between { .. } => {
+        AllowedValues::Near { within, .. } => within,
+        AllowedValues::Between { .. } => {
             let value = trial.figures.value(figure).unwrap_or(f64::NAN);
             let [least, most] = allowed.limits().map(|limit| (value - limit).abs());
             least.min(most)

@@ -1,7 +1,7 @@
 //! How accurate the figures of a trial are, and what that says of its levels.
 
 use super::certificate::{
-    Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
+    Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, TriedModel,
 };
 use super::requested_figures::RequestedFigure;
 use super::row::{Course, Families, Family};
@@ -142,7 +142,7 @@ impl Judge<'_> {
             let model = self.object_model(trials, (id, *family), chosen);
             (id.clone(), model)
         });
-        let mut tried: Vec<Tried> = (trials.made.iter().enumerate())
+        let mut tried: Vec<TriedModel> = (trials.made.iter().enumerate())
             .filter(|(made, _)| self.meaningless(trials, *made).is_none() || *made == found)
             .map(|(made, trial)| self.tried(trial, made == found))
             .collect();
@@ -154,12 +154,12 @@ impl Judge<'_> {
         }
     }
 
-    fn tried(&self, trial: &Trial, chosen: bool) -> Tried {
+    fn tried(&self, trial: &Trial, chosen: bool) -> TriedModel {
         let value = |asked: &RequestedFigure| {
             let value = trial.figures.value(&asked.figure).ok();
             (asked.figure.clone(), value)
         };
-        Tried {
+        TriedModel {
             levels: trial.levels.clone(),
             coordinates: coordinates(&trial.levels),
             values: self.asked.iter().map(value).collect(),

@@ -7,7 +7,7 @@ use crate::dynamics::builder::spec::Level;
 
 /// A lesser level of one object, tried.
 #[derive(Clone, Debug)]
-pub(in crate::studies) struct Lessening {
+pub(in crate::studies) struct LevelReduction {
     pub(in crate::studies) id: String,
     /// The trial before, and that with the lesser level.
     pub(in crate::studies) trials: [usize; 2],
@@ -22,7 +22,7 @@ pub(in crate::studies) fn lessened(
     families: &Families,
     judge: &Judge<'_>,
     mut found: usize,
-    mut go_on: impl FnMut(&Trials<'_>, Option<Lessening>) -> bool,
+    mut go_on: impl FnMut(&Trials<'_>, Option<LevelReduction>) -> bool,
 ) -> usize {
     let ids: Vec<String> = trials.elastic.open().cloned().collect();
     for id in ids {
@@ -36,7 +36,7 @@ pub(in crate::studies) fn lessened(
                 continue;
             };
             let accepted = judge.accepts(trials, made);
-            let tried = Lessening {
+            let tried = LevelReduction {
                 id: id.clone(),
                 trials: [found, made],
                 accepted,

@@ -35,7 +35,7 @@ pub mod settling;
 pub(super) mod trial;
 
 pub use certificate::{
-    Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, Tried,
+    Certainty, Certificate, Cheaper, FigureAccuracy, ObjectModel, Shares, TriedModel,
 };
 pub use choose::{LevelChoice, choose, finer};
 pub use limits::{Limits, limits};

@@ -2,7 +2,9 @@
 
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Figures;
-use crate::frontend::scene::{Accuracy, AccuracySpec, Allowed, Elastic, Expected, TypedScene};
+use crate::frontend::scene::{
+    Accuracy, AccuracySpec, AllowedValues, Elastic, Expected, TypedScene,
+};
 use crate::studies::expectations::of_run;
 use crate::studies::limit::without_limit;
 
@@ -65,10 +67,10 @@ pub(in crate::studies) fn requested_figures(
 }
 
 /// Size of an expected value.
-fn size(allowed: &Allowed) -> f64 {
+fn size(allowed: &AllowedValues) -> f64 {
     match *allowed {
-        Allowed::Near { value, .. } => value.abs(),
-        Allowed::Between { least, most } => {
+        AllowedValues::Near { value, .. } => value.abs(),
+        AllowedValues::Between { least, most } => {
             let ends = [least, most].into_iter().flatten();
             ends.fold(0.0, |size, end| size.max(end.abs()))
         }

@@ -3,7 +3,7 @@
 
 use super::bound::of_figure;
 use super::requested_figures::{RequestedFigure, is_count, no_limit};
-use super::settling::{Settled, scatter, settled};
+use super::settling::{SettledRow, scatter, settled};
 use super::trial::{Trials, coordinates};
 use crate::dynamics::builder::spec::{Level, Lumping};
 use crate::fault::Fault;
@@ -64,9 +64,9 @@ pub(in crate::studies) type Families = BTreeMap<String, Family>;
 #[derive(Clone, Debug, PartialEq)]
 pub(in crate::studies) enum Course {
     /// It has a limit, as its settling shows.
-    Limit(Settled),
+    Limit(SettledRow),
     /// It has a limit, and what separates the finest model from it is bounded.
-    Bounded(Settled),
+    Bounded(SettledRow),
     /// It counts, and the last runs count the same.
     Counts(f64),
     /// It has no limit, for a reason.
@@ -144,7 +144,7 @@ impl Row {
                 _ => open,
             };
         }
-        let bounded = |error: f64| Settled {
+        let bounded = |error: f64| SettledRow {
             limit: value(last),
             error,
             order: None,
@@ -169,7 +169,7 @@ impl Row {
         &self,
         trials: &Trials<'_>,
         asked: &RequestedFigure,
-        found: &Settled,
+        found: &SettledRow,
     ) -> bool {
         let bound = asked.accuracy.bound(found.limit);
         let passes = |&run: &usize| {

@@ -20,7 +20,7 @@ const SAFETY: f64 = 3.0;
 
 /// The limit of a row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Settled {
+pub struct SettledRow {
     /// Where it leads.
     pub limit: f64,
     /// How far the limit may be off, ≥ 0.
@@ -31,7 +31,7 @@ pub struct Settled {
 
 /// What a row of values settles on; `None`: it has not settled. Changes up to `noise` are
 /// none.
-pub fn settled(values: &[f64], noise: f64) -> Option<Settled> {
+pub fn settled(values: &[f64], noise: f64) -> Option<SettledRow> {
     let &[.., a, b, c, d] = values else {
         return None;
     };
@@ -41,7 +41,7 @@ pub fn settled(values: &[f64], noise: f64) -> Option<Settled> {
     }
     let size = changes.map(|change| change.abs());
     if size[1].max(size[2]) <= noise {
-        return Some(Settled {
+        return Some(SettledRow {
             limit: d,
             error: noise,
             order: None,
@@ -67,13 +67,13 @@ pub fn settled(values: &[f64], noise: f64) -> Option<Settled> {
             // As far as the factor has moved, it may move again.
             let moved = (factors[0] - last).abs();
             let further = rest((last + moved).min(0.9)) - rest((last - moved).max(0.0));
-            Settled {
+            SettledRow {
                 limit: d + changes[2] * rest(last),
                 error: SAFETY * size[2] * further.max(LEAST_FACTOR * rest(last)) + noise,
                 order: Some(-last.log2()),
             }
         }
-        false => Settled {
+        false => SettledRow {
             limit: d,
             error: SAFETY * size[2].max(LEAST_CHANGE * size[1]) * rest(greatest) + noise,
             order: None,

@@ -9,7 +9,7 @@ use crate::dynamics::system::System;
 use crate::fault::Fault;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{Elastic, Levels, TypedScene};
-use crate::studies::judgement::{Ending, ending};
+use crate::studies::judgement::{RunEnd, ending};
 use crate::studies::lookup::{Subject, attach, named_in};
 use crate::studies::run::run;
 use crate::studies::{Control, RunSettings};
@@ -163,11 +163,11 @@ impl<'s> Trials<'s> {
         let passes = (statistics.steps + statistics.evaluations) as f64;
         // A mechanism that stops by itself has perfectly good figures.
         let doubt = match (ending(&result.figures), result.is_trusted()) {
-            (Ending::FromOutside | Ending::OfScene, _) => {
+            (RunEnd::FromOutside | RunEnd::OfScene, _) => {
                 result.figures.run.stopped_because.clone()
             }
-            (Ending::Complete | Ending::OfMechanism, true) => None,
-            (Ending::Complete | Ending::OfMechanism | Ending::OfComputation, _) => {
+            (RunEnd::Complete | RunEnd::OfMechanism, true) => None,
+            (RunEnd::Complete | RunEnd::OfMechanism | RunEnd::OfComputation, _) => {
                 Some("its results are in doubt".to_owned())
             }
         };

@@ -13,7 +13,7 @@ use crate::studies::order::Certificate;
 use crate::studies::order::choose::families;
 use crate::studies::order::figure_limits::{FigureLimits, first_accurate_trial};
 use crate::studies::order::judge::{Judge, Objection};
-use crate::studies::order::lessen::{Lessening, lessened};
+use crate::studies::order::lessen::{LevelReduction, lessened};
 use crate::studies::order::trial::{Trial, Trials, coordinates};
 use crate::studies::{Control, RunSettings};
 
@@ -67,7 +67,7 @@ pub fn reduce(
     for trial in tried {
         search.note(&[], trial, Role::Tried);
     }
-    let mut end = End {
+    let mut end = SearchEnd {
         removals: Vec::new(),
         certificate: search.judge.certificate(&trials, &families, found),
         levels,
@@ -91,7 +91,7 @@ struct Search<'s> {
 }
 
 /// The scene that the search has come to.
-struct End {
+struct SearchEnd {
     removals: Vec<Removal>,
     levels: Levels,
     trial: Trial,
@@ -99,7 +99,7 @@ struct End {
 }
 
 /// A removal tried: its run, and what stands against it.
-type Tried = Result<(Trial, Option<Refusal>), String>;
+type TriedRemoval = Result<(Trial, Option<Refusal>), String>;
 
 impl Search<'_> {
     /// Lowers the levels of single objects; the trial it comes to.
@@ -115,7 +115,7 @@ impl Search<'_> {
     }
 
     /// Leaves out everything that can be left out.
-    fn remove_all(&mut self, mut end: End) -> End {
+    fn remove_all(&mut self, mut end: SearchEnd) -> SearchEnd {
         let base = end.trial.clone();
         let mut alone = Vec::new();
         for removal in self.candidates(&base) {
@@ -167,7 +167,7 @@ impl Search<'_> {
     }
 
     /// Leaves something more out of the scene, if it stays accurate enough.
-    fn on_top(&mut self, end: &mut End, removal: Removal) {
+    fn on_top(&mut self, end: &mut SearchEnd, removal: Removal) {
         let mut removals = end.removals.clone();
         removals.push(removal.clone());
         match self.with(&removals, &end.levels) {
@@ -183,7 +183,7 @@ impl Search<'_> {
         }
     }
 
-    fn refuse(&mut self, removal: Removal, before: &Trial, tried: Tried) {
+    fn refuse(&mut self, removal: Removal, before: &Trial, tried: TriedRemoval) {
         let (changes, refused) = match tried {
             Ok((trial, refused)) => (self.changes(before, &trial), refused),
             Err(why) => (Default::default(), Some(Refusal::Impossible(why))),
@@ -196,7 +196,7 @@ impl Search<'_> {
     }
 
     /// Lowers levels once more: pairs that are bilateral now allow lower ones.
-    fn lower_levels_again(&mut self, mut end: End) -> End {
+    fn lower_levels_again(&mut self, mut end: SearchEnd) -> SearchEnd {
         let Ok(mut scene) = without(self.whole, &end.removals) else {
             return end;
         };
@@ -224,7 +224,7 @@ impl Search<'_> {
     }
 
     /// The run of the scene without what is left out.
-    fn with(&mut self, removals: &[Removal], levels: &Levels) -> Tried {
+    fn with(&mut self, removals: &[Removal], levels: &Levels) -> TriedRemoval {
         let mut scene = without(self.whole, removals)?;
         let mut trials = Trials::all_open(&mut scene, self.settings, self.control);
         let made = trials.at(levels).map_err(|faults| words(&faults))?;
@@ -270,7 +270,7 @@ impl Search<'_> {
     fn finish(
         mut self,
         scene: &str,
-        end: End,
+        end: SearchEnd,
         (given, as_given): (&Levels, Option<Certificate>),
         interrupted: bool,
     ) -> Reduction {
@@ -329,7 +329,12 @@ fn changes(
 
 /// Notes a level that was tried. Of the levels refused to an object the last, which is the
 /// nearest to the one that it keeps, stands for all.
-fn note_level(steps: &mut Vec<Step>, judge: &Judge<'_>, trials: &Trials<'_>, tried: &Lessening) {
+fn note_level(
+    steps: &mut Vec<Step>,
+    judge: &Judge<'_>,
+    trials: &Trials<'_>,
+    tried: &LevelReduction,
+) {
     let [before, after] = tried.trials.map(|made| &trials.made[made]);
     let is_level = |step: &Step| {
         let level = matches!(step.removal.part, Part::Level { .. });

@@ -4,7 +4,7 @@ use crate::dynamics::steady::cycle_map::Regime;
 use crate::dynamics::steady::flywheel::Flywheel;
 use crate::dynamics::steady::{Check, Extreme, Means, SteadyFigures, SteadyMotion};
 use crate::studies::check::Check as Judged;
-use crate::studies::judgement::{Ending, Judgement};
+use crate::studies::judgement::{Judgement, RunEnd};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -97,7 +97,7 @@ pub fn rigid_judgement(
     checks: &[Judged],
 ) -> Judgement {
     let repels = regime.is_some_and(|regime| !regime.attracts);
-    Judgement::decide(Ending::Complete, checks, || {
+    Judgement::decide(RunEnd::Complete, checks, || {
         match figures.warnings.is_empty() && !repels {
             true => Judgement::InWorkingOrder,
             false => Judgement::NotInWorkingOrder,

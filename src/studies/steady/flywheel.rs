@@ -2,7 +2,7 @@
 //! elastic objects.
 
 use super::map::Map;
-use super::mean_speed::{Added, MeanSpeedTarget, PeriodicState, held, with_added};
+use super::mean_speed::{AddedDrive, MeanSpeedTarget, PeriodicState, held, with_added};
 use super::periodic::none;
 use super::phase::PhaseMap;
 use super::shooting::{near, shoot};
@@ -37,7 +37,7 @@ pub(super) struct WheelRequest<'a> {
 /// What is added to a drive, and the state that then comes back.
 #[derive(Clone, Debug, Default)]
 pub(super) struct WheelResult {
-    pub(super) added: Added,
+    pub(super) added: AddedDrive,
     pub(super) state: Option<Vec<f64>>,
     pub(super) flywheel: Option<Flywheel>,
 }
@@ -71,7 +71,7 @@ impl WheelRequest<'_> {
             }),
         };
         Ok(WheelResult {
-            added: Added {
+            added: AddedDrive {
                 moment: held.moment,
                 inertia,
             },
@@ -155,7 +155,7 @@ impl WheelRequest<'_> {
         inertia: f64,
         f: impl FnOnce(&PhaseMap<'_>) -> Result<T, String>,
     ) -> Result<T, String> {
-        let system = with_added(self.model, self.drive, Added { moment, inertia });
+        let system = with_added(self.model, self.drive, AddedDrive { moment, inertia });
         let system = system.map_err(|faults| {
             let first = faults.first();
             first.map_or_else(String::new, |fault| fault.message.clone())

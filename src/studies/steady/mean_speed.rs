@@ -20,7 +20,7 @@ use std::rc::Rc;
 
 /// What is added to a drive: a constant moment (N·m) and an inertia (kg·m²).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Added {
+pub(super) struct AddedDrive {
     pub(super) moment: f64,
     pub(super) inertia: f64,
 }
@@ -29,7 +29,11 @@ pub(super) struct Added {
 ///
 /// # Errors
 /// Those of [`System::new`].
-pub(super) fn with_added(model: &Model, drive: usize, added: Added) -> Result<System, Vec<Fault>> {
+pub(super) fn with_added(
+    model: &Model,
+    drive: usize,
+    added: AddedDrive,
+) -> Result<System, Vec<Fault>> {
     let mut model = model.clone();
     let node = model.objects[drive].nodes[0];
     model.nodes[node].inertia += added.inertia;
@@ -97,7 +101,7 @@ impl HeldMap<'_> {
         {
             return Ok(Rc::clone(system));
         }
-        let added = Added {
+        let added = AddedDrive {
             moment,
             inertia: self.wanted.inertia,
         };

@@ -11,7 +11,7 @@ use super::cycle::{AFTER_A_CYCLE, Rhythms};
 use super::flywheel::{WheelRequest, WheelResult};
 use super::machine::{multi_input_objects, nodes_moved_by, over_time};
 use super::map::Map;
-use super::mean_speed::{Added, with_added};
+use super::mean_speed::{AddedDrive, with_added};
 use super::periodic::{About, ORBIT, PeriodicAnswer, none, part_near, state_names};
 use super::phase::PhaseMap;
 use super::portrait::{Portrait, Row};
@@ -256,7 +256,7 @@ pub(super) fn answer(
         _ => machine.solve()?,
     };
     let own;
-    let system = match found.added == Added::default() {
+    let system = match found.added == AddedDrive::default() {
         true => system,
         false => {
             own = with_added(model, drive, found.added)?;

@@ -11,7 +11,7 @@ use crate::budget::Budget;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::integrate::{Dynamics, Method, Modes, Sink, SwitchEvent};
 use crate::dynamics::record::{
-    ObjectFigures, Observer, Quantity, Recorded, Recorder, RecorderSettings, SwitchRow, Tee,
+    ObjectFigures, Observer, Quantity, Recorder, RecorderSettings, RunRecord, SwitchRow, Tee,
 };
 use crate::dynamics::system::System;
 use crate::math::polynomial::Step;
@@ -125,7 +125,7 @@ impl OverPeriod {
         (period, greatest): (f64, f64),
     ) -> Result<Self, String> {
         let mut recorder = Recorder::new(system, settings(method, period));
-        let mut works = Driving::new(system);
+        let mut works = DriveWorkSum::new(system);
         let mut last = Last::default();
         let modes = system.modes_at_start(state);
         let mut sinks: [&mut dyn Sink; 3] = [&mut recorder, &mut works, &mut last];
@@ -169,7 +169,7 @@ impl OverPeriod {
 
 fn reported<'r>(
     system: &System,
-    recorded: &'r Recorded,
+    recorded: &'r RunRecord,
 ) -> impl Iterator<Item = &'r ObjectFigures> {
     let all = system.model().objects.iter().zip(&recorded.figures);
     all.filter(|(part, _)| part.is_reported())
@@ -228,7 +228,7 @@ fn checks(audit: &EnergyAudit, works: &[Worked], [away, bound]: [f64; 2]) -> Vec
     .into()
 }
 
-fn extremes(system: &System, recorded: &Recorded) -> Vec<Extremes> {
+fn extremes(system: &System, recorded: &RunRecord) -> Vec<Extremes> {
     let parts = system.model().objects.iter().zip(&recorded.figures);
     let own = |(part, figures): (&crate::dynamics::model::ObjectPart, &ObjectFigures)| {
         let pair = figures.pair.as_ref().map(|pair| pair.max_contact_force);
@@ -275,14 +275,14 @@ struct Worked {
 }
 
 /// Integrates the power of each drive, its moment by its speed, and adds its works in impacts.
-struct Driving<'s> {
+struct DriveWorkSum<'s> {
     system: &'s System,
     observer: Observer<'s>,
     rule: Vec<(f64, f64)>,
     works: Vec<Worked>,
 }
 
-impl<'s> Driving<'s> {
+impl<'s> DriveWorkSum<'s> {
     fn new(system: &'s System) -> Self {
         let parts = system.model().objects.iter().enumerate();
         let drives = parts.filter(|(_, part)| part.is_drive());
@@ -311,7 +311,7 @@ impl<'s> Driving<'s> {
     }
 }
 
-impl Sink for Driving<'_> {
+impl Sink for DriveWorkSum<'_> {
     fn start(&mut self, _: f64, _: &[f64], _: &Modes) {}
 
     fn step(&mut self, step: &Step<'_>, modes: &Modes) {

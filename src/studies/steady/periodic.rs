@@ -5,7 +5,7 @@ use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
 use super::multipliers::{self, Multiplier, Stability};
 use super::over_period::{OverPeriod, RETURN};
-use super::shooting::{CLOSED, Fixed, distance, shoot_near};
+use super::shooting::{CLOSED, FixedPoint, distance, shoot_near};
 use crate::dynamics::integrate::{Dynamics, Method};
 use crate::dynamics::model::Coordinate;
 use crate::dynamics::record::drive_cycle;
@@ -14,7 +14,7 @@ use crate::exact::Parts;
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
 use crate::studies::check::{Check, worst};
-use crate::studies::judgement::{Ending, Judgement};
+use crate::studies::judgement::{Judgement, RunEnd};
 use crate::studies::method::choose_general;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
@@ -75,7 +75,7 @@ impl PeriodicAnswer {
     /// motion on which the scene does not settle is not certified.
     pub fn judgement(&self) -> Judgement {
         let any = |stability| self.parts.iter().any(|part| part.stability == stability);
-        Judgement::decide(Ending::Complete, &self.checks(), || {
+        Judgement::decide(RunEnd::Complete, &self.checks(), || {
             let pairs = self.over_period.as_ref().map(|found| found.pairs);
             match pairs.unwrap_or(Judgement::NotJudged) {
                 _ if any(Stability::Repels) => Judgement::NotInWorkingOrder,
@@ -169,7 +169,13 @@ const SETTLED: f64 = 1e-6;
 const LONG: [usize; 2] = [50, 1000];
 
 /// A long run from the scene's start, against the periodic motion.
-fn long_run(map: &dyn Map, start: &[f64], fixed: &Fixed, turn: f64, periods: usize) -> LongRun {
+fn long_run(
+    map: &dyn Map,
+    start: &[f64],
+    fixed: &FixedPoint,
+    turn: f64,
+    periods: usize,
+) -> LongRun {
     let slowest = multipliers::greatest(&fixed.monodromy);
     let needed = if slowest > 0.0 && slowest < 1.0 {
         (1e-13f64.ln() / slowest.ln()).ceil() * periods as f64

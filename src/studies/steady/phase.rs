@@ -110,7 +110,7 @@ impl<'a> PhaseMap<'a> {
                 return Ok(Arrival { time, y: at });
             }
             let leg = AHEAD * rest * self.pace.get().max(1.0 / self.nominal());
-            let mut sink = Crossing::new(self.rotor, target);
+            let mut sink = PhaseCrossing::new(self.rotor, target);
             self.integrate(&at, &modes, leg, &mut sink)?;
             if let Some(caught) = sink.caught {
                 let arrival = self.narrow(caught, target, time)?;
@@ -153,7 +153,7 @@ impl<'a> PhaseMap<'a> {
 
     /// The arrival on a step that passes the target: integrated anew from the start of
     /// the step to just the time that the angle takes.
-    fn narrow(&self, caught: Caught, target: f64, before: f64) -> Result<Arrival, String> {
+    fn narrow(&self, caught: CaughtStep, target: f64, before: f64) -> Result<Arrival, String> {
         let speed = self.system.coordinates() + self.rotor;
         let mut length = caught.length;
         let mut best: Option<(f64, Arrival)> = None;
@@ -282,7 +282,7 @@ impl Map for PhaseMap<'_> {
 
 /// The start of the step on which the drive passes an angle.
 #[derive(Debug)]
-struct Caught {
+struct CaughtStep {
     time: f64,
     y: Vec<f64>,
     modes: Modes,
@@ -292,15 +292,15 @@ struct Caught {
 
 /// Waits for the drive to pass an angle.
 #[derive(Debug)]
-struct Crossing {
+struct PhaseCrossing {
     rotor: usize,
     target: f64,
     last: Last,
     modes: Modes,
-    caught: Option<Caught>,
+    caught: Option<CaughtStep>,
 }
 
-impl Crossing {
+impl PhaseCrossing {
     fn new(rotor: usize, target: f64) -> Self {
         Self {
             rotor,
@@ -312,7 +312,7 @@ impl Crossing {
     }
 }
 
-impl Sink for Crossing {
+impl Sink for PhaseCrossing {
     fn start(&mut self, time: f64, y: &[f64], modes: &Modes) {
         self.last.start(time, y, modes);
         self.modes = modes.clone();
@@ -328,7 +328,7 @@ impl Sink for Crossing {
         if let Some(y) = before {
             let [from, to] = [y[self.rotor], self.last.y[self.rotor]];
             let share = (self.target - from) / (to - from);
-            self.caught = Some(Caught {
+            self.caught = Some(CaughtStep {
                 time: step.start,
                 y,
                 modes: modes.clone(),
@@ -344,7 +344,7 @@ impl Sink for Crossing {
         }
     }
 
-    fn looks_within(&self, _: f64) -> bool {
+    fn reads_within_steps(&self, _: f64) -> bool {
         false
     }
 }

@@ -23,7 +23,7 @@ pub(super) fn distance(a: &[f64], b: &[f64], scales: &[f64]) -> f64 {
 }
 
 /// A fixed point of a map over a time.
-pub(super) struct Fixed {
+pub(super) struct FixedPoint {
     pub(super) state: Vec<f64>,
     pub(super) miss: f64,
     pub(super) monodromy: DMatrix<f64>,
@@ -38,7 +38,7 @@ pub(super) fn shoot(
     start: &[f64],
     turn: f64,
     periods: usize,
-) -> Result<Fixed, String> {
+) -> Result<FixedPoint, String> {
     shoot_near(map, start, None, turn, periods)
 }
 
@@ -49,7 +49,7 @@ pub(super) fn shoot_near(
     known: Option<&[f64]>,
     turn: f64,
     periods: usize,
-) -> Result<Fixed, String> {
+) -> Result<FixedPoint, String> {
     let time = turn * periods as f64;
     let mut state = start.to_vec();
     let mut iterations = 0;
@@ -136,12 +136,12 @@ fn newton(
     time: f64,
     iterations: &mut u32,
     nearest: &mut f64,
-) -> Result<Option<Fixed>, String> {
+) -> Result<Option<FixedPoint>, String> {
     let Some((state, miss)) = close(map, start, time, iterations, nearest)? else {
         return Ok(None);
     };
     let monodromy = map.monodromy(&state, time)?;
-    Ok(Some(Fixed {
+    Ok(Some(FixedPoint {
         state,
         miss,
         monodromy,

@@ -18,14 +18,14 @@ const LEFT: f64 = 1e-9;
 const TOLERANCE: f64 = 1e-12;
 
 /// Why there is no simulation.
-pub(super) struct Missing {
+pub(super) struct NoSimulation {
     /// In words.
     pub(super) why: String,
     /// True when it was begun and failed.
     pub(super) failed: bool,
 }
 
-impl Missing {
+impl NoSimulation {
     fn not_made(why: impl Into<String>) -> Self {
         let (why, failed) = (why.into(), false);
         Self { why, failed }
@@ -47,21 +47,21 @@ pub(super) fn simulate(
     answer: &RigidAnswer,
     added: [f64; 2],
     control: &Control<'_>,
-) -> Result<Simulation, Missing> {
+) -> Result<Simulation, NoSimulation> {
     let drives = model.objects.iter().filter(|part| part.is_drive());
     if drives.count() > 1 {
-        return Err(Missing::not_made("the scene has other drives"));
+        return Err(NoSimulation::not_made("the scene has other drives"));
     }
     if answer.figures.almost_stops() {
         let why = "the machine almost stops, where the errors of a simulation grow beyond bounds";
-        return Err(Missing::not_made(why));
+        return Err(NoSimulation::not_made(why));
     }
     let (cycles, disturbed) = match &answer.regime {
         Some(regime) if regime.attracts => {
             let needed = (LEFT.ln() / regime.multiplier.ln()).ceil();
             if needed > f64::from(CYCLES[1]) {
                 let why = format!("a disturbance takes {needed} cycles to die away");
-                return Err(Missing::not_made(why));
+                return Err(NoSimulation::not_made(why));
             }
             ((needed as u32).max(CYCLES[0]), DISTURBED)
         }
@@ -71,7 +71,7 @@ pub(super) fn simulate(
     let model = freed(model, drive, 0.0, start * (1.0 + disturbed), added);
     let failed = |faults: Vec<crate::fault::Fault>| {
         let first = faults.first();
-        Missing::failed(first.map_or_else(String::new, |fault| fault.message.clone()))
+        NoSimulation::failed(first.map_or_else(String::new, |fault| fault.message.clone()))
     };
     let system = System::new(model).map_err(failed)?;
     let initial = system.initial_state().map_err(failed)?;
@@ -99,10 +99,10 @@ pub(super) fn simulate(
         &mut last,
     );
     if let (true, Some(spent)) = (outcome.stop.is_from_outside(), control.spent()) {
-        return Err(Missing::not_made(spent.to_string()));
+        return Err(NoSimulation::not_made(spent.to_string()));
     }
     if outcome.stop != Stop::Complete {
-        return Err(Missing::failed(format!(
+        return Err(NoSimulation::failed(format!(
             "it stopped at t = {} s",
             outcome.time
         )));

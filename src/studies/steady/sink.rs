@@ -36,7 +36,7 @@ impl Sink for Last {
         self.switches += 1;
     }
 
-    fn looks_within(&self, _: f64) -> bool {
+    fn reads_within_steps(&self, _: f64) -> bool {
         false
     }
 }
@@ -66,7 +66,7 @@ impl Sink for Grid {
     fn start(&mut self, _: f64, _: &[f64], _: &Modes) {}
 
     fn step(&mut self, step: &Step<'_>, _: &Modes) {
-        while self.looks_within(step.end_time()) {
+        while self.reads_within_steps(step.end_time()) {
             let time = self.next as f64 * self.step;
             let s = ((time - step.start) / step.length).clamp(0.0, step.end);
             step.state(s, &mut self.y);
@@ -79,7 +79,7 @@ impl Sink for Grid {
 
     fn switch(&mut self, _: &SwitchEvent<'_>) {}
 
-    fn looks_within(&self, until: f64) -> bool {
+    fn reads_within_steps(&self, until: f64) -> bool {
         self.next as f64 * self.step <= until * (1.0 + 1e-12)
     }
 }

@@ -1,7 +1,7 @@
 //! What a document asks of its desks, and what these tell its windows.
 
 use super::{MapQuestion, Room, RunQuestion};
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::{Document, Reading};
 use crate::report::live::Charts;
@@ -136,8 +136,8 @@ impl Room {
         stop: &AtomicBool,
         kept: &mut AnswerCache,
     ) -> bool {
-        for judging in [Judging::Never, Judging::Asked] {
-            let last = !judged || matches!(judging, Judging::Asked);
+        for judging in [ModelAssessment::Never, ModelAssessment::Asked] {
+            let last = !judged || matches!(judging, ModelAssessment::Asked);
             match asked.run(reading, judging, stop) {
                 Err(faults) => {
                     self.faults_message(asked, &faults);

@@ -3,7 +3,7 @@
 
 use super::Room;
 use super::desks::AnswerCache;
-use crate::ask::Judging;
+use crate::ask::ModelAssessment;
 use crate::studies::run::RunResult;
 use crate::studio::answer::TextRequest;
 use crate::studio::pins::Source;
@@ -94,8 +94,8 @@ impl Room {
             return Again::Other;
         };
         let judging = match source.judged {
-            true => Judging::Asked,
-            false => Judging::Never,
+            true => ModelAssessment::Asked,
+            false => ModelAssessment::Never,
         };
         match asked.run(reading, judging, stop) {
             Ok(Some(ran)) => Again::Run(merged(&ran.run.result)),

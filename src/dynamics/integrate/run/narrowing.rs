@@ -9,14 +9,14 @@ const SHORT: f64 = 4096.0 * f64::EPSILON;
 
 /// What is known of them up to an instant.
 #[derive(Debug)]
-pub(super) struct Narrowing {
+pub(super) struct NarrowSearch {
     stretches: Vec<Narrow>,
     until: f64,
     /// Longest step of the present leg (s).
     longest: f64,
 }
 
-impl Default for Narrowing {
+impl Default for NarrowSearch {
     fn default() -> Self {
         Self {
             stretches: Vec::new(),

@@ -2,7 +2,7 @@
 //! place of a step.
 
 use super::Run;
-use crate::dynamics::integrate::locate::Located;
+use crate::dynamics::integrate::locate::LocatedEvent;
 use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Probe};
 use crate::math::optimise::vertex;
 use crate::math::roots::{BISECTIONS, bisect};
@@ -25,7 +25,7 @@ const NOTHING: EventFunction = EventFunction {
 
 impl<D: Dynamics> Run<'_, D> {
     /// The watch that was found; one made up for a probe.
-    pub(super) fn watch(&self, found: Located) -> EventFunction {
+    pub(super) fn watch(&self, found: LocatedEvent) -> EventFunction {
         let event_functions = self.event_functions.len();
         if found.watch < event_functions {
             return self.event_functions[found.watch];
@@ -42,7 +42,7 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// The earliest of a switch found and those that the probes tell.
-    pub(super) fn probe_before(&mut self, found: Option<Located>) -> Option<Located> {
+    pub(super) fn probe_before(&mut self, found: Option<LocatedEvent>) -> Option<LocatedEvent> {
         let mut best = found;
         let mut y = std::mem::take(&mut self.probed);
         for index in 0..self.probes.len() {
@@ -53,7 +53,7 @@ impl<D: Dynamics> Run<'_, D> {
             };
             if best.is_none_or(|best| s < best.s) {
                 let watch = self.event_functions.len() + index;
-                best = Some(Located { s, watch });
+                best = Some(LocatedEvent { s, watch });
             }
         }
         self.probed = y;
@@ -61,7 +61,7 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// The earliest of a switch found and what else the system tells.
-    fn crossing_before(&mut self, found: Option<Located>) -> Option<Located> {
+    fn crossing_before(&mut self, found: Option<LocatedEvent>) -> Option<LocatedEvent> {
         let dynamics = self.evaluator.dynamics;
         if !dynamics.has_crossings() {
             return found;
@@ -79,7 +79,7 @@ impl<D: Dynamics> Run<'_, D> {
         drop(modes);
         self.crossed = Some(watch);
         let watch = self.event_functions.len() + self.probes.len();
-        Some(Located { s, watch })
+        Some(LocatedEvent { s, watch })
     }
 
     /// Where a probe becomes positive first, up to `end`.

@@ -1,7 +1,7 @@
 //! What happens where a step is cut: switches and breaks in time.
 
 use super::{Run, Verdict};
-use crate::dynamics::integrate::locate::{Located, Stretch};
+use crate::dynamics::integrate::locate::{LocatedEvent, Stretch};
 use crate::dynamics::integrate::{
     Dynamics, EventFunction, Guard, Impact, Modes, Stop, SwitchEvent,
 };
@@ -19,7 +19,7 @@ const AT_ONCE: f64 = 4.0;
 
 impl<D: Dynamics> Run<'_, D> {
     /// The step up to a switch, and the switch.
-    pub(super) fn cut(&mut self, found: Located) -> Verdict {
+    pub(super) fn cut(&mut self, found: LocatedEvent) -> Verdict {
         let watch = self.watch(found);
         let step = self.output.step(found.s);
         let stretch = Stretch {

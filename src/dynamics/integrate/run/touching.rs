@@ -7,7 +7,7 @@
 //! the start stays open in the same way.
 
 use super::Run;
-use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, Resting};
+use crate::dynamics::integrate::{Dynamics, EventFunction, Guard, UndecidedGuard};
 
 /// Share of the tolerance of a state within which a contact just touches: errors of some
 /// steps add up.
@@ -19,7 +19,7 @@ const BETWEEN: f64 = 10.0;
 
 /// A contact that just touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::dynamics::integrate) struct Touching {
+pub(in crate::dynamics::integrate) struct GrazingContact {
     /// Component of the modes.
     pub(in crate::dynamics::integrate) component: usize,
     /// True where it is open and would close.
@@ -28,7 +28,7 @@ pub(in crate::dynamics::integrate) struct Touching {
     pub(in crate::dynamics::integrate) floors: [f64; 2],
 }
 
-impl Touching {
+impl GrazingContact {
     /// Shifts the coefficients of its two guards, signed so that it comes apart where one is
     /// above zero, and closes where both are; `degree` is the last, which is the value at
     /// the end of the step.
@@ -66,7 +66,7 @@ impl<D: Dynamics> Run<'_, D> {
             let known = self.touching.iter().any(|own| own.component == component);
             if of(function) && !known && self.touches(function) {
                 let floors = function.guards.map(|guard| self.floor(&guard));
-                self.touching.push(Touching {
+                self.touching.push(GrazingContact {
                     component,
                     rising: function.rising,
                     floors,
@@ -106,12 +106,13 @@ impl<D: Dynamics> Run<'_, D> {
     pub(super) fn release_resting(&mut self) {
         if !self.resting.is_empty() {
             let undecided = self.undecided();
-            let still = |own: &Resting| undecided.iter().any(|one| one.component == own.component);
+            let still =
+                |own: &UndecidedGuard| undecided.iter().any(|one| one.component == own.component);
             self.resting.retain(still);
         }
     }
 
-    fn undecided(&self) -> Vec<Resting> {
+    fn undecided(&self) -> Vec<UndecidedGuard> {
         let modes = self.evaluator.modes.borrow();
         let share = TOLERANCES * self.settings.tolerance;
         let dynamics = self.evaluator.dynamics;

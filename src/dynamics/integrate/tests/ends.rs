@@ -311,7 +311,7 @@ impl Sink for Until {
 
     fn switch(&mut self, _: &SwitchEvent<'_>) {}
 
-    fn looks_within(&self, until: f64) -> bool {
+    fn reads_within_steps(&self, until: f64) -> bool {
         until <= self.time
     }
 }

@@ -21,7 +21,7 @@ impl FigureCollector<'_> {
             let mode = modes.0[opening.component];
             (mode == 0).then_some(())?;
             let x = opening.deformation(step, &mut room);
-            opening.leaves_flank(mode, x, step.end)
+            opening.flank_exit(mode, x, step.end)
         }));
         self.add_kinks_of_friction(step, modes);
         if self.kinks.is_empty() && self.joints.is_empty() {

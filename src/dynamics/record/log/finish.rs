@@ -4,7 +4,7 @@ use super::super::failure::Failure;
 use super::super::joints::JointTracker;
 use super::super::rows::SystemView;
 use super::super::tally::Tally;
-use super::super::{ObjectFigures, PairFigures, Record, Recorded, StopFigures};
+use super::super::{ObjectFigures, PairFigures, Record, RunRecord, StopFigures};
 use super::Log;
 use crate::dynamics::energy::EnergyAudit;
 use crate::dynamics::system::ObjectState;
@@ -18,7 +18,7 @@ impl Log<'_> {
         tallies: &[Tally],
         joints: Vec<JointTracker>,
         audit: EnergyAudit,
-    ) -> Recorded {
+    ) -> RunRecord {
         self.time = time;
         let last: Vec<ObjectState> = tallies.iter().map(|tally| *tally.last()).collect();
         let seen = SystemView {
@@ -85,7 +85,7 @@ impl Log<'_> {
         let (times, columns, closeups) = self.rows.into_columns();
         let first_times = self.watch.finish();
         let spans = self.spans.finish();
-        Recorded {
+        RunRecord {
             record: Record {
                 times,
                 columns,

@@ -3,7 +3,7 @@
 use super::{Member, Obstacle};
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::Work;
-use crate::kinematics::linkage::kinetostatics::{Options, Resisted};
+use crate::kinematics::linkage::kinetostatics::{LinkageResistance, Options};
 use crate::math::quantity::Quantity;
 
 /// Friction is found to rounding: the equations of motion are differentiated.
@@ -66,7 +66,7 @@ impl Frozen {
             own.loads[k] = force[node].value();
             own.inertias[k] = mass[node].value();
         }
-        let asked = Resisted {
+        let asked = LinkageResistance {
             coordinate: q.value(),
             speed: moving.speed.value(),
             free_acceleration: moving.free.value(),
@@ -115,7 +115,7 @@ impl Frozen {
         let step = STEP * solver.coordinate_scale();
         let mut at_place = |place: f64| {
             linkage.solve(place, 2, beside).ok()?;
-            let asked = Resisted {
+            let asked = LinkageResistance {
                 coordinate: place,
                 ..asked
             };
@@ -126,7 +126,7 @@ impl Frozen {
         add(q, by_place);
         let rates = asked.speed.abs().max(asked.free_acceleration.abs().sqrt());
         let mut at_speed = |speed: f64| {
-            let asked = Resisted { speed, ..asked };
+            let asked = LinkageResistance { speed, ..asked };
             let found = solver.resist(at, &asked, &options, forces).ok()?;
             Some(found.force)
         };

@@ -120,7 +120,7 @@ pub(super) enum Obstacle {
 
 /// Memory of one linkage's friction.
 #[derive(Clone, Debug)]
-pub(super) struct Rubbing<N> {
+pub(super) struct FrictionMemory<N> {
     pub(super) forces: Option<ForceWorkspace>,
     /// For positions beside the present one.
     pub(super) beside: Option<Workspace>,
@@ -135,8 +135,8 @@ pub(super) struct Rubbing<N> {
 
 impl Frozen {
     /// Memory for the friction of all linkages.
-    pub(super) fn friction_memory<N: Quantity>(&self) -> Vec<Rubbing<N>> {
-        let empty = |_| Rubbing {
+    pub(super) fn friction_memory<N: Quantity>(&self) -> Vec<FrictionMemory<N>> {
+        let empty = |_| FrictionMemory {
             forces: None,
             beside: None,
             loads: Vec::new(),
@@ -145,7 +145,7 @@ impl Frozen {
             force: N::from(0.0),
             failure: None,
         };
-        let mut memory: Vec<Rubbing<N>> = match self.groups.is_empty() {
+        let mut memory: Vec<FrictionMemory<N>> = match self.groups.is_empty() {
             true => Vec::new(),
             false => (0..self.linkages.len()).map(empty).collect(),
         };

@@ -15,7 +15,7 @@ mod table;
 use super::frozen::Frozen;
 use super::passes::{Extent, Work};
 use super::scales::EDGE;
-use crate::kinematics::linkage::{Linkage, Reduced, Workspace};
+use crate::kinematics::linkage::{Linkage, ReducedLinkage, Workspace};
 use crate::kinematics::position::linkage_reach;
 use crate::math::jet::Jet;
 use crate::math::quantity::Quantity;
@@ -74,7 +74,7 @@ pub(super) struct LinkageState {
     order: usize,
     /// Whether it can be assembled there.
     assembled: bool,
-    reduced: Option<Reduced>,
+    reduced: Option<ReducedLinkage>,
 }
 
 impl LinkageState {
@@ -159,7 +159,7 @@ impl LinkageState {
     }
 
     /// `None` where it cannot be assembled.
-    fn reduced(&mut self, q: f64, order: usize) -> Option<Reduced> {
+    fn reduced(&mut self, q: f64, order: usize) -> Option<ReducedLinkage> {
         self.solve_at(q, order);
         if self.assembled && self.reduced.is_none() {
             self.reduced = Some(self.linkage.reduced(&self.workspace));
@@ -246,7 +246,7 @@ impl Frozen {
         let node = self.linkages[index].node;
         let (q, rate) = (work.displacement[node], work.speed[node]);
         let cell = &work.linkages[index];
-        let of = |pick: fn(&Reduced) -> [f64; 3]| {
+        let of = |pick: fn(&ReducedLinkage) -> [f64; 3]| {
             q.lift(|q| {
                 let reduced = cell.borrow_mut().reduced(q, N::DERIVATIVES);
                 let [value, first, second] = reduced.as_ref().map_or([f64::NAN; 3], pick);

@@ -2,7 +2,7 @@
 
 use super::Table;
 use crate::dynamics::integrate::{Dynamics, Modes};
-use crate::dynamics::laws::Declared;
+use crate::dynamics::laws::LawInstance;
 use crate::dynamics::model::{Closure, LinkageBody, LoadLaw, Model};
 use crate::dynamics::system::System;
 use crate::dynamics::system::testing::{Body, add_body, add_load, add_rotor, pair};
@@ -199,7 +199,7 @@ fn geared(loaded: bool) -> System {
         dampings: vec![],
         pair: pair(Closure::Bilateral),
     };
-    let motor = Declared::linear_motor(3.0, 20.0).law();
+    let motor = LawInstance::linear_motor(3.0, 20.0).law();
     let rotor = add_rotor(&mut model, 0.02, 0.3, 1.1);
     add_load(&mut model, rotor, 0, "torque", motor);
     let wheel = add_body(&mut model, rotor, &gear(0.7, 0.2, 0.03));

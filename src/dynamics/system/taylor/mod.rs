@@ -25,7 +25,7 @@ mod written;
 pub(crate) use law::HIGHEST;
 pub(super) use law::expansion_range as way_of_law;
 
-use super::constraints::Constrained;
+use super::constraints::ConstrainedNode;
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::pairs::OPEN;
 use super::passes::Work;
@@ -148,7 +148,7 @@ impl Frozen {
     pub(super) fn without_series(&self) -> Option<&'static str> {
         let mut contacts = self.chains.iter().map(|chain| chain.contact.power());
         let mut stops = self.stops.iter().map(|stop| stop.contact.power());
-        let linear = |one: &Constrained| one.constraint.is_linear();
+        let linear = |one: &ConstrainedNode| one.constraint.is_linear();
         if !self.multi.is_empty() {
             Some("a linkage with several inputs, which couples coordinates,")
         } else if !self.linkages.is_empty() {

@@ -2,7 +2,7 @@
 //! does.
 
 use super::{FrozenExpression, Input};
-use crate::dynamics::integrate::{EventFunction, Guard, Modes, PhysicalStop, Resting};
+use crate::dynamics::integrate::{EventFunction, Guard, Modes, PhysicalStop, UndecidedGuard};
 use crate::dynamics::model::Load;
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
@@ -221,7 +221,7 @@ impl Frozen {
         state: &[f64],
         modes: &[i64],
         errors: &[f64],
-    ) -> Vec<Resting> {
+    ) -> Vec<UndecidedGuard> {
         if self.guards == 0 {
             return Vec::new();
         }
@@ -252,7 +252,7 @@ impl Frozen {
         let pairs = now.iter().zip(floors);
         let undecided =
             pairs.filter(|((_, at), floor)| floor.is_finite() && at.value.abs() < *floor);
-        let resting = undecided.map(|(&(component, at), floor)| Resting {
+        let resting = undecided.map(|(&(component, at), floor)| UndecidedGuard {
             component,
             floor,
             rate: at.derivative,
@@ -267,7 +267,7 @@ impl Frozen {
         modes: &[i64],
         end: f64,
         fresh: bool,
-        resting: &[Resting],
+        resting: &[UndecidedGuard],
     ) -> Option<(f64, EventFunction)> {
         let mut first: Option<(f64, EventFunction)> = None;
         for written in self.written() {

@@ -1,6 +1,6 @@
 //! Loads on the masses of the trees.
 
-use super::{Builder, Moved, Role, load};
+use super::{Builder, MovedNode, Role, load};
 use crate::dynamics::model::{
     LinearPiece, Load, LoadLaw, LoadVariable, ObjectPart, TrackSource, WrittenLoad,
 };
@@ -63,7 +63,7 @@ impl<'m> Builder<'m> {
 
     /// An expression: what of it is linear in the motion of its own mass is a spring and
     /// a damper, the rest a load over time.
-    fn written(&mut self, load: &'m Load, on: Moved, written: &WrittenLoad) {
+    fn written(&mut self, load: &'m Load, on: MovedNode, written: &WrittenLoad) {
         let expression = &written.expression;
         let own = |wanted: LoadVariable| -> Vec<usize> {
             let variables = written.variables.iter().enumerate();
@@ -143,7 +143,7 @@ impl<'m> Builder<'m> {
         Some(load::load(course, &Breaks::NONE, &[whole], factor))
     }
 
-    fn refuse_load(&mut self, load: &Load, on: Moved, reason: &str) {
+    fn refuse_load(&mut self, load: &Load, on: MovedNode, reason: &str) {
         self.spoiled[on.tree] = true;
         let holds = |part: &ObjectPart| part.nodes.contains(&load.node);
         let object = self.model.objects.iter().position(holds).unwrap_or(0);

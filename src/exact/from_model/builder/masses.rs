@@ -1,14 +1,14 @@
 //! Masses of a chain behind a law or behind masses.
 
 use super::super::MassPlace;
-use super::{Builder, Moved, Role, tree_pair};
+use super::{Builder, MovedNode, Role, tree_pair};
 use crate::dynamics::laws::contact::law_of_link;
 use crate::dynamics::model::{LinkBase, Loss};
 use crate::exact::{TreeMass, TreeObject};
 
 impl Builder<'_> {
     /// Adds the masses of a chain behind `base`, or behind the law itself.
-    pub(super) fn masses(&mut self, object: usize, tree: usize, base: Option<Moved>) {
+    pub(super) fn masses(&mut self, object: usize, tree: usize, base: Option<MovedNode>) {
         let part = &self.model.objects[object];
         if part.contact.is_some_and(|contact| contact.point.is_some()) {
             let reason = "the point between its contact and its damped link 1 is massless: a \
@@ -48,7 +48,7 @@ impl Builder<'_> {
                 coordinate: coordinate + m,
                 base: base.map(|base| (base.mass, base.ratio)),
             });
-            self.roles[node] = Role::Moved(Moved {
+            self.roles[node] = Role::Moved(MovedNode {
                 tree,
                 mass: first + m,
                 ratio: 1.0,

@@ -1,8 +1,8 @@
 //! New numbers of what is kept of a model.
 
 use crate::dynamics::model::{
-    Law, Link, LinkBase, LinkageBody, Load, LoadLaw, LoadVariable, Node, NodeMotion, ObjectPart,
-    Reduced,
+    Law, Link, LinkBase, LinkageBody, Load, LoadLaw, LoadVariable, ModalReduction, Node,
+    NodeMotion, ObjectPart,
 };
 
 /// New numbers of what is kept.
@@ -14,7 +14,11 @@ pub(super) struct Numbers {
 }
 
 impl Numbers {
-    pub(super) fn reduced(&self, reduced: &Reduced, kept: &[usize]) -> Option<Reduced> {
+    pub(super) fn reduced(
+        &self,
+        reduced: &ModalReduction,
+        kept: &[usize],
+    ) -> Option<ModalReduction> {
         let mut copy = reduced.clone();
         copy.object = kept.iter().position(|&own| own == copy.object)?;
         let nodes = copy.modes.iter_mut().map(|(node, _)| node);

@@ -97,8 +97,11 @@ fn motor(angle: f64) -> Part {
         inertia: 0.2,
         angle,
         speed: 3.0,
-        torque: LoadLawSpec::Declared(Declared::linear_motor(10.0, 100.0)),
-        loads: vec![load("drag", LoadLawSpec::Declared(Declared::viscous(0.1)))],
+        torque: LoadLawSpec::Declared(LawInstance::linear_motor(10.0, 100.0)),
+        loads: vec![load(
+            "drag",
+            LoadLawSpec::Declared(LawInstance::viscous(0.1)),
+        )],
     };
     Part(Coordinate::Turning, Spec::Drive(DriveSpec::Motor(spec)))
 }

@@ -151,7 +151,10 @@ fn every_fault_is_found_at_once_with_its_property() {
     let mut number = chain(Coordinate::Turning, ratio(), uniform(2));
     number.loads = vec![
         load("push", LoadLawSpec::Constant(1.0)),
-        load("stop", LoadLawSpec::Declared(Declared::friction(1.0, 0.0))),
+        load(
+            "stop",
+            LoadLawSpec::Declared(LawInstance::friction(1.0, 0.0)),
+        ),
     ];
     number.loads[0].mass = MassChoice::Number(3);
     let bad = chain(Coordinate::Sliding, slider_crank(-1.0), uniform(1));

@@ -2,7 +2,7 @@
 
 use super::MOST_MASSES;
 use crate::frontend::object::geometry::{self, Beam, Elastic};
-use crate::frontend::object::level::{self, Lumped, Masses};
+use crate::frontend::object::level::{self, LumpingChoice, Masses};
 use crate::frontend::object::measures::Measures;
 use crate::frontend::object::spec::InertiaSplit;
 use crate::frontend::read::{Bounds, Fields, Slot, Value};
@@ -20,7 +20,7 @@ pub(super) struct BodyFields {
     pub(super) damping: Option<f64>,
     pub(super) dampings: Option<Vec<f64>>,
     pub(super) split: Option<InertiaSplit>,
-    pub(super) lumping: Lumped,
+    pub(super) lumping: LumpingChoice,
     pub(super) modes: Option<usize>,
     pub(super) geometry: Option<Elastic>,
 }

@@ -8,8 +8,8 @@ use crate::dynamics::model::Coordinate::{Sliding, Turning};
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::cam::Surface;
 use crate::kinematics::linkage::joints::{
-    COUPLINGS, Carried, DECLARATIONS, Declaration, Domain, JointReader, Lacks, OFFSET, Sizes,
-    WHEELS, carriers,
+    COUPLINGS, CarriedLinks, DECLARATIONS, Declaration, Domain, JointReader, MissingCarrier,
+    OFFSET, Sizes, WHEELS, carriers,
 };
 use crate::kinematics::linkage::spec::{CouplingSpec, PairSpec, PointOf};
 use crate::kinematics::position::PositionSpec;
@@ -67,17 +67,17 @@ fn of_kind(
     declared: &Declaration,
     known: CouplingContext<'_>,
 ) -> Option<CouplingSpec> {
-    slot.record(|fields| (declared.read)(&mut Reading { fields, known }))
+    slot.record(|fields| (declared.read)(&mut CouplingReader { fields, known }))
 }
 
 /// The properties of a coupling while it is read.
-struct Reading<'r, 'f, 'k> {
+struct CouplingReader<'r, 'f, 'k> {
     fields: &'r mut Fields<'f>,
     known: CouplingContext<'k>,
 }
 
-impl JointReader for Reading<'_, '_, '_> {
-    fn carried(&mut self, slides: bool, lacks: &Lacks) -> Option<Carried> {
+impl JointReader for CouplingReader<'_, '_, '_> {
+    fn carried(&mut self, slides: bool, lacks: &MissingCarrier) -> Option<CarriedLinks> {
         let (fields, names) = (&mut *self.fields, self.known.names);
         let wheels = fields.need("wheels", WHEELS, |slot| {
             let link = |slot: Slot<'_>| names.link_or_ground(slot);
@@ -95,7 +95,7 @@ impl JointReader for Reading<'_, '_, '_> {
             None => the_carrier(fields, self.known, wheels, slides, lacks)?,
         };
         fields.fill_in("carrier", json!(names.of_link(carrier)));
-        Some(Carried {
+        Some(CarriedLinks {
             wheels,
             carrier,
             offset,
@@ -106,7 +106,7 @@ impl JointReader for Reading<'_, '_, '_> {
         self.fields.need(key, doc, |slot| two(slot, sizes))
     }
 
-    fn sizes_in_one_way(
+    fn sizes_as_written(
         &mut self,
         what: &'static str,
         ways: &[(&'static str, &str, Sizes)],
@@ -177,7 +177,7 @@ fn the_carrier(
     known: CouplingContext<'_>,
     wheels: Wheels,
     slides: bool,
-    lacks: &Lacks,
+    lacks: &MissingCarrier,
 ) -> Option<Option<usize>> {
     let names = known.names;
     let [one, other] = wheels.map(|wheel| names.of_link(wheel));

@@ -21,7 +21,7 @@ pub(super) fn coordinate(kind: &PairKind) -> Coordinate {
 }
 
 /// What joins two links.
-enum Joined {
+enum JoinedLinks {
     Pair(PairSpec),
     Weld(WeldSpec),
 }
@@ -42,8 +42,8 @@ pub(super) fn read(
     let (mut pairs, mut welds) = (Vec::new(), Vec::new());
     for one in all? {
         match one {
-            Joined::Pair(pair) => pairs.push(pair),
-            Joined::Weld(weld) => welds.push(weld),
+            JoinedLinks::Pair(pair) => pairs.push(pair),
+            JoinedLinks::Weld(weld) => welds.push(weld),
         }
     }
     Some((pairs, welds))
@@ -55,7 +55,7 @@ enum Kind {
     Weld(f64),
 }
 
-fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<Joined> {
+fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<JoinedLinks> {
     slot.record(|fields| {
         let doc = "Coefficient of Coulomb friction μ; it counts in `dam forces`, and with `joint_friction` in the motion.";
         let friction = fields.or("friction", doc, json!(0.0), |slot| {
@@ -100,7 +100,7 @@ fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<Joine
         let mut kind = match kind {
             Kind::Pair(kind) => kind,
             Kind::Weld(angle) => {
-                return Some(Joined::Weld(WeldSpec {
+                return Some(JoinedLinks::Weld(WeldSpec {
                     name,
                     on,
                     link,
@@ -111,7 +111,7 @@ fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<Joine
         if let PairKind::Revolute { diameter } = &mut kind {
             *diameter = given.unwrap_or(0.0);
         }
-        Some(Joined::Pair(PairSpec {
+        Some(JoinedLinks::Pair(PairSpec {
             name,
             on,
             link,

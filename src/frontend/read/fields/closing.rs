@@ -1,7 +1,7 @@
 //! What is said of an object when all its properties have been asked for: which
 //! are unknown, which are missing, and the schema.
 
-use super::{Fields, Missing};
+use super::{Fields, MissingProperty};
 use crate::frontend::diagnostics::Diagnostic;
 use crate::frontend::read::slot::{join, last_name};
 use crate::frontend::read::suggest::{closest, quoted_list};
@@ -89,7 +89,7 @@ impl Fields<'_> {
         suggestions
     }
 
-    pub(super) fn report_missing(&mut self, missing: &Missing) {
+    pub(super) fn report_missing(&mut self, missing: &MissingProperty) {
         let owner = last_name(&self.path);
         let (message, label) = match missing.names.as_slice() {
             [name] => (

@@ -1,6 +1,6 @@
 //! Contact force, lift-off and springs.
 
-use crate::kinematics::cam::closing::{Closing, ClosingSpring, Demand, LetsGo};
+use crate::kinematics::cam::closing::{ClosingSpring, ClosureProblem, Demand, LetsGo};
 use std::f64::consts::{PI, TAU};
 
 const TURN: [[f64; 2]; 1] = [[0.0, TAU]];
@@ -19,7 +19,7 @@ fn eccentric(mass: f64, e: f64, damping: f64, load: f64) -> impl Fn(usize, f64) 
 fn the_follower_of_an_eccentric_jumps_at_52_30_rpm() {
     // m 1 kg, spring 10 N/m, preload 0.2 N, eccentricity 20 mm: ω² = (2ke + P)/(me).
     let demand = eccentric(1.0, 0.02, 0.0, 0.0);
-    let closing = Closing::new(&TURN, &demand);
+    let closing = ClosureProblem::new(&TURN, &demand);
     let spring = ClosingSpring {
         rate: 10.0,
         preload: 0.2,
@@ -47,7 +47,7 @@ fn the_follower_of_an_eccentric_jumps_at_52_30_rpm() {
 #[test]
 fn damping_moves_the_jump_to_the_root_of_its_quadratic() {
     let demand = eccentric(2.0, 0.01, 3.0, 1.5);
-    let closing = Closing::new(&TURN, &demand);
+    let closing = ClosureProblem::new(&TURN, &demand);
     let spring = ClosingSpring {
         rate: 40.0,
         preload: 0.5,
@@ -68,18 +68,18 @@ fn damping_moves_the_jump_to_the_root_of_its_quadratic() {
 #[test]
 fn what_is_open_at_rest_and_what_never_opens_is_said() {
     let pulled = eccentric(1.0, 0.02, 0.0, -1.0);
-    let closing = Closing::new(&TURN, &pulled);
+    let closing = ClosureProblem::new(&TURN, &pulled);
     let weak = ClosingSpring {
         rate: 0.0,
         preload: 0.75,
     };
     assert!(matches!(closing.separation_speed(weak, 1.0), LetsGo::AtRest(at) if at.value == 0.25));
     let massless = eccentric(0.0, 0.02, 0.0, 1.0);
-    let closing = Closing::new(&TURN, &massless);
+    let closing = ClosureProblem::new(&TURN, &massless);
     assert_eq!(closing.separation_speed(weak, 1.0), LetsGo::Never);
     let loose = ClosingSpring::default();
     let free = eccentric(1.0, 0.02, 0.0, 0.0);
-    let closing = Closing::new(&TURN, &free);
+    let closing = ClosureProblem::new(&TURN, &free);
     assert!(matches!(closing.separation_speed(loose, 1.0), LetsGo::At(at) if at.value == 0.0));
 }
 
@@ -91,7 +91,7 @@ fn rates_form_an_interval_and_a_hopeless_spring_is_refused() {
         stretch: -phi.cos() + 0.2,
         ..Demand::default()
     };
-    let closing = Closing::new(&TURN, &demand);
+    let closing = ClosureProblem::new(&TURN, &demand);
     let (speed, preload) = (2.0, 3.0);
     let rates = closing.rates_for(preload, speed, 0.0).unwrap();
     // At φ = π: 1.2·c ≥ 1; at φ = 0: 4 + 3 ≥ 0.8·c; between, P is linear in cos φ.
@@ -105,7 +105,7 @@ fn rates_form_an_interval_and_a_hopeless_spring_is_refused() {
         stretch: 1.0 + phi.cos(),
         ..Demand::default()
     };
-    let closing = Closing::new(&TURN, &stiff);
+    let closing = ClosureProblem::new(&TURN, &stiff);
     let none = closing.rates_for(3.0, speed, 0.5).unwrap_err();
     approx::assert_relative_eq!(none.lacking.value, 1.5, max_relative = 1e-9);
     assert!((none.lacking.phi - PI).abs() < 1e-3);
@@ -129,7 +129,7 @@ fn a_long_dwell_hides_no_greater_place() {
         }
         _ => Demand::default(),
     };
-    let closing = Closing::new(&pieces, &demand);
+    let closing = ClosureProblem::new(&pieces, &demand);
     let rate = 1.0;
     let least = closing.least(ClosingSpring { rate, preload: 0.0 }, 1.0);
     approx::assert_relative_eq!(least.value, -1e-4, max_relative = 1e-9);

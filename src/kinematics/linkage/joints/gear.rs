@@ -32,7 +32,7 @@ fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
     let carried = reader.carried(false, &LACKS);
     let teeth = "Numbers of teeth of the first and the second gear.";
     let diameters = "In place of `teeth`: diameters of the pitch circles; their ratio counts.";
-    let sizes = reader.sizes_in_one_way(
+    let sizes = reader.sizes_as_written(
         "the sizes of the gears",
         &[
             ("teeth", teeth, Sizes::Teeth),

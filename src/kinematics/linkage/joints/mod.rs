@@ -35,7 +35,7 @@ pub(super) use carrier::Mismatch;
 pub(crate) use carrier::carriers;
 pub(super) use constraint::{Act, Constraint, Frames, Shape, Turns, Wrench};
 pub(crate) use outline::Outline;
-pub(crate) use reader::{Carried, Domain, JointReader, Lacks, Sizes};
+pub(crate) use reader::{CarriedLinks, Domain, JointReader, MissingCarrier, Sizes};
 
 use super::elements::elements;
 use super::spec::pair::{PairSpec, PointOf};

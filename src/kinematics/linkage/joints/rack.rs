@@ -8,7 +8,7 @@ use super::super::spec::pair::PairSpec;
 use super::carrier::{Mismatch, axis, distinct, guide};
 use super::constraint::{Act, Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
-use super::reader::{Domain, JointReader, Lacks};
+use super::reader::{Domain, JointReader, MissingCarrier};
 use super::wheels::{WORDS, check_ratio, circle};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
@@ -34,7 +34,7 @@ pub(super) const DECLARATION: Declaration = Declaration {
 };
 
 /// What is said where no link carries both.
-const LACKS: Lacks = Lacks {
+const LACKS: MissingCarrier = MissingCarrier {
     message: "no link has a pin for the gear `{one}` and a guide for the rack `{other}`",
     hint: "join the gear to one link (or to the ground) by a pin, and the rack to it by a guide",
 };

@@ -11,13 +11,13 @@ use crate::kinematics::position::spec::PositionSpec;
 /// them is looked at.
 pub(crate) trait JointReader {
     /// Two wheels, or a wheel and what slides, with their carrier and their offset.
-    fn carried(&mut self, slides: bool, lacks: &Lacks) -> Option<Carried>;
+    fn carried(&mut self, slides: bool, lacks: &MissingCarrier) -> Option<CarriedLinks>;
 
     /// Two sizes, a pair of numbers.
     fn sizes(&mut self, key: &'static str, doc: &str, sizes: Sizes) -> Option<[f64; 2]>;
 
     /// Two sizes, written in one of several ways; `what`: what they are, for messages.
-    fn sizes_in_one_way(
+    fn sizes_as_written(
         &mut self,
         what: &'static str,
         ways: &[(&'static str, &str, Sizes)],
@@ -73,7 +73,7 @@ pub(crate) enum Sizes {
 
 /// Two links with their carrier.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Carried {
+pub(crate) struct CarriedLinks {
     /// The links.
     pub(crate) wheels: [Option<usize>; 2],
     /// The link that carries both.
@@ -82,7 +82,7 @@ pub(crate) struct Carried {
     pub(crate) offset: f64,
 }
 
-impl Carried {
+impl CarriedLinks {
     /// A coupling of these links, its name left open.
     pub(super) fn coupled(self, kind: super::CouplingKind) -> CouplingSpec {
         CouplingSpec {
@@ -97,7 +97,7 @@ impl Carried {
 
 /// What is said where no link carries both, `{one}` and `{other}` being their names.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lacks {
+pub(crate) struct MissingCarrier {
     /// What is wrong.
     pub(crate) message: &'static str,
     /// What would be right.

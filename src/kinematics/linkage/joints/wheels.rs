@@ -3,7 +3,7 @@
 use super::carrier::{Mismatch, axes, axis};
 use super::constraint::{Act, Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
-use super::reader::Lacks;
+use super::reader::MissingCarrier;
 use super::{CouplingSpec, Words};
 use crate::fault::Faults;
 use crate::kinematics::linkage::spec::pair::PairSpec;
@@ -17,7 +17,7 @@ const SMALLEST: f64 = 1e-6;
 const GREATEST: f64 = 1e6;
 
 /// What is said where no link carries both wheels.
-pub(super) const LACKS: Lacks = Lacks {
+pub(super) const LACKS: MissingCarrier = MissingCarrier {
     message: "no link carries both `{one}` and `{other}`",
     hint: "join both to one link (or to the ground) by pins",
 };

@@ -26,12 +26,12 @@ pub struct CouplingForce {
 }
 
 /// The links of a coupling where they are.
-struct Placed<'a> {
+struct PlacedCoupling<'a> {
     of: [Option<usize>; 3],
     links: &'a [LinkPosition],
 }
 
-impl Frames<1, f64> for Placed<'_> {
+impl Frames<1, f64> for PlacedCoupling<'_> {
     #[inline]
     fn frame(&self, link: usize) -> Frame<1> {
         let own = frame(self.links, self.of[link]);
@@ -86,7 +86,7 @@ impl Kinetostatics {
     fn acts(&self, coupling: usize, links: &[LinkPosition]) -> [(Option<usize>, Act); 2] {
         let spec = &self.spec.couplings[coupling];
         let of = spec.links();
-        let acts = self.coupled[coupling].acts(&Placed { of, links });
+        let acts = self.coupled[coupling].acts(&PlacedCoupling { of, links });
         [0, 1].map(|side| (spec.wheels[side], acts[side]))
     }
 }

@@ -61,7 +61,7 @@ pub use iteration::{Convergence, Method};
 pub use multi_input::{OutputLoads, Sliding};
 pub use positions::{InputMotion, LinkPosition, PointPosition, Positions};
 pub use ratio::{Convention, Transmission};
-pub use resistance::{Resistance, Resisted};
+pub use resistance::{LinkageResistance, Resistance};
 pub use result::{Balance, Reaction, SlidingFriction};
 pub use reversals::Reversals;
 pub use sensitivity::Sensitivities;

@@ -22,7 +22,7 @@ use super::{Kinetostatics, Unknown};
 
 /// A linkage as a part of a mechanism that moves.
 #[derive(Clone, Copy, Debug)]
-pub struct Resisted<'a> {
+pub struct LinkageResistance<'a> {
     /// Input coordinate q (rad or m).
     pub coordinate: f64,
     /// Speed of the input (rad/s or m/s).
@@ -73,7 +73,7 @@ impl Kinetostatics {
     pub fn resist<P: Positions>(
         &self,
         positions: &P,
-        motion: &Resisted<'_>,
+        motion: &LinkageResistance<'_>,
         options: &Options,
         w: &mut ForceWorkspace,
     ) -> Result<Resistance, ForceFailure> {
@@ -112,7 +112,7 @@ impl Kinetostatics {
     /// Solves for reactions, friction and z.
     fn balance_resistance(
         &self,
-        motion: &Resisted<'_>,
+        motion: &LinkageResistance<'_>,
         options: &Options,
         w: &mut ForceWorkspace,
     ) -> Result<SolutionQuality, ForceFailure> {

@@ -6,7 +6,7 @@ use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
 use super::spec::{InputCoordinate, MultiSpec};
 use super::tied::TiedBodies;
-use super::welded::Welded;
+use super::welded::WeldedLinkage;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::compile;
 use crate::kinematics::linkage::decompose::{Decomposition, decompose};
@@ -17,7 +17,9 @@ use crate::kinematics::linkage::spec::{ForceLaw, ForceSpec, LinkageSpec, OutputK
 use crate::kinematics::linkage::structure::{self, GroupKind};
 
 /// Structure and plan of a linkage whose numbers are right.
-pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Group>), Vec<Fault>> {
+pub(super) fn compile(
+    welded: &WeldedLinkage,
+) -> Result<(MultiPlan, Vec<structure::Group>), Vec<Fault>> {
     let mut faults = Faults::default();
     let joints = joints(welded, &mut faults);
     faults.check()?;
@@ -68,12 +70,12 @@ pub(super) fn compile(welded: &Welded) -> Result<(MultiPlan, Vec<structure::Grou
 }
 
 /// Of every link whether inputs alone place it.
-pub(super) fn placed(welded: &Welded) -> Vec<bool> {
+pub(super) fn placed(welded: &WeldedLinkage) -> Vec<bool> {
     joints(welded, &mut Faults::default()).placed
 }
 
 /// True when inputs, or they and the pairs, place something more than once.
-pub(super) fn is_overconstrained(welded: &Welded) -> bool {
+pub(super) fn is_overconstrained(welded: &WeldedLinkage) -> bool {
     let mut faults = Faults::default();
     let joints = joints(welded, &mut faults);
     if faults.check().is_err() {
@@ -89,7 +91,7 @@ pub(super) fn is_overconstrained(welded: &Welded) -> bool {
 }
 
 /// The pairs that are no inputs, without what is left out.
-fn other_pairs(welded: &Welded) -> Vec<usize> {
+fn other_pairs(welded: &WeldedLinkage) -> Vec<usize> {
     let driving: Vec<usize> = input_pairs(&welded.spec).collect();
     let all = 0..welded.spec.linkage.pairs.len();
     all.filter(|pair| !driving.contains(pair) && welded.skeleton.solves(*pair))

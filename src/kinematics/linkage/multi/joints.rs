@@ -2,7 +2,7 @@
 
 use super::plan::{InnerJoint, TreeJoint, driver_of};
 use super::spec::{InputCoordinate, InputSpec};
-use super::welded::Welded;
+use super::welded::WeldedLinkage;
 use crate::fault::Faults;
 use crate::kinematics::linkage::compile::Bodies;
 use crate::kinematics::linkage::elements::{Body, Element};
@@ -32,7 +32,7 @@ pub(super) fn floating_driver(along: [f64; 2], slides: bool) -> Driver {
     }
 }
 
-pub(super) fn joints(welded: &Welded, faults: &mut Faults) -> Joints {
+pub(super) fn joints(welded: &WeldedLinkage, faults: &mut Faults) -> Joints {
     let spec = &welded.spec;
     let linkage = &spec.linkage;
     let links = linkage.links.len();
@@ -153,7 +153,7 @@ pub(super) fn joints(welded: &Welded, faults: &mut Faults) -> Joints {
 }
 
 /// The bodies that groups place; links that are welded to others are none of their own.
-pub(super) fn bodies(welded: &Welded, joints: &Joints) -> Bodies {
+pub(super) fn bodies(welded: &WeldedLinkage, joints: &Joints) -> Bodies {
     let links = joints.placed.len();
     let (mut list, mut of_link) = (Vec::new(), vec![None; links]);
     for link in 0..links {

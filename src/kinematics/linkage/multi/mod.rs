@@ -67,7 +67,7 @@ use place::StartPosition;
 use plan::MultiPlan;
 use spec::{InputCoordinate, InputSpec, MultiSpec};
 use std::sync::Arc;
-use welded::Welded;
+use welded::WeldedLinkage;
 
 /// A planar linkage with several inputs, ready to be solved. Cheap to clone, immutable.
 #[derive(Clone, Debug)]
@@ -96,7 +96,7 @@ impl MultiLinkage {
     /// relative to the linkage: `links.rod.mass`, `inputs.left`.
     pub fn new(spec: MultiSpec) -> Result<Self, Vec<Fault>> {
         wrong::check(&spec)?;
-        let welded = Welded::of(&spec);
+        let welded = WeldedLinkage::of(&spec);
         match compile::compile(&welded) {
             Ok(found) => Self::built(spec, welded, found),
             Err(faults) => redundant::find_movable(&spec, &welded.skeleton, &Self::with_known)
@@ -106,7 +106,7 @@ impl MultiLinkage {
 
     /// Of a linkage whose redundant constraints are known, its numbers being right.
     fn with_known(spec: MultiSpec) -> Option<Self> {
-        let welded = Welded::of(&spec);
+        let welded = WeldedLinkage::of(&spec);
         let found = compile::compile(&welded).ok()?;
         Self::built(spec, welded, found).ok()
     }
@@ -114,7 +114,7 @@ impl MultiLinkage {
     /// Puts it together.
     fn built(
         spec: MultiSpec,
-        welded: Welded,
+        welded: WeldedLinkage,
         (plan, mut groups): (MultiPlan, Vec<Group>),
     ) -> Result<Self, Vec<Fault>> {
         let mut state = plan.plan.state();

@@ -12,7 +12,7 @@
 
 use super::compile;
 use super::spec::{InputCoordinate, InputSpec, MultiSpec};
-use super::welded::Welded;
+use super::welded::WeldedLinkage;
 use super::{MultiLinkage, MultiMotion, wrong};
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::spec::{AssemblyChoice, LinkageSpec, OutputKind, PointOf};
@@ -25,7 +25,7 @@ use std::f64::consts::TAU;
 const CLEARLY_BETTER: f64 = 3.0;
 
 /// A linkage with the inputs that it lacks behind its own.
-struct Completed {
+struct CompletedLinkage {
     spec: MultiSpec,
     /// Number of inputs that it had.
     own: usize,
@@ -72,7 +72,7 @@ pub(super) fn hinted(spec: &MultiSpec, mut faults: Vec<Fault>) -> Vec<Fault> {
 }
 
 /// The linkage with all inputs.
-fn completed(spec: &MultiSpec) -> Option<Completed> {
+fn completed(spec: &MultiSpec) -> Option<CompletedLinkage> {
     let own = spec.inputs.len();
     let wanted = usize::try_from(mobility(&spec.linkage)).ok()?;
     if wanted <= own {
@@ -88,7 +88,7 @@ fn completed(spec: &MultiSpec) -> Option<Completed> {
         let next = pairs_outwards(&all).into_iter().find(|&pair| {
             let mut tried = all.clone();
             add(&mut tried, InputCoordinate::Pair(pair));
-            let welded = Welded::of(&tried);
+            let welded = WeldedLinkage::of(&tried);
             match last {
                 true => compile::compile(&welded).is_ok(),
                 false => !compile::is_overconstrained(&welded),
@@ -96,7 +96,7 @@ fn completed(spec: &MultiSpec) -> Option<Completed> {
         });
         add(&mut all, InputCoordinate::Pair(next?));
     }
-    compile::compile(&Welded::of(&all)).ok()?;
+    compile::compile(&WeldedLinkage::of(&all)).ok()?;
     for input in own..wanted {
         all.inputs[input].start = start(&all, all.inputs[input].coordinate);
     }
@@ -104,7 +104,7 @@ fn completed(spec: &MultiSpec) -> Option<Completed> {
     let better = placed
         .as_ref()
         .and_then(|linkage| better_conditioned_inputs(&all, linkage, own));
-    Some(Completed {
+    Some(CompletedLinkage {
         spec: better.unwrap_or(all),
         own,
     })
@@ -199,7 +199,7 @@ fn float(spec: &mut MultiSpec, wanted: usize) {
 fn pairs_outwards(spec: &MultiSpec) -> Vec<usize> {
     let linkage = &spec.linkage;
     let away = distances(spec);
-    let placed = compile::placed(&Welded::of(spec));
+    let placed = compile::placed(&WeldedLinkage::of(spec));
     let taken = |pair: &usize| {
         let mut inputs = spec.inputs.iter();
         inputs.any(|input| input.coordinate == InputCoordinate::Pair(*pair))

@@ -21,7 +21,7 @@ pub(super) struct TiedBodies {
 }
 
 /// Bodies with their velocities and accelerations over time.
-struct Moving<'a, N, M> {
+struct BodyMotions<'a, N, M> {
     bodies: &'a [usize; 3],
     poses: &'a [Pose<N>],
     motion: M,
@@ -114,7 +114,7 @@ impl TiedBodies {
         size: f64,
         mut add: impl FnMut(usize, usize, [Series<K, N>; 3]),
     ) {
-        let moving = Moving {
+        let moving = BodyMotions {
             bodies: &self.bodies,
             poses,
             motion,
@@ -127,7 +127,7 @@ impl TiedBodies {
     }
 }
 
-impl<const K: usize, N: Number, M> Frames<K, N> for Moving<'_, N, M>
+impl<const K: usize, N: Number, M> Frames<K, N> for BodyMotions<'_, N, M>
 where
     M: Fn(usize) -> (Twist<N>, Twist<N>),
 {

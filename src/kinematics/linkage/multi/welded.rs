@@ -14,12 +14,12 @@ use super::plan::MultiPlan;
 use super::spec::MultiSpec;
 use crate::kinematics::linkage::skeleton::Skeleton;
 use crate::kinematics::linkage::state::State;
-use crate::kinematics::linkage::welds::{self, Attached};
+use crate::kinematics::linkage::welds::{self, AttachedLink};
 use crate::math::number::Number;
 
 /// A linkage of several inputs as it is solved.
 #[derive(Clone, Debug)]
-pub(super) struct Welded {
+pub(super) struct WeldedLinkage {
     /// The linkage, all its pairs between bases, with hidden links and pairs behind its own.
     pub(super) spec: MultiSpec,
     pub(super) skeleton: Skeleton,
@@ -27,7 +27,7 @@ pub(super) struct Welded {
     shifts: Vec<f64>,
 }
 
-impl Welded {
+impl WeldedLinkage {
     /// Of a linkage whose numbers are right. A link that floats is the base of its body.
     pub(super) fn of(linkage: &MultiSpec) -> Self {
         let skeleton = Skeleton::with_bases(&linkage.linkage, floating(linkage));
@@ -44,7 +44,7 @@ impl Welded {
     }
 
     /// How a link is attached to another one, or to the ground.
-    pub(super) fn attachment(&self, link: usize) -> Option<&Attached> {
+    pub(super) fn attachment(&self, link: usize) -> Option<&AttachedLink> {
         self.skeleton.attached.iter().find(|one| one.link == link)
     }
 

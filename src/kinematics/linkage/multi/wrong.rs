@@ -3,7 +3,7 @@
 use super::forces;
 use super::plan::MultiPlan;
 use super::spec::{InputCoordinate, MultiSpec};
-use super::welded::Welded;
+use super::welded::WeldedLinkage;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::linkage::check;
 use crate::kinematics::linkage::choice::mismatch;
@@ -66,7 +66,7 @@ pub(super) fn numbers(linkage: &LinkageSpec, faults: &mut Faults) {
 /// Refuses links that float and are welded to the ground, or to another one that floats.
 fn floating_as_one(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
     let mut faults = Faults::default();
-    let welded = Welded::of(spec);
+    let welded = WeldedLinkage::of(spec);
     let name = |link: usize| &spec.linkage.links[link].name;
     for input in &spec.inputs {
         let link = input.coordinate.floating_link();

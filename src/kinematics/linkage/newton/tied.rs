@@ -14,20 +14,20 @@ use crate::math::series::Series;
 
 /// A joint made ready.
 #[derive(Clone, Debug)]
-pub(in crate::kinematics::linkage) struct Tied {
+pub(in crate::kinematics::linkage) struct PreparedJoint {
     joint: Joint,
     /// Its links.
     links: [Side; 3],
 }
 
 /// Its links as they are now.
-struct Placed<'a> {
+struct JointPlacement<'a> {
     links: &'a [Side; 3],
     state: &'a State,
     scratch: &'a Scratch,
 }
 
-impl Tied {
+impl PreparedJoint {
     /// A pair; `own`: on what a link is.
     pub(in crate::kinematics::linkage) fn of_pair(
         pair: &PairSpec,
@@ -126,8 +126,8 @@ impl Tied {
         })
     }
 
-    fn placed<'a>(&'a self, state: &'a State, scratch: &'a Scratch) -> Placed<'a> {
-        Placed {
+    fn placed<'a>(&'a self, state: &'a State, scratch: &'a Scratch) -> JointPlacement<'a> {
+        JointPlacement {
             links: &self.links,
             state,
             scratch,
@@ -135,7 +135,7 @@ impl Tied {
     }
 }
 
-impl<const N: usize> Frames<N, f64> for Placed<'_> {
+impl<const N: usize> Frames<N, f64> for JointPlacement<'_> {
     #[inline]
     fn frame(&self, link: usize) -> Frame<N> {
         match &self.links[link] {
@@ -151,7 +151,7 @@ impl<const N: usize> Frames<N, f64> for Placed<'_> {
     }
 }
 
-impl<const N: usize> Turns<N> for Placed<'_> {
+impl<const N: usize> Turns<N> for JointPlacement<'_> {
     fn angle(&self, link: usize) -> Series<N> {
         match &self.links[link] {
             Side::Known(element) => match element.link {

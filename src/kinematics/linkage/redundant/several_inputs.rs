@@ -57,7 +57,7 @@ fn holds_around_start(linkage: &MultiLinkage) -> bool {
         let mut workspace: MultiWorkspace<f64> = linkage.workspace();
         let rates = vec![0.0; linkage.inputs().len()];
         for step in 1..=STEPS {
-            let inputs = inputs_on_way(linkage, way, step as f64 / STEPS as f64);
+            let inputs = inputs_along_path(linkage, way, step as f64 / STEPS as f64);
             let solved = workspace.solve(&inputs, &rates).is_ok();
             let margin = workspace.margin();
             if !solved || margin.is_some_and(|(_, margin)| margin < SINGULAR) {
@@ -74,7 +74,7 @@ fn holds_around_start(linkage: &MultiLinkage) -> bool {
 }
 
 /// The inputs at a share of a way.
-fn inputs_on_way(linkage: &MultiLinkage, way: usize, share: f64) -> Vec<f64> {
+fn inputs_along_path(linkage: &MultiLinkage, way: usize, share: f64) -> Vec<f64> {
     let spec = &linkage.spec().linkage;
     let each = linkage.inputs().iter().enumerate();
     each.map(|(k, input)| {

@@ -4,7 +4,7 @@
 use super::examples::{Builder, GROUND, cylinder, four_bar, slider_crank, slotted_link};
 use super::support::closure_error;
 use crate::kinematics::linkage::spec::{AssemblyChoice, LinkageSpec, PairKind, PointOf};
-use crate::kinematics::linkage::{Cause, End, GroupKind, Linkage, Period, Reach, Workspace};
+use crate::kinematics::linkage::{Cause, GroupKind, Linkage, Period, RangeEnd, Reach, Workspace};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 fn at(workspace: &Workspace, link: Option<usize>, at: [f64; 2]) -> [f64; 2] {
@@ -70,7 +70,7 @@ fn the_travel_ends_the_reach_and_the_driver_may_be_given_backwards() {
     let mut builder = cylinder();
     builder.0.travel = Some([0.3, 0.6]);
     let linkage = Linkage::new(builder.0).unwrap();
-    let end = |at| End {
+    let end = |at| RangeEnd {
         at,
         cause: Cause::Travel,
     };

@@ -2,7 +2,7 @@
 
 use super::examples::{Builder, GROUND, slider_crank};
 use crate::kinematics::linkage::spec::{ForceLaw, PointOf};
-use crate::kinematics::linkage::{ForcePart, Linkage, Reduced};
+use crate::kinematics::linkage::{ForcePart, Linkage, ReducedLinkage};
 
 fn at(link: Option<usize>, at: [f64; 2]) -> PointOf {
     PointOf { link, at }
@@ -171,7 +171,7 @@ fn lower_orders_give_what_they_can() {
     });
     let mut workspace = linkage.workspace();
     linkage.solve(0.3, 0, &mut workspace).unwrap();
-    assert_eq!(linkage.reduced(&workspace), Reduced::default());
+    assert_eq!(linkage.reduced(&workspace), ReducedLinkage::default());
     linkage.solve(0.3, 1, &mut workspace).unwrap();
     assert_eq!(linkage.reduced(&workspace).force, [5.0, 0.0]);
     assert_eq!((workspace.order(), workspace.input()), (1, 0.3));

@@ -6,7 +6,8 @@ use super::kinetostatics::with_friction;
 use super::random::{FORMS, linkage};
 use super::support::interior;
 use crate::kinematics::linkage::kinetostatics::{
-    ForceWorkspace, InputMotion, Kinetostatics, Options, Outcome, Resistance, Resisted, Reversals,
+    ForceWorkspace, InputMotion, Kinetostatics, LinkageResistance, Options, Outcome, Resistance,
+    Reversals,
 };
 use crate::kinematics::linkage::spec::{OutputKind, OutputSpec};
 use crate::kinematics::linkage::{Linkage, Workspace};
@@ -79,7 +80,7 @@ impl Rubbing {
     ) -> Option<Resistance> {
         self.linkage.solve(q, 2, &mut self.at).ok()?;
         let segment = self.reversals.breaks.locate(self.q, 1.0);
-        let motion = Resisted {
+        let motion = LinkageResistance {
             coordinate: q,
             speed,
             free_acceleration: a,

@@ -3,7 +3,7 @@
 use super::contact_force::{Force, Letters, Motion};
 use super::{Section, of_mass, of_object};
 use crate::dynamics::builder::written::OVER;
-use crate::dynamics::laws::{Declared, Measure};
+use crate::dynamics::laws::{LawInstance, Measure};
 use crate::dynamics::model::{
     Coordinate, LinearPiece, Load, LoadLaw, Model, NodeMotion, ObjectPart, Stop, TrackSource,
     WrittenLoad,
@@ -344,7 +344,7 @@ pub fn summary(law: &LoadLaw, coordinate: Coordinate) -> String {
 }
 
 /// The words of a declared law, with its numbers.
-fn words(declared: &Declared, coordinate: Coordinate) -> String {
+fn words(declared: &LawInstance, coordinate: Coordinate) -> String {
     let mut words = declared.law.words.to_owned();
     for (parameter, value) in declared.parameters() {
         let key = declared.law.name_of(parameter);

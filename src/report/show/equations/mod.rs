@@ -182,7 +182,7 @@ fn linkage_of(model: &Model, node: NodeIndex) -> Option<&LinkageBody> {
 
 /// Terms that the followers of a node add to its equation, moved to the node by the
 /// transfer functions of the rigid objects in between.
-struct Reflected {
+struct ReflectedTerms {
     /// Factors of φ̈ on the left: J·U′².
     inertia: Vec<Expr>,
     /// Factors of φ̇² on the left: J·U′·U″.
@@ -192,8 +192,8 @@ struct Reflected {
 }
 
 /// Gathers what the followers of `object` add.
-fn reflected(model: &Model, object: usize) -> Reflected {
-    let mut out = Reflected {
+fn reflected(model: &Model, object: usize) -> ReflectedTerms {
+    let mut out = ReflectedTerms {
         inertia: Vec::new(),
         bias: Vec::new(),
         force: Vec::new(),
@@ -209,7 +209,7 @@ struct Transfer {
     second: Expr,
 }
 
-fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Reflected) {
+fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut ReflectedTerms) {
     let followers = (0..model.objects.len()).filter(|&o| {
         let part = &model.objects[o];
         part.is_driven_by(driver) && part.kind != STOP && part.is_reported()
@@ -281,7 +281,7 @@ fn descend(model: &Model, driver: usize, above: Option<&Transfer>, out: &mut Ref
 }
 
 /// The left side of a node's equation: (J + reflected)·φ̈ + bias·φ̇².
-fn inertia_side(own: Expr, displacement: &Symbol, reflected: &Reflected) -> Expr {
+fn inertia_side(own: Expr, displacement: &Symbol, reflected: &ReflectedTerms) -> Expr {
     let rate = displacement.clone().rate();
     let mut inertia = vec![own];
     inertia.extend(reflected.inertia.iter().cloned());

@@ -3,11 +3,11 @@
 //! to it.
 
 use super::{LONGEST_WRITTEN_OUT, Section, list, loads, of_mass, of_object, reflected};
-use crate::dynamics::model::{Model, Reduced};
+use crate::dynamics::model::{ModalReduction, Model};
 use crate::report::math::{Expr, Index, Symbol, symbol};
 
 /// How an object is reduced whose output is a sum of its masses.
-pub(super) fn of(model: &Model, object: usize) -> Option<&Reduced> {
+pub(super) fn of(model: &Model, object: usize) -> Option<&ModalReduction> {
     model.reduced(object).filter(|own| own.output.is_some())
 }
 

@@ -1,5 +1,5 @@
 use super::{Index, equations, inertia_side, latex, reflected, symbol, text};
-use crate::dynamics::laws::Declared;
+use crate::dynamics::laws::LawInstance;
 use crate::dynamics::model::{
     Coordinate, Law, LoadLaw, Model, Node, NodeMotion, ObjectPart, PartInput,
 };
@@ -70,7 +70,7 @@ fn latex_is_balanced_for_every_kind_of_load() {
     let mut model = fixture::rocker(7);
     for law in [
         LoadLaw::viscous(2.0),
-        Declared::linear_motor(3.0, 9.0).law(),
+        LawInstance::linear_motor(3.0, 9.0).law(),
         LoadLaw::speed_table(vec![(0.0, 1.0), (3.0, 0.5)]),
     ] {
         for node in 2..5 {

@@ -1,6 +1,6 @@
 //! A linkage of several inputs from place to place on the axis.
 
-use super::super::columns::{Heading, headings};
+use super::super::columns::{ColumnHeading, headings};
 use super::super::rows::Course;
 use super::request::AskedSeveral;
 use super::values;
@@ -37,7 +37,7 @@ impl<'q, 'a> SeveralInputs<'q, 'a> {
 impl Course for SeveralInputs<'_, '_> {
     type Outside = NotAssembled;
 
-    fn headings(&self) -> Vec<Heading> {
+    fn headings(&self) -> Vec<ColumnHeading> {
         let spec = &self.asked.linkage.spec().linkage;
         headings(spec, &self.asked.named(), &self.asked.outputs)
     }
@@ -62,7 +62,7 @@ impl Course for SeveralInputs<'_, '_> {
         );
     }
 
-    fn ordinary(&self, _place: f64, heading: &Heading) -> f64 {
+    fn ordinary(&self, _place: f64, heading: &ColumnHeading) -> f64 {
         let size = self.asked.linkage.size();
         let unit = |coordinate: Coordinate| match coordinate {
             Coordinate::Turning => 1.0,

@@ -14,7 +14,7 @@ use super::columns::Inputs;
 use super::figures::{NamedFigure, Places, figures_of};
 use super::rows::{Course, Rows, evenly, times, warnings};
 use super::summary::{stroke_of, transmission_of};
-use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, Stopped, Stroke, Transmission};
+use super::{AnyLinkage, Axis, Kinematics, Limit, Quantity, RowsEnd, Stroke, Transmission};
 use crate::dynamics::model::Coordinate;
 use crate::kinematics::linkage::multi::NotAssembled;
 use crate::math::roots::bisect;
@@ -108,7 +108,7 @@ fn limits(asked: &AskedSeveral<'_>) -> Vec<Limit> {
 }
 
 /// Where the linkage goes no further, between a place inside and one outside.
-fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled) -> Stopped {
+fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled) -> RowsEnd {
     let mut course = SeveralInputs::new(asked);
     let mut why = why;
     let [_, at] = bisect([inside, outside], 100, |place| {
@@ -124,7 +124,7 @@ fn stop(asked: &AskedSeveral<'_>, [inside, outside]: [f64; 2], why: NotAssembled
         Advance::Time { .. } => asked.inputs_at(at)[0].value,
         Advance::Path { .. } => at,
     };
-    Stopped {
+    RowsEnd {
         at,
         input,
         cause: asked.cause(why),

@@ -11,11 +11,11 @@ use crate::studies::spread::{CHANGE, DETERMINED, changed_loads, is_result};
 const LEAST: f64 = 1e-3;
 
 /// The reference's run with loads and gaps changed by one part in 10¹⁰.
-pub(super) struct Moved {
+pub(super) struct PerturbedRun {
     attempt: Option<Attempt>,
 }
 
-impl Moved {
+impl PerturbedRun {
     pub(super) fn of(problem: &Problem<'_>, guess: &Attempt, effort: &Effort<'_>) -> Self {
         let model = changed_loads(problem.system.model().clone(), 1.0 + CHANGE);
         let attempt = System::new(model).ok().and_then(|system| {
