@@ -3,7 +3,7 @@
 use super::answer::{Answer, AnswerForm, Content, PAGE};
 use super::args::FindArgs;
 use super::failure::Failure;
-use super::input::{Input, Ready};
+use super::input::{Input, Ready, print_doubts};
 use super::interrupt::{self, Stage};
 use super::output::OutputFolder;
 use super::progress::Count;
@@ -19,6 +19,7 @@ const FILES: [&str; 2] = ["found.json", PAGE];
 pub(crate) fn command(args: &FindArgs) -> Result<Status, Failure> {
     let input = Input::load(&args.scene)?;
     let given = input.decode(&[])?;
+    print_doubts(&given, args.scene.quiet);
     let (scene, hash) = (given.scene.name, given.scene.hash);
     let folder = OutputFolder::from_args(&args.out, &scene, &FILES)?;
     let goal = match (&args.maximize, &args.minimize) {

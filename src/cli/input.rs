@@ -1,5 +1,6 @@
 //! From a scene's file to a system.
 
+use super::console;
 use super::failure::Failure;
 use super::interrupt::{self, Stage};
 use super::shown;
@@ -95,6 +96,13 @@ impl<'a> Input<'a> {
         self.prepare_judging(further, ModelAssessment::Needed)
     }
 
+    /// The same as it stands, and prints what is doubtful in its text.
+    pub(crate) fn prepare_and_warn(&self, quiet: bool) -> Result<Ready, Failure> {
+        let ready = self.prepare(&[])?;
+        print_doubts(&ready.reading, quiet);
+        Ok(ready)
+    }
+
     /// The same, with the model judged as far as is said.
     pub(crate) fn prepare_judging(
         &self,
@@ -106,6 +114,13 @@ impl<'a> Input<'a> {
         let ready = Ready::of_within(reading, judging, &self.budget)?;
         interrupt::enter(Stage::Answering);
         Ok(ready)
+    }
+}
+
+/// Prints what is doubtful in the text of a scene.
+pub(crate) fn print_doubts(reading: &Reading, quiet: bool) {
+    if !quiet && !reading.warnings.is_empty() {
+        console::diagnose(&reading.warnings);
     }
 }
 

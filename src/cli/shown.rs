@@ -27,8 +27,3 @@ pub(crate) fn follow(scene: &str) {
         DisplayUnits::of_scene(scene).with_digits(digits).choose();
     }
 }
-
-/// Takes SI units with all digits: of results that several scenes have in common.
-pub(crate) fn in_si_units() {
-    DisplayUnits::NONE.choose();
-}

@@ -4,19 +4,18 @@ use super::args::scene::SceneArgs;
 use super::args::{VerifyArgs, VerifyForm};
 use super::console;
 use super::failure::Failure;
-use super::input::Input;
+use super::input::{Input, print_doubts};
 use super::interrupt;
-use super::shown;
 use super::status::Status;
 use crate::ask::ModelAssessment;
 use crate::report::quantity::counted;
-use crate::report::requirements::{VerifiedScene, document, findings, junit};
+use crate::report::requirements::{VerifiedScene, document, findings, junit, suite};
 use std::path::Path;
 
 /// Runs the command.
 pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
     let _keeping = interrupt::keep();
-    let (mut all, mut wrong) = (Vec::new(), Vec::new());
+    let (mut all, mut wrong, mut suites) = (Vec::new(), Vec::new(), Vec::new());
     for path in &args.scenes {
         let one = match verified(args, path) {
             Ok(one) => one,
@@ -32,6 +31,7 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
             }
         };
         // (In its own units.)
+        suites.push(suite(&one));
         if !args.json && args.form == VerifyForm::Text && one.requirements.is_ok() {
             console::findings(&findings(&one))?;
         }
@@ -43,8 +43,7 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
     match (args.json, args.form) {
         (true, _) => console::json(&document(&all))?,
         (false, VerifyForm::Junit) => {
-            shown::in_si_units();
-            console::data(&junit(&all))?;
+            console::data(&junit(&suites))?;
         }
         (false, VerifyForm::Text) => {}
     }
@@ -88,6 +87,7 @@ fn verified(args: &VerifyArgs, path: &Path) -> Result<VerifiedScene, Failure> {
         ..SceneArgs::of(path)
     };
     let ready = Input::load(&scene)?.prepare_judging(&[], ModelAssessment::Asked)?;
+    print_doubts(&ready.reading, args.quiet);
     let requirements = ready.verify_within(interrupt::budget())?;
     Ok(VerifiedScene {
         file: path.display().to_string(),

@@ -75,7 +75,7 @@ fn row(one: &Requirement) -> Vec<Cell> {
         .map_or_else(|| "–".to_owned(), |value| quantity(value, &one.unit));
     let (words, why) = match (&one.not_judged, one.verdict.holds) {
         (Some(why), _) => ("not judged", why.as_str()),
-        (None, true) => ("holds", one.note.as_deref().unwrap_or("")),
+        (None, true) => ("holds", ""),
         // What has no value fails, and says why.
         (None, false) if one.verdict.found.is_none() => ("fails", one.verdict.message.as_str()),
         (None, false) => ("fails", ""),
@@ -88,6 +88,24 @@ fn row(one: &Requirement) -> Vec<Cell> {
         Cell::from(why),
         Cell::from(source),
     ]
+}
+
+/// Why a requirement fails, with units: `8331 N, required at most 600 N`, and with all digits.
+fn failure_of(one: &Requirement) -> String {
+    let verdict = &one.verdict;
+    match verdict.found {
+        Some(value) => {
+            let required = words_of(one);
+            let required = required.strip_prefix(verdict.what.as_str());
+            let required = required.unwrap_or_default().trim();
+            format!(
+                "{}, required {required} (SI: {})",
+                quantity(value, &one.unit),
+                verdict.message
+            )
+        }
+        None => verdict.message.clone(),
+    }
 }
 
 /// A requirement in words: `valve.pair.margin at least 50 N`.
@@ -126,8 +144,7 @@ pub fn document(all: &[VerifiedScene]) -> Value {
 
 /// The same as JUnit has it: a suite a scene, a case a requirement. What does not hold is a
 /// failure, what could not be judged an error.
-pub fn junit(all: &[VerifiedScene]) -> String {
-    let suites: Vec<(String, [usize; 3])> = all.iter().map(suite).collect();
+pub fn junit(suites: &[Suite]) -> String {
     let sum = |at: usize| suites.iter().map(|(_, counts)| counts[at]).sum::<usize>();
     let mut text = format!(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"dam\" tests=\"{}\" \
@@ -136,14 +153,17 @@ pub fn junit(all: &[VerifiedScene]) -> String {
         sum(1),
         sum(2)
     );
-    for (suite, _) in &suites {
+    for (suite, _) in suites {
         text.push_str(suite);
     }
     text + "</testsuites>\n"
 }
 
-/// A suite, with the numbers of its cases, failures and errors.
-fn suite(one: &VerifiedScene) -> (String, [usize; 3]) {
+/// The text of a suite, with the numbers of its cases, failures and errors.
+pub type Suite = (String, [usize; 3]);
+
+/// The suite of a scene, in the units that are chosen at present.
+pub fn suite(one: &VerifiedScene) -> Suite {
     let file = escape(&one.file);
     let mut cases = String::new();
     let mut counts = [0; 3];
@@ -168,13 +188,14 @@ fn suite(one: &VerifiedScene) -> (String, [usize; 3]) {
         };
     };
     match &one.requirements {
-        Err(why) => case("the scene can be asked", Some(("error", why))),
+        Err(why) => case("the scene is valid", Some(("error", why))),
         Ok(all) => {
             for requirement in all {
+                let found = failure_of(requirement);
                 let outcome = match (&requirement.not_judged, requirement.verdict.holds) {
                     (Some(why), _) => Some(("error", why.as_str())),
                     (None, true) => None,
-                    (None, false) => Some(("failure", requirement.verdict.message.as_str())),
+                    (None, false) => Some(("failure", found.as_str())),
                 };
                 case(&words_of(requirement), outcome);
             }
@@ -201,7 +222,8 @@ mod tests {
             scene: "A \"name\"".to_owned(),
             requirements,
         };
-        let text = junit(&[scene(Ok(Vec::new())), scene(Err("1 < 2 & 3".to_owned()))]);
+        let scenes = [scene(Ok(Vec::new())), scene(Err("1 < 2 & 3".to_owned()))];
+        let text = junit(&scenes.each_ref().map(suite));
         assert!(
             text.contains("tests=\"1\" failures=\"0\" errors=\"1\">"),
             "{text}"

@@ -100,9 +100,6 @@ pub struct Requirement {
     /// Why it was not judged: the study has no answer, or none that is to be trusted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub not_judged: Option<String>,
-    /// What the value leaves out, if anything.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub note: Option<String>,
 }
 
 impl Requirement {
@@ -170,7 +167,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
         Some(Fault::new(
             format!("expect.{index}.figure"),
             format!("there is no result `{figure}`"),
-            did_you_mean(&close),
+            instead_of(figure, &close),
         ))
     };
     expectations
@@ -178,6 +175,18 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
         .enumerate()
         .filter_map(unknown)
         .collect()
+}
+
+/// What to write in place of a result that a run does not have: similar addresses, or what the
+/// result needs.
+pub(super) fn instead_of(figure: &str, close: &[String]) -> String {
+    match figure.strip_suffix(".pair.margin") {
+        Some(object) => format!(
+            "only a rigid object has it, with \"masses\": 0; an elastic one has \
+             `{object}.pair.separations`"
+        ),
+        None => did_you_mean(close),
+    }
 }
 
 /// A hint naming similar addresses; empty when there are none.

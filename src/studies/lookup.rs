@@ -159,7 +159,10 @@ pub fn check(address: &str, model: &Model) -> Option<Result<(), Fault>> {
                 (false, _) => unknown(format!("there is no object `{object}`")),
                 (true, false) => {
                     let owner = format!("cam.{object}.");
-                    unknown(did_you_mean(&owner, closest(name, names())))
+                    unknown(match did_you_mean(&owner, closest(name, names())) {
+                        hint if !hint.is_empty() => hint,
+                        _ => format!("a cam has {}", names().collect::<Vec<_>>().join(", ")),
+                    })
                 }
             }
         }

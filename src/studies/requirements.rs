@@ -2,7 +2,7 @@
 
 use super::condition::Condition;
 use super::expectations::{self, Requirement, Verdict, judged as judged_figure};
-use super::forces::{ForceStudy, loads_left_out};
+use super::forces::ForceStudy;
 use super::judgement::Judgement;
 use super::kinematics::Kinematics;
 use super::lookup::{self, Subject};
@@ -72,18 +72,7 @@ impl Studies<'_> {
             unit: unit.unwrap_or_default(),
             verdict,
             not_judged,
-            note: self.note(address),
         }
-    }
-
-    /// What the value of an address of forces leaves out.
-    fn note(&self, address: Option<StudyAddress<'_>>) -> Option<String> {
-        let (study, object, _) = address?.of_course()?;
-        let found = self.forces.get(object)?.as_ref().ok()?;
-        let model = self.subject.system.model();
-        (study == "forces")
-            .then(|| loads_left_out(found, model, object))
-            .flatten()
     }
 
     fn run(&mut self, one: &Expectation) -> Result<Verdict, String> {

@@ -87,10 +87,10 @@ pub(super) fn kinematics_over(
     kinematics::kinematics_of(model, &question)
 }
 
-/// Forces of a linkage as its scene has them.
+/// Forces of a linkage as its scene has them, with all that acts on its outputs.
 ///
 /// # Errors
-/// What cannot be answered, in words.
+/// What cannot be answered, in words; what acts on the outputs and is not known along the input.
 pub fn forces_of(model: &Model, object: &str, duration: f64) -> Result<ForceStudy, String> {
     forces_over(model, object, duration, None)
 }
@@ -110,10 +110,15 @@ pub(super) fn forces_over(
         ..question(object, duration)
     };
     let found = forces::forces_of(model, &question);
-    found.map_err(|refused| match refused {
+    let found = found.map_err(|refused| match refused {
         NoForces::Question(message) => message,
         NoForces::Linkage(faults) => in_words(faults),
-    })
+    })?;
+    // Without a part of its loads it answers another question.
+    match forces::loads_left_out(&found, model, object) {
+        Some(why) => Err(why),
+        None => Ok(found),
+    }
 }
 
 fn in_words(faults: Vec<Fault>) -> String {

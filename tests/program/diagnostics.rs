@@ -58,6 +58,10 @@ const TABLES: &[(&str, &[u8])] = &[
         "descending.csv",
         b"# measured\nangle [deg],lift [mm]\n0,0\n2,1\n1,2\n",
     ),
+    (
+        "rough_table.csv",
+        include_bytes!("../diagnostics/rough_table.csv"),
+    ),
     ("latin.csv", b"angle [\xb0],lift [mm]\n0,0\n"),
 ];
 

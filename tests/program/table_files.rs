@@ -256,3 +256,59 @@ fn a_reduced_scene_holds_its_tables() {
         "{text}"
     );
 }
+
+#[test]
+fn every_command_warns_of_a_doubtful_table() {
+    // The row of 360 deg is missing; the lifts are rounded to 1 µm and make U″ rough.
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::copy(
+        "tests/diagnostics/rough_table.csv",
+        folder.path().join("lift.csv"),
+    )
+    .unwrap();
+    let path = folder.path().join("cam.json");
+    let scene = r#"{ "dam": 1, "name": "cam", "objects": {
+        "shaft": { "kind": "drive", "motion": { "speed": "300 rpm" } },
+        "valve": { "kind": "cam_follower", "input": "shaft", "motion": "sliding", "mass": "0.1 kg", "masses": 0,
+            "position": { "table": { "points": { "file": "lift.csv" }, "periodic": true } },
+            "cam": { "base_radius": "20 mm", "contact": { "roller": "8 mm" } },
+            "loads": { "spring": { "spring": { "rate": "20 N/mm", "preload": "200 N" } } } } },
+        "run": { "duration": "0.2 s" },
+        "expect": [{ "figure": "valve.pair.margin", "at_least": "1 N" }] }"#;
+    std::fs::write(&path, scene).unwrap();
+    let path = path.to_str().unwrap();
+    let vary = [
+        "find",
+        path,
+        "--vary",
+        "shaft.motion.speed=200:300 rpm:3",
+        "--subject",
+        "valve.pair.margin >= 0",
+    ];
+    for call in [
+        &["check", path][..],
+        &["run", path],
+        &["cam", path],
+        &["verify", path],
+        &vary,
+    ] {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_dam"))
+            .args(call)
+            .output()
+            .unwrap();
+        let errors = String::from_utf8_lossy(&output.stderr);
+        for code in ["open-period", "rough-table"] {
+            assert!(errors.contains(code), "{call:?}: {errors}");
+        }
+        let quiet = std::process::Command::new(env!("CARGO_BIN_EXE_dam"))
+            .args(call)
+            .arg("--quiet")
+            .output()
+            .unwrap();
+        let errors = String::from_utf8_lossy(&quiet.stderr);
+        assert!(
+            call[0] == "check" || !errors.contains("open-period"),
+            "{call:?}: {errors}"
+        );
+    }
+}

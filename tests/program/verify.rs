@@ -68,6 +68,14 @@ fn what_fails_and_what_is_wrong_have_a_status_each() {
     assert_eq!(failing.status.code(), Some(1));
     let text = String::from_utf8(failing.stdout).unwrap();
     assert!(text.contains("<failure "), "{text}");
+    // In the words and units of the table.
+    assert!(text.contains(", required "), "{text}");
+    let table = dam(&[ROCKER, "--set", "rocker.inertia=0.3"]);
+    let table = String::from_utf8(table.stdout).unwrap();
+    for case in text.lines().filter_map(|line| line.split("name=\"").nth(2)) {
+        let name = case.split('"').next().unwrap_or_default();
+        assert!(table.contains(name), "{name}: {table}");
+    }
     let wrong = folder.path().join("wrong.json");
     std::fs::write(
         &wrong,
@@ -166,7 +174,7 @@ fn a_part_of_the_motion_is_named_in_every_form() {
 }
 
 #[test]
-fn forces_that_leave_out_a_load_say_so() {
+fn forces_that_leave_out_a_load_are_not_judged() {
     let scene = std::fs::read_to_string("scenarios/linkages/toggle_press.json").unwrap();
     let mut scene: Value = serde_json::from_str(&scene).unwrap();
     scene["objects"]["press"]["from"] = "linkage/toggle-press".into();
@@ -181,9 +189,11 @@ fn forces_that_leave_out_a_load_say_so() {
     let output = dam(&[path, "--json"]);
     let found: Value = serde_json::from_slice(&output.stdout).unwrap();
     let requirements = &found["scenes"][0]["requirements"];
-    let note = requirements[0]["note"].as_str().unwrap();
-    assert!(note.contains("what the linkage drives (tool)"), "{note}");
-    assert!(requirements[1]["note"].is_null());
+    // Without a part of the loads there is nothing to judge.
+    let why = requirements[0]["not_judged"].as_str().unwrap();
+    assert!(why.contains("what the linkage drives (tool)"), "{why}");
+    assert_eq!(requirements[1]["holds"], true);
+    assert_eq!(output.status.code(), Some(1));
     // What `dam forces` says.
     let forces = Command::new(env!("CARGO_BIN_EXE_dam"))
         .args(["forces", path])

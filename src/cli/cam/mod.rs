@@ -35,7 +35,7 @@ const ROWS: usize = 720;
 /// Runs the command.
 pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failure> {
     let input = asker.input(&args.scene)?;
-    let ready = input.prepare(&[])?;
+    let ready = input.prepare_and_warn(args.scene.quiet)?;
     let id = chosen(args, &ready)?;
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let model = ready.system.model();

@@ -32,7 +32,7 @@ const FILES: [&str; 4] = ["kinematics.csv", "kinematics.json", "mechanism.svg", 
 /// Runs the command.
 pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status, Failure> {
     let input = asker.input(&args.scene)?;
-    let ready = input.prepare(&[])?;
+    let ready = input.prepare_and_warn(args.scene.quiet)?;
     let model = ready.system.model();
     let object = args.course.object.as_deref();
     let (question, found) = match several_of(model, object) {

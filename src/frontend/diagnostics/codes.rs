@@ -64,6 +64,7 @@ pub const CODES: &[Code] = &[
     code("outside-folder", "A file lies outside the folder of the scene.", "Put the file into the folder of the scene."),
     code("parameters", "More parameters are wrong than messages are shown.", "Correct those that are shown first."),
     code("question", "A value or name that the command needs is missing or not understood.", "Follow the message."),
+    code("rough-table", "Warning: the points of a table scatter, by rounding or measurement, so that its second derivative is partly noise.", "Give the displacements with more digits, leave out points, or smooth them first."),
     code("too-deep", "Objects and lists in the text are nested too deeply.", "Remove levels of nesting."),
     code("too-large", "A text or file is larger than a scene may be.", "Shorten its tables."),
     code("two-ways", "The same thing is given in two ways.", "Keep one of the two properties."),

@@ -1,6 +1,7 @@
 //! Position functions.
 
 mod linkages;
+mod table_roughness;
 
 use super::cam;
 use super::measures::Measures;
@@ -305,6 +306,7 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
             }
             (false, _) => points,
         };
+        table_roughness::warn(fields, &points);
         Some(PositionSpec::Table {
             points,
             periodic,

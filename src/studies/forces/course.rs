@@ -24,6 +24,22 @@ pub trait PositionSource {
     fn limits(&self) -> Vec<DeadEnd> {
         Vec::new()
     }
+
+    /// Forces on the outputs (N·m or N) that follow from a motion of the input, along each output;
+    /// outputs beyond the list have none.
+    fn loads(&self, _input: InputMotion) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Input coordinates between two of them on either side of a jump or a kink of these forces.
+    fn load_places(&self, _between: [f64; 2], _speed: f64) -> Vec<f64> {
+        Vec::new()
+    }
+
+    /// Names of the loads that they come from.
+    fn acting(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// Question about one position: motion of the input, loads, direction.

@@ -2,7 +2,7 @@
 //! time, and of what hangs on them.
 
 use super::ForceStudy;
-use crate::dynamics::model::{Model, ObjectPart};
+use crate::dynamics::model::{Load, Model, ObjectPart};
 use crate::dynamics::record::Quantity;
 use crate::dynamics::system::System;
 use crate::studies::kinematics::linkage_of;
@@ -53,14 +53,19 @@ pub(super) fn over_time(
     Some((0..=steps).map(row).collect())
 }
 
-/// The loads behind the outputs that are not among the forces of a study, in a sentence.
+/// What acts on the outputs and is not among the forces of a study, in a sentence.
 pub fn loads_left_out(study: &ForceStudy, model: &Model, object: &str) -> Option<String> {
-    let behind = loads_on_outputs(model, object);
-    if behind.is_empty() || study.course.has_loads() {
+    if study.course.has_loads() {
+        return None;
+    }
+    let behind: Vec<&str> = (loads_on_outputs(model, object).into_iter())
+        .filter(|name| !study.acting.iter().any(|own| own == name))
+        .collect();
+    if behind.is_empty() {
         return None;
     }
     let instead = match study.several {
-        None => "; take them from a run with --record",
+        None => ": --time includes them, and so does the --record of a run",
         Some(_) => "",
     };
     Some(format!(
@@ -69,7 +74,7 @@ pub fn loads_left_out(study: &ForceStudy, model: &Model, object: &str) -> Option
     ))
 }
 
-/// Objects that the linkage's outputs drive, and outputs that carry loads of their own.
+/// Objects that the linkage's outputs drive, and the loads on outputs.
 fn loads_on_outputs<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
     let own = |id: &str| {
         id == object
@@ -77,15 +82,17 @@ fn loads_on_outputs<'m>(model: &'m Model, object: &str) -> Vec<&'m str> {
                 .strip_prefix(object)
                 .is_some_and(|rest| rest.starts_with('.'))
     };
-    let driven = |part: &ObjectPart| {
+    let driven = |part: &&ObjectPart| {
         !own(&part.id) && (part.inputs.iter()).any(|input| own(&model.objects[input.driver].id))
     };
-    let loaded = |part: &ObjectPart| {
-        own(&part.id) && (model.loads.iter()).any(|load| part.nodes.contains(&load.node))
+    let loaded = |load: &&Load| {
+        let parts = model.objects.iter();
+        let mut parts = parts.filter(|part| own(&part.id));
+        parts.any(|part| part.nodes.contains(&load.node))
     };
-    let parts = model.objects.iter();
-    parts
-        .filter(|part| driven(part) || loaded(part))
-        .map(|part| part.id.as_str())
+    let objects = model.objects.iter().filter(driven);
+    let loads = model.loads.iter().filter(loaded);
+    (objects.map(|part| part.id.as_str()))
+        .chain(loads.map(|load| load.name.as_str()))
         .collect()
 }

@@ -1,6 +1,7 @@
 //! Kinetostatics over a course of the input: reactions, driving force,
 //! transmission ratios, efficiency, self-locking, balance of the frame.
 
+mod acting;
 mod closing;
 mod columns;
 mod counterweight;
@@ -19,6 +20,7 @@ mod scan;
 mod zones;
 
 pub use crate::studies::endless::DeadEnd;
+pub use acting::ActingLoads;
 pub use columns::{Column, columns, columns_of_inputs};
 pub use counterweight::Counterweight;
 pub use course::{Course, Instant, PositionSource};
@@ -99,6 +101,9 @@ pub struct ForceStudy {
     pub indeterminate: Indeterminate,
     /// The counterweight on the input link that reduces the shaking force most.
     pub counterweight: Option<Counterweight>,
+    /// Names of the loads on the outputs that follow from the motion of the input: they act over a
+    /// turn or a range.
+    pub acting: Vec<String>,
     /// Of a linkage of several inputs what belongs to these.
     pub several: Option<SeveralDrives>,
 }
@@ -132,6 +137,7 @@ fn solved<S: PositionSource>(
     mut columns: Vec<Column>,
 ) -> ForceStudy {
     let mut solver = Solver::new(kinetostatics, source, &settings);
+    let acting = solver.acting();
     let mut rows: Vec<Row> = (0..course.rows())
         .map(|index| {
             let mut row = solver.row(&course.instant(index), true);
@@ -161,6 +167,7 @@ fn solved<S: PositionSource>(
         zones,
         indeterminate,
         counterweight: None,
+        acting,
         several: None,
     }
 }

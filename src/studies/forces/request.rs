@@ -1,7 +1,8 @@
 //! From a question about a scene's linkage to a course and its positions.
 
 use super::{
-    Course, ForceSettings, ForceStudy, Instant, PositionSource, loads, multi_input_forces, study,
+    ActingLoads, Course, ForceSettings, ForceStudy, Instant, PositionSource, loads,
+    multi_input_forces, study,
 };
 use crate::dynamics::model::Model;
 use crate::fault::{Fault, within};
@@ -17,6 +18,7 @@ use crate::studies::kinematics::{
 pub struct LinkagePositions<'a> {
     linkage: &'a Linkage,
     workspace: Workspace,
+    acting: Option<ActingLoads<'a>>,
 }
 
 impl<'a> LinkagePositions<'a> {
@@ -25,6 +27,15 @@ impl<'a> LinkagePositions<'a> {
         Self {
             linkage,
             workspace: linkage.workspace(),
+            acting: None,
+        }
+    }
+
+    /// With loads on the outputs that follow from the motion of the input.
+    pub fn carrying(self, acting: ActingLoads<'a>) -> Self {
+        Self {
+            acting: Some(acting),
+            ..self
         }
     }
 }
@@ -48,6 +59,21 @@ impl PositionSource for LinkagePositions<'_> {
     fn limits(&self) -> Vec<DeadEnd> {
         let ends = self.linkage.range().dead_ends();
         ends.into_iter().map(DeadEnd::new).collect()
+    }
+
+    fn loads(&self, input: InputMotion) -> Vec<f64> {
+        let acting = self.acting.as_ref();
+        acting.map_or(Vec::new(), |loads| loads.at(input))
+    }
+
+    fn load_places(&self, between: [f64; 2], speed: f64) -> Vec<f64> {
+        let acting = self.acting.as_ref();
+        acting.map_or(Vec::new(), |loads| loads.places(between, speed))
+    }
+
+    fn acting(&self) -> Vec<String> {
+        let acting = self.acting.as_ref();
+        acting.map_or(Vec::new(), ActingLoads::names)
     }
 }
 
@@ -94,7 +120,8 @@ pub fn forces_of(model: &Model, question: &Question) -> Result<ForceStudy, NoFor
         output: only_loaded_output(&solver),
         ..ForceSettings::default()
     };
-    let mut positions = LinkagePositions::new(&body.linkage);
+    let acting = ActingLoads::over(model, body, &course);
+    let mut positions = LinkagePositions::new(&body.linkage).carrying(acting);
     study(spec, &mut positions, course, settings).map_err(wrong(body.object))
 }
 

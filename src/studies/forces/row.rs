@@ -168,6 +168,16 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         self.source.singular()
     }
 
+    /// Input coordinates beside which loads on the outputs jump or have a kink.
+    pub(super) fn load_places(&self, between: [f64; 2], speed: f64) -> Vec<f64> {
+        self.source.load_places(between, speed)
+    }
+
+    /// Names of the loads on the outputs that follow from the motion of the input.
+    pub(super) fn acting(&self) -> Vec<String> {
+        self.source.acting()
+    }
+
     /// Dead-centre positions at which the reach ends.
     pub(super) fn limits(&self) -> Vec<DeadEnd> {
         self.source.limits()
@@ -185,11 +195,18 @@ impl<'a, S: PositionSource> Solver<'a, S> {
     fn forces(&mut self, instant: &Instant, full: bool) -> Result<Forces, Trouble> {
         let (solver, w) = (self.kinetostatics, &mut self.workspace);
         let motion = instant.motion;
-        w.set_output_loads(&instant.loads);
+        let acting = match instant.loads.is_empty() {
+            true => self.source.loads(motion),
+            false => Vec::new(),
+        };
         let positions = self
             .source
             .at(motion.coordinate)
             .map_err(Trouble::OutOfReach)?;
+        w.set_output_loads(match instant.loads.is_empty() {
+            true => &acting,
+            false => &instant.loads,
+        });
         let mut options = self.settings.options;
         options.search &= full;
         if motion.acceleration == 0.0 {

@@ -39,7 +39,8 @@ pub(super) fn singular_places<S: PositionSource>(
     passed(course, places, (&singular, period))
 }
 
-/// Places of a course at which the input passes a point of a table of forces.
+/// Places of a course at which the input passes a point of a table of forces, and those beside
+/// which a load on an output jumps.
 pub(super) fn table_places<S: PositionSource>(
     solver: &Solver<'_, S>,
     course: &Course,
@@ -50,6 +51,10 @@ pub(super) fn table_places<S: PositionSource>(
     let mut found: Vec<f64> = tables
         .flat_map(|table| passed(course, places, (&table.points, table.period)))
         .collect();
+    if let Course::Even { speed, .. } = course {
+        let pairs = places.windows(2).map(|pair| [pair[0], pair[1]]);
+        found.extend(pairs.flat_map(|pair| solver.load_places(pair, *speed)));
+    }
     found.sort_by(f64::total_cmp);
     found.dedup();
     found

@@ -5,6 +5,7 @@ use crate::dynamics::record::{AddressError, Figures, ObjectFigures};
 use crate::exact::RequestedFigures;
 use crate::fault::Fault;
 use crate::studies::document::{blank, document, summary};
+use crate::studies::expectations::instead_of;
 use crate::studies::run::Motion;
 use crate::studies::{RunSettings, lookup};
 
@@ -45,14 +46,10 @@ pub(in crate::studies) fn check_figure(figure: &str, model: &Model) -> Result<()
     if figure.contains(".switch_times.") {
         return Ok(());
     }
-    let hint = match close.is_empty() {
-        true => String::new(),
-        false => format!("did you mean {}?", close.join(" or ")),
-    };
     Err(Fault::new(
         "",
         format!("there is no result `{figure}`"),
-        hint,
+        instead_of(figure, &close),
     ))
 }
 

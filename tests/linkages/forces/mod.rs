@@ -5,6 +5,7 @@ mod cycle;
 mod jets;
 mod mechanisms;
 mod motion;
+mod over_a_turn;
 mod over_time;
 mod scenes;
 mod struts;
