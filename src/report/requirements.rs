@@ -212,7 +212,7 @@ pub fn suite(one: &VerifiedScene) -> Suite {
 
 #[cfg(test)]
 mod tests {
-    use super::{VerifiedScene, junit};
+    use super::{VerifiedScene, junit, suite};
     use crate::studies::expectations::Requirement;
 
     #[test]
