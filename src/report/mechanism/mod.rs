@@ -15,7 +15,7 @@ pub(in crate::report) mod sketch;
 mod view;
 mod wheels;
 
-pub(in crate::report) use guides::Hold;
+pub(in crate::report) use parts::Hold;
 pub(in crate::report) use section::STYLE;
 pub(in crate::report) use view::View;
 
