@@ -53,7 +53,7 @@ export function typedNumber(given: string): Typed {
   const text = given.trim().replaceAll("−", "-").replaceAll("×", "*").replaceAll("·", "*");
   if (!/^[-+(\s]*(\d|\.\d)/.test(text)) return { sort: "text" };
   const comma = /^[-+]?\d+,(\d+)(.*)$/.exec(text);
-  if (comma) return { sort: "wrong", why: `Write the decimal point as a point: ${text.replace(",", ".")}` };
+  if (comma) return { sort: "wrong", why: `Use a decimal point: ${text.replace(",", ".")}` };
   const reader = new Reader(text), value = reader.sum(), number = text.slice(0, reader.at).trim(), unit = text.slice(reader.at).trim();
   // A sign before a letter: it reckons with what has a name.
   if (Number.isNaN(value) && /[-+*/^(]\s*$/.test(number) && /^[A-Za-z_]/.test(unit)) return { sort: "text" };

@@ -2,7 +2,7 @@
 // The page stays in use meanwhile.
 
 import { useEffect, useReducer, useRef, useState } from "preact/hooks";
-import { isInField } from "./keys";
+import { isInText } from "./keys";
 import { Kept, type Link } from "./link";
 
 export const seen = new Kept("tour");
@@ -88,7 +88,7 @@ export function Tour({ link, scene, home, show, end }: Props) {
     before.current = now;
   }, [scene, home]);
   useEffect(() => {
-    const keys = (event: KeyboardEvent) => { if (event.key === "Escape" && !event.defaultPrevented && !isInField(event.target)) { event.preventDefault(); finish(); } };
+    const keys = (event: KeyboardEvent) => { if (event.key === "Escape" && !event.defaultPrevented && !isInText(event.target)) { event.preventDefault(); finish(); } };
     addEventListener("keydown", keys);
     // What is pointed at may move.
     let frame = 0;

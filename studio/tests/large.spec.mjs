@@ -27,7 +27,7 @@ test("a machine of 1000 objects is built where it is in sight", async ({ page })
   await started(page, objects);
   await expect(page.locator(".figures")).toContainText("of 1001 objects");
   expect(await count(page, ".object-box")).toBeLessThan(120);
-  expect(await count(page, ".charts *")).toBeLessThan(8000);
+  expect(await count(page, ".charts *")).toBeLessThan(12_000);
   expect(await count(page, ".slider")).toBe(0);
   expect(await count(page, ".figures tbody tr")).toBe(101);
   await page.getByRole("button", { name: "Show all 1001 rows" }).click();
