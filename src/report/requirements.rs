@@ -162,6 +162,11 @@ pub fn junit(suites: &[Suite]) -> String {
 /// The text of a suite, with the numbers of its cases, failures and errors.
 pub type Suite = (String, [usize; 3]);
 
+/// With the minus sign that tables have.
+fn ascii_minus(text: &str) -> String {
+    text.replace('\u{2212}', "-")
+}
+
 /// The suite of a scene, in the units that are chosen at present.
 pub fn suite(one: &VerifiedScene) -> Suite {
     let file = escape(&one.file);
@@ -169,7 +174,7 @@ pub fn suite(one: &VerifiedScene) -> Suite {
     let mut counts = [0; 3];
     let mut case = |name: &str, outcome: Option<(&str, &str)>| {
         counts[0] += 1;
-        let name = escape(name);
+        let name = escape(&ascii_minus(name));
         // Writing to a string cannot fail.
         let _ = match outcome {
             None => writeln!(
@@ -182,7 +187,7 @@ pub fn suite(one: &VerifiedScene) -> Suite {
                     cases,
                     "    <testcase classname=\"{file}\" name=\"{name}\">\n      <{kind} \
                      message=\"{}\"/>\n    </testcase>",
-                    escape(message)
+                    escape(&ascii_minus(message))
                 )
             }
         };

@@ -72,6 +72,22 @@ impl LoadLaw {
         matches!(self, Self::Stop(_))
     }
 
+    /// The track whose piece counts, of a force by pieces.
+    pub fn track<'t>(&self, tracks: &'t [Track]) -> Option<&'t Track> {
+        match self {
+            Self::Pieces { track, .. } => tracks.get(*track),
+            _ => None,
+        }
+    }
+
+    /// True where it looks at the time.
+    pub fn needs_time(&self, tracks: &[Track]) -> bool {
+        match self {
+            Self::Written(written) => written.needs_time(),
+            _ => (self.track(tracks)).is_some_and(|track| track.source == TrackSource::Time),
+        }
+    }
+
     /// The nodes whose motion an expression reads; of other laws none: a table has its track.
     pub fn read_nodes(&self) -> Vec<NodeIndex> {
         match self {

@@ -1,7 +1,6 @@
 //! Kinetostatics over a course of the input: reactions, driving force,
 //! transmission ratios, efficiency, self-locking, balance of the frame.
 
-mod acting;
 mod closing;
 mod columns;
 mod counterweight;
@@ -20,14 +19,13 @@ mod scan;
 mod zones;
 
 pub use crate::studies::endless::DeadEnd;
-pub use acting::ActingLoads;
 pub use columns::{Column, columns, columns_of_inputs};
 pub use counterweight::Counterweight;
 pub use course::{Course, Instant, PositionSource};
 pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
 pub use figures::{described, figures, figures_of_inputs};
-pub use loads::loads_left_out;
+pub use loads::{ActingLoads, loads_left_out};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
 pub use multi_input::{SeveralDrives, multi_input_forces};
 pub use open::Rests;

@@ -51,7 +51,7 @@ fn a_window_over_the_machine_angle_acts_over_a_turn() {
     let study = study(
         r#"{ "window": { "from": "60.6 deg", "to": "341.4 deg", "force": "2 kN", "period": "720 deg" }, "over": "drive" }"#,
     );
-    assert_eq!(study.acting, ["press.ram.loads.cutting"]);
+    assert_eq!(study.acting, ["press.outputs.ram.loads.cutting"]);
     for (row, forces) in study.solved() {
         let phi = row.motion.coordinate;
         let inside = (30.3..170.7).contains(&phi.to_degrees());
@@ -93,7 +93,7 @@ fn a_load_that_is_not_known_over_a_turn_leaves_no_figure() {
         r#"{ "window": { "from": 1, "to": 2, "force": -100, "period": "1440 deg" }, "over": "drive" }"#,
     ] {
         let why = forces_of(&press(load), "press", 0.7).unwrap_err();
-        assert!(why.contains("press.ram.loads.cutting"), "{why}");
+        assert!(why.contains("press.outputs.ram.loads.cutting"), "{why}");
         assert!(why.contains("--time"), "{why}");
     }
 }
