@@ -98,7 +98,9 @@ impl Inputs {
     /// them.
     pub(crate) fn references(self, node: &Node) -> Vec<(&str, &str)> {
         let ports = self.ports(node).into_iter();
-        ports.filter_map(|(name, output)| Some((name, output?))).collect()
+        ports
+            .filter_map(|(name, output)| Some((name, output?)))
+            .collect()
     }
 }
 
