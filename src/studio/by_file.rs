@@ -2,10 +2,9 @@
 //! whole, for nobody but the user.
 
 use super::atomic;
+use super::token::hash;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
-use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -105,16 +104,6 @@ pub(super) fn state_folder() -> Option<PathBuf> {
     let home = || given("HOME").map(|home| PathBuf::from(home).join(".local/state"));
     let base = own.or(windows.map(PathBuf::from)).or_else(home)?;
     Some(base.join("dam"))
-}
-
-/// SHA-256, as text.
-pub(super) fn hash(bytes: &[u8]) -> String {
-    let mut text = String::new();
-    for byte in Sha256::digest(bytes) {
-        // Writing to a string cannot fail.
-        let _ = write!(text, "{byte:02x}");
-    }
-    text
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! The file beside a text, which others may change, and the draft of what is not saved.
 
 use super::atomic;
-use super::by_file::hash;
 use super::drafts::{Draft, Drafts};
 use super::folder::Folder;
+use super::token::hash;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;

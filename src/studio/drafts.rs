@@ -1,6 +1,7 @@
 //! Drafts: what is not saved yet, kept in the user's state folder from crashes.
 
-use super::by_file::{ByFile, hash};
+use super::by_file::ByFile;
+use super::token::hash;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};

@@ -1,7 +1,7 @@
 //! The token that tells the windows of the user from everybody else.
 
-use super::by_file::hash;
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 use std::fmt::Write;
 
 /// 256 random bits, in hexadecimal.
@@ -66,6 +66,16 @@ pub(super) fn random() -> Result<String, String> {
         let _ = write!(text, "{byte:02x}");
     }
     Ok(text)
+}
+
+/// SHA-256, as text.
+pub(super) fn hash(bytes: &[u8]) -> String {
+    let mut text = String::new();
+    for byte in Sha256::digest(bytes) {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{byte:02x}");
+    }
+    text
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ const SCENE: &str = r#"{ "dam": 1, "name": "parameters",
       "loads": {
         "closing": { "constant": "-F" },
         "table": { "time_table": [[0, 0], ["1 s/k", "F"]] },
-        "shaking": { "expression": "F*sin(2*pi*k*t)", "over": "shaft" }
+        "shaking": { "expression": "F*sin(2*pi*k*t + over_phi)", "over": "shaft" }
       }
     }
   },

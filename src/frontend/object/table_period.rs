@@ -133,7 +133,7 @@ fn returns(fields: &mut Fields<'_>, points: &[(f64, f64)], likely: Option<f64>) 
 fn likely_period(points: &[(f64, f64)]) -> Option<f64> {
     let steps = || points.windows(2).map(|ends| ends[1].0 - ends[0].0);
     let largest = steps().fold(0.0, f64::max);
-    let last = steps().last()?;
+    let last = steps().next_back()?;
     let length = points[points.len() - 1].0 - points[0].0;
     let turns = length / TAU;
     let is_lobe = |parts: usize| (turns * parts as f64 - 1.0).abs() <= WHOLE;
