@@ -114,7 +114,7 @@ impl Requirements {
 
     /// The same as JUnit has it.
     pub(crate) fn junit(&self) -> String {
-        requirements::junit(std::slice::from_ref(&self.0))
+        requirements::junit(&[requirements::suite(&self.0)])
     }
 }
 
