@@ -101,7 +101,7 @@ pub(super) fn check_single_turn(fields: &mut Fields<'_>, points: &[(f64, f64)], 
         );
         let warning = fields.warn("points", "open-period", message);
         warning.hints.push(format!(
-            "give the table \"period\": \"{} deg\": within the first turn that changes nothing",
+            "give the table \"period\": \"{} deg\" if it repeats, else a last point beyond the turn",
             degrees(likely)
         ));
     }
