@@ -128,7 +128,7 @@ fn a_curve_of_which_half_would_lie_on_the_axis_is_logarithmic() {
     // From tens of µrad, with a sign, to being thrown off by radians.
     let (values, wide) = picture("shaft.motion.speed=100:900 rpm:9");
     assert!(values[0] < 0.0 && values[0] > -1e-3 && values[8] > 1.0);
-    assert!(wide.contains("|rocker.delta_max|, rad"));
+    assert!(wide.contains("|greatest δ of rocker|, rad"));
     assert!(!wide.contains("NaN") && !wide.contains("inf"));
     // The first point stands near the floor, the last near the ceiling.
     let heights: Vec<f64> = (wide.split("class=\"mark ").skip(1))
