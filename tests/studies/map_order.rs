@@ -152,7 +152,7 @@ fn a_curve_of_which_half_would_lie_on_the_axis_is_logarithmic() {
     // Of one size, signs are read from the axis.
     let (values, plain) = picture("shaft.motion.speed=100:300 rpm:9");
     assert!(values.iter().all(|value| *value < 0.0));
-    assert!(plain.contains("rocker.delta_max, µrad") && !plain.contains("|rocker"));
+    assert!(plain.contains("greatest δ of rocker, µrad") && !plain.contains("|greatest"));
 }
 
 /// Keeps the lines of a journal.
