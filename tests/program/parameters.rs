@@ -78,7 +78,10 @@ fn inlined([r, n, k, force, mass]: [f64; 5]) -> String {
         ("\"-F\"", format!("{:?}", -force)),
         ("\"1 s/k\"", format!("{:?}", 1.0 / k)),
         ("\"F\"", format!("{force:?}")),
-        ("F*sin(2*pi*k*t)", format!("{force:?}*sin(2*pi*{k:?}*t)")),
+        (
+            "F*sin(2*pi*k*t + over_phi)",
+            format!("{force:?}*sin(2*pi*{k:?}*t + over_phi)"),
+        ),
         ("\"0.1*k*1 s\"", format!("{:?}", 0.1 * k)),
         ("half/2", format!("{half:?}/2")),
         ("k/100", format!("{k:?}/100")),

@@ -50,8 +50,9 @@ impl Frozen {
         let mut right = DVector::from_column_slice(miss);
         self.sum_up(&mut right);
         let step = gmres(&mut product, &right)?;
-        let residual = (product(&step) - &right).amax();
-        (residual <= FOUND * right.amax()).then_some(step)
+        let scale = scale(&right);
+        let residual = ((product(&step) - &right) / scale).norm();
+        (residual <= FOUND * (right / scale).norm()).then_some(step)
     }
 
     /// D⁻¹ times a vector, in its place.
@@ -72,19 +73,26 @@ impl Frozen {
     }
 }
 
+/// What a vector is divided by so that the square of its length does not overflow.
+fn scale(vector: &DVector<f64>) -> f64 {
+    match vector.norm().is_finite() {
+        true => 1.0,
+        false => vector.amax(),
+    }
+}
+
 /// x with the least |product(x) − right| among the combinations of the powers of the
 /// product, as far as rounding allows. `None`: not within [`PRODUCTS`], or not finite.
 fn gmres(
     product: &mut impl FnMut(&DVector<f64>) -> DVector<f64>,
     right: &DVector<f64>,
 ) -> Option<DVector<f64>> {
-    let greatest = right.amax();
-    if greatest == 0.0 {
-        return Some(right.clone());
-    }
-    // (The square of a great number overflows: lengths are those of what is scaled.)
-    let right = right / greatest;
+    let scale = scale(right);
+    let right = right / scale;
     let size = right.norm();
+    if size == 0.0 {
+        return Some(right);
+    }
     let mut basis = vec![&right / size];
     let mut rows: Vec<Vec<f64>> = Vec::new();
     for count in 1..=PRODUCTS {
@@ -112,7 +120,7 @@ fn gmres(
             for (known, weight) in basis.iter().zip(&weights) {
                 found.axpy(*weight, known, 1.0);
             }
-            return Some(found * greatest);
+            return Some(found * scale);
         }
         basis.push(next / rest);
     }
