@@ -134,7 +134,7 @@ def test_a_linkage_moves_and_carries(scenarios: Path) -> None:
     assert moved.record.index is not None
     carried = scene.forces(positions=72, speed=30.0)
     assert len(carried.record) in (72, 73)
-    assert "Driving force" in carried.text()
+    assert "Driving moment" in carried.text()
     with pytest.raises(TypeError):
         scene.kinematics(turn=True, time=1.0)
     with pytest.raises(dam.SceneError):
@@ -227,7 +227,7 @@ def test_laws_are_compared_in_a_scene(scenarios: Path) -> None:
         assert isinstance(law, dict) and isinstance(law["response"], dict)
         force = scene.set(at, name).run().figures["valve.pair.max_contact_force"]
         assert law["response"]["contact_force"] == pytest.approx(force, rel=1e-9)
-    assert "modified_sine" in found.text()
+    assert "modified sine" in found.text()
     with pytest.raises(dam.SceneError, match="between 2 and"):
         scene.compare_laws(at, ["3-4-5"])
     with pytest.raises(dam.SceneError, match="ranked by"):
