@@ -2,7 +2,7 @@
 
 use super::args::{CheckArgs, SchemaArgs};
 use super::failure::Failure;
-use super::input::Input;
+use super::input::{Input, print_doubts};
 use super::status::Status;
 use super::{console, described};
 use crate::ask::ModelAssessment;
@@ -39,10 +39,8 @@ pub(crate) fn command(args: &CheckArgs) -> Result<Status, Failure> {
         }))?;
         return Ok(Status::Answered);
     }
+    print_doubts(&ready.reading, args.scene.quiet);
     if !args.scene.quiet {
-        if !warnings.is_empty() {
-            console::diagnose(warnings);
-        }
         for text in said {
             console::print_message(&format!("warning: {text}"));
         }

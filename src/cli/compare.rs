@@ -4,7 +4,7 @@ use super::answer::{Answer, AnswerForm, Content, Document, DocumentWithWarnings,
 use super::args::CompareArgs;
 use super::asker::Terminal;
 use super::failure::Failure;
-use super::input::{Input, Ready};
+use super::input::{Input, Ready, print_doubts};
 use super::interrupt;
 use super::output::OutputFolder;
 use super::run::{abscissa, run_with_progress};
@@ -47,6 +47,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
     let over = parse_over(&args.over)?;
     let input = Input::load(&args.scene)?;
     let ready = prepare_all(&input, &over)?;
+    print_doubts(&ready[0].reading, args.scene.quiet);
     check_figures(&args.figure, ready[0].system.model())?;
     let scene = ready[0].scene().name.clone();
     let folder = prepare_folder(args, &ready, over.values.len())?;

@@ -67,10 +67,12 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let whole = folder.as_ref().filter(|_| result.complete);
     let command = command_of(args);
     // (A scene that is only whole with the values of the map says nothing.)
-    let mut warnings = input.prepare(&[]).map_or(Vec::new(), |ready| {
-        let (scene, model) = (ready.scene(), ready.system.model());
-        without_limit(scene, model, [study.figure.as_str()], None)
-    });
+    let mut warnings = input
+        .prepare_and_warn(args.scene.quiet)
+        .map_or(Vec::new(), |ready| {
+            let (scene, model) = (ready.scene(), ready.system.model());
+            without_limit(scene, model, [study.figure.as_str()], None)
+        });
     let source = Source {
         hashed: "the study",
         ..Source::scene(input.text(), &study.hash)

@@ -4,8 +4,8 @@ use super::accuracy;
 use super::answer::{Answer, AnswerForm, Content, PAGE};
 use super::args::ReduceArgs;
 use super::asker::Asker;
-use super::console;
 use super::failure::Failure;
+use super::input::print_doubts;
 use super::interrupt;
 use super::output::OutputFolder;
 use super::status::Status;
@@ -26,9 +26,7 @@ pub(crate) fn command(args: &ReduceArgs, asker: &dyn Asker) -> Result<Status, Fa
     let ready = input.prepare_judging(&accuracy, ModelAssessment::Never)?;
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
-    if !quiet && !ready.reading.warnings.is_empty() {
-        console::diagnose(&ready.reading.warnings);
-    }
+    print_doubts(&ready.reading, quiet);
     let given = Diagram::of(ready.system.model());
     let hash = ready.scene().hash.clone();
     let settings = ready.settings.clone();

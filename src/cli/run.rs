@@ -6,7 +6,7 @@ use super::asker::Asker;
 use super::console;
 use super::expected::Expectations;
 use super::failure::Failure;
-use super::input::Ready;
+use super::input::{Ready, print_doubts};
 use super::interrupt::{self, Stage};
 use super::output::OutputFolder;
 use super::progress::Progress;
@@ -87,9 +87,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let mut ready = input.prepare_judging(&accuracy, ModelAssessment::Asked)?;
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let quiet = args.scene.quiet;
-    if !quiet && !ready.reading.warnings.is_empty() {
-        console::diagnose(&ready.reading.warnings);
-    }
+    print_doubts(&ready.reading, quiet);
     let known_before = &ready.system.model().warnings;
     if !quiet {
         for warning in known_before {

@@ -22,7 +22,7 @@ use serde_json::json;
 /// Runs the command.
 pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
     refuse(args.view, args.form)?;
-    let ready = Input::load(&args.scene)?.prepare(&[])?;
+    let ready = Input::load(&args.scene)?.prepare_and_warn(args.scene.quiet)?;
     let model = ready.system.model();
     if args.scene.json {
         console::json(&document(&ready))?;

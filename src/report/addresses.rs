@@ -31,7 +31,11 @@ pub(in crate::report) fn result_words(address: &str) -> String {
     known.unwrap_or_else(|| address.to_owned())
 }
 
+/// Parts of an address that tell no property from another one.
+const SILENT: [&str; 4] = ["motion", "position", "pair", "links"];
+
 /// A parameter in words: `shaft.motion.speed` as speed of shaft; a place in a list as it is.
+/// Different parameters have different words: of two stiffnesses one is that of the contact.
 pub(in crate::report) fn parameter_words(path: &str) -> String {
     let parts: Vec<&str> = path.split('.').collect();
     if parts.iter().any(|part| part.parse::<usize>().is_ok()) {
@@ -42,7 +46,11 @@ pub(in crate::report) fn parameter_words(path: &str) -> String {
         ["parameters", own] => own.to_owned(),
         [object, "loads", load, "constant"] => format!("load {load} on {object}"),
         [object, "loads", load, .., last] => format!("{} of {load} on {object}", plain(last)),
-        [object, .., last] => format!("{} of {object}", plain(last)),
+        [object, ref inner @ ..] if !inner.is_empty() => {
+            let told = inner.iter().filter(|part| !SILENT.contains(part));
+            let words: Vec<String> = told.map(|part| plain(part)).collect();
+            format!("{} of {object}", words.join(" "))
+        }
         _ => path.to_owned(),
     }
 }
@@ -79,7 +87,12 @@ mod tests {
             ("rocker.loads.closing.constant", "load closing on rocker"),
             ("parameters.n", "n"),
             ("bar.links.rod.points.C.0", "bar.links.rod.points.C.0"),
-            ("frame.position.cam.law", "law of frame"),
+            ("frame.position.cam.law", "cam law of frame"),
+            ("rocker.stiffness", "stiffness of rocker"),
+            (
+                "rocker.pair.contact.stiffness",
+                "contact stiffness of rocker",
+            ),
             ("rocker.damping_capacity", "damping capacity of rocker"),
         ] {
             assert_eq!(parameter_words(path), words);

@@ -44,7 +44,7 @@ pub(super) fn command(args: &CompareArgs, asker: &dyn Asker) -> Result<Status, F
         },
     )?;
     let by = figure(args.by);
-    let ready = input.prepare(&[])?;
+    let ready = input.prepare_and_warn(quiet)?;
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
     let source = Source::scene(input.text(), hash);
     let (laws, trusted) = (&compared.laws, compared.trusted);

@@ -9,7 +9,7 @@ use crate::report::law::{cycle_findings, cycle_rows};
 
 pub(super) fn command(args: &CycleArgs, asker: &dyn Asker) -> Result<(), Failure> {
     let input = asker.input(&args.scene)?;
-    let ready = input.prepare(&[])?;
+    let ready = input.prepare_and_warn(args.scene.quiet)?;
     let scene = ready.scene();
     let found = ready.law_cycle(&args.of)?;
     let rows = cycle_rows(

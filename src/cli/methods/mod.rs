@@ -6,7 +6,7 @@ use super::answer::{Answer, AnswerForm, Content, Document, Files, PAGE, files};
 use super::args::MethodsArgs;
 use super::asker::Asker;
 use super::failure::Failure;
-use super::input::{Input, Ready};
+use super::input::{Input, Ready, print_doubts};
 use super::interrupt;
 use super::output::OutputFolder;
 use super::status::Status;
@@ -66,6 +66,7 @@ pub(crate) fn command(args: &MethodsArgs, asker: &dyn Asker) -> Result<Status, F
         true => with_model((args, asker), &input)?,
         false => (input.prepare(&further)?, None),
     };
+    print_doubts(&ready.reading, args.scene.quiet);
     let plan = plan(args, &ready, models.as_ref())?;
     let folder = prepare_folder(args, &ready)?;
     let (scene, hash) = (&ready.scene().name, &ready.scene().hash);

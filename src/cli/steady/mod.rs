@@ -5,7 +5,6 @@ mod machine;
 
 use super::answer::{self, AnswerForm as Shape, Content, PAGE, ignores_until, warn};
 use super::asker::Asker;
-use super::console;
 use super::expected::Expectations;
 use super::failure::{Failure, refuse};
 use super::input::Ready;
@@ -66,11 +65,8 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
         return machine::command(args, asker);
     };
     let input = asker.input(&scene)?;
-    let ready = input.prepare(&[])?;
+    let ready = input.prepare_and_warn(args.quiet)?;
     let folder = folder(args, &ready.scene().name)?;
-    if !args.quiet && !ready.reading.warnings.is_empty() {
-        console::diagnose(&ready.reading.warnings);
-    }
     let mut spec = ready.scene().steady.clone().unwrap_or_default();
     apply_arguments(&args.question, &mut spec)?;
     let answer = steady_motion_within(&ready.system, &ready.settings, &spec, asker.budget())

@@ -7,6 +7,7 @@ mod mechanisms;
 mod motion;
 mod over_a_turn;
 mod over_time;
+mod press;
 mod scenes;
 mod struts;
 mod study;

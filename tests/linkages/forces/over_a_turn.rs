@@ -1,33 +1,16 @@
 //! Loads on the outputs of a linkage over a turn of its input, against a closed form.
 
-use dam::lower::lower;
 use dam::model::Model;
-use dam::scene::{BuiltIn, Document, Overrides};
 use dam::studies::forces::ForceStudy;
 use dam::studies::studied::forces_of;
 
 /// A slider-crank without masses, crank 60 mm and rod 300 mm, that turns uniformly at half the
 /// speed of its drive, with a load on its slide.
 fn press(load: &str) -> Model {
-    let text = format!(
-        r#"{{ "dam": 1, "name": "press", "objects": {{
-            "drive": {{ "kind": "drive", "motion": {{ "speed": 20 }} }},
-            "press": {{ "kind": "linkage", "input": "drive", "driver": "R01", "position": {{ "ratio": 0.5 }},
-                "ground": {{ "O": [0, 0] }},
-                "links": {{ "crank": {{ "points": {{ "A": [0.06, 0] }} }},
-                    "rod": {{ "points": {{ "C": [0.3, 0] }} }}, "slide": {{}} }},
-                "pairs": {{
-                    "R01": {{ "revolute": ["ground.O", "crank.origin"] }},
-                    "R12": {{ "revolute": ["crank.A", "rod.origin"] }},
-                    "R23": {{ "revolute": ["rod.C", "slide.origin"] }},
-                    "P03": {{ "sliding": {{ "guide": "ground.O", "block": "slide.origin" }} }} }},
-                "assembly": {{ "slide": {{ "near": [0.36, 0] }} }},
-                "outputs": {{ "ram": {{ "point": "slide.origin", "loads": {{ "cutting": {load} }} }} }} }} }},
-            "run": {{ "duration": 0.7 }} }}"#
-    );
-    let document = Document::parse("press", text.as_bytes()).unwrap();
-    let reading = document.scene(&BuiltIn, &Overrides::none());
-    lower(&reading.unwrap_or_else(|faults| panic!("{faults:#?}")).scene).unwrap()
+    let outputs =
+        format!(r#""ram": {{ "point": "slide.origin", "loads": {{ "cutting": {load} }} }}"#);
+    let ratio = r#""position": { "ratio": 0.5 },"#;
+    super::press::press(r#"{ "speed": 20 }"#, "", ratio, &outputs)
 }
 
 fn study(load: &str) -> ForceStudy {

@@ -1,33 +1,13 @@
 //! Forces and couples over time on the outputs of a linkage, against a closed form.
 
-use dam::lower::lower;
 use dam::model::Model;
-use dam::scene::{BuiltIn, Document, Overrides};
 use dam::studies::forces::ForceStudy;
 use dam::studies::studied::forces_of;
 
 /// A slider-crank without masses: crank 60 mm, rod 300 mm.
 fn press(more: &str, outputs: &str) -> Model {
-    let text = format!(
-        r#"{{ "dam": 1, "name": "press", "objects": {{
-            "drive": {{ "kind": "drive", "motion": {{ "run_up": {{ "speed": 10, "time": 0.2 }} }} }},
-            {more}
-            "press": {{ "kind": "linkage", "input": "drive", "driver": "R01",
-                "ground": {{ "O": [0, 0] }},
-                "links": {{ "crank": {{ "points": {{ "A": [0.06, 0] }} }},
-                    "rod": {{ "points": {{ "C": [0.3, 0] }} }}, "slide": {{}} }},
-                "pairs": {{
-                    "R01": {{ "revolute": ["ground.O", "crank.origin"] }},
-                    "R12": {{ "revolute": ["crank.A", "rod.origin"] }},
-                    "R23": {{ "revolute": ["rod.C", "slide.origin"] }},
-                    "P03": {{ "sliding": {{ "guide": "ground.O", "block": "slide.origin" }} }} }},
-                "assembly": {{ "slide": {{ "near": [0.36, 0] }} }},
-                "outputs": {{ {outputs} }} }} }},
-            "run": {{ "duration": 0.7 }} }}"#
-    );
-    let document = Document::parse("press", text.as_bytes()).unwrap();
-    let reading = document.scene(&BuiltIn, &Overrides::none());
-    lower(&reading.unwrap_or_else(|faults| panic!("{faults:#?}")).scene).unwrap()
+    let motion = r#"{ "run_up": { "speed": 10, "time": 0.2 } }"#;
+    super::press::press(motion, more, "", outputs)
 }
 
 fn study(model: &Model) -> ForceStudy {
