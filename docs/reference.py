@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import re
 import subprocess
 from collections.abc import Iterator
@@ -367,7 +368,8 @@ def block(example: Example) -> str:
     text = json.dumps(example.value, indent=2, ensure_ascii=False)
     # Short lists and objects stand in a line.
     text = re.sub(r"[\[{]\s+([^\[\]{}]{1,90}?)\s+[\]}]", lambda m: re.sub(r"\s*\n\s*", " ", m[0]), text)
-    return f"From `{example.scene}`, `{example.path}`:\n\n```json\n{text}\n```\n\n"
+    place = f"From `{example.scene}`, `{example.path}`" if example.scene else "With numbers in SI units"
+    return f"{place}:\n\n```json\n{text}\n```\n\n"
 
 
 def kind_page(kind: str, declared: Declared) -> str:
@@ -382,6 +384,18 @@ def variants(schema: Schema) -> list[str]:
     return [name for one in branches(schema) for name in alternatives(one)]
 
 
+def numbers(schema: Schema) -> Any:
+    """What a form takes that has nothing but numbers: 1 for each of them, if that is in its bounds."""
+    if any(one.get("type") == "number" for one in branches(schema)):
+        least = max(one.get("minimum", 1.0) for one in branches(schema))
+        most = min(one.get("maximum", math.inf) for one in branches(schema))
+        return min(max(1.0, least), most)
+    if "allOf" in schema:
+        return None
+    within = {name: numbers(own) for name, own in schema.get("properties", {}).items()}
+    return within if within and None not in within.values() else None
+
+
 def example_of(definition: str, name: str | None, declared: Declared) -> Example:
     """An example of a form of a definition."""
     alike = next((one for one in ALIKE if definition in one), [])
@@ -389,6 +403,9 @@ def example_of(definition: str, name: str | None, declared: Declared) -> Example
         found = declared.examples.get(f"{one}.{name}" if name else one)
         if found:
             return found
+    made = numbers(declared.definitions[definition]["properties"].get(name, {})) if name else None
+    if made is not None:
+        return Example(made, "", "")
     raise SystemExit(f"no scene has an example of `{definition}.{name}`")
 
 

@@ -4,10 +4,10 @@ pub use crate::ask::{Map, MapQuestion, Mechanism, RunOptions, Scene};
 pub use crate::dynamics::integrate::Method;
 pub use crate::dynamics::record::{Figure, Quantity};
 pub use crate::error::Error;
+pub use crate::frontend::build::kinds::*;
 pub use crate::frontend::build::{
-    AnyObject, Assembly, CamFollower, Crank, Differential, DiscCam, Drive, Force, Geometry, Joint,
-    Law, Link, Linkage, LinkageForce, LinkageInput, Load, Output, OwnObject, Pair, Position,
-    Rocker, Shaft, Slider, Station, Torque,
+    AnyObject, Assembly, Differential, DiscCam, Drive, Force, Geometry, Joint, Law, Link, Linkage,
+    LinkageForce, LinkageInput, Load, Output, OwnObject, Pair, Position, Station, Torque,
 };
 pub use crate::studies::axis::Axis;
 pub use crate::studies::kinematics::{

@@ -2,6 +2,7 @@
 //! check and describe, objects with their ports, scenes, lowering.
 
 pub mod build;
+mod builder_macros;
 pub mod diagnostics;
 pub mod graph;
 pub mod lower;

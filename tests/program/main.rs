@@ -33,6 +33,7 @@ mod steady;
 mod study_figures;
 mod study_verdicts;
 mod table_files;
+mod tables;
 mod verdicts;
 mod verify;
 mod words;

@@ -70,14 +70,3 @@ fn every_scene_keeps_what_it_expects() {
     let failures = failures.into_inner().unwrap();
     assert!(failures.is_empty(), "{}", failures.join("\n\n"));
 }
-
-#[test]
-fn every_scene_is_named_in_the_table_of_scenarios() {
-    let table = std::fs::read_to_string(root().join("scenarios/README.md")).unwrap();
-    for path in scenes() {
-        let path = path.strip_prefix(root().join("scenarios")).unwrap();
-        let name = path.display().to_string();
-        let stem = name.trim_end_matches(".json");
-        assert!(table.contains(stem), "scenarios/README.md lacks {name}");
-    }
-}

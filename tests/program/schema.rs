@@ -1,7 +1,7 @@
 //! The JSON Schema is fresh and describes what the reading takes. A validator of
 //! others judges it in `peers/tests/schema.rs`.
 
-use dam::object::Registry;
+use dam::object::{Inputs, Registry};
 use dam::scene::{BuiltIn, Document, Folder, LayeredCatalogue, Overrides, schema, schema_text};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -55,22 +55,100 @@ fn a_scene_with_every_property_is_read() {
     }
 }
 
-/// Every property that the schema describes is used in the scene above, so
-/// that none can be described without being read.
+/// Every property that the schema describes is used in a scene or catalogue object that the tests
+/// here read, so that none can be described without being read.
 #[test]
 fn every_described_property_is_exercised() {
+    let schema = schema(&Registry::standard());
+    let mut exercised = EVERYTHING.to_owned();
+    for folder in ["scenarios", "objects"] {
+        let texts = files(&root().join(folder)).into_iter();
+        let texts = texts.filter(|path| !path.ends_with("scene.schema.json"));
+        exercised.extend(texts.map(|path| fs::read_to_string(path).expect("a scene")));
+    }
+    exercised.extend(laws_of_numbers(&schema).iter().map(ToString::to_string));
     let mut described = Vec::new();
-    names(&schema(&Registry::standard()), &mut described);
+    names(&schema, &mut described);
     described.sort();
     described.dedup();
     assert!(described.len() > 80, "{} properties", described.len());
     for name in described {
-        // (Tables of files have a scene and a test of their own.)
-        let exempt = ["from", "area", "file", "columns"].contains(&name.as_str());
         assert!(
-            exempt || EVERYTHING.contains(&format!("\"{name}\"")),
+            exercised.contains(&format!("\"{name}\"")),
             "`{name}` is not exercised"
         );
+    }
+}
+
+/// Where laws of forces are described, and a drive and an object behind it that have one.
+const PLACES_OF_LAWS: [(&str, &str); 3] = [
+    (
+        "/turning_load",
+        r#"{ "drive": { "kind": "drive", "motion": { "speed": 1 } },
+            "it": { "kind": "crank", "input": "drive", "position": { "ratio": 1 },
+                    "inertia": 1, "stiffness": 1000, "loads": { "own": LAW } } }"#,
+    ),
+    (
+        "/drive/properties/motor/properties/torque",
+        r#"{ "it": { "kind": "drive", "motor": { "inertia": 1, "torque": LAW } } }"#,
+    ),
+    (
+        "/drive/properties/motor/properties/force",
+        r#"{ "it": { "kind": "drive", "coordinate": "sliding",
+                     "motor": { "mass": 1, "force": LAW } } }"#,
+    ),
+];
+
+/// Objects with each law of a force that is described by numbers alone.
+fn laws_of_numbers(schema: &serde_json::Value) -> Vec<serde_json::Value> {
+    let mut found = Vec::new();
+    for (place, objects) in PLACES_OF_LAWS {
+        let laws = schema["$defs"].pointer(place).expect("laws are described");
+        let one_of = laws["allOf"][0]["oneOf"].as_array().expect("one law");
+        for name in one_of.iter().map(|one| &one["required"][0]) {
+            let key = name.as_str().expect("a law");
+            if let Some(numbers) = numbers(&laws["properties"][key]) {
+                let law = serde_json::json!({ key: numbers }).to_string();
+                let objects = objects.replace("LAW", &law);
+                found.push(serde_json::from_str(&objects).expect("JSON"));
+            }
+        }
+    }
+    found
+}
+
+/// What a form takes that has nothing but numbers; `None`: it has something else.
+fn numbers(form: &serde_json::Value) -> Option<serde_json::Value> {
+    if let Some(properties) = form["properties"].as_object() {
+        let entry = |(name, own)| Some((String::clone(name), number(own)?.into()));
+        let all: Option<serde_json::Map<_, _>> = properties.iter().map(entry).collect();
+        return all.filter(|_| form.get("allOf").is_none()).map(Into::into);
+    }
+    number(form).map(Into::into)
+}
+
+/// The number 1, or the nearest to it that a form takes.
+fn number(form: &serde_json::Value) -> Option<f64> {
+    let forms = form["anyOf"].as_array();
+    let forms = forms.map_or(std::slice::from_ref(form), Vec::as_slice);
+    let own = forms.iter().find(|own| own["type"] == "number")?;
+    let bound = |keyword: &str, none: f64| own[keyword].as_f64().unwrap_or(none);
+    let least = bound("minimum", f64::NEG_INFINITY);
+    Some(1f64.max(least).min(bound("maximum", f64::INFINITY)))
+}
+
+#[test]
+fn laws_of_numbers_alone_are_read() {
+    let laws = laws_of_numbers(&schema(&Registry::standard()));
+    assert!(laws.len() >= 7, "{} laws", laws.len());
+    for objects in laws {
+        let scene = serde_json::json!({
+            "dam": 1, "name": "law", "run": { "duration": 1 }, "objects": objects,
+        });
+        let document = Document::parse("law.json", scene.to_string().as_bytes()).expect("JSON");
+        if let Err(diagnostics) = document.scene(&BuiltIn, &Overrides::none()) {
+            panic!("{objects}: {diagnostics}");
+        }
     }
 }
 
@@ -115,9 +193,6 @@ fn the_committed_scenes_are_read_and_name_the_schema() {
     }
 }
 
-/// What a catalogue object may leave to the scene that copies it.
-const LEFT_TO_THE_SCENE: [&str; 2] = ["input", "position"];
-
 /// A scene with a catalogue object and what that needs, behind a drive with this motion.
 fn scene_of(name: &str, drive: &serde_json::Value) -> serde_json::Value {
     use dam::scene::Catalogue;
@@ -126,22 +201,26 @@ fn scene_of(name: &str, drive: &serde_json::Value) -> serde_json::Value {
     for property in ["kind", "source", "description"] {
         assert!(own[property].is_string(), "{name} has no `{property}`");
     }
+    let registry = Registry::standard();
+    let kind = registry.kind(own["kind"].as_str().expect("a text"));
+    let inputs = kind.expect("a kind of the library").inputs;
+    let is_left = |property: &str| own.get(property).is_none();
     let mut object = serde_json::json!({ "from": name });
     // (Of several inputs each hangs on what it says, or on nothing.)
-    let is_drive = own["kind"] == "drive" || own.get("inputs").is_some();
-    for property in LEFT_TO_THE_SCENE {
-        if own.get(property).is_none() && !is_drive {
-            let several = own["kind"] == "differential";
-            match (property, several) {
-                ("input", false) => object["input"] = "the_drive".into(),
-                ("input", true) => {
-                    let drive = serde_json::json!({ "object": "the_drive" });
-                    object["inputs"] = serde_json::json!({ "sun": drive, "ring": drive });
-                }
-                (_, false) => object[property] = serde_json::json!({ "ratio": 1 }),
-                (_, true) => {}
+    if is_left("input") && is_left("inputs") {
+        match inputs {
+            Inputs::None => {}
+            Inputs::One | Inputs::OneOrSeveral => object["input"] = "the_drive".into(),
+            Inputs::Several => {
+                let drive = serde_json::json!({ "object": "the_drive" });
+                object["inputs"] = serde_json::json!({ "sun": drive, "ring": drive });
             }
         }
+    }
+    let properties = &schema(&registry)["$defs"][own["kind"].as_str().expect("a text")];
+    let has_position = properties["properties"].get("position").is_some();
+    if has_position && is_left("position") && is_left("inputs") {
+        object["position"] = serde_json::json!({ "ratio": 1 });
     }
     serde_json::json!({
         "dam": 1, "name": "catalogue", "run": { "duration": 1 },

@@ -276,6 +276,6 @@ mod tests {
             }
             seen += 1;
         }
-        assert_eq!(seen, 2);
+        assert!(seen >= 2, "{seen} laws have a series");
     }
 }

@@ -1,17 +1,27 @@
 //! Couplings of links: gears, belts, racks, cams with their rollers.
 
-use super::only;
+use super::{at, only};
 use crate::frontend::read::Node;
 
 /// A coupling of two links by gears, a belt, a gear and a rack, or a cam and a roller.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
-pub struct Coupling {
-    kind: &'static str,
-    own: Node,
-}
+pub struct Coupling(Node);
 
 impl Coupling {
+    /// A coupling whose kind is set by its name: `Coupling::new().set("rack.radius", 0.03)`.
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
+        Self(Node::object())
+    }
+
+    /// Sets any property by its name in a scene's text, or by its address within this value:
+    /// `rack.radius`.
+    pub fn set(mut self, property: &str, value: impl Into<Node>) -> Self {
+        *at(&mut self.0, property) = value.into();
+        self
+    }
+
     /// Two gears with external teeth, by their numbers of teeth.
     pub fn gears(wheels: [&str; 2], teeth: [u32; 2]) -> Self {
         Self::of("gear", wheels, "teeth", teeth)
@@ -52,9 +62,8 @@ impl Coupling {
     /// A cam about a point of one link, `crank.C`, and a roller (or a point) of another one, `lever.R`;
     /// the radius of the cam where the lift is zero (m). Without a lift it is a circle.
     pub fn cam(centre: &str, roller: &str, base_radius: impl Into<Node>) -> Self {
-        let own = only("centre", centre);
-        let cam = Self { kind: "cam", own }.with("roller", roller);
-        cam.with("base_radius", base_radius)
+        let cam = Self(only("cam", only("centre", centre)));
+        cam.with("roller", roller).with("base_radius", base_radius)
     }
 
     /// Radius of a cam's roller (m); without it a point.
@@ -83,18 +92,19 @@ impl Coupling {
     }
 
     fn of(kind: &'static str, wheels: [&str; 2], size: &str, value: impl Into<Node>) -> Self {
-        let own = only("wheels", wheels);
-        Self { kind, own }.with(size, value)
+        Self(only(kind, only("wheels", wheels))).with(size, value)
     }
 
-    fn with(mut self, property: &str, value: impl Into<Node>) -> Self {
-        self.own.put(property, value);
-        self
+    /// Sets a property of the kind.
+    fn with(self, property: &str, value: impl Into<Node>) -> Self {
+        let kind = self.0.members().first().map(|own| own.name.as_str());
+        let address = format!("{}.{property}", kind.unwrap_or_default());
+        self.set(&address, value)
     }
 }
 
 impl From<Coupling> for Node {
     fn from(coupling: Coupling) -> Self {
-        only(coupling.kind, coupling.own)
+        coupling.0
     }
 }

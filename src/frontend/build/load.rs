@@ -1,6 +1,6 @@
 //! Loads.
 
-use super::only;
+use super::{at, only};
 use crate::dynamics::load::{CustomLoad, LoadFunction};
 use crate::frontend::read::{Node, OWN, Own};
 use std::sync::Arc;
@@ -8,10 +8,10 @@ use std::sync::Arc;
 /// A force or moment on the masses of an object; positive towards positive displacement.
 #[derive(Clone, Debug, PartialEq)]
 #[must_use]
-pub struct Load {
-    law: &'static str,
-    node: Node,
-}
+pub struct Load(Node);
+
+/// What a load of any law may have.
+const COMMON: [&str; 3] = ["mass", "unit", "over"];
 
 impl Load {
     /// The laws, with the options that a method here sets.
@@ -33,9 +33,21 @@ impl Load {
         ("indicator", &["points", "area", "ambient", "period"]),
     ];
 
+    /// A load whose law is set by its name: `Load::new().set("viscous", 2)`.
+    #[allow(clippy::new_without_default)]
+    pub fn new() -> Self {
+        Self(Node::object())
+    }
+
+    /// Sets any property by its name in a scene's text, or by its address within this value:
+    /// `friction.force`.
+    pub fn set(mut self, property: &str, value: impl Into<Node>) -> Self {
+        *at(&mut self.0, property) = value.into();
+        self
+    }
+
     fn of(law: &'static str, value: impl Into<Node>) -> Self {
-        let node = only(law, value);
-        Self { law, node }
+        Self(only(law, value))
     }
 
     /// A constant force or moment (N or N·m).
@@ -121,23 +133,20 @@ impl Load {
 
     /// The mass it acts on: `"last"`, `"first"`, `"all"`, or its number from 1. Default
     /// `"all"` for a weight, `"last"` for everything else.
-    pub fn mass(mut self, mass: impl Into<Node>) -> Self {
-        self.node.put("mass", mass);
-        self
+    pub fn mass(self, mass: impl Into<Node>) -> Self {
+        self.set("mass", mass)
     }
 
     /// Unit of the value of an expression: `"kN"`.
-    pub fn unit(mut self, unit: impl Into<Node>) -> Self {
-        self.node.put("unit", unit);
-        self
+    pub fn unit(self, unit: impl Into<Node>) -> Self {
+        self.set("unit", unit)
     }
 
     /// Another object, or an output, to whose displacement a window, a table, a harmonic load of an
     /// order or an indicator diagram refers in place of the driver's; an expression knows its motion
     /// as `over_phi` and `over_phi_dot`. The id of the drive: the machine angle.
-    pub fn over(mut self, output: impl Into<Node>) -> Self {
-        self.node.put("over", output);
-        self
+    pub fn over(self, output: impl Into<Node>) -> Self {
+        self.set("over", output)
     }
 
     /// Angle (rad) of a harmonic load at its start.
@@ -170,14 +179,17 @@ impl Load {
         self.option("once", true)
     }
 
-    fn option(mut self, name: &str, value: impl Into<Node>) -> Self {
-        self.node.property(self.law).put(name, value);
-        self
+    /// Sets a property of the law.
+    fn option(self, name: &str, value: impl Into<Node>) -> Self {
+        let mut names = self.0.members().iter().map(|own| own.name.as_str());
+        let law = names.find(|name| !COMMON.contains(name));
+        let address = format!("{}.{name}", law.unwrap_or_default());
+        self.set(&address, value)
     }
 }
 
 impl From<Load> for Node {
     fn from(load: Load) -> Self {
-        load.node
+        load.0
     }
 }

@@ -1,8 +1,9 @@
 //! Builders know what the schema knows.
 
 use super::*;
-use crate::dynamics::laws::contact;
-use crate::frontend::object::Registry;
+use crate::dynamics::laws::{OF_LOADS, contact};
+use crate::frontend::object::{BUILT, Registry};
+use crate::frontend::read::Node;
 use crate::frontend::scene::schema;
 use serde_json::Value as Json;
 use std::collections::BTreeSet;
@@ -47,17 +48,14 @@ fn same(schema: &Json, path: &[&str], methods: &[&str], others: &[&str]) {
 #[test]
 fn every_property_of_every_kind_can_be_built() {
     let schema = schema(&Registry::standard());
-    let of_chains = ["kind", "input", "from", "loads", "stops"];
-    same(&schema, &["shaft"], Shaft::PROPERTIES, &of_chains);
-    same(&schema, &["crank"], Crank::PROPERTIES, &of_chains);
-    same(&schema, &["rocker"], Rocker::PROPERTIES, &of_chains);
-    same(&schema, &["slider"], Slider::PROPERTIES, &of_chains);
-    same(
-        &schema,
-        &["cam_follower"],
-        CamFollower::PROPERTIES,
-        &of_chains,
-    );
+    let of_all = ["kind", "input", "from", "loads", "stops"];
+    for (kind, methods) in BUILT {
+        let (known, methods) = (described(&schema, &[kind]), names(methods.iter().copied()));
+        assert!(methods.is_subset(&known), "{kind}: {methods:?}");
+        let rest: Vec<&String> = known.difference(&methods).collect();
+        let is_common = |own: &&String| of_all.contains(&own.as_str());
+        assert!(rest.iter().all(is_common), "{kind}: {rest:?}");
+    }
     let of_sums = [
         "kind",
         "from",
@@ -128,7 +126,10 @@ fn every_property_of_every_kind_can_be_built() {
 fn every_law_and_option_of_loads_can_be_built() {
     let schema = schema(&Registry::standard());
     let laws: Vec<&str> = Load::LAWS.iter().map(|law| law.0).collect();
-    same(&schema, &["load"], &laws, &["mass", "unit", "over"]);
+    // (What the file of a law declares is set by its name, with or without a method.)
+    let declared = OF_LOADS.iter().map(|law| law.key);
+    let others: Vec<&str> = declared.chain(["mass", "unit", "over"]).collect();
+    same(&schema, &["load"], &laws, &others);
     for (law, options) in Load::LAWS.iter().filter(|law| !law.1.is_empty()) {
         same(&schema, &["load", law], options, &[]);
     }
@@ -152,9 +153,9 @@ fn every_position_function_and_option_can_be_built() {
 #[test]
 fn dimensions_and_cams_can_be_built() {
     let schema = schema(&Registry::standard());
-    let kinds = ["shaft", "crank", "rocker", "slider", "cam_follower"];
-    let geometries = kinds.map(|kind| described(&schema, &[kind, "geometry"]));
-    let all: BTreeSet<String> = geometries.into_iter().flatten().collect();
+    let kinds = BUILT.iter().filter(|(_, own)| own.contains(&"geometry"));
+    let geometries = kinds.map(|(kind, _)| described(&schema, &[kind, "geometry"]));
+    let all: BTreeSet<String> = geometries.flatten().collect();
     assert_eq!(all, names(Geometry::PROPERTIES.iter().copied()));
     same(&schema, &["disc_cam"], DiscCam::PROPERTIES, &[]);
 }
@@ -236,4 +237,21 @@ fn a_built_value_is_the_json_that_says_the_same() {
         json(pair.into()),
         serde_json::from_str::<Json>(wanted).unwrap()
     );
+}
+
+#[test]
+fn what_has_no_method_is_set_by_its_name() {
+    let friction = Load::new()
+        .set("friction.force", 5)
+        .set("friction.width", 0.1);
+    assert_eq!(friction, Load::friction(5, 0.1));
+    assert_eq!(Load::new().set("viscous", 2), Load::viscous(2));
+    // The law need not be set first.
+    let spring = Node::from(Load::new().mass("all").set("spring.rate", 3).preload(1));
+    let spring = spring.get("spring").expect("a law");
+    assert!(spring.get("rate").is_some() && spring.get("preload").is_some());
+    let rack = Coupling::new()
+        .set("rack.wheels", ["a", "b"])
+        .set("rack.radius", 0.03);
+    assert_eq!(rack.offset(0.1), Coupling::rack("a", "b", 0.03).offset(0.1));
 }

@@ -15,6 +15,7 @@ use super::geometry::Beam;
 use super::spec::InertiaSplit;
 use super::{Context, Kind, Object};
 use crate::dynamics::model::{Closure, Coordinate};
+use crate::frontend::builder_macros::chain_builder;
 use crate::frontend::read::{Fields, Node};
 
 const MOTIONS: [(&str, Coordinate); 2] = [
@@ -60,3 +61,15 @@ pub(super) const KIND: Kind = Kind {
         "The follower of a cam, turning or sliding, held to it by a closing force.",
     )
 };
+
+chain_builder!(
+    /// A cam follower, turning or sliding, held on its cam by a closing force.
+    CamFollower of KIND {
+        /// `"turning"` or `"sliding"`.
+        motion;
+        /// Arm (m) on which an angle given by the position function becomes a length.
+        lever_arm;
+        /// The disc cam that moves it, for the study of cams.
+        cam;
+    }
+);

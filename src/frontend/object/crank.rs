@@ -13,6 +13,7 @@ use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::spec::InertiaSplit;
 use crate::dynamics::model::Coordinate;
+use crate::frontend::builder_macros::chain_builder;
 
 fn rules() -> Rules {
     Rules {
@@ -26,3 +27,8 @@ pub(super) const KIND: Kind = Kind {
     read: |fields, context| chain::object(KIND.name, fields, context, &rules()),
     ..chain::turning("crank", "A crank: a lever that turns about a fixed axis.")
 };
+
+chain_builder!(
+    /// A crank: a lever that turns fully.
+    Crank of KIND {}
+);

@@ -2,9 +2,9 @@
 //!
 //! An [`Object`] has [`Ports`] and lowers itself to nodes, links, laws and loads of
 //! the model, through a [`ModelBuilder`]. Its [`Kind`] says how it is read from a
-//! scene; kinds live in a [`Registry`]. A new kind of this library is one file and
-//! two lines in this one (`ARCHITECTURE.md` says what else goes with it); one of another
-//! crate is added with [`Registry::with`].
+//! scene; kinds live in a [`Registry`]. A new kind of this library is one file, with its
+//! builder, and two lines in this one (`ARCHITECTURE.md` says what else goes with it); one of
+//! another crate is added with [`Registry::with`].
 //!
 //! `Ports` are named inputs, none, one or several, and outputs. The first output is the
 //! object's own displacement; the others have an address such as `press.ram`. A connection
@@ -120,14 +120,31 @@ pub trait Object: fmt::Debug + Send + Sync {
     }
 }
 
-/// The kinds of this library, in the order they are presented.
-const STANDARD: &[Kind] = &[
-    drive::KIND,
-    shaft::KIND,
-    crank::KIND,
-    rocker::KIND,
-    slider::KIND,
-    cam_follower::KIND,
-    differential::KIND,
-    linkage::KIND,
-];
+/// The kinds, by their files, each with the builder that its file declares, if it does.
+macro_rules! kinds {
+    ($($file:ident $(: $Builder:ident)?;)*) => {
+        /// The kinds of this library, in the order they are presented.
+        const STANDARD: &[Kind] = &[$($file::KIND),*];
+
+        /// Builders that the files of kinds declare.
+        pub(in crate::frontend) mod builders {
+            $($(pub use super::$file::$Builder;)?)*
+        }
+
+        /// The properties that these builders have methods for, by the names of the kinds.
+        #[cfg(test)]
+        pub(in crate::frontend) const BUILT: &[(&str, &[&str])] =
+            &[$($(($file::KIND.name, $file::$Builder::PROPERTIES),)?)*];
+    };
+}
+
+kinds! {
+    drive;
+    shaft: Shaft;
+    crank: Crank;
+    rocker: Rocker;
+    slider: Slider;
+    cam_follower: CamFollower;
+    differential;
+    linkage;
+}

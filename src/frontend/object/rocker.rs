@@ -13,6 +13,7 @@ use super::chain::{self, Rules};
 use super::geometry::Beam;
 use super::spec::InertiaSplit;
 use crate::dynamics::model::Coordinate;
+use crate::frontend::builder_macros::chain_builder;
 
 fn rules() -> Rules {
     Rules {
@@ -30,3 +31,11 @@ pub(super) const KIND: Kind = Kind {
         "A rocker: a lever that swings about a fixed axis.",
     )
 };
+
+chain_builder!(
+    /// A rocker: a lever that swings about a fixed axis.
+    Rocker of KIND {
+        /// The disc cam that moves it, for the study of cams.
+        cam;
+    }
+);

@@ -14,6 +14,7 @@ use super::Kind;
 use super::chain::{self, Rules};
 use super::geometry::Beam;
 use crate::dynamics::model::Coordinate;
+use crate::frontend::builder_macros::chain_builder;
 
 fn rules() -> Rules {
     Rules {
@@ -31,3 +32,11 @@ pub(super) const KIND: Kind = Kind {
         "A shaft: turns in a constant ratio to its driver, with torsional masses and backlash.",
     )
 };
+
+chain_builder!(
+    /// A shaft: gear ratio, torsional masses, backlash.
+    Shaft of KIND {
+        /// Gap of a form-closed pair (rad), in place of `pair`.
+        backlash;
+    }
+);

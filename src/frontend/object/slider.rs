@@ -12,6 +12,7 @@
 use super::Kind;
 use super::chain::{self, Rules};
 use crate::dynamics::model::Coordinate;
+use crate::frontend::builder_macros::chain_builder;
 
 pub(super) const KIND: Kind = Kind {
     coordinate: |_| Some(Coordinate::Sliding),
@@ -20,3 +21,11 @@ pub(super) const KIND: Kind = Kind {
     },
     ..chain::turning("slider", "A slide in a straight guide.")
 };
+
+chain_builder!(
+    /// A slider: masses that slide.
+    Slider of KIND {
+        /// Arm (m) on which an angle given by the position function becomes a length.
+        lever_arm;
+    }
+);

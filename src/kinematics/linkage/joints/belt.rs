@@ -8,6 +8,8 @@ use super::carrier::{Mismatch, axes};
 use super::constraint::Act;
 use super::outline::Outline;
 use super::reader::{JointReader, Sizes};
+#[cfg(test)]
+use super::tests::Sample;
 use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
@@ -25,6 +27,8 @@ pub(super) const DECLARATION: Declaration = Declaration {
     key: "belt",
     doc: "A belt or chain over two pulleys.",
     read,
+    #[cfg(test)]
+    samples,
 };
 
 fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
@@ -37,6 +41,13 @@ fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
     let sense = if crossed { -1.0 } else { 1.0 };
     let radii = [0.5 * one, sense * 0.5 * other];
     Some(carried?.coupled(CouplingKind::Belt(Belt { radii })))
+}
+
+#[cfg(test)]
+fn samples() -> Vec<Sample> {
+    let radii = [0.1, -0.15];
+    let kind = CouplingKind::Belt(Belt { radii });
+    vec![Sample::of_wheels("belt", kind)]
 }
 
 impl Kind for Belt {

@@ -9,6 +9,8 @@ use super::carrier::{Mismatch, axes};
 use super::constraint::Act;
 use super::outline::Outline;
 use super::reader::{JointReader, Sizes};
+#[cfg(test)]
+use super::tests::Sample;
 use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
@@ -26,6 +28,8 @@ pub(super) const DECLARATION: Declaration = Declaration {
     key: "gear",
     doc: "Two gears: seen from their carrier they turn as their numbers of teeth say.",
     read,
+    #[cfg(test)]
+    samples,
 };
 
 fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
@@ -45,6 +49,12 @@ fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
     let sense = if internal { 1.0 } else { -1.0 };
     let ratio = sense * one / other;
     Some(carried?.coupled(CouplingKind::Gear(Gear { ratio })))
+}
+
+#[cfg(test)]
+fn samples() -> Vec<Sample> {
+    let kind = CouplingKind::Gear(Gear { ratio: -1.6 });
+    vec![Sample::of_wheels("gear", kind)]
 }
 
 impl Kind for Gear {

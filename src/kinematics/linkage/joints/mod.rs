@@ -145,6 +145,9 @@ pub(crate) struct Declaration {
     pub(crate) doc: &'static str,
     /// Reads its properties; the name of the coupling is left open.
     pub(crate) read: fn(&mut dyn JointReader) -> Option<CouplingSpec>,
+    /// Some of its kind, whose rows and rates are compared with differences.
+    #[cfg(test)]
+    pub(crate) samples: fn() -> Vec<tests::Sample>,
 }
 
 /// The kinds: name, file, numbers, mechanics.

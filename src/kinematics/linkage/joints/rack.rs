@@ -9,6 +9,8 @@ use super::carrier::{Mismatch, axis, distinct, guide};
 use super::constraint::{Act, Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
 use super::reader::{Domain, JointReader, MissingCarrier};
+#[cfg(test)]
+use super::tests::Sample;
 use super::wheels::{WORDS, check_ratio, circle};
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
@@ -31,6 +33,8 @@ pub(super) const DECLARATION: Declaration = Declaration {
     key: "rack",
     doc: "A gear and a rack, which a guide joins to their carrier.",
     read,
+    #[cfg(test)]
+    samples,
 };
 
 /// What is said where no link carries both.
@@ -44,6 +48,16 @@ fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
     let doc = "Radius of the gear's pitch circle; positive: the rack lies to the right of the gear, seen along its guide, and slides forwards as the gear turns counterclockwise.";
     let radius = reader.length("radius", doc, Domain::NotZero, None)?;
     Some(carried?.coupled(CouplingKind::Rack(Rack { radius })))
+}
+
+#[cfg(test)]
+fn samples() -> Vec<Sample> {
+    let kind = || CouplingKind::Rack(Rack { radius: -0.07 });
+    let backwards = "rack of a carrier that slides in it";
+    vec![
+        Sample::of_slide("rack", kind(), true),
+        Sample::of_slide(backwards, kind(), false),
+    ]
 }
 
 /// The gear's axis on the carrier (m), and the guide of the rack.

@@ -1,14 +1,10 @@
 //! The row of every kind against differences of its closing error, its rates against differences of
 //! the row, and its forces against the power of the row.
 
-use super::cam::CamPairSpec;
-use super::{CouplingKind, CouplingSpec, Frames, Joint, Turns, Wrench};
-use super::{belt::Belt, gear::Gear, rack::Rack};
-use crate::kinematics::cam::Surface;
+use super::{CouplingKind, CouplingSpec, DECLARATIONS, Frames, Joint, Turns, Wrench};
 use crate::kinematics::linkage::elements::Frame;
 use crate::kinematics::linkage::spec::pair::{PairKind, PairSpec, PointOf};
 use crate::kinematics::linkage::vector::Vector;
-use crate::kinematics::position::spec::PositionSpec;
 use crate::math::series::Series;
 
 /// x, y, θ of each link as power series.
@@ -61,66 +57,88 @@ fn pair(on: (usize, [f64; 2]), link: (usize, [f64; 2]), kind: PairKind) -> PairS
     }
 }
 
-/// Every kind between links 0, 1 and 2, made ready.
-fn joints() -> Vec<(&'static str, Joint)> {
-    let pin = PairKind::Revolute { diameter: 0.0 };
-    let guide = PairKind::Sliding {
-        direction: 0.3,
-        angle: 0.2,
-        corners: [0.0; 2],
-        half_height: 0.0,
-    };
-    let wheels = [
-        pair((2, [0.1, 0.0]), (0, [0.0; 2]), pin),
-        pair((1, [0.0; 2]), (2, [0.5, 0.1]), pin),
-    ];
-    let forwards = [
-        wheels[0].clone(),
-        pair((2, [0.2, 0.1]), (1, [0.05, 0.1]), guide),
-    ];
-    let backwards = [
-        wheels[0].clone(),
-        pair((1, [0.2, 0.1]), (2, [0.05, 0.1]), guide),
-    ];
-    let lift = PositionSpec::Sine {
-        amplitude: 0.03,
-        harmonic: 2.0,
-        phase: 0.4,
-        offset: 0.0,
-    };
-    let cam = |surface| {
-        CouplingKind::Cam(Box::new(CamPairSpec {
-            centre: [0.02, -0.01],
-            roller: [0.03, 0.04],
-            roller_radius: 0.02,
-            base_radius: 0.2,
-            lift: Some(lift.clone()),
-            direction: 0.1,
-            sense: -1.0,
-            surface,
-        }))
-    };
-    let radii = [0.1, -0.15];
-    let rack = || CouplingKind::Rack(Rack { radius: -0.07 });
-    let all = [
-        ("gear", CouplingKind::Gear(Gear { ratio: -1.6 }), &wheels),
-        ("belt", CouplingKind::Belt(Belt { radii }), &wheels),
-        ("rack", rack(), &forwards),
-        ("rack of a carrier that slides in it", rack(), &backwards),
-        ("cam", cam(Surface::Disc), &wheels),
-        ("hollow cam", cam(Surface::Hollow), &wheels),
-    ];
-    let ready = all.map(|(name, kind, pairs)| {
+/// A coupling of links 0 and 1, with link 2 as their carrier.
+pub(crate) struct Sample {
+    name: &'static str,
+    kind: CouplingKind,
+    pairs: Vec<PairSpec>,
+    /// How the second link moves against the carrier, where forces pass through its pins.
+    carried: Option<Carried>,
+}
+
+/// How a link moves against its carrier.
+#[derive(Clone, Copy)]
+enum Carried {
+    /// It turns.
+    Turning,
+    /// It slides in this direction.
+    Sliding([f64; 2]),
+}
+
+/// Direction of the guide of what slides (rad).
+const GUIDE: f64 = 0.3;
+
+impl Sample {
+    /// Of two links that need no carrier.
+    pub(super) fn of_two(name: &'static str, kind: CouplingKind) -> Self {
+        Self {
+            name,
+            kind,
+            pairs: Vec::new(),
+            carried: None,
+        }
+    }
+
+    /// Of two wheels on pins of the carrier.
+    pub(super) fn of_wheels(name: &'static str, kind: CouplingKind) -> Self {
+        let pin = PairKind::Revolute { diameter: 0.0 };
+        Self {
+            pairs: vec![
+                pair((2, [0.1, 0.0]), (0, [0.0; 2]), pin),
+                pair((1, [0.0; 2]), (2, [0.5, 0.1]), pin),
+            ],
+            carried: Some(Carried::Turning),
+            ..Self::of_two(name, kind)
+        }
+    }
+
+    /// Of a wheel on a pin of the carrier and a slide: on a guide of the carrier, or with a
+    /// guide of its own.
+    pub(super) fn of_slide(name: &'static str, kind: CouplingKind, on_carrier: bool) -> Self {
+        let guide = PairKind::Sliding {
+            direction: GUIDE,
+            angle: 0.2,
+            corners: [0.0; 2],
+            half_height: 0.0,
+        };
+        let mut sample = Self::of_wheels(name, kind);
+        let (on, block) = if on_carrier { (2, 1) } else { (1, 2) };
+        sample.pairs[1] = pair((on, [0.2, 0.1]), (block, [0.05, 0.1]), guide);
+        let direction = [GUIDE.cos(), GUIDE.sin()];
+        sample.carried = on_carrier.then_some(Carried::Sliding(direction));
+        sample
+    }
+
+    fn ready(&self) -> Joint {
         let coupling = CouplingSpec {
-            name: name.to_owned(),
+            name: self.name.to_owned(),
             wheels: [Some(0), Some(1)],
             carrier: Some(2),
-            kind,
+            kind: self.kind.clone(),
             offset: 0.3,
         };
-        (name, coupling.ready(pairs).expect("its links are joined"))
-    });
-    ready.to_vec()
+        coupling.ready(&self.pairs).expect("its links are joined")
+    }
+}
+
+/// What the files of all kinds give, made ready.
+fn couplings() -> Vec<(Sample, Joint)> {
+    let samples = DECLARATIONS.iter().flat_map(|own| (own.samples)());
+    let ready = |own: Sample| {
+        let joint = own.ready();
+        (own, joint)
+    };
+    samples.map(ready).collect()
 }
 
 /// All joints: the couplings, a pin and a guide.
@@ -132,7 +150,8 @@ fn all() -> Vec<(&'static str, Joint)> {
         corners: [0.0; 2],
         half_height: 0.0,
     };
-    let mut all = joints();
+    let of_coupling = |(sample, joint): (Sample, Joint)| (sample.name, joint);
+    let mut all: Vec<(&str, Joint)> = couplings().into_iter().map(of_coupling).collect();
     for (name, kind) in [("pin", pin), ("guide", guide)] {
         let pair = pair((0, [0.2, -0.1]), (1, [0.1, 0.3]), kind);
         all.push((name, Joint::of_pair(&pair)));
@@ -199,7 +218,7 @@ fn rates_of_rows_are_those_of_the_errors_along_a_motion() {
 
 #[test]
 fn couplings_do_nothing_to_links_that_move_as_one() {
-    for (name, joint) in joints() {
+    for (Sample { name, .. }, joint) in couplings() {
         let mut sum = [0.0; 3];
         joint.rows(&links::<1>(), |_, _, wrench: Wrench<1>| {
             for (sum, part) in sum.iter_mut().zip(wrench.about_origin()) {
@@ -212,14 +231,14 @@ fn couplings_do_nothing_to_links_that_move_as_one() {
 
 /// Velocities of the links at which pins and guides stay closed: the carrier turns about the origin,
 /// the wheels against it at rates of their own, a rack along its guide.
-fn powers(joint: &Joint, rates: [f64; 2], slides: Option<[f64; 2]>) -> [f64; 2] {
+fn powers(joint: &Joint, rates: [f64; 2], carried: Carried) -> [f64; 2] {
     // The carrier lies in the frame of the ground, its wheels on their axes.
     let at = |x: f64, y: f64, angle: f64| [x, y, angle].map(Series::constant);
     let links = Links::<1>([at(0.1, 0.0, 0.4), at(0.5, 0.1, -0.3), at(0.0, 0.0, 0.0)]);
     let axes = [[0.1, 0.0], [0.5, 0.1]];
     let turning = 0.7;
-    let velocities: [[f64; 3]; 2] = [0, 1].map(|wheel| match slides {
-        Some([u, v]) if wheel == 1 => [turning, rates[1] * u, rates[1] * v],
+    let velocities: [[f64; 3]; 2] = [0, 1].map(|wheel| match carried {
+        Carried::Sliding([u, v]) if wheel == 1 => [turning, rates[1] * u, rates[1] * v],
         _ => {
             let ([x, y], rate) = (axes[wheel], rates[wheel]);
             [turning + rate, rate * y, -rate * x]
@@ -241,16 +260,12 @@ fn powers(joint: &Joint, rates: [f64; 2], slides: Option<[f64; 2]>) -> [f64; 2] 
 
 #[test]
 fn forces_on_wheels_are_the_row_turned_over_but_for_what_pins_carry() {
-    for (name, joint) in joints() {
-        let slides = match name {
-            "gear" | "belt" => None,
-            "rack" => Some([0.3f64.cos(), 0.3f64.sin()]),
-            _ => continue,
-        };
-        let [row, forces] = powers(&joint, [1.0, 0.0], slides);
+    for (Sample { name, carried, .. }, joint) in couplings() {
+        let Some(carried) = carried else { continue };
+        let [row, forces] = powers(&joint, [1.0, 0.0], carried);
         let ratio = forces / row;
         for rates in [[0.0, 1.0], [0.4, -1.3], [-2.0, 0.2]] {
-            let [row, forces] = powers(&joint, rates, slides);
+            let [row, forces] = powers(&joint, rates, carried);
             assert!((forces - ratio * row).abs() < 1e-12, "{name}");
         }
     }

@@ -19,6 +19,8 @@ use super::carrier::Mismatch;
 use super::constraint::{Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
 use super::reader::{Domain, JointReader};
+#[cfg(test)]
+use super::tests::Sample;
 use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::kinematics::cam::spec::Surface;
@@ -69,6 +71,8 @@ pub(super) const DECLARATION: Declaration = Declaration {
     key: "cam",
     doc: "A cam of one link on which a roller or a point of another one runs.",
     read,
+    #[cfg(test)]
+    samples,
 };
 
 fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
@@ -106,6 +110,32 @@ fn read(reader: &mut dyn JointReader) -> Option<CouplingSpec> {
         kind: CouplingKind::Cam(Box::new(cam)),
         offset: 0.0,
     })
+}
+
+#[cfg(test)]
+fn samples() -> Vec<Sample> {
+    let lift = PositionSpec::Sine {
+        amplitude: 0.03,
+        harmonic: 2.0,
+        phase: 0.4,
+        offset: 0.0,
+    };
+    let kind = |surface| {
+        CouplingKind::Cam(Box::new(CamPairSpec {
+            centre: [0.02, -0.01],
+            roller: [0.03, 0.04],
+            roller_radius: 0.02,
+            base_radius: 0.2,
+            lift: Some(lift.clone()),
+            direction: 0.1,
+            sense: -1.0,
+            surface,
+        }))
+    };
+    vec![
+        Sample::of_two("cam", kind(Surface::Disc)),
+        Sample::of_two("hollow cam", kind(Surface::Hollow)),
+    ]
 }
 
 impl Kind for Box<CamPairSpec> {
