@@ -82,10 +82,7 @@ impl Model {
     /// The stop that an object part is.
     pub fn stop(&self, part: usize) -> Option<Stop> {
         let own = self.stops.iter().find(|stop| stop.part == part)?;
-        match self.loads[own.load].law {
-            LoadLaw::Stop(stop) => Some(stop),
-            _ => None,
-        }
+        self.loads[own.load].law.stop().copied()
     }
 
     /// Reduction of an object to modes, if it is reduced to modes.

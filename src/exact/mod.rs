@@ -145,7 +145,7 @@ mod workspace;
 
 pub use cursor::Cursor;
 pub use from_model::{KeptLaws, Part, Parts, Rest};
-pub(crate) use from_model::{PrescribedMotion, Rhythm, straight};
+pub(crate) use from_model::{PrescribedMotion, Rhythm};
 pub(crate) use hermite::{End, Piece};
 pub use law::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
 pub use problem::{

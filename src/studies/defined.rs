@@ -1,9 +1,6 @@
 //! Whether what is written as a function of time has a value all through the run.
 
-use crate::dynamics::model::{
-    Load, LoadLaw, LoadVariable, Model, NodeIndex, NodeMotion, WrittenLoad,
-};
-use crate::exact::straight;
+use crate::dynamics::model::{Load, LoadVariable, Model, NodeIndex, NodeMotion, WrittenLoad};
 use crate::fault::Fault;
 use crate::kinematics::motion::{DriveMotion, WrittenMotion};
 use crate::math::expression::{Expression, MOST};
@@ -24,7 +21,7 @@ pub fn undefined(model: &Model, duration: f64) -> Vec<Fault> {
         }
     }
     for load in &model.loads {
-        let LoadLaw::Written(written) = &load.law else {
+        let Some(written) = load.law.written() else {
             continue;
         };
         let of_time = over_time(model, load, written);
@@ -65,7 +62,7 @@ fn uniform(model: &Model, node: NodeIndex) -> Option<[f64; 2]> {
             ..
         } => Some([*speed, *angle]),
         NodeMotion::Rigid { law } => {
-            let (ratio, offset) = straight(&law.position)?;
+            let [ratio, offset] = law.position.straight_line()?;
             let [speed, place] = uniform(model, law.driver)?;
             Some([
                 law.lever * ratio * speed,

@@ -90,6 +90,8 @@ const KINDS: &[(&str, &[&str])] = &[
 const FOREIGN: &[(&str, &[&str])] = &[
     // Planetary gears as objects of their own.
     ("gear", &["src/frontend/object/differential"]),
+    // The folder of linkages itself.
+    ("linkage", &["src/kinematics/linkage/"]),
     // Guides of the followers of disc cams.
     (
         "guide",

@@ -142,7 +142,7 @@ impl<'s> Mechanics<'s> {
             }
         }
         for (load, statement) in model.loads.iter().zip(&self.loads) {
-            if statement.is_none() && matches!(load.law, LoadLaw::Pieces { .. }) {
+            if statement.is_none() && load.law.pieces().is_some() {
                 self.no_force[load.node] = Some("a load that no text states");
             }
             let others = load.law.read_nodes();
@@ -263,19 +263,12 @@ impl<'s> Mechanics<'s> {
             let own = motion(load.node);
             let force = match (&self.loads[index], &load.law) {
                 (Some(statement), law) => {
-                    let over = match law {
-                        LoadLaw::Written(written) => {
-                            written
-                                .variables
-                                .iter()
-                                .skip(5)
-                                .find_map(|variable| match variable {
-                                    LoadVariable::Displacement(node) => Some(motion(*node)),
-                                    LoadVariable::Time | LoadVariable::Speed(_) => None,
-                                })
-                        }
-                        _ => None,
-                    };
+                    let variables = law.written().into_iter().flat_map(|own| &own.variables);
+                    let mut others = variables.skip(5);
+                    let over = others.find_map(|variable| match variable {
+                        LoadVariable::Displacement(node) => Some(motion(*node)),
+                        LoadVariable::Time | LoadVariable::Speed(_) => None,
+                    });
                     let motions = [own, motion(statement.driver), over.unwrap_or(own)];
                     let inertia = model.nodes[load.node].inertia;
                     let force = statement.law.force(time, motions, inertia, FREE_FALL);
@@ -447,7 +440,7 @@ fn stops(system: &System) -> Vec<Option<Contact>> {
     let model = system.model();
     let mut found: Vec<Option<Contact>> = vec![None; model.loads.len()];
     for own in &model.stops {
-        if let LoadLaw::Stop(stop) = model.loads[own.load].law {
+        if let Some(stop) = model.loads[own.load].law.stop() {
             let (pair, damping) = stop.pair();
             let place = (system.pair_component(own.part), None);
             found[own.load] = Some(Contact::of_link(

@@ -95,7 +95,7 @@ impl ModelBuilder {
         self.model.tracks[waiting].source = TrackSource::Node(node);
         let stated = &mut self.model.stated.loads;
         for (index, load) in self.model.loads.iter().enumerate() {
-            let on_it = matches!(load.law, LoadLaw::Pieces { track, .. } if track == waiting);
+            let on_it = load.law.pieces().is_some_and(|own| own.0 == waiting);
             if let Some(statement) = stated.get_mut(&index).filter(|_| on_it) {
                 statement.driver = node;
             }

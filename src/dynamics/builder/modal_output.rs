@@ -2,7 +2,7 @@
 
 use super::spec::{LoadLawSpec, LoadSpec};
 use super::{InputConnection, ModelBuilder, Place};
-use crate::dynamics::model::{Load, LoadLaw, NodeIndex, Pair};
+use crate::dynamics::model::{Load, NodeIndex, Pair, WrittenLoad};
 use crate::kinematics::constraint::Constraint;
 use crate::kinematics::position::Position;
 
@@ -55,11 +55,10 @@ pub(super) fn load(
     }
     into.load(at, spec, &[output], driver);
     let known = |load: &Load| {
-        let given = match &load.law {
-            LoadLaw::Pieces { .. } => true,
-            LoadLaw::Written(written) => written.nodes().next().is_none(),
-            law => law.as_constant().is_some(),
-        };
+        let of_nothing = |written: &WrittenLoad| written.nodes().next().is_none();
+        let given = load.law.pieces().is_some()
+            || load.law.written().is_some_and(of_nothing)
+            || load.law.as_constant().is_some();
         given && load.node == output
     };
     let Some(load) = into.model.loads.pop_if(|load| known(load)) else {

@@ -2,9 +2,7 @@
 //! is one of the other laws. Loads over the motion of an object that is lowered later.
 
 use super::ModelBuilder;
-use crate::dynamics::model::{
-    Load, LoadLaw, LoadVariable, NodeIndex, Track, TrackSource, WrittenLoad,
-};
+use crate::dynamics::model::{LoadLaw, LoadVariable, NodeIndex, Track, TrackSource, WrittenLoad};
 use crate::kinematics::breaks::Breaks;
 use crate::math::expression::Expression;
 use std::sync::Arc;
@@ -152,10 +150,9 @@ impl ModelBuilder {
 
     /// Remembers that the load added last looks at another object.
     pub(super) fn wait_for(&mut self, path: &str, over: Option<&String>) {
-        let is_written = |load: &Load| matches!(load.law, LoadLaw::Written(_));
         let last = self.model.loads.len().checked_sub(1);
         if let (Some(over), Some(load)) = (over, last)
-            && is_written(&self.model.loads[load])
+            && self.model.loads[load].law.written().is_some()
         {
             self.waiting.push(PendingReference {
                 what: ReferenceKind::Load(load),
@@ -183,7 +180,7 @@ impl ModelBuilder {
     }
 
     fn connect_load(&mut self, load: usize, node: NodeIndex) {
-        if let LoadLaw::Written(written) = &mut self.model.loads[load].law {
+        if let Some(written) = self.model.loads[load].law.written_mut() {
             written.variables[OVER[0].1] = LoadVariable::Displacement(node);
             written.variables[OVER[1].1] = LoadVariable::Speed(node);
         }

@@ -69,22 +69,161 @@ pub struct LinearLoad {
 impl LoadLaw {
     /// True of a one-sided stop against the ground.
     pub fn is_stop(&self) -> bool {
-        matches!(self, Self::Stop(_))
+        self.stop().is_some()
+    }
+
+    /// The one-sided stop that it is.
+    pub fn stop(&self) -> Option<&Stop> {
+        match self {
+            Self::Stop(stop) => Some(stop),
+            Self::Linear(_) | Self::Pieces { .. } | Self::Written(_) | Self::Function { .. } => {
+                None
+            }
+        }
+    }
+
+    /// The expression that it is.
+    pub fn written(&self) -> Option<&WrittenLoad> {
+        match self {
+            Self::Written(written) => Some(written),
+            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => None,
+        }
+    }
+
+    /// The expression that it is, to be changed.
+    pub(crate) fn written_mut(&mut self) -> Option<&mut WrittenLoad> {
+        match self {
+            Self::Written(written) => Some(written),
+            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => None,
+        }
+    }
+
+    /// The track whose piece counts, by its index, and the pieces, of a force by pieces.
+    pub fn pieces(&self) -> Option<(usize, &[LinearPiece])> {
+        match self {
+            Self::Pieces { track, pieces } => Some((*track, pieces)),
+            Self::Linear(_) | Self::Stop(_) | Self::Written(_) | Self::Function { .. } => None,
+        }
     }
 
     /// The track whose piece counts, of a force by pieces.
     pub fn track<'t>(&self, tracks: &'t [Track]) -> Option<&'t Track> {
+        tracks.get(self.pieces()?.0)
+    }
+
+    /// True where it follows from the motion of its own node, whatever else it reads: not of a
+    /// table, nor of an expression, which names all that it reads.
+    pub fn needs_own_motion(&self) -> bool {
         match self {
-            Self::Pieces { track, .. } => tracks.get(*track),
-            _ => None,
+            Self::Linear(_) | Self::Stop(_) | Self::Function { .. } => true,
+            Self::Pieces { .. } | Self::Written(_) => false,
         }
+    }
+
+    /// True where it is zero at all times.
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Self::Linear(own) => *own == LinearLoad::default(),
+            Self::Pieces { pieces, .. } => {
+                let acts = |piece: &LinearPiece| piece.value != 0.0 || piece.slope != 0.0;
+                !pieces.iter().any(acts)
+            }
+            Self::Stop(_) => false,
+            Self::Written(written) => written.factor == 0.0,
+            Self::Function { function, factor } => factor * function.magnitude() == 0.0,
+        }
+    }
+
+    /// True where its numbers are what they may be.
+    pub(crate) fn is_possible(&self) -> bool {
+        let finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
+        match self {
+            Self::Linear(own) => finite(&[own.force, own.rate, own.damping]),
+            Self::Pieces { pieces, .. } => {
+                let finite_piece =
+                    |piece: &LinearPiece| finite(&[piece.start, piece.value, piece.slope]);
+                !pieces.is_empty() && pieces.iter().all(finite_piece)
+            }
+            Self::Stop(stop) => {
+                let side = stop.side.abs() == 1.0;
+                let gives = stop.stiffness > 0.0 || stop.law.is_rigid();
+                side && gives && finite(&[stop.at, stop.stiffness])
+            }
+            Self::Written(written) => finite(&[written.factor]),
+            Self::Function { function, factor } => {
+                let corners = function.corners();
+                let ascending = corners.windows(2).all(|pair| pair[0].0 < pair[1].0);
+                let stated = function.declared().is_none_or(|own| own.is_possible());
+                ascending && stated && finite(&[*factor, function.magnitude()])
+            }
+        }
+    }
+
+    /// Its greatest magnitude while its node moves by `displacement` at up to `speed`, both as
+    /// magnitudes; 0 of a stop, which presses no more than it is pressed, and of an expression,
+    /// which is tried over all motions that it reads.
+    pub(crate) fn greatest_magnitude(&self, displacement: f64, speed: f64) -> f64 {
+        match self {
+            // (A motor pulls most at rest.)
+            Self::Linear(own) => match own.running_speed() {
+                Some(_) => own.force.abs(),
+                None => own.force.abs() + own.answer(displacement, speed),
+            },
+            Self::Pieces { pieces, .. } => {
+                let values = pieces.iter().map(|piece| piece.value.abs());
+                values.fold(0.0, f64::max)
+            }
+            Self::Stop(_) | Self::Written(_) => 0.0,
+            Self::Function { function, factor } => (factor * function.magnitude()).abs(),
+        }
+    }
+
+    /// The part of this magnitude with which it answers to the motion of its node: that of
+    /// springs and dampers.
+    pub(crate) fn answer(&self, displacement: f64, speed: f64) -> f64 {
+        match self {
+            Self::Linear(own) if own.running_speed().is_none() => own.answer(displacement, speed),
+            Self::Linear(_)
+            | Self::Pieces { .. }
+            | Self::Stop(_)
+            | Self::Written(_)
+            | Self::Function { .. } => 0.0,
+        }
+    }
+
+    /// The same with tracks and nodes by other numbers, its own node being `own`; `None`: one
+    /// that counts has none.
+    pub(crate) fn renumbered(
+        mut self,
+        tracks: &[Option<usize>],
+        nodes: &[Option<NodeIndex>],
+        own: NodeIndex,
+    ) -> Option<Self> {
+        match &mut self {
+            Self::Pieces { track, .. } => *track = tracks[*track]?,
+            Self::Written(written) => {
+                for (index, variable) in written.variables.iter_mut().enumerate() {
+                    let read = written.expression.program().reads(index);
+                    if let LoadVariable::Displacement(node) | LoadVariable::Speed(node) = variable {
+                        // (What does not count may be anywhere.)
+                        *node = if read { nodes[*node]? } else { own };
+                    }
+                }
+            }
+            Self::Linear(_) | Self::Stop(_) | Self::Function { .. } => {}
+        }
+        Some(self)
     }
 
     /// True where it looks at the time.
     pub fn needs_time(&self, tracks: &[Track]) -> bool {
         match self {
             Self::Written(written) => written.needs_time(),
-            _ => (self.track(tracks)).is_some_and(|track| track.source == TrackSource::Time),
+            Self::Pieces { track, .. } => {
+                let track = tracks.get(*track);
+                track.is_some_and(|track| track.source == TrackSource::Time)
+            }
+            Self::Linear(_) | Self::Stop(_) | Self::Function { .. } => false,
         }
     }
 
@@ -169,7 +308,11 @@ impl LoadLaw {
     pub fn as_constant(&self) -> Option<f64> {
         match self {
             Self::Linear(own) if own.rate == 0.0 && own.damping == 0.0 => Some(own.force),
-            _ => None,
+            Self::Linear(_)
+            | Self::Pieces { .. }
+            | Self::Stop(_)
+            | Self::Written(_)
+            | Self::Function { .. } => None,
         }
     }
 
@@ -177,7 +320,7 @@ impl LoadLaw {
     pub fn function(&self) -> Option<&dyn LoadFunction> {
         match self {
             Self::Function { function, .. } => Some(function.as_ref()),
-            _ => None,
+            Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Written(_) => None,
         }
     }
 
@@ -224,6 +367,11 @@ impl LoadLaw {
 }
 
 impl LinearLoad {
+    /// The magnitude of spring and damper over a displacement and a speed.
+    fn answer(&self, displacement: f64, speed: f64) -> f64 {
+        self.rate.abs() * displacement + self.damping.abs() * speed
+    }
+
     /// The speed at which a torque that falls with the speed vanishes.
     pub fn running_speed(&self) -> Option<f64> {
         let falls = self.force != 0.0 && self.damping != 0.0 && self.rate == 0.0;

@@ -71,7 +71,7 @@ impl<'a> Builder<'a> {
         };
         // Only their number matters yet: tracks are numbered after the pairs.
         frozen.pairs = vec![usize::MAX; chains.iter().filter(opening).count()];
-        let stops = (model.loads.iter()).filter(|load| matches!(load.law, LoadLaw::Stop(_)));
+        let stops = (model.loads.iter()).filter(|load| load.law.is_stop());
         frozen.stops = vec![FrozenStop::UNPLACED; stops.count()];
         Self {
             model,

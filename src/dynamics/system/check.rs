@@ -1,8 +1,7 @@
 //! Checks of a model's numbers and structure before it is frozen.
 
-use crate::dynamics::model::{LinkBase, LoadLaw, Model, NodeMotion, TrackSource};
+use crate::dynamics::model::{LinkBase, Model, NodeMotion, TrackSource};
 use crate::fault::Fault;
-use crate::kinematics::position::Position;
 
 /// All faults of a model.
 pub(super) fn faults(model: &Model) -> Vec<Fault> {
@@ -75,12 +74,9 @@ fn check_indices(model: &Model, faults: &mut Vec<Fault>) {
         }
     }
     for load in &model.loads {
-        let track = match load.law {
-            LoadLaw::Pieces { track, .. } => track < tracks,
-            LoadLaw::Written(ref written) => written.nodes().all(|node| node < nodes),
-            _ => true,
-        };
-        if load.node >= nodes || !track {
+        let track = load.law.pieces().is_none_or(|(track, _)| track < tracks);
+        let read = load.law.read_nodes().iter().all(|&node| node < nodes);
+        if load.node >= nodes || !track || !read {
             refuse(load.name.clone(), "a node or a track that does not exist");
         }
     }
@@ -181,9 +177,7 @@ fn has_next(model: &Model, node: usize) -> bool {
 /// at any other its inertia would vanish where U′ does.
 fn carries_inertia(model: &Model, node: usize) -> bool {
     let follows = |&other: &usize| match &model.nodes[other].motion {
-        NodeMotion::Rigid { law } => {
-            law.driver == node && matches!(law.position, Position::Ratio { .. })
-        }
+        NodeMotion::Rigid { law } => law.driver == node && law.position.constant_ratio().is_some(),
         _ => false,
     };
     let input = |node: usize| {
@@ -232,29 +226,7 @@ fn check_links(model: &Model, faults: &mut Vec<Fault>) {
 
 fn check_loads(model: &Model, faults: &mut Vec<Fault>) {
     for load in &model.loads {
-        let finite = |numbers: &[f64]| numbers.iter().all(|number| number.is_finite());
-        let good = match &load.law {
-            LoadLaw::Linear(own) => finite(&[own.force, own.rate, own.damping]),
-            LoadLaw::Pieces { pieces, .. } => {
-                let finite_piece = |piece: &crate::dynamics::model::LinearPiece| {
-                    finite(&[piece.start, piece.value, piece.slope])
-                };
-                !pieces.is_empty() && pieces.iter().all(finite_piece)
-            }
-            LoadLaw::Stop(stop) => {
-                let side = stop.side.abs() == 1.0;
-                let gives = stop.stiffness > 0.0 || stop.law.is_rigid();
-                side && gives && finite(&[stop.at, stop.stiffness])
-            }
-            LoadLaw::Written(written) => finite(&[written.factor]),
-            LoadLaw::Function { function, factor } => {
-                let corners = function.corners();
-                let ascending = corners.windows(2).all(|pair| pair[0].0 < pair[1].0);
-                let stated = function.declared().is_none_or(|own| own.is_possible());
-                ascending && stated && finite(&[*factor, function.magnitude()])
-            }
-        };
-        if !good {
+        if !load.law.is_possible() {
             faults.push(Fault::new(
                 load.name.clone(),
                 "a number of this load is out of its range",

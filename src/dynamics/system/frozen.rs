@@ -238,7 +238,7 @@ pub(super) struct FrozenLaw {
 impl FrozenLaw {
     /// True when U′ is not a constant.
     pub(super) fn has_variable_ratio(&self) -> bool {
-        !matches!(self.position, Position::Ratio { .. })
+        self.position.constant_ratio().is_none()
     }
 
     /// lever·U and its derivatives at the driver's displacement.

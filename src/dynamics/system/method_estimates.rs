@@ -5,7 +5,6 @@ use super::frozen::{Frozen, FrozenLaw, Step};
 use super::taylor::way_of_law;
 use crate::kinematics::breaks::Breaks;
 use crate::kinematics::constraint::Constraint;
-use crate::kinematics::position::Position;
 use std::f64::consts::TAU;
 
 /// Changes of the sides of a block in a turn: each of both corners is pressed one way
@@ -23,9 +22,8 @@ impl System {
     /// True when a law of position that is no constant ratio, or a linkage, is
     /// part of the mechanism.
     pub fn has_variable_ratio(&self) -> bool {
-        let bent = |law: &super::frozen::FrozenLaw| !matches!(law.position, Position::Ratio { .. });
         let linkages = !self.frozen.linkages.is_empty() || !self.frozen.multi.is_empty();
-        linkages || self.frozen.laws.iter().any(bent)
+        linkages || self.frozen.laws.iter().any(FrozenLaw::has_variable_ratio)
     }
 
     /// Part of the mechanism that has no power series because it is not known to the
@@ -133,7 +131,7 @@ impl Frozen {
             track.map_or(0, |track| track.breaks.locate(phi, 1.0))
         };
         let jet = |piece: i64, phi: f64| law.position.jet(piece, phi).scaled(law.lever);
-        if matches!(law.position, Position::Ratio { .. }) {
+        if !law.has_variable_ratio() {
             return [f64::INFINITY, jet(0, 0.0).first.abs()];
         }
         let (mut inverse, mut slope) = (0.0, 0.0f64);

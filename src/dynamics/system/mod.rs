@@ -69,7 +69,7 @@ pub use linearised::Regime;
 pub use reduce::ReducedRotor;
 
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{LoadLaw, Model};
+use crate::dynamics::model::Model;
 use crate::fault::Fault;
 use crate::math::number::{Dual, Duals};
 use frozen::{Frozen, Step};
@@ -201,7 +201,7 @@ impl System {
         for reduced in &model.reduced {
             places[reduced.object].modal = Some(Modal::of(&frozen, &model, reduced));
         }
-        let is_stop = |load: usize| matches!(model.loads[load].law, LoadLaw::Stop(_));
+        let is_stop = |load: usize| model.loads[load].law.is_stop();
         for stop in &model.stops {
             let before = (0..stop.load).filter(|&load| is_stop(load)).count();
             places[stop.part].body = Body::Stop(before);

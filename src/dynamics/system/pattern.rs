@@ -7,7 +7,6 @@
 use super::constraints::ConstrainedNode;
 use super::frozen::{Chain, Frozen, Rigid, Step};
 use super::written::FrozenExpression;
-use crate::dynamics::model::LoadLaw;
 use std::collections::BTreeSet;
 
 /// Coordinates that something depends on.
@@ -109,11 +108,9 @@ impl Frozen {
 
     fn collect_loads(&self, of: &mut Dependences) {
         for load in &self.loads {
-            let mut set = match load.law {
-                LoadLaw::Pieces { .. } | LoadLaw::Written(_) => Set::new(),
-                LoadLaw::Linear(_) | LoadLaw::Stop(_) | LoadLaw::Function { .. } => {
-                    of.place[load.node].clone()
-                }
+            let mut set = match load.law.needs_own_motion() {
+                true => of.place[load.node].clone(),
+                false => Set::new(),
             };
             if let Some(node) = load.argument.as_ref().and_then(|axis| axis.node) {
                 set.extend(&of.place[node]);

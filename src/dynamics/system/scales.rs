@@ -15,7 +15,6 @@ use super::given::Motion;
 use super::loads::FrozenLoad;
 use super::multi::MultiWork;
 use super::passes::{Extent, Work};
-use crate::dynamics::model::{LinearLoad, LoadLaw};
 use crate::kinematics::motion::DriveMotion;
 use std::f64::consts::PI;
 
@@ -190,37 +189,12 @@ fn answer(load: &FrozenLoad, all: f64, range: &Range) -> f64 {
         // What it is beyond its force at rest comes of the motion.
         return all - written.magnitude(|_| [0.0; 2]);
     }
-    match &load.law {
-        LoadLaw::Linear(own) if own.running_speed().is_none() => linear_answer(own, range),
-        LoadLaw::Linear(_)
-        | LoadLaw::Pieces { .. }
-        | LoadLaw::Stop(_)
-        | LoadLaw::Written(_)
-        | LoadLaw::Function { .. } => 0.0,
-    }
-}
-
-fn linear_answer(own: &LinearLoad, range: &Range) -> f64 {
-    own.rate.abs() * range.displacement + own.damping.abs() * range.speed
+    load.law.answer(range.displacement, range.speed)
 }
 
 /// Greatest magnitude of a load over a node's motion.
 fn magnitude(load: &FrozenLoad, range: &Range) -> f64 {
-    match &load.law {
-        // (A motor pulls most at rest.)
-        LoadLaw::Linear(own) => match own.running_speed() {
-            Some(_) => own.force.abs(),
-            None => own.force.abs() + linear_answer(own, range),
-        },
-        LoadLaw::Pieces { pieces, .. } => pieces
-            .iter()
-            .map(|piece| piece.value.abs())
-            .fold(0.0, f64::max),
-        // (It presses no more than it is pressed by all others.)
-        // (What is written is tried over all motions that it looks at.)
-        LoadLaw::Stop(_) | LoadLaw::Written(_) => 0.0,
-        LoadLaw::Function { function, factor } => (factor * function.magnitude()).abs(),
-    }
+    load.law.greatest_magnitude(range.displacement, range.speed)
 }
 
 /// The speed that a motor runs at: its no-load or synchronous speed, the

@@ -5,7 +5,7 @@ use super::passes::{Extent, Work};
 use super::placing::Side;
 use super::{InitialState, System};
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{Closure, ExplicitStart, LoadLaw, NodeIndex, Start};
+use crate::dynamics::model::{Closure, ExplicitStart, NodeIndex, Start};
 use crate::fault::Fault;
 use crate::units::shown;
 
@@ -359,12 +359,10 @@ impl System {
             (work.displacement[node], work.speed[node])
         };
         let mut loads = self.model.loads.iter();
-        let without = loads.find_map(|load| match &load.law {
-            LoadLaw::Written(written) => {
-                let force = written.force(0.0, motion);
-                (!force.is_finite()).then_some((load, written))
-            }
-            _ => None,
+        let without = loads.find_map(|load| {
+            let written = load.law.written()?;
+            let force = written.force(0.0, motion);
+            (!force.is_finite()).then_some((load, written))
         });
         match without {
             None => no_balance(),

@@ -7,7 +7,6 @@
 use super::frozen::{Frozen, Step};
 use super::passes::{Extent, Work};
 use super::written::FrozenExpression;
-use crate::kinematics::position::Position;
 use crate::math::quantity::Quantity;
 
 /// A rotor and what it carries.
@@ -61,13 +60,7 @@ fn of_trains(frozen: &Frozen) -> Option<Vec<Train>> {
                 let rigid = frozen.rigids[*index];
                 let law = &frozen.laws[rigid.law];
                 let (train, ratio, offset) = places[law.driver]?;
-                let Position::Ratio {
-                    ratio: own,
-                    offset: shift,
-                } = law.position
-                else {
-                    return None;
-                };
+                let [own, shift] = law.position.constant_ratio()?;
                 if law.output.is_some() {
                     return None;
                 }

@@ -4,7 +4,7 @@ mod loads;
 mod masses;
 mod sums;
 
-use super::prescribed::{PrescribedMotion, straight};
+use super::prescribed::PrescribedMotion;
 use super::{Holder, KeptLaws, Part, Parts, law, load};
 use crate::dynamics::model::{
     Closure, Law as ModelLaw, Model, NodeMotion, ObjectPart, Pair, STOP, TrackSource,
@@ -135,7 +135,8 @@ impl<'m> Builder<'m> {
 
     /// The straight line of a law behind an elastic object.
     fn line(&mut self, object: usize, law: &ModelLaw, role: &Role<'_>) -> Option<(f64, f64)> {
-        let line = straight(&law.position).map(|(r, o)| (law.lever * r, law.lever * o));
+        let line = law.position.straight_line();
+        let line = line.map(|[r, o]| (law.lever * r, law.lever * o));
         if line.is_none() {
             let driver = self.model.objects[object].driver();
             let driver = driver.map_or("its driver", |driver| &self.model.objects[driver].id);

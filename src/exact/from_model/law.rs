@@ -4,7 +4,7 @@
 use super::cycle::{Cycle, Piece};
 use super::fit::{Fit, fit};
 use super::hidden::Target;
-use super::prescribed::{PrescribedMotion, straight};
+use super::prescribed::PrescribedMotion;
 use super::rhythm::Rhythm;
 use crate::dynamics::model::Law as ModelLaw;
 use crate::exact::{LAW_DEGREE, Law, PolynomialSpan, Sine, SpanSource};
@@ -34,7 +34,7 @@ fn closed_form(motion: &DriveMotion, laws: &[&ModelLaw]) -> Option<Law> {
     let mut line = Line { angle, speed };
     let mut sine: Option<Sine> = None;
     for law in laws {
-        if let Some((ratio, offset)) = straight(&law.position) {
+        if let Some([ratio, offset]) = law.position.straight_line() {
             let slope = law.lever * ratio;
             line.angle = slope * line.angle + law.lever * offset;
             line.speed *= slope;

@@ -23,7 +23,7 @@ mod tests;
 
 pub(crate) use fit::fit;
 pub(crate) use hidden::Target;
-pub(crate) use prescribed::{PrescribedMotion, straight, within};
+pub(crate) use prescribed::{PrescribedMotion, within};
 pub use rest::Rest;
 pub(crate) use rhythm::Rhythm;
 

@@ -134,7 +134,7 @@ impl PrescribedMotion {
             return None;
         };
         let through = |(speed, angle): (f64, f64), stage: &Stage| {
-            let (ratio, offset) = straight(&stage.position)?;
+            let [ratio, offset] = stage.position.straight_line()?;
             let slope = stage.lever * ratio;
             Some((slope * speed, slope * angle + stage.lever * offset))
         };
@@ -398,27 +398,6 @@ impl Source {
 /// Rounding of two instants.
 fn near(a: f64, b: f64) -> f64 {
     PLACE_ROUNDING * a.abs().max(b.abs())
-}
-
-/// Slope and value at zero of a position function that is a straight line.
-pub(crate) fn straight(position: &Position) -> Option<(f64, f64)> {
-    match position {
-        Position::Ratio { ratio, offset } => Some((*ratio, *offset)),
-        Position::Polynomial(c) if c.len() <= 2 => Some((
-            c.get(1).copied().unwrap_or(0.0),
-            c.first().copied().unwrap_or(0.0),
-        )),
-        Position::Polynomial(_)
-        | Position::Sine { .. }
-        | Position::Table(_)
-        | Position::SliderCrank(_)
-        | Position::FourBar(_)
-        | Position::SlottedLink(_)
-        | Position::Cam(_)
-        | Position::Plan(_)
-        | Position::Linkage(_)
-        | Position::Custom(_) => None,
-    }
 }
 
 /// A place well inside an interval that may be open to one side or both.

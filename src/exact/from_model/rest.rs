@@ -4,9 +4,7 @@ mod numbers;
 
 use super::{Holder, Parts};
 use crate::dynamics::integrate::{Dynamics, Modes};
-use crate::dynamics::model::{
-    Load, LoadLaw, Model, NodeIndex, NodeMotion, Start, StopPart, TrackSource,
-};
+use crate::dynamics::model::{Load, Model, NodeIndex, NodeMotion, Start, StopPart, TrackSource};
 use crate::dynamics::system::{InitialState, System};
 use numbers::Numbers;
 
@@ -107,20 +105,16 @@ pub(super) fn objects_outside_trees(model: &Model, parts: &Parts) -> Option<Vec<
         return None;
     }
     for load in &model.loads {
-        if let LoadLaw::Pieces { track, .. } = &load.law
-            && let TrackSource::Node(source) = model.tracks[*track].source
+        if let Some((track, _)) = load.law.pieces()
+            && let TrackSource::Node(source) = model.tracks[track].source
             && free(holds(load.node)?)
             && !free(holds(source)?)
         {
             return None;
         }
-        if let LoadLaw::Written(written) = &load.law
-            && free(holds(load.node)?)
-        {
-            for source in written.nodes() {
-                if !free(holds(source)?) {
-                    return None;
-                }
+        for source in load.law.read_nodes() {
+            if free(holds(load.node)?) && !free(holds(source)?) {
+                return None;
             }
         }
     }
@@ -134,7 +128,7 @@ pub(super) fn expression_outside_trees(model: &Model, parts: &Parts) -> Option<u
         let mut objects = model.objects.iter();
         let object = objects.position(|one| one.nodes.contains(&load.node))?;
         let outside = !matches!(parts.holders[object], Holder::Tree(_));
-        (outside && matches!(load.law, LoadLaw::Written(_))).then_some(object)
+        (outside && load.law.written().is_some()).then_some(object)
     })
 }
 
@@ -226,10 +220,7 @@ fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Ve
             NodeMotion::Mass { law } | NodeMotion::Rigid { law } => law.track,
             NodeMotion::Rotor { .. } | NodeMotion::Constrained { .. } => None,
         });
-    let by_loads = loads.iter().filter_map(|load| match load.law {
-        LoadLaw::Pieces { track, .. } => Some(track),
-        _ => None,
-    });
+    let by_loads = loads.iter().filter_map(|load| Some(load.law.pieces()?.0));
     by_nodes
         .chain(by_loads)
         .for_each(|track| used[track] = true);

@@ -1,10 +1,8 @@
 //! How a prescribed motion goes on for ever: evenly, or in periods.
 
-use super::prescribed::{PrescribedMotion, Stage, straight};
+use super::prescribed::{PrescribedMotion, Stage};
 use crate::kinematics::motion::DriveMotion;
-use crate::kinematics::position::Position;
 use crate::math::expression::Repetition;
-use std::f64::consts::TAU;
 
 /// Rhythm: how a motion goes on for ever after some time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,38 +101,12 @@ impl Stage {
     /// Period of U over its argument and its advance in it; `None`: U is
     /// straight (`Ok` holds its slope) or repeats nowhere (`Err`).
     fn period(&self) -> Result<(f64, f64), Option<f64>> {
-        match &self.position {
-            position if straight(position).is_some() => Err(straight(position).map(|line| line.0)),
-            Position::Sine { harmonic, .. } if *harmonic == 0.0 => Err(Some(0.0)),
-            Position::Sine { harmonic, .. } => Ok((TAU / harmonic.abs(), 0.0)),
-            Position::SliderCrank(_) => Ok((TAU, 0.0)),
-            Position::Cam(_) => Ok((TAU, 0.0)),
-            Position::FourBar(linkage) => {
-                let turn = linkage.jet(TAU).value - linkage.jet(0.0).value;
-                if turn.is_finite() {
-                    Ok((TAU, TAU * (turn / TAU).round()))
-                } else {
-                    Err(None)
-                }
-            }
-            Position::SlottedLink(linkage) => match linkage.advance() {
-                Some(advance) => Ok((TAU, advance)),
-                None => Err(None),
-            },
-            Position::Plan(plan) => {
-                let spec = plan.spec();
-                (spec.period.map(|period| (period, spec.advance))).ok_or(None)
-            }
-            Position::Linkage(output) => output.period().ok_or(None),
-            Position::Table(table) => {
-                let (first, last) = table.ends();
-                table
-                    .is_periodic()
-                    .then_some((last - first, 0.0))
-                    .ok_or(None)
-            }
-            // Straight ones stand first; of the others nothing is known.
-            Position::Ratio { .. } | Position::Polynomial(_) | Position::Custom(_) => Err(None),
+        match (self.position.straight_line(), self.position.period()) {
+            (Some(line), _) => Err(Some(line[0])),
+            (None, Some(period)) => Ok(period),
+            // (A sine without oscillations is constant.)
+            (None, None) if self.position.lobes() == 0.0 => Err(Some(0.0)),
+            (None, None) => Err(None),
         }
     }
 

@@ -60,10 +60,7 @@ impl FollowerMotion {
         range: Option<(f64, f64)>,
     ) -> Result<Self, Vec<Fault>> {
         let mut faults = Faults::default();
-        let lobes = match position {
-            Position::Sine { harmonic, .. } => harmonic.abs(),
-            _ => 1.0,
-        };
+        let lobes = position.lobes();
         if lobes > MOST_LOBES {
             let message = format!("{lobes} oscillations in a turn are more than a cam can have");
             let hint = format!("give a harmonic of at most {MOST_LOBES}");

@@ -43,6 +43,7 @@ pub use table::Table;
 use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::math::jet::Jet;
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// A position function, ready to be evaluated.
@@ -158,7 +159,78 @@ impl Position {
     pub fn constant_ratio(&self) -> Option<[f64; 2]> {
         match *self {
             Self::Ratio { ratio, offset } => Some([ratio, offset]),
-            _ => None,
+            Self::Sine { .. }
+            | Self::Polynomial(_)
+            | Self::Table(_)
+            | Self::SliderCrank(_)
+            | Self::FourBar(_)
+            | Self::SlottedLink(_)
+            | Self::Cam(_)
+            | Self::Plan(_)
+            | Self::Linkage(_)
+            | Self::Custom(_) => None,
+        }
+    }
+
+    /// Slope of a straight line, and its value at zero; `None`: it is none.
+    pub(crate) fn straight_line(&self) -> Option<[f64; 2]> {
+        match self {
+            Self::Ratio { ratio, offset } => Some([*ratio, *offset]),
+            Self::Polynomial(own) if own.len() <= 2 => {
+                let coefficient = |power: usize| own.get(power).copied().unwrap_or(0.0);
+                Some([coefficient(1), coefficient(0)])
+            }
+            Self::Polynomial(_)
+            | Self::Sine { .. }
+            | Self::Table(_)
+            | Self::SliderCrank(_)
+            | Self::FourBar(_)
+            | Self::SlottedLink(_)
+            | Self::Cam(_)
+            | Self::Plan(_)
+            | Self::Linkage(_)
+            | Self::Custom(_) => None,
+        }
+    }
+
+    /// Oscillations in a turn.
+    pub(crate) fn lobes(&self) -> f64 {
+        match self {
+            Self::Sine { harmonic, .. } => harmonic.abs(),
+            Self::Ratio { .. }
+            | Self::Polynomial(_)
+            | Self::Table(_)
+            | Self::SliderCrank(_)
+            | Self::FourBar(_)
+            | Self::SlottedLink(_)
+            | Self::Cam(_)
+            | Self::Plan(_)
+            | Self::Linkage(_)
+            | Self::Custom(_) => 1.0,
+        }
+    }
+
+    /// Period of U over its argument and its advance in it; `None`: it repeats nowhere, or is
+    /// straight.
+    pub(crate) fn period(&self) -> Option<(f64, f64)> {
+        match self {
+            Self::Sine { harmonic, .. } => (*harmonic != 0.0).then(|| (TAU / harmonic.abs(), 0.0)),
+            Self::SliderCrank(_) | Self::Cam(_) => Some((TAU, 0.0)),
+            Self::FourBar(linkage) => {
+                let turn = linkage.jet(TAU).value - linkage.jet(0.0).value;
+                turn.is_finite().then(|| (TAU, TAU * (turn / TAU).round()))
+            }
+            Self::SlottedLink(linkage) => linkage.advance().map(|advance| (TAU, advance)),
+            Self::Plan(plan) => {
+                let spec = plan.spec();
+                spec.period.map(|period| (period, spec.advance))
+            }
+            Self::Linkage(output) => output.period(),
+            Self::Table(table) => {
+                let (first, last) = table.ends();
+                table.is_periodic().then_some((last - first, 0.0))
+            }
+            Self::Ratio { .. } | Self::Polynomial(_) | Self::Custom(_) => None,
         }
     }
 
@@ -209,7 +281,13 @@ impl Position {
             Self::Cam(cam) => cam.breaks().clone(),
             Self::Plan(cycle) => cycle.breaks().clone(),
             Self::Custom(function) => function.breaks(),
-            _ => Breaks::NONE,
+            Self::Ratio { .. }
+            | Self::Sine { .. }
+            | Self::Polynomial(_)
+            | Self::SliderCrank(_)
+            | Self::FourBar(_)
+            | Self::SlottedLink(_)
+            | Self::Linkage(_) => Breaks::NONE,
         }
     }
 
@@ -230,7 +308,12 @@ impl Position {
                 }),
                 reach => Ok(reach),
             },
-            _ => Ok(None),
+            Self::Ratio { .. }
+            | Self::Sine { .. }
+            | Self::Polynomial(_)
+            | Self::Table(_)
+            | Self::Cam(_)
+            | Self::Plan(_) => Ok(None),
         }
     }
 }

@@ -13,8 +13,7 @@
 //! moment M: P = M − J·A·Ω² at the peak, J* = M/(A·Ω²).)
 
 use crate::dynamics::model::{
-    Closure, Load, LoadLaw, Model, Node, NodeIndex, NodeMotion, ObjectPart, Pair, Track,
-    TrackSource,
+    Closure, Load, Model, Node, NodeIndex, NodeMotion, ObjectPart, Pair, Track, TrackSource,
 };
 use crate::dynamics::record::drive_cycle;
 use crate::dynamics::trajectory::{instant, transfer};
@@ -229,27 +228,10 @@ impl Path {
             let motion = &self.motions[self.places[node]];
             (motion.displacement[instant], motion.speed[instant])
         };
-        let (displacement, speed) = at(load.node);
-        match &load.law {
-            LoadLaw::Linear(own) => own.force - own.rate * displacement - own.damping * speed,
-            LoadLaw::Pieces { track, pieces } => {
-                let track = &model.tracks[*track];
-                let (x, sense) = match track.source {
-                    TrackSource::Time => (self.times[instant], 1.0),
-                    TrackSource::Node(node) => at(node),
-                };
-                let (index, shift) = track.breaks.piece(track.breaks.locate(x, sense));
-                pieces.get(index).map_or(0.0, |piece| {
-                    piece.value + piece.slope * (x - shift - piece.start)
-                })
-            }
-            // What a stop takes off a pair keeps no pair shut.
-            LoadLaw::Stop(_) => 0.0,
-            LoadLaw::Written(written) => written.force(self.times[instant], at),
-            LoadLaw::Function { function, factor } => {
-                factor * function.force(displacement, speed).value
-            }
-        }
+        let at = |node| Some(at(node));
+        // What a stop takes off a pair keeps no pair shut.
+        let force = load.force(self.times[instant], at, &model.tracks);
+        force.unwrap_or(0.0)
     }
 }
 
@@ -279,8 +261,8 @@ fn places(model: &Model) -> (Vec<usize>, Vec<NodeIndex>) {
 /// Time for which the rigid mechanism is followed (s): a cycle, if all of it repeats.
 fn span(model: &Model, duration: f64) -> f64 {
     let over_time = |track: &Track| track.source == TrackSource::Time;
-    let written = |load: &Load| matches!(&load.law, LoadLaw::Written(own) if own.needs_time());
-    let timed = model.tracks.iter().any(over_time) || model.loads.iter().any(written);
+    let of_time = |load: &Load| load.law.needs_time(&model.tracks);
+    let timed = model.tracks.iter().any(over_time) || model.loads.iter().any(of_time);
     match drive_cycle(model) {
         Ok(cycle) if cycle <= duration && !timed => cycle,
         _ => duration,

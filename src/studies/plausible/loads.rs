@@ -1,9 +1,7 @@
 //! Loads without effect, windows and tables that are never entered.
 
 use super::{place, short};
-use crate::dynamics::model::{
-    Coordinate, LinearLoad, LinearPiece, Load, LoadLaw, Model, ObjectPart, TrackSource,
-};
+use crate::dynamics::model::{Coordinate, LinearPiece, Load, Model, ObjectPart, TrackSource};
 use crate::kinematics::breaks::Breaks;
 
 /// How far beyond the samples a displacement may have gone, of its travel.
@@ -19,7 +17,7 @@ pub(super) fn without_effect(model: &Model, travel: &Travel<'_>, duration: f64) 
         .loads
         .iter()
         .filter(|load| load.name.contains(".loads."));
-    let zero = loads.filter(|load| is_zero(&load.law));
+    let zero = loads.filter(|load| load.law.is_zero());
     let zero = zero.map(|load| format!("`{}` never acts: its force is zero throughout", load.name));
     let mut found = zero.collect();
     remove_repeats(&mut found);
@@ -35,13 +33,11 @@ pub(super) fn never_entered_over_travel(model: &Model, travel: &Travel<'_>) -> V
 /// The same, and those over time that begin after the end of the run.
 fn never_entered(model: &Model, travel: &Travel<'_>, duration: Option<f64>) -> Vec<String> {
     let told = |load: &Load| {
-        let LoadLaw::Pieces { track, pieces } = &load.law else {
-            return None;
-        };
-        if is_zero(&load.law) {
+        let (track, pieces) = load.law.pieces()?;
+        if load.law.is_zero() {
             return None;
         }
-        let track = &model.tracks[*track];
+        let track = &model.tracks[track];
         let (range, axis) = match track.source {
             TrackSource::Time => ([0.0, duration?], Axis::Time),
             TrackSource::Node(node) => (widened(travel(node)?), Axis::of(model, node)?),
@@ -61,16 +57,6 @@ fn remove_repeats(found: &mut Vec<String>) {
 fn widened([from, to]: [f64; 2]) -> [f64; 2] {
     let room = MARGIN * (to - from);
     [from - room, to + room]
-}
-
-fn is_zero(law: &LoadLaw) -> bool {
-    match law {
-        LoadLaw::Linear(own) => *own == LinearLoad::default(),
-        LoadLaw::Pieces { pieces, .. } => pieces.iter().all(|piece| !acts(piece)),
-        LoadLaw::Stop(_) => false,
-        LoadLaw::Written(written) => written.factor == 0.0,
-        LoadLaw::Function { function, factor } => factor * function.magnitude() == 0.0,
-    }
 }
 
 fn acts(piece: &LinearPiece) -> bool {

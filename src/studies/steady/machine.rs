@@ -7,7 +7,7 @@ pub use drive::{constant_speed, drive_of, is_elastic};
 
 use super::cycle::AFTER_A_CYCLE;
 use crate::dynamics::integrate::Modes;
-use crate::dynamics::model::{Load, LoadLaw, Model, NodeMotion, TrackSource};
+use crate::dynamics::model::{Load, LoadLaw, Model, NodeMotion};
 use crate::dynamics::steady::cycle_map;
 use crate::dynamics::steady::{FunctionKind, Profile, Refusal};
 use crate::dynamics::system::{Scratch, System};
@@ -59,11 +59,7 @@ pub(super) fn multi_input_objects(model: &Model, moved: &[bool]) -> Vec<Fault> {
 
 /// Loads over time on what moves with a drive.
 pub(super) fn over_time(model: &Model, moved: &[bool]) -> Vec<Fault> {
-    let timed = |load: &&Load| match load.law {
-        LoadLaw::Pieces { track, .. } => model.tracks[track].source == TrackSource::Time,
-        LoadLaw::Written(ref written) => written.needs_time(),
-        LoadLaw::Linear(_) | LoadLaw::Stop(_) | LoadLaw::Function { .. } => false,
-    };
+    let timed = |load: &&Load| load.law.needs_time(&model.tracks);
     let loads = model.loads.iter().filter(|load| moved[load.node]);
     loads
         .filter(timed)
@@ -332,5 +328,5 @@ pub(super) fn freed(
 }
 
 fn needs_speed(law: &LoadLaw) -> bool {
-    law.needs_speed() || matches!(law, LoadLaw::Stop(_))
+    law.needs_speed() || law.is_stop()
 }

@@ -48,7 +48,6 @@ use crate::kinematics::linkage::Workspace;
 use crate::kinematics::linkage::kinetostatics::{
     ForceFailure, ForceWorkspace, Kinetostatics, Reversals,
 };
-use crate::kinematics::position::Position;
 use crate::math::quantity::Quantity;
 use std::sync::Arc;
 
@@ -261,9 +260,7 @@ impl Frozen {
         let mut ratio = 1.0;
         for &law in path {
             let law = &self.laws[law];
-            if !matches!(law.position, Position::Ratio { .. }) {
-                return None;
-            }
+            law.position.constant_ratio()?;
             ratio *= law.position.jet(0, 0.0).first * law.lever;
         }
         (ratio != 0.0).then_some(ratio)

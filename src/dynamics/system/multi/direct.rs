@@ -4,7 +4,6 @@
 use crate::dynamics::system::frozen::{Frozen, Step};
 use crate::dynamics::system::passes::Work;
 use crate::dynamics::system::written::FrozenExpression;
-use crate::kinematics::position::Position;
 use crate::math::linear::dense;
 use crate::math::quantity::Quantity;
 
@@ -62,9 +61,7 @@ pub(in crate::dynamics::system) fn direct(frozen: &Frozen) -> Option<Direct> {
             Step::Rigid(index) => {
                 let rigid = frozen.rigids[*index];
                 let law = &frozen.laws[rigid.law];
-                let Position::Ratio { ratio, offset } = law.position else {
-                    return None;
-                };
+                let [ratio, offset] = law.position.constant_ratio()?;
                 let (rotor, own, shift) = places[law.driver]?;
                 let (ratio, offset) = (law.lever * ratio, law.lever * offset);
                 places[rigid.node] = Some((rotor, own * ratio, shift * ratio + offset));

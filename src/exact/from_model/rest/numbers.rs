@@ -1,8 +1,7 @@
 //! New numbers of what is kept of a model.
 
 use crate::dynamics::model::{
-    Law, Link, LinkBase, LinkageBody, Load, LoadLaw, LoadVariable, ModalReduction, Node,
-    NodeMotion, ObjectPart,
+    Law, Link, LinkBase, LinkageBody, Load, ModalReduction, Node, NodeMotion, ObjectPart,
 };
 
 /// New numbers of what is kept.
@@ -83,24 +82,13 @@ impl Numbers {
     }
 
     pub(super) fn load(&self, load: &Load) -> Option<Load> {
-        let mut copy = load.clone();
-        copy.node = self.nodes[load.node]?;
-        if let LoadLaw::Pieces { track, .. } = &mut copy.law {
-            *track = self.tracks[*track]?;
-        }
-        if let LoadLaw::Written(written) = &mut copy.law {
-            for (index, variable) in written.variables.iter_mut().enumerate() {
-                let read = written.expression.program().reads(index);
-                if let LoadVariable::Displacement(node) | LoadVariable::Speed(node) = variable {
-                    // (What does not count may be anywhere.)
-                    *node = match read {
-                        true => self.nodes[*node]?,
-                        false => copy.node,
-                    };
-                }
-            }
-        }
-        Some(copy)
+        let node = self.nodes[load.node]?;
+        let law = load.law.clone();
+        Some(Load {
+            node,
+            name: load.name.clone(),
+            law: law.renumbered(&self.tracks, &self.nodes, node)?,
+        })
     }
 
     pub(super) fn linkage(&self, body: &LinkageBody, kept: &[usize]) -> Option<LinkageBody> {

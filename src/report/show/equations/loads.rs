@@ -230,7 +230,7 @@ impl OneLoad<'_> {
 
     /// Id of the object to whose motion an expression refers besides.
     fn over(&self) -> Option<&str> {
-        let LoadLaw::Written(written) = &self.load.law else {
+        let Some(written) = self.load.law.written() else {
             return None;
         };
         let program = written.expression.program();
