@@ -20,7 +20,7 @@ pub(crate) trait Asker {
     fn budget(&self) -> &Budget<'_>;
 
     /// Says that there is something to keep from now on, should the command be ended.
-    fn keep(&self) -> Option<InterruptGuard> {
+    fn guard_from_interrupt(&self) -> Option<InterruptGuard> {
         None
     }
 
@@ -54,8 +54,8 @@ impl Asker for Terminal {
         interrupt::budget()
     }
 
-    fn keep(&self) -> Option<InterruptGuard> {
-        Some(interrupt::keep())
+    fn guard_from_interrupt(&self) -> Option<InterruptGuard> {
+        Some(interrupt::guard())
     }
 
     fn deliver(

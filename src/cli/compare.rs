@@ -58,7 +58,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
             return Err(Failure::Other("fewer systems than values".to_owned()));
         };
         let found = run_with_progress((ready, &Terminal), &ready.settings, args.scene.quiet);
-        keeping.get_or_insert_with(interrupt::keep);
+        keeping.get_or_insert_with(interrupt::guard);
         let mut found = found?;
         let named = args.figure.iter().map(String::as_str);
         ready.attach(&mut found.figures, named, interrupt::budget())?;

@@ -49,7 +49,7 @@ impl<'a> Expectations<'a> {
     }
 
     /// True when every expectation holds that was judged.
-    pub(super) fn hold(&self) -> bool {
+    pub(super) fn all_hold(&self) -> bool {
         self.verdicts().iter().all(|verdict| verdict.holds)
     }
 

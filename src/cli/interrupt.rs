@@ -70,7 +70,7 @@ pub(crate) fn answering() {
 pub(crate) struct InterruptGuard(());
 
 /// Says that there is something to keep from now on.
-pub(crate) fn keep() -> InterruptGuard {
+pub(crate) fn guard() -> InterruptGuard {
     *keepers() += 1;
     InterruptGuard(())
 }

@@ -59,7 +59,7 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     let kept: usize = known.values().map(Vec::len).sum();
     let watch = Watch::new(&study, kept, journal.as_ref(), args.scene.quiet);
     let threads = args.threads.map(usize::from);
-    let keeping = interrupt::keep();
+    let keeping = interrupt::guard();
     let result = map(&study, known, threads, interrupt::budget(), &watch);
     watch.finish();
     let result = result?;

@@ -79,7 +79,7 @@ impl Sink for Progress<'_> {
     fn start(&mut self, _time: f64, _y: &[f64], _modes: &Modes) {
         // From here on there is a motion to keep, to be told when the run is over too.
         if !self.keeping {
-            std::mem::forget(self.asker.keep());
+            std::mem::forget(self.asker.guard_from_interrupt());
             self.keeping = true;
         }
     }

@@ -32,7 +32,7 @@ pub(crate) fn command(args: &ReduceArgs, asker: &dyn Asker) -> Result<Status, Fa
     let settings = ready.settings.clone();
     let mut keeping = None;
     let mut keep = || {
-        keeping.get_or_insert_with(|| asker.keep());
+        keeping.get_or_insert_with(|| asker.guard_from_interrupt());
     };
     let (document, budget) = (input.document(), asker.budget());
     let found = reduce(document, ready.reading, &settings, budget, &mut keep)?;

@@ -100,7 +100,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     let files = folder.is_some() || asker.wants_files();
     let over = abscissa(args.abscissa.as_deref(), ready.system.model(), files)?;
     if let Some(columns) = args.record {
-        unused(columns, files, ready.system.model())?;
+        refuse_unused(columns, files, ready.system.model())?;
         settings.masses = columns == Columns::All;
     }
     settings.closeups = files;
@@ -204,7 +204,7 @@ pub(super) fn abscissa(
 }
 
 /// Refuses columns that no record has.
-fn unused(columns: Columns, files: bool, model: &Model) -> Result<(), Failure> {
+fn refuse_unused(columns: Columns, files: bool, model: &Model) -> Result<(), Failure> {
     let why = match columns {
         _ if !files => "--record has no effect: the record is a file of --out",
         Columns::All if elastic(model).is_empty() => {

@@ -14,7 +14,7 @@ use std::path::Path;
 
 /// Runs the command.
 pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
-    let _keeping = interrupt::keep();
+    let _keeping = interrupt::guard();
     let (mut all, mut wrong, mut suites) = (Vec::new(), Vec::new(), Vec::new());
     for path in &args.scenes {
         let one = match verified(args, path) {
@@ -50,11 +50,11 @@ pub(crate) fn command(args: &VerifyArgs) -> Result<Status, Failure> {
     for failure in &wrong {
         failure.print_message();
     }
-    let expects = all.iter().any(|one| one.count()[1] > 0);
+    let expects = all.iter().any(|one| one.held_and_all()[1] > 0);
     if !args.quiet {
         let [held, count] = all
             .iter()
-            .map(VerifiedScene::count)
+            .map(VerifiedScene::held_and_all)
             .fold([0, 0], |sum, one| [sum[0] + one[0], sum[1] + one[1]]);
         let scenes = counted(all.len() - wrong.len(), "scene");
         let refused = match wrong.len() {

@@ -132,7 +132,7 @@ impl Ledger {
         } else {
             self.carried = None;
         }
-        self.held = held(&self.stores, key, q);
+        self.held = stored_energy(&self.stores, key, q);
     }
 
     fn start_at(&mut self, problem: &TreeProblem, at: &Instant<'_>) {
@@ -178,7 +178,8 @@ impl Ledger {
         let drives = work.drives + carried.unwrap_or(0.0);
         self.drives += drives;
         self.loads += work.loads;
-        self.dissipated += work.dissipated + self.held - held(&self.stores, &regime.key, at.q);
+        self.dissipated +=
+            work.dissipated + self.held - stored_energy(&self.stores, &regime.key, at.q);
         self.law = at.law;
         self.see(at);
         self.put_in[0] += drives.max(0.0);
@@ -186,7 +187,12 @@ impl Ledger {
     }
 
     /// The end of the run.
-    pub(super) fn close(&self, problem: &TreeProblem, q: &[f64], v: &[f64]) -> EnergyAudit {
+    pub(super) fn final_energies(
+        &self,
+        problem: &TreeProblem,
+        q: &[f64],
+        v: &[f64],
+    ) -> EnergyAudit {
         let law = self.law;
         let at = &Instant { q, v, law };
         let end = (energy(&self.stores, at), potential(problem, at));
@@ -259,7 +265,7 @@ fn total(stores: &[Store], problem: &TreeProblem, at: &Instant<'_>) -> f64 {
 
 /// Energy stored in the open pairs.
 #[inline(always)]
-fn held(stores: &[Store], key: &[PairState], q: &[f64]) -> f64 {
+fn stored_energy(stores: &[Store], key: &[PairState], q: &[f64]) -> f64 {
     let mut sum = 0.0;
     for (i, store) in stores.iter().enumerate() {
         if store.count > 0 && !key[i].engaged() {

@@ -172,7 +172,7 @@ impl Basis {
             return Err(NoBasis("a mode is not finite".into()));
         }
         let mut basis = Self::packed(n, lanes, rigid, flank_force(problem, states));
-        basis.held = held(problem, states);
+        basis.held = held_masses(problem, states);
         basis.resonance = Resonance::new(resonant).map(Box::new);
         Ok(basis)
     }
@@ -285,7 +285,7 @@ fn drift(lanes: &[Lane]) -> f64 {
 }
 
 /// The masses that a rigid pair holds on a flank, and where.
-fn held(problem: &TreeProblem, states: &[PairState]) -> Vec<(usize, f64)> {
+fn held_masses(problem: &TreeProblem, states: &[PairState]) -> Vec<(usize, f64)> {
     let mut held = Vec::new();
     for (i, mass) in problem.masses.iter().enumerate() {
         if let (Some(_), PairState::Engaged(f)) = (mass.restitution, states[i]) {

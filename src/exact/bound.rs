@@ -284,7 +284,7 @@ fn certify<A: Arith>(a: Jet, r: f64, lift: f64, left: f64) -> Option<Bracket> {
 /// β = g⃛/6ġ, γ = g⁗/24ġ. A bound on what it leaves out relative to x,
 /// r being one on |fifth derivative|.
 #[inline(always)]
-pub(crate) fn reversed<A: Arith>(a: Jet, r: f64) -> (f64, f64) {
+pub(crate) fn root_correction<A: Arith>(a: Jet, r: f64) -> (f64, f64) {
     let inverse = 1.0 / a[1];
     let x = -a[0] * inverse;
     let (alpha, beta) = (a[2] * 0.5 * inverse, a[3] * (1.0 / 6.0) * inverse);
@@ -340,7 +340,7 @@ mod tests {
         // g = e^{-s} − e^{-d}: all derivatives ∓e^{-s}.
         let error = |d: f64| {
             let a = [1.0 - (-d).exp(), -1.0, 1.0, -1.0, 1.0];
-            let (u, lost) = reversed::<Plain>(a, 1.0);
+            let (u, lost) = root_correction::<Plain>(a, 1.0);
             let error = (u - d).abs();
             assert!(error <= lost * d + 1e-17, "{error:e} {lost:e}");
             error

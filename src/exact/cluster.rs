@@ -261,7 +261,7 @@ impl Cluster {
         let size = off.iter().fold(0.0f64, |s, e| s.max(e.norm()));
         // Equal to rounding: any basis is one of eigenvectors.
         if size <= 1e-13 * self.mean.norm() {
-            return Ok(space.plain(&Split::scalar(space.mean(), m)));
+            return Ok(space.plain_modes(&Split::scalar(space.mean(), m)));
         }
         let split = Split::of(&space.t, self.real);
         let usable = |limit: f64| {
@@ -270,7 +270,7 @@ impl Cluster {
             })
         };
         if let Some(split) = usable(1.0 / LOST) {
-            return Ok(space.plain(split));
+            return Ok(space.plain_modes(split));
         }
         let stray = self
             .members
@@ -280,7 +280,7 @@ impl Cluster {
             return Ok(self.interpolated(&space, &off));
         }
         usable(1e7)
-            .map(|split| space.plain(split))
+            .map(|split| space.plain_modes(split))
             .ok_or_else(|| self.refusal())
     }
 

@@ -152,7 +152,7 @@ impl<'a> Cursor<'a> {
     /// Energy audit up to the end of the present phase, where it is asked for.
     pub fn audit(&self) -> Option<EnergyAudit> {
         let ledger = self.work.ledger.as_ref()?;
-        Some(ledger.close(self.work.problem, &self.work.q, &self.work.v))
+        Some(ledger.final_energies(self.work.problem, &self.work.q, &self.work.v))
     }
 
     /// Bounds of the force of link 1 of an object, which has figures, between two local
@@ -163,7 +163,7 @@ impl<'a> Cursor<'a> {
 
     /// The force of link 1 of an object, which has figures, and its slope, at local time
     /// `s` of the present phase; positive where it pulls back a mass with x > 0.
-    pub(crate) fn force(&mut self, object: usize, s: f64) -> End {
+    pub(crate) fn link_force(&mut self, object: usize, s: f64) -> End {
         let Some(passed) = self.passed.filter(|_| !self.work.tracks.is_empty()) else {
             return End::default();
         };

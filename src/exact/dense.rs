@@ -184,7 +184,7 @@ impl Subspace {
     }
 
     /// Plain modes: T = S·diag(values)·S⁻¹.
-    pub(super) fn plain(&self, split: &Split) -> Vec<Lane> {
+    pub(super) fn plain_modes(&self, split: &Split) -> Vec<Lane> {
         let factor = if self.real { 1.0 } else { 2.0 };
         self.lanes(&split.values, &split.vectors, &split.inverse, factor)
     }

@@ -31,7 +31,7 @@ impl Witness for Tracks<'_> {
     }
 
     #[inline(always)]
-    fn see<A: Arith>(&mut self, from: f64, now: &Exponentials) {
+    fn note_step<A: Arith>(&mut self, from: f64, now: &Exponentials) {
         A::run_out_of_line(See {
             tracks: self,
             from,
@@ -60,7 +60,7 @@ impl Task for See<'_, '_> {
         } = self.tracks;
         for (o, track) in tracks.iter_mut().enumerate() {
             let scene = scene(regime, phase, o, variants);
-            track.see::<A>(scene, self.from, self.now);
+            track.note_step::<A>(scene, self.from, self.now);
         }
     }
 }

@@ -62,7 +62,7 @@ impl Workspace<'_> {
     /// is up to date.
     pub(super) fn advance(&mut self, request: &Request) -> Result<CompletedPhase, Refusal> {
         let passed = forward(self, request.end)?;
-        self.settle(&passed)?;
+        self.take_switch(&passed)?;
         if passed.event.is_some() || self.phase.reach < self.regimes[passed.regime].basis.longest {
             self.short = 0;
         } else {
@@ -117,7 +117,7 @@ impl Workspace<'_> {
             self.out.figures.push(track.figures);
         }
         if let Some(ledger) = &self.ledger {
-            self.out.audit = Some(ledger.close(self.problem, &self.q, &self.v));
+            self.out.audit = Some(ledger.final_energies(self.problem, &self.q, &self.v));
         }
         self.out.time = self.at.0;
         self.out.complete = self.reached(request.end);
@@ -231,7 +231,7 @@ impl Workspace<'_> {
     }
 
     /// Takes the switch that ended a phase, if one did.
-    fn settle(&mut self, passed: &CompletedPhase) -> Result<(), Refusal> {
+    fn take_switch(&mut self, passed: &CompletedPhase) -> Result<(), Refusal> {
         if let Some(number) = passed.event {
             self.stalled = if passed.length > 0.0 {
                 0

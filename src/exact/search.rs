@@ -11,7 +11,7 @@
 //! and stands beside `math::roots`.
 
 use super::basis::Basis;
-use super::bound::{Assessment, Bracket, assess, reversed};
+use super::bound::{Assessment, Bracket, assess, root_correction};
 use super::functional::ORDERS;
 use super::lanes::{Arith, V, WIDTH};
 use super::phase::{Exponentials, Phase};
@@ -38,7 +38,7 @@ pub(crate) trait Witness {
     fn wants_steps(&self) -> bool;
 
     /// Nothing has switched between the local time `from` and the instant of `now`.
-    fn see<A: Arith>(&mut self, from: f64, now: &Exponentials);
+    fn note_step<A: Arith>(&mut self, from: f64, now: &Exponentials);
 }
 
 /// Working memory of the search.
@@ -133,14 +133,14 @@ impl Search {
             let signal = &signals[watched[number]];
             let step = self.polish::<A>(basis, phase, signal, bracket, left, number);
             if looks {
-                witness.see::<A>(s, &self.e);
+                witness.note_step::<A>(s, &self.e);
             }
             return step;
         }
         let target = if length >= left { horizon } else { s + length };
         self.evaluate::<A>(basis, phase, target);
         if looks {
-            witness.see::<A>(s, &self.e);
+            witness.note_step::<A>(s, &self.e);
         }
         if length >= left {
             Step::Reached
@@ -192,7 +192,7 @@ impl Search {
             } else {
                 high = s
             }
-            let (x, lost) = reversed::<A>(a, r);
+            let (x, lost) = root_correction::<A>(a, r);
             let next = s + x;
             let inside = next >= low && next <= high;
             if inside && lost * x.abs() <= 1e-16 * s {

@@ -91,7 +91,7 @@ impl Sums {
     /// g and its derivatives, and a bound on the next one, with what does not
     /// belong to the lanes.
     #[inline(always)]
-    fn close(&self, slow: [f64; ORDERS], slow5: f64) -> ([f64; ORDERS], f64) {
+    fn with_bound(&self, slow: [f64; ORDERS], slow5: f64) -> ([f64; ORDERS], f64) {
         let mut jet = slow;
         for order in 0..ORDERS {
             jet[order] += self.orders[order].sum();
@@ -234,7 +234,7 @@ impl Signal {
         for b in 1..active {
             sums.add::<A>(&lanes[b].share::<A>(re[b], im[b], size[b]), fifth[b]);
         }
-        sums.close(self.slow::<A>(e), self.slow5)
+        sums.with_bound(self.slow::<A>(e), self.slow5)
     }
 
     /// The same, with what it is made of left in `out`.
@@ -256,7 +256,7 @@ impl Signal {
             sums.add::<A>(&room[b], fifth[b]);
         }
         out.slow = self.slow::<A>(e);
-        sums.close(out.slow, self.slow5)
+        sums.with_bound(out.slow, self.slow5)
     }
 
     /// Polynomial and arcs at the instant of `e`: value and derivatives.

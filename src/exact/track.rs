@@ -58,7 +58,7 @@ impl Scene<'_> {
 
     /// Number of lanes, slowest first, that can be followed over a length h.
     #[inline(always)]
-    fn followed(&self, h: f64) -> usize {
+    fn followed_lanes(&self, h: f64) -> usize {
         let lanes = self.lanes();
         if lanes == 0 || self.basis.modulus[lanes - 1] * h <= FOLLOW {
             return lanes;
@@ -291,7 +291,7 @@ impl Track {
 
     /// Notes the step from the local time `from` to the instant of `now`.
     #[inline(always)]
-    pub(crate) fn see<A: Arith>(&mut self, scene: Scene, from: f64, now: &Exponentials) {
+    pub(crate) fn note_step<A: Arith>(&mut self, scene: Scene, from: f64, now: &Exponentials) {
         if self.quiet && self.is_calm_between::<A>(from, now.s) {
             return;
         }

@@ -89,7 +89,7 @@ pub(crate) trait Symbols {
     }
 
     /// Length of a name at the start of a text that has more than letters and digits.
-    fn long_name(&self, _text: &str) -> Option<usize> {
+    fn long_name_length(&self, _text: &str) -> Option<usize> {
         None
     }
 

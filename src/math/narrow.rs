@@ -51,7 +51,7 @@ struct Panel {
 /// known; `value` the function.
 ///
 /// Where bounds say nothing down to short panels, or there are too many, nothing is narrow.
-pub(crate) fn narrow(
+pub(crate) fn narrow_stretches(
     from: f64,
     to: f64,
     bounds: impl Fn(f64, f64) -> [f64; 2],
@@ -226,7 +226,7 @@ fn samples(from: f64, to: f64, count: usize, value: &impl Fn(f64) -> f64) -> Sam
 
 #[cfg(test)]
 mod tests {
-    use super::{Narrow, narrow};
+    use super::{Narrow, narrow_stretches};
     use crate::math::expression::{Expression, Interval, RateBounds};
 
     /// The narrow stretches of the speed of an expression of t.
@@ -246,7 +246,7 @@ mod tests {
             let dual = crate::math::number::Dual::new(t, 1.0);
             code.evaluate(&[dual], &none).derivative
         };
-        narrow(from, to, bounds, speed)
+        narrow_stretches(from, to, bounds, speed)
     }
 
     #[test]

@@ -22,7 +22,7 @@ impl CourseAxis {
     }
 
     /// A place in this unit.
-    pub(in crate::report) fn shown(self, at: f64) -> f64 {
+    pub(in crate::report) fn in_unit(self, at: f64) -> f64 {
         match self.si {
             "rad" => at.to_degrees(),
             _ => at,

@@ -119,7 +119,7 @@ impl DisplayUnits {
             return false;
         };
         let mut added = false;
-        for &(si, wanted) in shown() {
+        for &(si, wanted) in shown_units() {
             let size = match measure.dimension == wanted {
                 true => measure.value,
                 // By custom 1/min is a speed of turning too.
@@ -149,7 +149,7 @@ impl DisplayUnits {
 }
 
 /// The SI units that are shown in others, with their dimensions.
-fn shown() -> &'static [(&'static str, Dimension)] {
+fn shown_units() -> &'static [(&'static str, Dimension)] {
     static ALL: OnceLock<Vec<(&str, Dimension)>> = OnceLock::new();
     ALL.get_or_init(|| {
         let one = |si: &'static str| Some((si, parse(&format!("1 {si}")).ok()?.dimension));
@@ -194,7 +194,7 @@ pub(super) fn scale(magnitude: f64, unit: &str) -> Option<Scale> {
 }
 
 /// The digits that this thread shows of a number that has so many.
-pub(super) fn digits(own: usize) -> usize {
+pub(super) fn shown_digits(own: usize) -> usize {
     CHOICE.with_borrow(|choice| match choice.digits {
         Some(digits) if own >= RESULT => digits,
         Some(digits) => own.min(digits),
@@ -204,7 +204,7 @@ pub(super) fn digits(own: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{DisplayUnits, digits, scale};
+    use super::{DisplayUnits, scale, shown_digits};
 
     const SCENE: &str = r#"{ "objects": {
         "a": { "motion": { "speed": "600 rpm" }, "position": { "rise": "90 deg", "lift": "12 mm" } },
@@ -234,13 +234,16 @@ mod tests {
             // Not stated, or too small to be read.
             assert!(of(3e3, "N/m").is_none() && of(2e4, "N/m").is_some());
             assert!(of(3.0, "N").is_none() && of(3.0, "s").is_none() && of(1e-9, "m").is_none());
-            assert_eq!((digits(7), digits(4), digits(2)), (5, 5, 2));
+            assert_eq!(
+                (shown_digits(7), shown_digits(4), shown_digits(2)),
+                (5, 5, 2)
+            );
         })
         .join()
         .unwrap();
         // Other threads have their own.
         assert!(scale(0.0125, "m").is_none());
-        assert_eq!(digits(7), 7);
+        assert_eq!(shown_digits(7), 7);
     }
 
     #[test]

@@ -121,7 +121,7 @@ impl Prefixes {
 /// A value with its unit, to `digits` significant digits: `7.50086 mrad`.
 pub fn with_unit(value: f64, unit: &str, digits: usize) -> String {
     let scale = scale(value, unit);
-    let number = significant(value / scale.factor, display_units::digits(digits));
+    let number = significant(value / scale.factor, display_units::shown_digits(digits));
     if scale.unit.is_empty() || scale.unit == "1" {
         number
     } else if scale.unit.starts_with("10") {
@@ -174,7 +174,7 @@ pub fn raised(text: &str) -> String {
 
 /// A result in a unit of its own, to as many digits as are shown of it.
 pub(in crate::report) fn result(value: f64, digits: usize) -> String {
-    significant(value, display_units::digits(digits))
+    significant(value, display_units::shown_digits(digits))
 }
 
 /// An integer in superscript digits: −6 → ⁻⁶.

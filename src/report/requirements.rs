@@ -23,21 +23,21 @@ pub struct VerifiedScene {
 
 impl VerifiedScene {
     /// Requirements that hold, and all.
-    pub fn count(&self) -> [usize; 2] {
+    pub fn held_and_all(&self) -> [usize; 2] {
         let all = self.requirements.as_deref().unwrap_or_default();
         [all.iter().filter(|one| one.holds()).count(), all.len()]
     }
 
     /// Whether it could be asked, and all requirements hold.
     pub fn holds(&self) -> bool {
-        let [held, all] = self.count();
+        let [held, all] = self.held_and_all();
         self.requirements.is_ok() && held == all
     }
 }
 
 /// The table of a scene.
 pub fn findings(verified: &VerifiedScene) -> Findings<'_> {
-    let [held, all] = verified.count();
+    let [held, all] = verified.held_and_all();
     let (sort, headline) = match (&verified.requirements, all) {
         (Err(why), _) => (Sort::Numerical, why.clone()),
         (Ok(_), 0) => (Sort::Unfinished, "The scene expects nothing.".to_owned()),

@@ -125,7 +125,7 @@ impl Sentence {
 }
 
 /// A text that the program wrote, its quantities in the units and to the digits that are shown.
-pub(in crate::report) fn told(text: &str) -> String {
+pub(in crate::report) fn in_shown_units(text: &str) -> String {
     let part = |part: &Part| match part {
         Part::Words(words) => words.clone(),
         Part::Quantity(one) => with_unit(one.value, &one.unit, one.digits),

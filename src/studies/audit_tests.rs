@@ -7,7 +7,7 @@ use super::{Control, RunSettings};
 use crate::dynamics::audit::{self, AuditScope};
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::{LoadLaw, Model, NodeMotion};
-use crate::dynamics::record::judge_confirmed;
+use crate::dynamics::record::check_confirmed_peaks;
 use crate::dynamics::system::System;
 use crate::frontend::lower::lower;
 use crate::frontend::scene::{BuiltIn, Document, Overrides};
@@ -213,7 +213,7 @@ fn a_greatest_value_that_its_state_does_not_show_is_found() {
         let mut recorded = found.recorded.clone();
         recorded.confirmed[one] = recorded.confirmed[one].off(1e-4);
         let mut check = found.equations.clone();
-        judge_confirmed(&mut check, &recorded, system.model(), 1e-6);
+        check_confirmed_peaks(&mut check, &recorded, system.model(), 1e-6);
         assert!(!check.is_kept(), "{one}");
     }
 }

@@ -55,21 +55,21 @@ impl Choice {
     }
 
     /// One method with the tolerance of the scene.
-    pub(super) fn plain(method: Method, settings: &RunSettings, why: &str) -> Self {
-        Self::general(plain(method, settings, why))
+    pub(super) fn single_method(method: Method, settings: &RunSettings, why: &str) -> Self {
+        Self::general(single_method(method, settings, why))
     }
 
     /// Exact propagation of everything.
     pub(super) fn exact(parts: Parts, settings: &RunSettings, why: &str) -> Self {
         Self {
             parts: Some(parts),
-            ..Self::plain(Method::Exact, settings, why)
+            ..Self::single_method(Method::Exact, settings, why)
         }
     }
 }
 
 /// A method with the tolerance of the scene.
-pub(super) fn plain(method: Method, settings: &RunSettings, why: &str) -> MethodChoice {
+pub(super) fn single_method(method: Method, settings: &RunSettings, why: &str) -> MethodChoice {
     MethodChoice {
         method,
         tolerance: settings.tolerance,

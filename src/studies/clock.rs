@@ -15,7 +15,7 @@ const ROUNDINGS: f64 = 16.0;
 const DIGITS: usize = 3;
 
 /// Turns of a drive in a time; infinite or none where its angle is no number.
-fn turns(motion: &DriveMotion, time: f64) -> f64 {
+fn drive_turns(motion: &DriveMotion, time: f64) -> f64 {
     let breaks = motion.breaks();
     let at = |time: f64| motion.jet(breaks.locate(time, 1.0), time).value;
     (at(time) - at(0.0)).abs() / TAU
@@ -31,7 +31,7 @@ pub fn unresolved(model: &Model, settings: &RunSettings) -> Vec<Fault> {
         let NodeMotion::Prescribed { motion, .. } = &model.nodes[part.nodes[0]].motion else {
             continue;
         };
-        let beyond = |time: f64| !(turns(motion, time) <= MOST_TURNS);
+        let beyond = |time: f64| !(drive_turns(motion, time) <= MOST_TURNS);
         if part.coordinate != Coordinate::Turning || !beyond(duration) {
             continue;
         }

@@ -72,7 +72,7 @@ pub enum LiftOff {
 const STILL: f64 = 1e-12;
 
 /// The law that an object follows, and the index of its driver.
-fn followed(model: &Model, object: usize) -> Option<(&Law, usize)> {
+fn followed_law(model: &Model, object: usize) -> Option<(&Law, usize)> {
     let part = &model.objects[object];
     let driver = part.driver()?;
     let law = model.nodes[*part.nodes.first()?].motion.law()?;
@@ -87,7 +87,7 @@ fn followed(model: &Model, object: usize) -> Option<(&Law, usize)> {
 pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawResponse, String> {
     let part = &model.objects[object];
     let (law, driver) =
-        followed(model, object).ok_or_else(|| format!("`{}` follows no law", part.id))?;
+        followed_law(model, object).ok_or_else(|| format!("`{}` follows no law", part.id))?;
     let run = &result.figures.run;
     let window = run.window.ok_or_else(|| {
         let reason = run.window_missing.as_deref().unwrap_or("no reason given");

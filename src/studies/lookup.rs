@@ -89,7 +89,7 @@ pub fn named_in(scene: &TypedScene) -> Vec<&str> {
     });
     let expected = expected.filter(|figure| {
         let address = StudyAddress::of(figure);
-        address.is_some_and(|address| address.is_of_run())
+        address.is_some_and(|address| address.is_judged_by_run())
     });
     let mut all: Vec<&str> = accuracy.chain(expected).collect();
     all.sort_unstable();

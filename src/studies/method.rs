@@ -1,7 +1,7 @@
 //! Which method a run takes, and why.
 
 use super::choice::Choice;
-use super::choice::plain;
+use super::choice::single_method;
 use super::demand::Demand;
 use super::document::can_open;
 use super::exact::{Mixed, mixed, tried};
@@ -35,7 +35,7 @@ pub(super) fn choose_method(
         let why = "nothing is elastic: the motion follows from the drives";
         return Ok(Choice {
             name: "kinematic".to_owned(),
-            ..Choice::plain(Method::Dop853, settings, why)
+            ..Choice::single_method(Method::Dop853, settings, why)
         });
     }
     if demand.figures.is_some()
@@ -57,11 +57,11 @@ pub(super) fn choose_method(
                     format!("`taylor` cannot be used: {what} has no power series"),
                     "auto, dop853, dopri5, rodas5p or radau",
                 )]),
-                None => Ok(Choice::plain(Method::Taylor, settings, "asked for")),
+                None => Ok(Choice::single_method(Method::Taylor, settings, "asked for")),
             },
         },
         Some(Method::Exact) => Ok(Choice::exact(tried(system)?, settings, "asked for")),
-        Some(method) => Ok(Choice::plain(method, settings, "asked for")),
+        Some(method) => Ok(Choice::single_method(method, settings, "asked for")),
         None => Ok(match tried(system) {
             Ok(parts) => {
                 let why = why_exact(&parts);
@@ -91,7 +91,7 @@ fn choose_for_remainder(system: &System, settings: &RunSettings, mixed: Mixed) -
     let chosen = match own.coordinates() {
         0 => {
             let why = "its motion follows from the drives";
-            plain(Method::Dop853, settings, why)
+            single_method(Method::Dop853, settings, why)
         }
         _ => choose(&situation(own, settings)),
     };

@@ -16,7 +16,7 @@ use crate::dynamics::integrate::{
 use crate::dynamics::model::{SpanFigure, UNTIL};
 use crate::dynamics::record::{
     EnergyAudit, Figures, Record, Recorder, RecorderSettings, RunRecord, RunSummary, StudyFigure,
-    Tee, choose_window, drive_cycle, judge_confirmed,
+    Tee, check_confirmed_peaks, choose_window, drive_cycle,
 };
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
@@ -414,7 +414,7 @@ fn attempt(
     };
     let mut equations = audit::check(system, &recorded.looks, asked, &peaks);
     if !light {
-        judge_confirmed(&mut equations, &recorded, system.model(), asked.bound());
+        check_confirmed_peaks(&mut equations, &recorded, system.model(), asked.bound());
     }
     Ok(Motion {
         equations,

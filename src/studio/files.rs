@@ -47,11 +47,11 @@ pub(super) async fn forms(State(studio): State<Arc<Studio>>, Opened(room): Opene
 
 /// The text at present, byte for byte.
 pub(super) async fn text(Opened(room): Opened) -> Response {
-    plain(room.text())
+    text_response(room.text())
 }
 
 /// What it is stands in its name: nothing shows it here.
-fn plain(text: String) -> Response {
+fn text_response(text: String) -> Response {
     ([(CONTENT_TYPE, "text/plain; charset=utf-8")], text).into_response()
 }
 
@@ -97,7 +97,7 @@ pub(super) async fn file(
             let words = "the file is too large for the studio: let the program write it";
             refused(StatusCode::PAYLOAD_TOO_LARGE, words)
         }
-        Ok(Ok(Some(text))) => plain(text),
+        Ok(Ok(Some(text))) => text_response(text),
     }
 }
 

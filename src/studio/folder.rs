@@ -62,7 +62,7 @@ impl Folder {
     /// # Errors
     /// It leads out, or is no file.
     pub(super) fn file(&self, name: &str) -> Result<PathBuf, String> {
-        let real = self.plain(name)?.canonicalize().ok();
+        let real = self.path_within(name)?.canonicalize().ok();
         let real = real.filter(|real| real.starts_with(&self.root) && real.is_file());
         real.ok_or_else(|| NO_FILE.to_owned())
     }
@@ -80,7 +80,7 @@ impl Folder {
     /// # Errors
     /// It leads out, is there already, or is no name of a scene.
     pub(super) fn place(&self, name: &str) -> Result<PathBuf, String> {
-        let path = self.plain(name)?;
+        let path = self.path_within(name)?;
         if path.extension().is_none_or(|extension| extension != "json") {
             return Err("the name of a scene ends with .json".to_owned());
         }
@@ -97,7 +97,7 @@ impl Folder {
     }
 
     /// A name without anything that leads elsewhere.
-    fn plain(&self, name: &str) -> Result<PathBuf, String> {
+    fn path_within(&self, name: &str) -> Result<PathBuf, String> {
         let parts = Path::new(name).components();
         let plain = parts
             .clone()

@@ -106,7 +106,7 @@ impl Symbols for FormulaSymbols<'_> {
         Some((length, self.take(found)))
     }
 
-    fn long_name(&self, text: &str) -> Option<usize> {
+    fn long_name_length(&self, text: &str) -> Option<usize> {
         self.scope.long_name(text)
     }
 

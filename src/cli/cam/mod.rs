@@ -57,7 +57,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
         return Err(Failure::Other(why.to_owned()));
     }
     let mut status = Status::Answered;
-    let _keeping = args.lift_off.then(|| asker.keep());
+    let _keeping = args.lift_off.then(|| asker.guard_from_interrupt());
     if args.lift_off {
         match lift_off::search((args, asker), &input, &ready, &id, force.as_ref().ok())? {
             Some(speed) => {
@@ -118,7 +118,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     if !args.scene.quiet {
         expected.print_verdicts();
     }
-    Ok(match (status, expected.hold()) {
+    Ok(match (status, expected.all_hold()) {
         (Status::Answered, false) => Status::NotTrusted,
         (status, _) => status,
     })

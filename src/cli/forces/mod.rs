@@ -101,7 +101,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
         expected.print_verdicts();
     }
     let answered = found.missing() == 0 && found.solved().next().is_some();
-    Ok(match answered && expected.hold() {
+    Ok(match answered && expected.all_hold() {
         true => answer.status(),
         false => Status::NotTrusted,
     })
@@ -143,7 +143,7 @@ fn solve_multi_input(
 }
 
 /// Refuses what changes nothing of the forces.
-fn unused(args: &ForcesArgs, friction: bool, course: &Course) -> Result<(), Failure> {
+fn refuse_unused(args: &ForcesArgs, friction: bool, course: &Course) -> Result<(), Failure> {
     let moves = matches!(course, Course::Even { speed, .. } if *speed != 0.0);
     let why = match (args.frictionless, args.direction.is_some()) {
         (true, _) if !friction => "--frictionless has no effect: no pair has friction",
@@ -187,7 +187,7 @@ fn of_one(args: &ForcesArgs, ready: &Ready) -> Result<ForceAnswer, Failure> {
         return Err(Failure::Other(message));
     }
     let (course, motion) = question::course(args, ready, body)?;
-    unused(args, solver.has_friction(), &course)?;
+    refuse_unused(args, solver.has_friction(), &course)?;
     let rests = matches!(course, Course::Even { speed, acceleration, .. } if speed == 0.0 && acceleration == 0.0);
     if rests && solver.has_friction() && !args.frictionless && args.direction.is_none() {
         return Err(Failure::Other(format!(

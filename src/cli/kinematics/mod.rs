@@ -100,7 +100,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
         expected.print_verdicts();
     }
     let whole = found.stopped.is_none() && found.warnings.is_empty();
-    Ok(match whole && expected.hold() {
+    Ok(match whole && expected.all_hold() {
         true => Status::Answered,
         false => Status::NotTrusted,
     })

@@ -38,7 +38,7 @@ pub(super) fn command(args: &CompareArgs, asker: &dyn Asker) -> Result<Status, F
             let result = run_with_progress((ready, asker), settings, quiet || searching)?;
             // From the first run on there is something to keep.
             if !result.outcome.stop.is_from_outside() {
-                keeping.get_or_insert_with(|| asker.keep());
+                keeping.get_or_insert_with(|| asker.guard_from_interrupt());
             }
             Ok::<_, Failure>(result)
         },

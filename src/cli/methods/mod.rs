@@ -196,7 +196,7 @@ fn plan(args: &MethodsArgs, ready: &Ready, models: Option<&Models>) -> Result<Pl
         let named = named?;
         plan.methods.retain(|method| named.contains(method));
     }
-    unused(args, &plan.methods)?;
+    refuse_unused(args, &plan.methods)?;
     if !args.tolerances.is_empty() {
         plan.tolerances.clone_from(&args.tolerances);
         plan.tolerances.sort_by(|a, b| b.total_cmp(a));
@@ -212,7 +212,7 @@ fn plan(args: &MethodsArgs, ready: &Ready, models: Option<&Models>) -> Result<Pl
 }
 
 /// Refuses settings that none of the methods takes.
-fn unused(args: &MethodsArgs, methods: &[Method]) -> Result<(), Failure> {
+fn refuse_unused(args: &MethodsArgs, methods: &[Method]) -> Result<(), Failure> {
     let fixed = methods.iter().any(|&method| is_fixed_step(method));
     let controlled = |method: &Method| !is_fixed_step(*method) && !is_exact(*method);
     let why = match (args.steps.is_empty(), args.tolerances.is_empty()) {
@@ -246,7 +246,7 @@ fn single(
     let bar = PointBar::new(1, args.scene.quiet);
     let mut keeping = None;
     let mut tell = |now: &Now| {
-        keeping.get_or_insert_with(|| asker.keep());
+        keeping.get_or_insert_with(|| asker.guard_from_interrupt());
         bar.at(0, now);
         asker.report_progress(
             now.done,
@@ -286,7 +286,7 @@ fn over(
             first.reading.places.diagnose(&faults).into()
         },
         &mut |index, now| {
-            keeping.get_or_insert_with(|| asker.keep());
+            keeping.get_or_insert_with(|| asker.guard_from_interrupt());
             bar.at(index, now);
             let (done, of) = (index * now.total + now.done, axis.count * now.total);
             asker.report_progress(done, of, &format!("{}, {}", now.method, now.setting));

@@ -113,7 +113,7 @@ impl<'a> Window<'a> {
 
     fn run_command(&self, question: &Question) -> Result<(), String> {
         let arguments = arguments(question)?;
-        let cli = Cli::try_parse_from(arguments).map_err(|wrong| plain(&wrong))?;
+        let cli = Cli::try_parse_from(arguments).map_err(|wrong| option_error(&wrong))?;
         modest(&cli.command)?;
         let done = match &cli.command {
             Command::Run(args) => run::command(args, self),
@@ -256,7 +256,7 @@ fn arguments(question: &Question) -> Result<Vec<OsString>, String> {
 }
 
 /// What is wrong with an option, without what belongs to a terminal.
-fn plain(wrong: &clap::Error) -> String {
+fn option_error(wrong: &clap::Error) -> String {
     let text = wrong.to_string();
     let told = text.split("\n\nUsage:").next().unwrap_or(&text);
     let told = told

@@ -71,7 +71,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     apply_arguments(&args.question, &mut spec)?;
     let answer = steady_motion_within(&ready.system, &ready.settings, &spec, asker.budget())
         .map_err(|faults| Failure::from(ready.reading.places.diagnose(&faults)))?;
-    unused(&args.question, &spec, &answer)?;
+    refuse_unused(&args.question, &spec, &answer)?;
     let expected = expectations(args, &ready, &answer);
     let (name, hash) = (&ready.scene().name, &ready.scene().hash);
     let label = answer.label(ready.system.model());
@@ -108,7 +108,7 @@ pub(crate) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
     if !args.quiet {
         expected.print_verdicts();
     }
-    match expected.hold() {
+    match expected.all_hold() {
         true => Ok(status),
         false => Ok(Status::NotTrusted),
     }
@@ -145,7 +145,7 @@ fn apply_arguments(args: &QuestionArgs, spec: &mut SteadySpec) -> Result<(), Fai
 }
 
 /// Refuses what changes nothing of this answer.
-fn unused(args: &QuestionArgs, spec: &SteadySpec, answer: &Answer) -> Result<(), Failure> {
+fn refuse_unused(args: &QuestionArgs, spec: &SteadySpec, answer: &Answer) -> Result<(), Failure> {
     let refuse = |given: bool, option: &str, why: &str| {
         refuse(given, &format!("{option} has no effect: {why}"))
     };

@@ -85,7 +85,7 @@ impl StretchEnd {
     }
 
     /// Sees the end at a time of the stretch [from, until].
-    fn see(&mut self, time: f64, span: [f64; 2], state: &mut dyn FnMut(f64, &mut [f64])) {
+    fn note_end(&mut self, time: f64, span: [f64; 2], state: &mut dyn FnMut(f64, &mut [f64])) {
         let off = LATE * time.abs();
         let beside = if time > span[0] {
             time - off
@@ -232,11 +232,11 @@ impl InstantSampler {
                 .last
                 .get_or_insert_with(|| (until, StretchEnd::new(entries)));
             *time = until;
-            end.see(until, [from, until], state);
+            end.note_end(until, [from, until], state);
         }
         if let Some(turn) = self.awaits.take() {
             let mut end = StretchEnd::new(self.entries);
-            end.see(from, [from, until], state);
+            end.note_end(from, [from, until], state);
             self.found.turns[turn].next = Some(end);
         }
         while self.due <= until {

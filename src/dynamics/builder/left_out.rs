@@ -80,7 +80,7 @@ impl LeftOut {
     }
 
     /// The share of what a start leaves that may be there still after a time.
-    pub(crate) fn left_of_start(&self, time: f64) -> f64 {
+    pub(crate) fn remaining_start_share(&self, time: f64) -> f64 {
         let least = 1.0 + 1.0 / (self.slowest * self.delay);
         let left = least * (-self.fading * time).exp();
         // (Undamped it stays, and the share is no number.)

@@ -119,12 +119,12 @@ impl ModalLowering<'_> {
         };
         match self.spec.pair.contact {
             Some(contact) if self.body.modes > 0 => self.behind_contact(contact, continuum),
-            _ => self.held(continuum),
+            _ => self.lower_held(continuum),
         }
     }
 
     /// Lowers it held at its driven end.
-    fn held(self, continuum: Continuum) {
+    fn lower_held(self, continuum: Continuum) {
         // Its motion and its loads are known beforehand, and nothing is driven by it.
         let still = !self.into.followed.contains(&self.at.id)
             && self.spec.loads.iter().all(is_constant)

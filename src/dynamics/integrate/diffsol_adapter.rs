@@ -31,7 +31,7 @@ type Lu = NalgebraLU<f64>;
 
 /// Takes the run as far towards its target as one leg goes: to the target or
 /// to a switch.
-pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
+pub(super) fn follow_leg<D: Dynamics>(run: &mut Run<'_, D>) {
     if let Err(error) = try_leg(run) {
         fail(run, &error);
     }

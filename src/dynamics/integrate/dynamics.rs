@@ -355,7 +355,7 @@ pub trait Dynamics: Sync {
     /// The guards that [`Self::crossing`] looks at of which a state does not tell the sign,
     /// as what errors of `share` of the scales of the state change in them is more than
     /// their value. Default: none.
-    fn undecided(
+    fn undecided_guards(
         &self,
         _time: f64,
         _y: &[f64],
@@ -374,7 +374,7 @@ pub trait Dynamics: Sync {
     /// Stretches between two instants, without a break between them, in which given functions
     /// of time change so briefly that a long step would pass over it unseen; ascending.
     /// Default: none.
-    fn narrow(&self, _from: f64, _to: f64, _modes: &Modes) -> Vec<Narrow> {
+    fn narrow_stretches(&self, _from: f64, _to: f64, _modes: &Modes) -> Vec<Narrow> {
         Vec::new()
     }
 

@@ -9,7 +9,7 @@ use super::{Dynamics, Stop};
 const STEPS: f64 = 1024.0;
 
 /// Takes the run to its target, or to a switch.
-pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
+pub(super) fn follow_leg<D: Dynamics>(run: &mut Run<'_, D>) {
     let (start, span) = (run.from.time, run.target - run.from.time);
     let step = run.settings.step.unwrap_or(span / STEPS);
     let step = step.min(run.narrow_step()).min(run.given_longest);
@@ -27,14 +27,14 @@ pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
             true => start + taken * step,
             false => run.target,
         };
-        if ends_within(run, time) || run.accept(time, &[], &[], None) != Verdict::Continue {
+        if end_without_law(run, time) || run.accept(time, &[], &[], None) != Verdict::Continue {
             return;
         }
     }
 }
 
 /// Ends a run at the time, up to `until`, from which on a law of the scene has no value.
-fn ends_within<D: Dynamics>(run: &mut Run<'_, D>, until: f64) -> bool {
+fn end_without_law<D: Dynamics>(run: &mut Run<'_, D>, until: f64) -> bool {
     let Some(mut found) = run.evaluator.given_end(until) else {
         return false;
     };

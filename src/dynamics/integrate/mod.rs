@@ -140,13 +140,17 @@ pub fn integrate_changing<D: Dynamics>(
             run.skip_to_target();
         } else {
             match run.settings.method {
-                _ if y0.is_empty() => given_motion::leg(&mut run),
-                Method::Rk4 | Method::Dopri5 | Method::Dop853 => ode_solvers_adapter::leg(&mut run),
-                Method::Taylor => taylor::leg(&mut run),
-                Method::Rodas5p => rosenbrock::leg(&mut run),
-                Method::Radau => radau::leg(&mut run),
+                _ if y0.is_empty() => given_motion::follow_leg(&mut run),
+                Method::Rk4 | Method::Dopri5 | Method::Dop853 => {
+                    ode_solvers_adapter::follow_leg(&mut run)
+                }
+                Method::Taylor => taylor::follow_leg(&mut run),
+                Method::Rodas5p => rosenbrock::follow_leg(&mut run),
+                Method::Radau => radau::follow_leg(&mut run),
                 #[cfg(feature = "diffsol")]
-                Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => diffsol_adapter::leg(&mut run),
+                Method::Bdf | Method::TrBdf2 | Method::Esdirk34 => {
+                    diffsol_adapter::follow_leg(&mut run)
+                }
                 Method::Exact => {
                     let (time, reason) = (run.from.time, EXACT_IS_NO_INTEGRATION.to_owned());
                     run.refuse(time, reason);

@@ -38,7 +38,7 @@ const TIME_UNIT: f64 = 1_048_576.0;
 
 /// Takes the run as far towards its target as one leg goes: to the target, to
 /// a switch, or until the memory of the solver has to be emptied.
-pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
+pub(super) fn follow_leg<D: Dynamics>(run: &mut Run<'_, D>) {
     match run.settings.method {
         Method::Rk4 => rk4(run),
         Method::Dopri5 => dopri5(run),

@@ -116,13 +116,13 @@ impl<D: Dynamics> Run<'_, D> {
         for edge in &self.singularities.list {
             let approach = Approach::of(edge, &self.from);
             let near = NEAR_EDGE * edge.span;
-            let far = approach.distance >= near || approach.distance <= self.close(edge);
+            let far = approach.distance >= near || approach.distance <= self.end_distance(edge);
             if far || !approach.is_approaching() {
                 continue; // or so close that the first step will end the run
             }
             let share = (approach.distance / near).max(SHARPEST);
             self.singularities.sharpness = self.singularities.sharpness.min(share);
-            let aim = (approach.distance / RATIO).max(0.9 * self.close(edge));
+            let aim = (approach.distance / RATIO).max(0.9 * self.end_distance(edge));
             self.singularities.near = true;
             longest = longest.min(approach.time_or_less(aim));
         }
@@ -132,7 +132,7 @@ impl<D: Dynamics> Run<'_, D> {
     }
 
     /// Distance from an edge at which the run ends.
-    fn close(&self, edge: &Singularity) -> f64 {
+    fn end_distance(&self, edge: &Singularity) -> f64 {
         edge.span * (TOLERANCES * self.settings.tolerance).clamp(LEAST, MOST)
     }
 
@@ -184,7 +184,7 @@ impl<D: Dynamics> Run<'_, D> {
         let mut first = 1.0;
         for edge in &self.singularities.list {
             let start = Approach::of(edge, &self.from);
-            let close = self.close(edge);
+            let close = self.end_distance(edge);
             let aim = (CLOSER * start.distance)
                 .min(NEAR_EDGE * edge.span)
                 .max(close);
@@ -241,10 +241,10 @@ impl<D: Dynamics> Run<'_, D> {
         let approach = Approach::of(edge, &self.from);
         let even = -2.0 * approach.distance / approach.rate;
         let expected = approach.time_to(0.0).unwrap_or(even);
-        let far = 2.0 * self.close(edge).max(approach.distance);
+        let far = 2.0 * self.end_distance(edge).max(approach.distance);
         let span = [self.from.time, self.singularities.end];
         let given = self
-            .left_on_law(edge)
+            .distance_on_law(edge)
             .and_then(|left| given::arrival(left, span, expected, far));
         let time = given.unwrap_or(self.from.time + expected);
         if time > self.singularities.end {
@@ -281,7 +281,7 @@ impl<D: Dynamics> Run<'_, D> {
             return self.end(stop);
         }
         let clock = 1024.0 * f64::EPSILON * self.from.time.abs();
-        if approach.distance <= self.close(&edge) || time <= clock {
+        if approach.distance <= self.end_distance(&edge) || time <= clock {
             return self.end_at(&edge);
         }
         self.singularities.failures += 1;

@@ -53,7 +53,7 @@ pub(super) struct Series {
 
 /// Takes the run as far towards its target as one leg goes: to the target or
 /// to a switch.
-pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
+pub(super) fn follow_leg<D: Dynamics>(run: &mut Run<'_, D>) {
     if !run.evaluator.dynamics.expands() {
         let reason = "the motion has no power series; use dop853, rodas5p or radau".to_owned();
         let method = run.settings.method;
@@ -61,12 +61,12 @@ pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
         return;
     }
     let mut series = std::mem::take(&mut run.series);
-    series.leg(run);
+    series.follow_leg(run);
     run.series = series;
 }
 
 impl Series {
-    fn leg<D: Dynamics>(&mut self, run: &mut Run<'_, D>) {
+    fn follow_leg<D: Dynamics>(&mut self, run: &mut Run<'_, D>) {
         let degree = degree(run.tolerance());
         let width = run.from.y.len();
         let signals = run.evaluator.dynamics.signals();

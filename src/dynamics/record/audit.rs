@@ -24,7 +24,7 @@ impl Ledger {
     }
 
     /// The step ends with an energy: its works, and those of the start with the first.
-    pub(crate) fn close(&mut self, energy: Energy) -> EnergyAudit {
+    pub(crate) fn close_step(&mut self, energy: Energy) -> EnergyAudit {
         let total = energy.kinetic + energy.elastic;
         let mut step = std::mem::take(&mut self.step);
         step.change = total - self.energy;
@@ -40,7 +40,7 @@ impl Ledger {
         step.drives += impact.drives;
         step.put_in[0] += impact.drives.max(0.0);
         step.impacts += impact.lost;
-        self.close(after)
+        self.close_step(after)
     }
 
     /// Power at place `index` of [`super::peaks::PLACES`] in a step of `span` seconds.
@@ -84,7 +84,7 @@ mod tests {
                 };
                 ledger.add(index, span, power);
             }
-            audit.append(&ledger.close(energy(span * f64::from(step + 1))));
+            audit.append(&ledger.close_step(energy(span * f64::from(step + 1))));
         }
         audit
     }

@@ -91,7 +91,7 @@ impl ConfirmedPeak {
 }
 
 /// Puts greatest values to the test; `bound` is what is allowed as a share of them.
-pub(crate) fn judge_confirmed(
+pub(crate) fn check_confirmed_peaks(
     check: &mut EquationCheck,
     recorded: &RunRecord,
     model: &Model,

@@ -197,7 +197,7 @@ impl<'s> FigureCollector<'s> {
                 let states = &mut self.states[index * count..(index + 1) * count];
                 self.observer.states_at_place(step, index, modes, states);
                 if WEIGHTED.contains(&index) {
-                    self.powers[index] = self.observer.power_there(modes);
+                    self.powers[index] = self.observer.last_power(modes);
                 }
                 self.sides[index] = match self.joints.is_empty() {
                     true => 0,
@@ -205,7 +205,7 @@ impl<'s> FigureCollector<'s> {
                 };
             }
         }
-        self.energy = self.observer.energy_there();
+        self.energy = self.observer.last_energy();
     }
 
     /// The edges of the window that lie in the step count for the margins.

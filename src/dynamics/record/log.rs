@@ -262,7 +262,7 @@ impl<'s> Log<'s> {
             .filter(|pair| pair.is_held(&event.after.0))
         {
             let id = &self.observer.system().model().objects[pair.object].id;
-            pair.hold(id, event.time, &mut self.separations);
+            pair.reach_stop(id, event.time, &mut self.separations);
         }
         if any {
             self.budget = match self.rows.follow_switch() {
@@ -284,7 +284,7 @@ impl<'s> Log<'s> {
 
     /// Keeps rows at the instants, among `times`, of extremes met in a stretch: where they
     /// last, they are closeups.
-    pub(crate) fn keep(&mut self, times: impl Iterator<Item = f64>, mut stretch: Stretch<'_>) {
+    pub(crate) fn keep_rows(&mut self, times: impl Iterator<Item = f64>, mut stretch: Stretch<'_>) {
         if !self.settings.closeups || self.failure.is_some() {
             return;
         }

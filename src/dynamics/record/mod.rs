@@ -38,7 +38,7 @@ mod window;
 pub use crate::dynamics::audit::EquationCheck;
 pub use crate::dynamics::energy::EnergyAudit;
 pub use addresses::AddressError;
-pub(crate) use confirmed::{acceleration_rounding, judge_confirmed};
+pub(crate) use confirmed::{acceleration_rounding, check_confirmed_peaks};
 pub use failure::Failure;
 pub use figure::Figure;
 pub(crate) use figure_collector::FigureCollector;

@@ -181,12 +181,12 @@ impl<'s> Observer<'s> {
     }
 
     /// Powers where it was looked last.
-    pub(crate) fn power_there(&self, modes: &Modes) -> Power {
+    pub(crate) fn last_power(&self, modes: &Modes) -> Power {
         (self.system).power_observed(&self.y, modes, &self.scratch)
     }
 
     /// Energies at the place of a step where it was looked last.
-    pub(crate) fn energy_there(&self) -> Energy {
+    pub(crate) fn last_energy(&self) -> Energy {
         self.system.energy_observed(&self.y, &self.scratch)
     }
 

@@ -60,7 +60,7 @@ impl PairTracker {
     }
 
     /// The object comes to one of its stops: from there on its pair is not lost.
-    pub(crate) fn hold(&mut self, id: &str, time: f64, intervals: &mut Vec<Interval>) {
+    pub(crate) fn reach_stop(&mut self, id: &str, time: f64, intervals: &mut Vec<Interval>) {
         self.close_interval(id, time, intervals);
     }
 
@@ -211,7 +211,7 @@ mod tests {
         at(0.5, (-1, 0, true));
         at(0.75, (0, -1, false));
         at(1.0, (-1, 0, false));
-        tracker.hold("v", 1.5, &mut intervals);
+        tracker.reach_stop("v", 1.5, &mut intervals);
         let figures = tracker.finish("v", 2.0, &mut intervals);
         assert_eq!((figures.separations, figures.closures), (1, 2));
         assert_eq!(figures.separated_time, 0.5);

@@ -97,7 +97,8 @@ impl Sink for Recorder<'_> {
         };
         self.log.sample(stretch());
         let tallies = self.figured.tallies().iter();
-        self.log.keep(tallies.flat_map(Tally::times), stretch());
+        self.log
+            .keep_rows(tallies.flat_map(Tally::times), stretch());
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {

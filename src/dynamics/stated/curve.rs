@@ -121,7 +121,9 @@ impl Sum {
         let mut rows = Vec::with_capacity(count);
         for (at_end, values) in [(false, start), (true, end)] {
             for (order, value) in values.iter().enumerate() {
-                let mut row: Vec<f64> = (0..count).map(|n| derivative(n, order, at_end)).collect();
+                let mut row: Vec<f64> = (0..count)
+                    .map(|n| chebyshev_end_derivative(n, order, at_end))
+                    .collect();
                 row.push(*value);
                 rows.push(row);
             }
@@ -157,7 +159,7 @@ fn chebyshev(n: usize, tau: f64) -> Local {
 }
 
 /// The derivative of an order of Tₙ(2·τ − 1) at τ = 0 or 1, in closed form.
-pub(crate) fn derivative(n: usize, order: usize, at_end: bool) -> f64 {
+pub(crate) fn chebyshev_end_derivative(n: usize, order: usize, at_end: bool) -> f64 {
     let square = (n * n) as f64;
     let product: f64 = (0..order)
         .map(|k| 2.0 * (square - (k * k) as f64) / (2 * k + 1) as f64)

@@ -1,6 +1,6 @@
 //! Plans of motion as a scene states them.
 
-use super::curve::{Sum, derivative, solve};
+use super::curve::{Sum, chebyshev_end_derivative, solve};
 use super::law::StatedLaw;
 use super::local::Local;
 use crate::kinematics::motion::CycleSpec;
@@ -132,7 +132,7 @@ impl StatedPlan {
             let span = self.motions[k].to.0 - self.motions[k].from.0;
             for n in 0..begin[k + 1] - begin[k] {
                 row[begin[k] + n] +=
-                    factor * derivative(n, order, at_end) / span.powi(order as i32);
+                    factor * chebyshev_end_derivative(n, order, at_end) / span.powi(order as i32);
             }
         };
         let mut rows: Vec<Vec<f64>> = Vec::with_capacity(all);

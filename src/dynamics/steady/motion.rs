@@ -303,8 +303,8 @@ impl SteadyMotion {
         let [least, greatest] = [&self.figures.least_speed, &self.figures.greatest_speed];
         let cycle = self.profile.cycle();
         let onward = (greatest.at - least.at).rem_euclid(cycle);
-        let before = self.followed(least.at, onward, 1.0)?;
-        let behind = self.followed(greatest.at, cycle - onward, -1.0)?;
+        let before = self.speed_and_time_after(least.at, onward, 1.0)?;
+        let behind = self.speed_and_time_after(greatest.at, cycle - onward, -1.0)?;
         Some(Check {
             speed: before[0] / behind[0] - 1.0,
             period: (before[1] + behind[1]) / self.figures.period - 1.0,
@@ -313,7 +313,7 @@ impl SteadyMotion {
 
     /// Speed at the end of a way of `length` and time for it, by the equation of motion from
     /// its other end; `sense` −1: the way is gone from its end to `from`.
-    fn followed(&self, from: f64, length: f64, sense: f64) -> Option<[f64; 2]> {
+    fn speed_and_time_after(&self, from: f64, length: f64, sense: f64) -> Option<[f64; 2]> {
         let mut way = self.panels_between(from, length);
         if sense < 0.0 {
             way.reverse();

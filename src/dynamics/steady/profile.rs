@@ -93,7 +93,7 @@ impl Profile {
         profile.count_from_start();
         let least = profile.extreme(-1.0, &|point| [point.rise_signed, point.moment]);
         profile.refine(least.at);
-        profile.count_from(least.at);
+        profile.count_work_from(least.at);
         profile.start = profile.at(0.0).rise;
         profile.least_work = Extreme {
             value: -profile.start,
@@ -161,7 +161,7 @@ impl Profile {
     }
 
     /// Work counted from `place`, an end of panels, to both sides.
-    fn count_from(&mut self, place: f64) {
+    fn count_work_from(&mut self, place: f64) {
         let middle = self.panels.partition_point(|panel| panel.to <= place);
         let mut base = 0.0;
         for panel in &mut self.panels[middle..] {
@@ -189,7 +189,7 @@ impl Profile {
     /// # Errors
     /// As [`Profile::new`].
     pub fn with_moment(&self, moment: f64) -> Result<Self, Refusal> {
-        self.changed(|panel| panel.moment[0] += moment)
+        self.with_changed_panels(|panel| panel.moment[0] += moment)
     }
 
     /// The profile with a constant moment of inertia added.
@@ -197,10 +197,10 @@ impl Profile {
     /// # Errors
     /// As [`Profile::new`].
     pub fn with_inertia(&self, inertia: f64) -> Result<Self, Refusal> {
-        self.changed(|panel| panel.inertia[0] += inertia)
+        self.with_changed_panels(|panel| panel.inertia[0] += inertia)
     }
 
-    fn changed(&self, change: impl Fn(&mut Panel)) -> Result<Self, Refusal> {
+    fn with_changed_panels(&self, change: impl Fn(&mut Panel)) -> Result<Self, Refusal> {
         let mut panels = self.panels.clone();
         panels.iter_mut().for_each(change);
         let changed = Self::of(self.cycle, panels)?;

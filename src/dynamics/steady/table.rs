@@ -47,7 +47,7 @@ impl Table {
             work: work.iter().map(|one| one - work[0]).collect(),
             surplus: 0.0,
         };
-        table.close()?;
+        table.drop_repeated_end()?;
         Ok(table)
     }
 
@@ -92,7 +92,7 @@ impl Table {
     }
 
     /// Drops a repeated end point.
-    fn close(&mut self) -> Result<(), Refusal> {
+    fn drop_repeated_end(&mut self) -> Result<(), Refusal> {
         if !repeats_end(self.cycle, &self.positions) {
             return Ok(());
         }

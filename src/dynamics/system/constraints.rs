@@ -223,17 +223,17 @@ impl Frozen {
     /// linkage of several inputs, or the other way round: joint friction is not found there.
     pub(super) fn is_coupled(&self, root: usize) -> bool {
         let mut inputs = self.multi.iter().flat_map(|multi| &multi.nodes);
-        if inputs.any(|&node| node == root || self.roots(node).contains(&root)) {
+        if inputs.any(|&node| node == root || self.root_nodes(node).contains(&root)) {
             return true;
         }
         self.heavy.iter().any(|&index| {
             let constrained = &self.constraints[index];
-            constrained.node == root || self.roots(constrained.node).contains(&root)
+            constrained.node == root || self.root_nodes(constrained.node).contains(&root)
         })
     }
 
     /// The nodes of free or given motion that a node follows rigidly.
-    pub(super) fn roots(&self, node: usize) -> Vec<usize> {
+    pub(super) fn root_nodes(&self, node: usize) -> Vec<usize> {
         let (mut roots, mut open) = (Vec::new(), vec![node]);
         while let Some(node) = open.pop() {
             let rigid = self.rigids.iter().find(|rigid| rigid.node == node);

@@ -300,8 +300,8 @@ impl Dynamics for System {
         }
     }
 
-    fn narrow(&self, from: f64, to: f64, modes: &Modes) -> Vec<Narrow> {
-        self.frozen.narrow(from, to, &modes.0)
+    fn narrow_stretches(&self, from: f64, to: f64, modes: &Modes) -> Vec<Narrow> {
+        self.frozen.narrow_stretches(from, to, &modes.0)
     }
 
     fn has_crossings(&self) -> bool {
@@ -319,7 +319,13 @@ impl Dynamics for System {
         self.frozen.crossing(step, &modes.0, end, fresh, resting)
     }
 
-    fn undecided(&self, time: f64, y: &[f64], modes: &Modes, share: f64) -> Vec<UndecidedGuard> {
+    fn undecided_guards(
+        &self,
+        time: f64,
+        y: &[f64],
+        modes: &Modes,
+        share: f64,
+    ) -> Vec<UndecidedGuard> {
         let errors: Vec<f64> = self.scales().iter().map(|scale| share * scale).collect();
         self.frozen.undecided_guards(time, y, &modes.0, &errors)
     }

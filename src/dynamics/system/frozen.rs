@@ -249,7 +249,7 @@ impl FrozenLaw {
     }
 
     /// True when the law exists at the driver's displacement.
-    pub(super) fn reaches(&self, displacement: f64) -> bool {
+    pub(super) fn is_defined_at(&self, displacement: f64) -> bool {
         displacement.is_finite() && self.position.reach_from(displacement).is_ok()
     }
 }
@@ -295,7 +295,7 @@ impl Frozen {
 
     /// True when the motion of a node hangs on a free coordinate.
     pub(super) fn moves_freely(&self, node: usize) -> bool {
-        let mut roots = self.roots(node).into_iter();
+        let mut roots = self.root_nodes(node).into_iter();
         roots.any(|root| self.coordinate[root].is_some())
     }
 

@@ -21,7 +21,7 @@ impl System {
             return Ok(());
         }
         let mut modes = self.frozen.no_modes();
-        let balanced = self.frozen.settle(Balance::Static, &mut modes);
+        let balanced = self.frozen.balance_from_law(Balance::Static, &mut modes);
         let mut faults = Vec::new();
         for link in links {
             let link = &self.model.links[link];

@@ -3,7 +3,7 @@
 use super::frozen::{Frozen, Step, segment};
 use super::written::{Along, FrozenExpression, Input};
 use crate::math::expression::{Interval, Program, RateBounds, Scalar, Stretch, VARIABLES};
-use crate::math::narrow::{Narrow, narrow, narrow_within};
+use crate::math::narrow::{Narrow, narrow_stretches, narrow_within};
 use crate::math::polynomial;
 
 /// What a force may do to a speed unseen, in units of the tolerance.
@@ -13,16 +13,16 @@ const NEAR: f64 = 0.02;
 
 impl Frozen {
     /// Such stretches of the motions of drives and of the loads by expressions of time.
-    pub(super) fn narrow(&self, from: f64, to: f64, modes: &[i64]) -> Vec<Narrow> {
+    pub(super) fn narrow_stretches(&self, from: f64, to: f64, modes: &[i64]) -> Vec<Narrow> {
         let motions = self.steps.iter().filter_map(|step| match step {
             Step::Prescribed(drive) => {
                 let piece = segment(modes, drive.component);
-                Some(drive.motion.narrow(piece, from, to))
+                Some(drive.motion.narrow_stretches(piece, from, to))
             }
             Step::Rotor(_) | Step::Rigid(_) | Step::Chain(_) | Step::Constrained(_) => None,
         });
         let loads = self.written().filter(|written| written.needs_time());
-        let loads = loads.map(|written| written.narrow(from, to, modes));
+        let loads = loads.map(|written| written.narrow_stretches(from, to, modes));
         merged(motions.chain(loads).flatten().collect())
     }
 }
@@ -98,7 +98,7 @@ impl FrozenExpression {
     }
 
     /// The stretches in which the force changes briefly with time, all else at rest.
-    fn narrow(&self, from: f64, to: f64, modes: &[i64]) -> Vec<Narrow> {
+    fn narrow_stretches(&self, from: f64, to: f64, modes: &[i64]) -> Vec<Narrow> {
         let mode = |guard: u16| modes[self.component + usize::from(guard)];
         let value = &self.expression.program().value;
         let bounds = |a: f64, b: f64| {
@@ -124,7 +124,7 @@ impl FrozenExpression {
             }
             value.evaluate(&values, &mode)
         };
-        narrow(from, to, bounds, force)
+        narrow_stretches(from, to, bounds, force)
     }
 }
 

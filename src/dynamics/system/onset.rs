@@ -108,12 +108,12 @@ impl Deformation<'_> {
     fn mode_ahead(&self) -> i64 {
         let pressed = |&&side: &&i64| self.presses(side).iter().all(|guard| guard.sign() > 0.0);
         let side = self.contact.sides().iter().find(pressed);
-        side.copied().unwrap_or_else(|| self.undecided())
+        side.copied().unwrap_or_else(|| self.undecided_mode())
     }
 
     /// The mode of what no derivative decides: the only flank of a force-closed pair that
     /// touches it is closed, without a force.
-    fn undecided(&self) -> i64 {
+    fn undecided_mode(&self) -> i64 {
         let &[side] = self.contact.sides() else {
             return OPEN;
         };

@@ -189,14 +189,14 @@ impl Frozen {
         for &node in self.multi.iter().flat_map(|multi| &multi.nodes) {
             all.extend(&of.place[node]);
             all.extend(&of.force[node]);
-            roots.extend(self.roots(node));
+            roots.extend(self.root_nodes(node));
         }
         for &index in &self.heavy {
             let node = self.constraints[index].node;
             all.extend(&of.place[node]);
             all.extend(&of.mass[node]);
             all.extend(&of.force[node]);
-            roots.extend(self.roots(node));
+            roots.extend(self.root_nodes(node));
         }
         for &root in &roots {
             all.extend(&of.force[root]);

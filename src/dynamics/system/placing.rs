@@ -45,7 +45,11 @@ impl Frozen {
     }
 
     /// Balance from the law on, with the modes that belong to it.
-    pub(super) fn settle(&self, kind: Balance, modes: &mut [i64]) -> Option<BalanceState> {
+    pub(super) fn balance_from_law(
+        &self,
+        kind: Balance,
+        modes: &mut [i64],
+    ) -> Option<BalanceState> {
         self.settle_on(Side::After, kind, modes)
     }
 

@@ -169,7 +169,7 @@ impl System {
             return;
         }
         let mut modes = self.frozen.no_modes();
-        let balanced = self.frozen.settle(Balance::Static, &mut modes);
+        let balanced = self.frozen.balance_from_law(Balance::Static, &mut modes);
         for (index, chain) in self.frozen.chains.iter().enumerate() {
             let Some(power) = chain.contact.power() else {
                 continue;

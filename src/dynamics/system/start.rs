@@ -282,7 +282,7 @@ impl System {
             let node = frozen.internal[part.nodes[0]];
             let law = frozen.law_of_node(node);
             let outside = law.is_some_and(|law| {
-                !frozen.laws[law].reaches(work.displacement[frozen.laws[law].driver])
+                !frozen.laws[law].is_defined_at(work.displacement[frozen.laws[law].driver])
             });
             if outside {
                 let place = law.map_or(0.0, |law| work.displacement[frozen.laws[law].driver]);

@@ -81,7 +81,7 @@ impl<'a> Branch<'a> {
     /// phase, by local time.
     pub(crate) fn force(&mut self, time: f64) -> End {
         let s = self.cursor.local(time);
-        self.cursor.force(0, s)
+        self.cursor.link_force(0, s)
     }
 
     /// Greatest rate of anything that matters between two instants of the present phase

@@ -156,7 +156,7 @@ impl PanelPhase {
         let mut flat = V::ZERO;
         for b in 0..follow.div_ceil(WIDTH) {
             let size = lanes.map_or(self.size[b], |lanes| lanes.get(b)[2]);
-            let (bent, level) = missed::<A>(basis, b, h, share);
+            let (bent, level) = lane_errors::<A>(basis, b, h, share);
             let (curved, leveled) = (size * bent, size * level);
             for i in 0..WIDTH.min(follow - b * WIDTH) {
                 let own = panel.lanes[b][i].size;
@@ -186,7 +186,7 @@ impl PanelPhase {
         let own = &panel.own[f * basis.blocks..][..active];
         for (b, own) in own.iter().enumerate() {
             let size = own.size * lanes.get(b)[2];
-            let (bent, level) = missed::<A>(basis, b, h, share);
+            let (bent, level) = lane_errors::<A>(basis, b, h, share);
             let curved = bent.zip(level, |bent, level| if bent < level { bent } else { 0.0 });
             let leveled = bent.zip(level, |bent, level| if bent < level { 0.0 } else { level });
             middle = size.fma::<A>(curved, middle);
@@ -269,7 +269,7 @@ fn quartic(h: f64) -> f64 {
 
 /// What lanes of size 1 miss over a length h: followed, and by their own bounds.
 #[inline(always)]
-fn missed<A: Arith>(basis: &Basis, b: usize, h: f64, share: f64) -> (V, V) {
+fn lane_errors<A: Arith>(basis: &Basis, b: usize, h: f64, share: f64) -> (V, V) {
     let level = basis.moduli[b].fma::<A>(V::splat(0.25 * h), V::splat(2.0));
     (basis.fourth[b] * V::splat(share), level)
 }

@@ -36,7 +36,7 @@ impl Track {
     /// Takes a step into the figures.
     #[inline(always)]
     pub(super) fn process_step<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
-        if scene.followed(b.s - a.s) == scene.lanes() {
+        if scene.followed_lanes(b.s - a.s) == scene.lanes() {
             self.span::<A>(scene, LanesAhead::Followed(a.fourth), a, b);
         } else if !self.settled::<A>(scene, a, b) {
             A::run_out_of_line(TrackWalk {

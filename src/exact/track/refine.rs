@@ -3,7 +3,7 @@
 
 use super::lanes_ahead::LanesAhead;
 use super::{CUTS, Scene, Track, piece};
-use crate::exact::bound::reversed;
+use crate::exact::bound::root_correction;
 use crate::exact::hermite::{End, Piece, Point};
 use crate::exact::lanes::{Arith, Task};
 use crate::math::order::by_first;
@@ -39,7 +39,7 @@ impl Task for Climb<'_> {
     }
 }
 
-/// [`Track::turns`], out of line.
+/// [`Track::add_sign_changes`], out of line.
 pub(super) struct Turns<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,
@@ -52,7 +52,8 @@ impl Task for Turns<'_> {
 
     #[inline(always)]
     fn run<A: Arith>(self) {
-        self.track.turns::<A>(self.scene, self.ahead, self.ends);
+        self.track
+            .add_sign_changes::<A>(self.scene, self.ahead, self.ends);
     }
 }
 
@@ -130,7 +131,7 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let (x, _) = reversed::<A>([f[1], f[2], f[3], 0.0, 0.0], 0.0);
+            let (x, _) = root_correction::<A>([f[1], f[2], f[3], 0.0, 0.0], 0.0);
             let target = s + x;
             if !(f[2] < 0.0 && target > piece.a.s && target < piece.b.s) {
                 return plain;
@@ -170,7 +171,7 @@ impl Track {
     ///
     /// An error d in the instant of a root costs only δ̇d² in the integral.
     #[inline(always)]
-    pub(super) fn turns<A: Arith>(
+    pub(super) fn add_sign_changes<A: Arith>(
         &mut self,
         scene: Scene,
         ahead: LanesAhead,
@@ -281,7 +282,7 @@ impl Track {
                 f: f[0],
                 g: f[1],
             });
-            let (x, _) = reversed::<A>([f[0], f[1], f[2], f[3], 0.0], 0.0);
+            let (x, _) = root_correction::<A>([f[0], f[1], f[2], f[3], 0.0], 0.0);
             let target = s + x;
             if !(crosses && target > piece.a.s && target < piece.b.s) {
                 return plain;

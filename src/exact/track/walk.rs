@@ -78,12 +78,12 @@ impl Track {
                     .point::<A>(scene.panel, scene.phase.active, to, &self.e)
             };
             let h = to.s - from.s;
-            let follow = scene.followed(h);
+            let follow = scene.followed_lanes(h);
             if follow == scene.lanes() {
                 let ahead = LanesAhead::Followed(last.fourth);
                 self.span::<A>(scene, ahead, &last, &end);
             } else if !self.ruled_out::<A>(scene, (from, to), &[last, end], follow) {
-                let short = self.short(scene, from);
+                let short = self.fastest_lane_length(scene, from);
                 // Where the lanes that matter would bear a longer part (none is
                 // left, in the end) only the slow motion sets new records.
                 patience = if short > GROWTH * h { 0 } else { PATIENCE };
@@ -114,7 +114,7 @@ impl Track {
 
     /// Length over which the fastest lane that matters can be followed.
     #[inline(always)]
-    fn short(&self, scene: Scene, from: &Amplitudes) -> f64 {
+    fn fastest_lane_length(&self, scene: Scene, from: &Amplitudes) -> f64 {
         let level = self.high.map(f64::abs).max(self.low.map(f64::abs));
         let live = (0..scene.lanes()).rev().find(|&k| {
             let size = self.state.lane_size(scene.panel, from, k);

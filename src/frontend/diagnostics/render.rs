@@ -138,7 +138,9 @@ fn show<'a>(group: Group<'a>, source: &'a Source, excerpt: &Excerpt<'_>) -> Grou
     let line = source.text[..window.start].matches('\n').count() + 1;
     let mut snippet = Snippet::source(text).line_start(line);
     for mark in &excerpt.marks {
-        let annotation = mark.kind.span(fit(text, window.start, &mark.range));
+        let annotation = mark
+            .kind
+            .span(range_in_excerpt(text, window.start, &mark.range));
         snippet = snippet.annotation(match mark.label.is_empty() {
             true => annotation,
             false => annotation.label(in_one_line(mark.label)),
@@ -193,7 +195,7 @@ fn boundary_above(text: &str, at: usize) -> usize {
 }
 
 /// A stretch counted from the excerpt's start, on character boundaries.
-fn fit(excerpt: &str, from: usize, range: &Range<usize>) -> Range<usize> {
+fn range_in_excerpt(excerpt: &str, from: usize, range: &Range<usize>) -> Range<usize> {
     let start = boundary_below(excerpt, range.start.saturating_sub(from));
     let end = boundary_above(excerpt, range.end.saturating_sub(from).max(start));
     start..end

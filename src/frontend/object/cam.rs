@@ -31,7 +31,7 @@ pub(super) fn read(slot: Slot<'_>, output: Measures) -> Option<PositionSpec> {
         let laws = fields.need(
             "law",
             "Law of motion of both, or an object with one for the rise and one for the return.",
-            laws,
+            rise_and_return_laws,
         );
         let phase = phase(fields);
         let (rise_law, return_law) = laws?;
@@ -48,7 +48,7 @@ pub(super) fn read(slot: Slot<'_>, output: Measures) -> Option<PositionSpec> {
     })
 }
 
-fn laws(slot: Slot<'_>) -> Option<(LawSpec, LawSpec)> {
+fn rise_and_return_laws(slot: Slot<'_>) -> Option<(LawSpec, LawSpec)> {
     let apart = |slot: Slot<'_>| {
         slot.record(|fields| {
             let rise = fields.need("rise", "Law of the rise.", law);

@@ -8,7 +8,7 @@ use crate::kinematics::position::Position;
 
 /// Works out the stiffness of a pair's contact where it is to follow from the cam. `None`:
 /// refused.
-pub(super) fn settle(
+pub(super) fn find_contact_stiffness(
     fields: &mut Fields<'_>,
     chain: &mut ChainSpec,
     cam: Option<&CamGeometry>,

@@ -133,7 +133,7 @@ pub fn object(
         false => Some(None),
     };
     let (mut chain, cam) = (chain?, cam?);
-    cam_contact::settle(fields, &mut chain, cam.as_ref())?;
+    cam_contact::find_contact_stiffness(fields, &mut chain, cam.as_ref())?;
     Some(Box::new(ChainObject { kind, chain, cam }))
 }
 

@@ -31,7 +31,7 @@ pub(super) enum On {
 }
 
 impl On {
-    fn own(self) -> Measures {
+    fn own_measures(self) -> Measures {
         match self {
             Self::Chain { own, .. } => own,
             Self::Rotor(own) | Self::Output { own, .. } => own,
@@ -116,7 +116,7 @@ fn law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<LoadLaw
     if let Some(load) = fields.own("A load given in code.") {
         return Some(LoadLawSpec::Custom(load));
     }
-    let own = on.own();
+    let own = on.own_measures();
     let force = own.force();
     let axis = axis(fields, on, context);
     let any = |wanted: QuantityChoice| move |slot: Slot<'_>| slot.quantity(wanted, Bounds::ANY);

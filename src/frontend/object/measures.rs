@@ -99,7 +99,7 @@ impl Measures {
                 let both = [Turning, Sliding];
                 let own = self.0.map_or(both.to_vec(), |one| vec![one]);
                 let driver = driver.0.map_or(both.to_vec(), |one| vec![one]);
-                let one = |own, driver| higher_coefficient(own, driver, power);
+                let one = |own, driver| coefficient_quantity(own, driver, power);
                 QuantityChoice::either(
                     one(own[0], driver[0]),
                     one(own[own.len() - 1], driver[driver.len() - 1]),
@@ -109,7 +109,7 @@ impl Measures {
     }
 }
 
-fn higher_coefficient(own: Coordinate, driver: Coordinate, power: usize) -> Quantity {
+fn coefficient_quantity(own: Coordinate, driver: Coordinate, power: usize) -> Quantity {
     let dimension = |coordinate| match coordinate {
         Turning => Dimension::ANGLE,
         Sliding => Dimension::LENGTH,

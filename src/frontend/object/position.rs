@@ -39,7 +39,7 @@ pub(super) fn read(
     allowed: &[&str],
 ) -> Option<PositionSpec> {
     if let Some(function) = slot.own() {
-        return own(slot, function, allowed);
+        return from_code(slot, function, allowed);
     }
     slot.record(|fields| {
         let describing = fields.describing();
@@ -108,7 +108,11 @@ pub(super) fn read(
 }
 
 /// A function given in code: it fits where functions of any form do.
-fn own(mut slot: Slot<'_>, function: CustomPosition, allowed: &[&str]) -> Option<PositionSpec> {
+fn from_code(
+    mut slot: Slot<'_>,
+    function: CustomPosition,
+    allowed: &[&str],
+) -> Option<PositionSpec> {
     if allowed.contains(&"table") {
         return Some(PositionSpec::Custom(function));
     }

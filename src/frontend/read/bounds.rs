@@ -70,11 +70,11 @@ impl Bounds {
         let mut parts = Vec::new();
         if let Some((end, included)) = self.lower {
             let word = if included { "at least" } else { "greater than" };
-            parts.push(format!("{word} {}", plain(end)));
+            parts.push(format!("{word} {}", number_text(end)));
         }
         if let Some((end, included)) = self.upper {
             let word = if included { "at most" } else { "less than" };
-            parts.push(format!("{word} {}", plain(end)));
+            parts.push(format!("{word} {}", number_text(end)));
         }
         if self.not_zero {
             parts.push("not 0".to_owned());
@@ -110,6 +110,6 @@ impl Bounds {
 const ALL_THAT_IS_MEANT: usize = 12;
 
 /// A number as people write it.
-pub(super) fn plain(value: f64) -> String {
+pub(super) fn number_text(value: f64) -> String {
     shown(value, ALL_THAT_IS_MEANT)
 }

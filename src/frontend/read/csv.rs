@@ -99,7 +99,7 @@ impl TableFile {
         let mut rows = Vec::new();
         let read = csv.each_row(&mut |cells| {
             let pair = chosen.map(|at| {
-                let text = csv.plain(&cells[at]);
+                let text = csv.with_decimal_point(&cells[at]);
                 match csv.columns[at].unit {
                     "" => Node::from(text.parse().unwrap_or(f64::NAN)),
                     unit => Node::from(format!("{text} {unit}")),
@@ -306,7 +306,7 @@ impl<'f> Csv<'f> {
     }
 
     /// A cell with a decimal point.
-    fn plain(&self, cell: &Range<usize>) -> Cow<'f, str> {
+    fn with_decimal_point(&self, cell: &Range<usize>) -> Cow<'f, str> {
         let text = &self.text[cell.clone()];
         let comma = self.separator != ',' && text.matches(',').count() == 1 && !text.contains('.');
         match comma {
@@ -316,7 +316,7 @@ impl<'f> Csv<'f> {
     }
 
     /// An empty cell is pointed at beside its separator.
-    fn shown(&self, cell: &Range<usize>) -> Range<usize> {
+    fn pointed_range(&self, cell: &Range<usize>) -> Range<usize> {
         let first = self.text[..cell.start].ends_with('\n');
         match cell.is_empty() {
             true if !first && cell.start > 0 => cell.start - 1..cell.start,
@@ -326,7 +326,7 @@ impl<'f> Csv<'f> {
     }
 
     fn is_number(&self, cell: &Range<usize>) -> bool {
-        let text = self.plain(cell);
+        let text = self.with_decimal_point(cell);
         number_and_unit(&text).is_some_and(|(number, _)| number.len() == text.len())
     }
 
@@ -336,7 +336,7 @@ impl<'f> Csv<'f> {
         wanted: QuantityChoice,
         cell: &Range<usize>,
     ) -> Result<f64, Box<Diagnostic>> {
-        let text = self.plain(cell);
+        let text = self.with_decimal_point(cell);
         if !self.is_number(cell) {
             let message = match text.is_empty() {
                 true => format!("the column `{}` has no number here", column.name),
@@ -345,7 +345,8 @@ impl<'f> Csv<'f> {
             let comma = self.separator == ',' && text.contains(',');
             let hint = comma.then(|| "a decimal comma needs a semicolon as separator".to_owned());
             return Err(Box::new(
-                self.fault(message, self.shown(cell)).maybe_hint(hint),
+                self.fault(message, self.pointed_range(cell))
+                    .maybe_hint(hint),
             ));
         }
         let value = match column.unit {

@@ -1,7 +1,7 @@
 //! Reading of numbers, with and without units.
 
 use super::bounds::Bounds;
-use super::bounds::plain;
+use super::bounds::number_text;
 use super::formulas::FORMULA_PATTERN;
 use super::slot::{Slot, last_name};
 use super::suggest::did_you_mean;
@@ -39,7 +39,10 @@ impl UnitFault {
             Mismatch::Bare => (
                 "missing-unit",
                 format!("{name} is a text without a unit: \"{}\"", shorten(text)),
-                format!("write {0} without quotes, or \"{0} {si}\"", plain(value)),
+                format!(
+                    "write {0} without quotes, or \"{0} {si}\"",
+                    number_text(value)
+                ),
             ),
             Mismatch::FrequencyForSpeed => (
                 "wrong-unit",
@@ -198,7 +201,7 @@ impl Slot<'_> {
         if size == 0.0 || (*least..=*most).contains(&size) || listed {
             return;
         }
-        let (name, si, value) = (last_name(&self.path), quantity.si(), plain(value));
+        let (name, si, value) = (last_name(&self.path), quantity.si(), number_text(value));
         let message = format!("{name} is {value} {si}: a number without a unit is in SI units");
         let warning = Diagnostic::warning("implausible", message)
             .at(self.place())
@@ -230,7 +233,7 @@ impl Slot<'_> {
             } else {
                 format!(" {unit}")
             };
-            let (wanted, found) = (bounds.words(), plain(value));
+            let (wanted, found) = (bounds.words(), number_text(value));
             let message = format!("{name} must be {wanted}, found {found}{unit}");
             self.refuse("out-of-range", message);
             return None;

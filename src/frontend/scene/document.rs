@@ -237,7 +237,7 @@ impl Document {
     }
 
     /// What is known of its objects, however faulty they are, and what a catalogue offers.
-    pub(super) fn known(&self, catalogue: &dyn Catalogue) -> ObjectTable {
+    pub(super) fn object_table(&self, catalogue: &dyn Catalogue) -> ObjectTable {
         let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
         let tree = self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults);
         ObjectTable::new(&self.registry).offering(Some(&tree), catalogue)

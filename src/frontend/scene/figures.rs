@@ -225,7 +225,7 @@ fn row(address: String, units: Vec<&str>, sign: &str, meaning: &str) -> Value {
     json!({ "address": address, "units": units, "sign": sign, "meaning": meaning })
 }
 
-fn of_parts(owner: &str, figures: &[Figure<OfCoordinate>]) -> Vec<Value> {
+fn part_rows(owner: &str, figures: &[Figure<OfCoordinate>]) -> Vec<Value> {
     let one = |figure: &Figure<OfCoordinate>| {
         let [turning, sliding] =
             [Turning, Sliding].map(|own| (figure.measure)(Measures(Some(own))));
@@ -238,7 +238,7 @@ fn of_parts(owner: &str, figures: &[Figure<OfCoordinate>]) -> Vec<Value> {
     figures.iter().map(one).collect()
 }
 
-fn of_whole(owner: &str, figures: &[Figure<Quantity>]) -> Vec<Value> {
+fn whole_rows(owner: &str, figures: &[Figure<Quantity>]) -> Vec<Value> {
     let one = |figure: &Figure<Quantity>| {
         let address = format!("{owner}.{}", figure.name);
         row(
@@ -256,21 +256,21 @@ fn of_whole(owner: &str, figures: &[Figure<Quantity>]) -> Vec<Value> {
 pub(crate) fn described() -> Value {
     let hertz = || vec![q::FREQUENCY.si()];
     let second = || vec![q::TIME.si()];
-    let mut object = of_parts("OBJECT", OBJECT_FIGURES);
+    let mut object = part_rows("OBJECT", OBJECT_FIGURES);
     object.push(row(
         "OBJECT.pair.switch_times.N".to_owned(),
         second(),
         SIZE,
         "Time of event N of the driving contact, counted from 0.",
     ));
-    let mut stop = of_parts("OBJECT.STOP", STOP_FIGURES);
+    let mut stop = part_rows("OBJECT.STOP", STOP_FIGURES);
     stop.push(row(
         "OBJECT.STOP.stop.switch_times.N".to_owned(),
         second(),
         SIZE,
         "Time of event N of the stop, counted from 0.",
     ));
-    let mut run = of_whole("run", RUN_FIGURES);
+    let mut run = whole_rows("run", RUN_FIGURES);
     run.push(row(
         "run.first_times.NAME".to_owned(),
         second(),
@@ -295,8 +295,8 @@ pub(crate) fn described() -> Value {
         "object": object,
         "stop": stop,
         "run": run,
-        "steady": of_whole("steady", STEADY_FIGURES),
-        "cam": of_whole("cam.OBJECT", CAM_FIGURES),
+        "steady": whole_rows("steady", STEADY_FIGURES),
+        "cam": whole_rows("cam.OBJECT", CAM_FIGURES),
         "frequency": frequency,
         "stops": stops,
     })

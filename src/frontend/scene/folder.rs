@@ -140,7 +140,7 @@ fn table(folder: &Path, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
             "missing-file",
             format!("there is no file `{name}` in the folder of the scene"),
         );
-        return Err(Box::new(missing.maybe_hint(like(folder, name))));
+        return Err(Box::new(missing.maybe_hint(similar_file(folder, name))));
     };
     if !real.starts_with(root) {
         return Err(outside());
@@ -170,7 +170,7 @@ fn table(folder: &Path, name: &str) -> Result<NamedBytes, Box<Diagnostic>> {
 }
 
 /// A file of the folder whose name is like one.
-fn like(folder: &Path, name: &str) -> Option<String> {
+fn similar_file(folder: &Path, name: &str) -> Option<String> {
     let folder = Path::new(".").join(folder).join(Path::new(name).parent()?);
     let entries = fs::read_dir(folder).ok()?.flatten().take(1000);
     let names: Vec<String> = entries

@@ -15,7 +15,7 @@ pub fn schema(registry: &Registry) -> Value {
 /// Schema of one scene: with its own ids and outputs for `input`, and with the names of a
 /// catalogue for `from`. The scene need not be right, only JSON.
 pub fn schema_of(document: &Document, catalogue: &dyn Catalogue) -> Value {
-    described(document.known(catalogue))
+    described(document.object_table(catalogue))
 }
 
 fn described(known: ObjectTable) -> Value {

@@ -118,7 +118,7 @@ impl<'a> StudyAddress<'a> {
     }
 
     /// True where `dam run` judges what is expected of it.
-    pub(crate) fn is_of_run(self) -> bool {
+    pub(crate) fn is_judged_by_run(self) -> bool {
         self.judged_by().contains(&"run")
     }
 }

@@ -71,7 +71,7 @@ impl DiscCam {
         if closed {
             let pieces = self.motion().pieces();
             tracer.corner(&pieces[pieces.len() - 1], &pieces[0])?;
-            tracer.close();
+            tracer.close_curve();
         }
         Ok(Polygon {
             angles: tracer.angles,
@@ -202,7 +202,7 @@ impl Tracer<'_> {
     /// Adds a corner, unless it is the one before to rounding.
     fn push(&mut self, phi: f64, point: [f64; 2]) -> Result<(), Fault> {
         if let Some(&last) = self.points.last()
-            && self.same(last, point)
+            && self.are_same_point(last, point)
         {
             return Ok(());
         }
@@ -214,15 +214,16 @@ impl Tracer<'_> {
         Ok(())
     }
 
-    fn same(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+    fn are_same_point(&self, a: [f64; 2], b: [f64; 2]) -> bool {
         let size = self.cam.geometry().prime_radius() + self.cam.motion().stroke();
         let apart = (a[0] - b[0]).hypot(a[1] - b[1]);
         apart <= 1e-12 * size.max(b[0].hypot(b[1]))
     }
 
     /// The end of a closed curve is its beginning.
-    fn close(&mut self) {
-        while self.points.len() > 1 && self.same(self.points[0], self.points[self.points.len() - 1])
+    fn close_curve(&mut self) {
+        while self.points.len() > 1
+            && self.are_same_point(self.points[0], self.points[self.points.len() - 1])
         {
             self.points.pop();
             self.angles.pop();

@@ -1,7 +1,7 @@
 //! Putting the linkage together at the start: the branch of every dyad, the
 //! first position of every larger group.
 
-use super::choice::{Wrong, mismatch, names, requested_branch, short, start_in_words};
+use super::choice::{Wrong, mismatch, names, number_text, requested_branch, start_in_words};
 use super::course::{Branch, Course, Table};
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
@@ -165,8 +165,8 @@ fn far_places(
                 format!(
                     "the nearest assembly has `{name}` {} m away from this approximate place, of a \
                      linkage {} m in size",
-                    short(off * plan.size),
-                    short(plan.size)
+                    number_text(off * plan.size),
+                    number_text(plan.size)
                 ),
                 "give a place nearer to the one wanted, or another `start`",
             );
@@ -323,21 +323,21 @@ fn not_assemblable(
         Form::Rrr if apart > one + other => format!(
             "{names} cannot be joined at the start {start}: their outer pins are {} m apart, \
              they reach {} m, {} m are missing",
-            short(apart),
-            short(one + other),
-            short(apart - one - other)
+            number_text(apart),
+            number_text(one + other),
+            number_text(apart - one - other)
         ),
         Form::Rrr => format!(
             "{names} cannot be joined at the start {start}: their outer pins are {} m apart, \
              folded they reach no nearer than {} m, {} m too far",
-            short(apart),
-            short((one - other).abs()),
-            short((one - other).abs() - apart)
+            number_text(apart),
+            number_text((one - other).abs()),
+            number_text((one - other).abs() - apart)
         ),
         _ => format!(
             "{names} cannot be joined at the start {start}: the link does not reach the guide, \
              {} m are missing",
-            short(dyad.overreach(&around))
+            number_text(dyad.overreach(&around))
         ),
     };
     let hint = "change these lengths, or give the approximate positions for another input";

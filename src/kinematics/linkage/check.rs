@@ -1,6 +1,6 @@
 //! Checks of the plain numbers of a linkage, all at once.
 
-use super::choice::short;
+use super::choice::number_text;
 use super::couplings;
 use super::spec::{
     AssemblyChoice, ForceLaw, LinkageSpec, OutputKind, PairKind, PairSpec, PointOf, RedundantPart,
@@ -131,7 +131,7 @@ fn place(found: &mut Faults, path: &str, at: [f64; 2]) {
         if !(coordinate.abs() <= FARTHEST) {
             let message = format!(
                 "{} is not a finite number below {FARTHEST:e}",
-                short(coordinate)
+                number_text(coordinate)
             );
             found.add(format!("{path}[{k}]"), message, "");
         }
@@ -141,7 +141,11 @@ fn place(found: &mut Faults, path: &str, at: [f64; 2]) {
 /// Requires that a finite number is not too great for what is done with it.
 fn moderate(found: &mut Faults, path: &str, value: f64) {
     if value.is_finite() && value.abs() > FARTHEST {
-        found.add(path, format!("{} is above {FARTHEST:e}", short(value)), "");
+        found.add(
+            path,
+            format!("{} is above {FARTHEST:e}", number_text(value)),
+            "",
+        );
     }
 }
 
@@ -153,7 +157,10 @@ fn extent(spec: &LinkageSpec, found: &mut Faults) {
         .flat_map(|pair| [pair.on.at, pair.link.at]);
     let largest = ends.flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
     if largest > 0.0 && largest < SMALLEST {
-        let message = format!("all points of the pairs lie within {} m", short(largest));
+        let message = format!(
+            "all points of the pairs lie within {} m",
+            number_text(largest)
+        );
         let hint = "give the lengths in metres, or with their unit";
         found.add("links", message, hint);
     }

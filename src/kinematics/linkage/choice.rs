@@ -56,13 +56,13 @@ pub(super) fn start_in_words(spec: &LinkageSpec) -> String {
         return "given".to_owned();
     }
     match spec.pairs[spec.driver].slides() {
-        true => format!("{} m", short(spec.start)),
-        false => format!("{} deg", short(spec.start.to_degrees())),
+        true => format!("{} m", number_text(spec.start)),
+        false => format!("{} deg", number_text(spec.start.to_degrees())),
     }
 }
 
 /// A number of a message, to six digits; an infinite one is called so.
-pub(super) fn short(number: f64) -> String {
+pub(super) fn number_text(number: f64) -> String {
     match number.is_infinite() {
         true => number.to_string(),
         false => shown(number, 6),

@@ -78,7 +78,7 @@ pub(super) struct Walker<'a> {
 }
 
 /// The input is an angle.
-fn turns(plan: &Plan) -> bool {
+fn input_is_angle(plan: &Plan) -> bool {
     plan.driver.sliding.is_none()
 }
 
@@ -92,7 +92,7 @@ impl<'a> Walker<'a> {
             before: None,
             probe: state.clone(),
             way: if up { 1.0 } else { -1.0 },
-            unit: if turns(plan) { 1.0 } else { plan.size },
+            unit: if input_is_angle(plan) { 1.0 } else { plan.size },
             plan,
             course,
         }
@@ -104,7 +104,7 @@ impl<'a> Walker<'a> {
         let first = self.anchor.clone();
         let farthest = start
             + self.way
-                * if turns(self.plan) {
+                * if input_is_angle(self.plan) {
                     TAU * MOST_TURNS as f64
                 } else {
                     FARTHEST * self.unit
@@ -118,19 +118,19 @@ impl<'a> Walker<'a> {
         for _ in 0..MOST_PLACES.min(MOST_ROWS / self.plan.links.max(1)) {
             let whole = start + self.way * TAU * turn as f64;
             let mut to = self.place.at + self.way * step;
-            if turns(self.plan) && (to - whole) * self.way > -1e-3 * self.base() {
+            if input_is_angle(self.plan) && (to - whole) * self.way > -1e-3 * self.base() {
                 to = whole;
             }
             if (to - edge) * self.way >= 0.0 {
                 to = edge;
             }
-            match self.settle(to) {
+            match self.take_step(to) {
                 Ok(reached) => {
                     step = (2.0 * (reached - self.place_before()).abs()).min(self.base());
                     if reached == edge {
                         return WayEnd::Ends(edge, cause);
                     }
-                    if turns(self.plan) && reached == whole {
+                    if input_is_angle(self.plan) && reached == whole {
                         if up && limit.is_none() && self.repeats(&first) {
                             return WayEnd::Repeats(turn);
                         }
@@ -145,7 +145,7 @@ impl<'a> Walker<'a> {
 
     /// The greatest step here.
     fn base(&self) -> f64 {
-        if turns(self.plan) {
+        if input_is_angle(self.plan) {
             TAU / STEPS
         } else {
             (self.unit / STEPS).max(0.02 * (self.place.at - self.course.start).abs())
@@ -160,7 +160,7 @@ impl<'a> Walker<'a> {
 
     /// Takes a step towards `to`, as far as it may; the place reached, or the
     /// dead-centre position that is here.
-    fn settle(&mut self, to: f64) -> Result<f64, (f64, Cause)> {
+    fn take_step(&mut self, to: f64) -> Result<f64, (f64, Cause)> {
         let mut to = to;
         for _ in 0..MOST_TRIALS {
             match self.examine(to) {

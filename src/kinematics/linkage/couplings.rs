@@ -24,7 +24,7 @@ pub(super) fn check(spec: &LinkageSpec, found: &mut Faults) {
             found.add(path.as_str(), message, "give it a name of its own");
         }
         found.finite(&format!("{path}.offset"), coupling.offset);
-        let kind = coupling.kind.own();
+        let kind = coupling.kind.as_kind();
         kind.check(&path, found);
         let mut links = coupling.links().into_iter().flatten();
         if let Some(link) = links.find(|link| *link >= spec.links.len()) {
@@ -47,13 +47,13 @@ fn named(spec: &LinkageSpec, link: Option<usize>) -> String {
 /// The outlines of all couplings, these having been checked.
 pub(crate) fn outlines(spec: &LinkageSpec) -> Vec<Outline> {
     let all = spec.couplings.iter();
-    all.flat_map(|one| one.kind.own().outlines(one, &spec.pairs))
+    all.flat_map(|one| one.kind.as_kind().outlines(one, &spec.pairs))
         .collect()
 }
 
 /// Sentences about couplings that are hardly meant so.
 pub(super) fn remarks(spec: &LinkageSpec) -> Vec<String> {
     let all = spec.couplings.iter();
-    all.filter_map(|one| one.kind.own().remark(&one.name))
+    all.filter_map(|one| one.kind.as_kind().remark(&one.name))
         .collect()
 }

@@ -25,7 +25,7 @@ impl Walker<'_> {
         let at_middle = self.probe.margins.clone();
         let reached = self.try_at::<2>(to, groups);
         let at_end = self.probe.margins.clone();
-        let followed = reached.is_err() || tiny || self.followed(to);
+        let followed = reached.is_err() || tiny || self.is_continuous(to);
         let known = [
             halved.map_or_else(|Stuck(group)| group, |()| groups),
             reached.map_or_else(|Stuck(group)| group + 1, |()| groups),
@@ -50,7 +50,7 @@ impl Walker<'_> {
     }
 
     /// No link has turned or gone too far, and none has jumped.
-    fn followed(&self, to: f64) -> bool {
+    fn is_continuous(&self, to: f64) -> bool {
         let links = &self.probe.links;
         let turned = |(link, motion): (usize, &Motion)| {
             let from = self.place.angles[link];

@@ -1,7 +1,7 @@
 //! The first position of a larger group, from approximate positions of some of
 //! its links or from a number of trials.
 
-use super::choice::{Wrong, mismatch, names, requested_branch, short, start_in_words};
+use super::choice::{Wrong, mismatch, names, number_text, requested_branch, start_in_words};
 use super::dyad::Margin;
 use super::newton::{NewtonGroup, PreparedJoint};
 use super::plan::Plan;
@@ -69,7 +69,7 @@ fn find_assemblies(
     let mut closest = f64::INFINITY;
     for trial in 0..TRIALS {
         guess(plan, group, choices, &mut scratch, trial);
-        let settled = settle(group, state, &mut scratch, plan.size);
+        let settled = refine_guess(group, state, &mut scratch, plan.size);
         let error = group.closing_error(state, &mut scratch, plan.size);
         if error.is_finite() {
             closest = closest.min(error);
@@ -86,7 +86,7 @@ fn find_assemblies(
         let unknowns: Vec<f64> = scratch.unknowns.iter().map(|unknown| unknown[0]).collect();
         let known = found
             .iter()
-            .any(|other| same(&other.unknowns, &unknowns, plan.size));
+            .any(|other| are_same_angles(&other.unknowns, &unknowns, plan.size));
         if !known && found.len() < MOST_FOUND {
             found.push(Assembly {
                 unknowns,
@@ -126,7 +126,7 @@ fn choose<'a>(
                 "{names} cannot be joined at the start {}: the closest of {TRIALS} trials \
                  leaves a closing error of {} m",
                 start,
-                short(closest)
+                number_text(closest)
             ),
             "check the lengths, or give approximate positions of these links".to_owned(),
         ));
@@ -136,7 +136,7 @@ fn choose<'a>(
         angles.sort_by(f64::total_cmp);
         let angles: Vec<String> = angles
             .iter()
-            .map(|angle| short(angle.to_degrees()))
+            .map(|angle| number_text(angle.to_degrees()))
             .collect();
         return Err((
             format!(
@@ -158,7 +158,7 @@ fn principal(angle: f64) -> f64 {
     nearest_turn(angle, 0.0)
 }
 
-fn same(one: &[f64], other: &[f64], size: f64) -> bool {
+fn are_same_angles(one: &[f64], other: &[f64], size: f64) -> bool {
     one.iter().zip(other).enumerate().all(|(row, (a, b))| {
         if row % 3 == 2 {
             let turned = (a - b) / TAU;
@@ -210,7 +210,7 @@ fn guess(
 }
 
 /// Newton's method after a first guess of the positions that suits the angles.
-fn settle(
+fn refine_guess(
     group: &NewtonGroup,
     state: &State,
     scratch: &mut Scratch,
@@ -226,7 +226,7 @@ fn put(group: &NewtonGroup, scratch: &Scratch, state: &mut State) {
         state.put(body, &NewtonGroup::frame::<1>(scratch, index));
         // Where nothing counts the turns it is the angle in (−π, π].
         let angle = scratch.unknowns[3 * index + 2][0];
-        state.near[body.base] = match group.ties.iter().any(PreparedJoint::turns) {
+        state.near[body.base] = match group.ties.iter().any(PreparedJoint::counts_whole_turns) {
             false => state.links[body.base].angle(),
             true => angle,
         };

@@ -129,8 +129,11 @@ impl Range {
     /// The range in words, `turning` telling degrees from metres.
     pub fn describe(&self, structure: &Structure, turning: bool) -> String {
         let number = |at: f64| match turning {
-            true => format!("{} deg", shown(unsigned(at.to_degrees(), 1e-6), 9)),
-            false => format!("{} m", shown(unsigned(at, 1e-9), 9)),
+            true => format!(
+                "{} deg",
+                shown(without_negative_zero(at.to_degrees(), 1e-6), 9)
+            ),
+            false => format!("{} m", shown(without_negative_zero(at, 1e-9), 9)),
         };
         let mut text = match (&self.reach, self.period) {
             (Reach::Everywhere, Some(Period { turns: 1, .. })) => "turns fully".to_owned(),
@@ -174,7 +177,7 @@ impl Range {
 }
 
 /// Zero for what is shown as zero, which has no sign.
-fn unsigned(number: f64, digit: f64) -> f64 {
+fn without_negative_zero(number: f64, digit: f64) -> f64 {
     if number.abs() < 0.5 * digit {
         0.0
     } else {

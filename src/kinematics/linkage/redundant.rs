@@ -50,7 +50,7 @@ impl Redundant {
     }
 
     /// Direction in which the pin of its link is free, in that link's frame; `None` where it has none.
-    pub(super) fn direction(&self, spec: &LinkageSpec) -> Option<[f64; 2]> {
+    pub(super) fn free_direction(&self, spec: &LinkageSpec) -> Option<[f64; 2]> {
         let RedundantPart::Along(link) = self.part else {
             return None;
         };

@@ -2,7 +2,7 @@
 //! approximate positions far from the assembly, cams that are undercut.
 
 use super::Linkage;
-use super::choice::{mismatch, short};
+use super::choice::{mismatch, number_text};
 use super::couplings;
 use super::elements::slides;
 use super::solve::{Guess, solve};
@@ -48,14 +48,14 @@ impl Linkage {
                 AssemblyChoice::Near { .. } if off > OFF => Some(format!(
                     "the approximate position of `{name}` is {} m away from the nearest assembly, \
                      which is taken; `near` in its `assembly` means its place where the input starts",
-                    short(off * plan.size)
+                    number_text(off * plan.size)
                 )),
                 // Of others the angle chooses the assembly, however far it is.
                 AssemblyChoice::Angle(_) if off > TURNED && !spec.redundant.is_empty() => {
                     Some(format!(
                         "the approximate angle of `{name}` is {} deg away from the nearest \
                          assembly that moves",
-                        short(off.to_degrees())
+                        number_text(off.to_degrees())
                     ))
                 }
                 _ => None,

@@ -63,7 +63,7 @@ impl Skeleton {
             RedundantPart::Whole => self.left_out.push(pair),
             RedundantPart::Couple => self.release_turning(pair),
             RedundantPart::Along(link) => {
-                if let Some([u, v]) = redundant.direction(linkage) {
+                if let Some([u, v]) = redundant.free_direction(linkage) {
                     self.release_sliding(pair, link, v.atan2(u));
                 }
             }

@@ -54,7 +54,10 @@ impl LinkageSpec {
 
     /// The greatest length of a coupling itself, such as the prime radius of a cam (m).
     pub(crate) fn greatest_coupling(&self) -> f64 {
-        let lengths = self.couplings.iter().map(|one| one.kind.own().length());
+        let lengths = self
+            .couplings
+            .iter()
+            .map(|one| one.kind.as_kind().typical_length());
         lengths.fold(0.0, f64::max)
     }
 }

@@ -20,7 +20,7 @@ use crate::fault::{Fault, Faults};
 use crate::kinematics::breaks::Breaks;
 use crate::math::expression::Repetition;
 use crate::math::jet::Jet;
-use crate::math::narrow::{Narrow, narrow};
+use crate::math::narrow::{Narrow, narrow_stretches};
 
 /// Prescribed motion φ(t) of a drive.
 #[derive(Clone, Debug)]
@@ -204,7 +204,7 @@ impl DriveMotion {
 
     /// The stretches between two times of a segment in which the speed changes so briefly
     /// that long steps would pass over it unseen.
-    pub(crate) fn narrow(&self, segment: i64, from: f64, to: f64) -> Vec<Narrow> {
+    pub(crate) fn narrow_stretches(&self, segment: i64, from: f64, to: f64) -> Vec<Narrow> {
         let speed = |time: f64| self.jet(segment, time).first;
         match self {
             // Their formulas are simple between breaks.
@@ -215,7 +215,7 @@ impl DriveMotion {
             | Self::LawRunUp(_) => Vec::new(),
             Self::Written(written) => {
                 let bounds = |a, b| written.speeds(segment, a, b);
-                narrow(from, to, bounds, speed)
+                narrow_stretches(from, to, bounds, speed)
             }
             Self::Table(spline) => {
                 let bounds = |a: f64, b: f64| {
@@ -228,7 +228,7 @@ impl DriveMotion {
                         [low.min(speed), high.max(speed)]
                     })
                 };
-                narrow(from, to, bounds, speed)
+                narrow_stretches(from, to, bounds, speed)
             }
         }
     }

@@ -119,11 +119,14 @@ fn part(op: &Op, parts: &[Parts], variables: &[usize], into: &mut Builder) -> Op
                 true => (at(a), at(b)),
                 false => (at(b), at(a)),
             };
-            let factor = a.is_rest().then(|| into.known(a.rest)).flatten()?;
+            let factor = a.is_rest().then(|| into.constant_of(a.rest)).flatten()?;
             b.scaled(factor, into)
         }
         Op::Div(a, b) => {
-            let divisor = at(b).is_rest().then(|| into.known(at(b).rest)).flatten()?;
+            let divisor = at(b)
+                .is_rest()
+                .then(|| into.constant_of(at(b).rest))
+                .flatten()?;
             at(a).scaled(1.0 / divisor, into)
         }
         _ => return None,

@@ -67,7 +67,7 @@ impl Builder {
     }
 
     /// The number that a result is.
-    pub(super) fn known(&self, x: Register) -> Option<f64> {
+    pub(super) fn constant_of(&self, x: Register) -> Option<f64> {
         match self.ops[usize::from(x)] {
             Op::Number(value) => Some(value),
             _ => None,
@@ -76,7 +76,10 @@ impl Builder {
 
     /// An operation, worked out where all that it takes is numbers.
     fn folded(&mut self, op: Op) -> Register {
-        let known: Option<Vec<f64>> = op.operands().map(|operand| self.known(operand)).collect();
+        let known: Option<Vec<f64>> = op
+            .operands()
+            .map(|operand| self.constant_of(operand))
+            .collect();
         let Some(known) = known else {
             return self.op(op);
         };
@@ -110,7 +113,7 @@ impl Builder {
     }
 
     pub(super) fn add(&mut self, a: Register, b: Register) -> Register {
-        match (self.known(a), self.known(b)) {
+        match (self.constant_of(a), self.constant_of(b)) {
             (None, Some(b)) => self.affine(a, 1.0, b),
             (Some(a), None) => self.affine(b, 1.0, a),
             _ => self.folded(Op::Add(a, b)),
@@ -118,7 +121,7 @@ impl Builder {
     }
 
     pub(super) fn sub(&mut self, a: Register, b: Register) -> Register {
-        match (self.known(a), self.known(b)) {
+        match (self.constant_of(a), self.constant_of(b)) {
             (None, Some(b)) => self.affine(a, 1.0, -b),
             (Some(a), None) => self.affine(b, -1.0, a),
             _ => self.folded(Op::Sub(a, b)),
@@ -126,7 +129,7 @@ impl Builder {
     }
 
     pub(super) fn mul(&mut self, a: Register, b: Register) -> Register {
-        match (self.known(a), self.known(b)) {
+        match (self.constant_of(a), self.constant_of(b)) {
             (None, Some(b)) => self.affine(a, b, 0.0),
             (Some(a), None) => self.affine(b, a, 0.0),
             _ => self.folded(Op::Mul(a, b)),
@@ -142,10 +145,10 @@ impl Builder {
     }
 
     pub(super) fn power(&mut self, x: Register, y: Register) -> Register {
-        let Some(exponent) = self.known(y) else {
+        let Some(exponent) = self.constant_of(y) else {
             return self.folded(Op::PowerOf(x, y));
         };
-        if self.known(x).is_some() {
+        if self.constant_of(x).is_some() {
             return self.folded(Op::PowerOf(x, y));
         }
         let whole = exponent.fract() == 0.0 && exponent.abs() <= f64::from(PRODUCTS);
@@ -252,10 +255,10 @@ impl Builder {
     }
 
     pub(super) fn select(&mut self, condition: Register, a: Register, b: Register) -> Register {
-        if a == b && self.known(a).is_some() {
+        if a == b && self.constant_of(a).is_some() {
             return a;
         }
-        match self.known(condition) {
+        match self.constant_of(condition) {
             Some(value) if value.is_nan() => self.number(f64::NAN),
             Some(0.0) => b,
             Some(_) => a,

@@ -149,7 +149,7 @@ impl Reader<'_, '_> {
     }
 
     fn factorial(&mut self, x: Register, place: Range<usize>) -> Result<Register, Error> {
-        let known = self.builder.known(x);
+        let known = self.builder.constant_of(x);
         let whole = known.filter(|n| *n >= 0.0 && n.fract() == 0.0 && *n <= 170.0);
         let Some(n) = whole else {
             return Err((Wrong::Factorial, place));

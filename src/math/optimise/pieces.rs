@@ -66,7 +66,7 @@ fn intervals(at: &dyn Fn(f64) -> f64, from: f64, to: f64) -> usize {
             from + (to - from) * uneven
         };
         let samples: Vec<f64> = (0..=count).map(|i| at(place(i))).collect();
-        if A_TURN * turns(&samples) <= count {
+        if A_TURN * turning_points(&samples) <= count {
             break;
         }
         count *= 2;
@@ -75,7 +75,7 @@ fn intervals(at: &dyn Fn(f64) -> f64, from: f64, to: f64) -> usize {
 }
 
 /// Number of turning points among samples, those of rounding left out.
-fn turns(samples: &[f64]) -> usize {
+fn turning_points(samples: &[f64]) -> usize {
     let size = samples.iter().fold(0.0f64, |most, x| most.max(x.abs()));
     let (mut last, mut count) = (0.0, 0);
     for pair in samples.windows(2) {

@@ -8,7 +8,9 @@ use super::view::{View, view};
 use super::{NamedCurve, charts};
 use crate::kinematics::cam::DiscCam;
 use crate::report::findings::{Findings, Item, Layout, Section, Source};
-use crate::report::html::player::{Coordinates, PartDisplacement, Player, Reading, RowAxis, short};
+use crate::report::html::player::{
+    Coordinates, PartDisplacement, Player, Reading, RowAxis, player_number,
+};
 use crate::report::mechanism::marks::scale_bar;
 use crate::report::plot::Plots;
 use crate::report::quantity::DIGITS;
@@ -253,7 +255,7 @@ fn player(report: &CamReport<'_>, view: &View) -> Player {
             unit: "deg".to_owned(),
             values: places
                 .iter()
-                .map(|phi: &f64| short(phi.to_degrees(), 6))
+                .map(|phi: &f64| player_number(phi.to_degrees(), 6))
                 .collect(),
             times: Vec::new(),
             closed: cam.motion().is_closed(),

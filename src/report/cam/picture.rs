@@ -2,7 +2,7 @@
 //! player of a page turns and moves.
 
 use super::NamedCurve;
-use super::view::short;
+use super::view::number_text;
 use super::view::{Mover, View, mover, parts, rim_radius, view};
 use crate::kinematics::cam::{Contact, DiscCam, Guide, Surface};
 use crate::report::html::player::{Body, PartDisplacement};
@@ -70,7 +70,7 @@ pub(in crate::report) fn drawing(
     };
     let turned = rotation_attribute(mover.axis, mover.cam * phi);
     let mut out = part("", 0, turned, mover.axis, body(cam, curves, view));
-    let [x, y] = mover.axis.map(short);
+    let [x, y] = mover.axis.map(number_text);
     let base = circle(
         "cam-base",
         mover.axis,
@@ -151,12 +151,12 @@ fn dimension([from, to]: [[f64; 2]; 2], heads: [bool; 2], text: &str) -> String 
                 x - 8.0 * way * ux - side * uy,
                 y - 8.0 * way * uy + side * ux,
             );
-            format!("{} {}", short(x), short(y))
+            format!("{} {}", number_text(x), number_text(y))
         };
         format!(
             "<path class=\"barb\" d=\"M{} {}L{}L{}z\"/>",
-            short(x),
-            short(y),
+            number_text(x),
+            number_text(y),
             back(2.6),
             back(-2.6)
         )
@@ -168,32 +168,32 @@ fn dimension([from, to]: [[f64; 2]; 2], heads: [bool; 2], text: &str) -> String 
         .collect();
     format!(
         "<g class=\"dim\"><path d=\"M{} {}L{} {}\"/>{heads}<text text-anchor=\"middle\" x=\"{}\" y=\"{}\">{}</text></g>\n",
-        short(from[0]),
-        short(from[1]),
-        short(to[0]),
-        short(to[1]),
-        short(from[0] + TEXT * dx),
-        short(from[1] + TEXT * dy - 5.0),
+        number_text(from[0]),
+        number_text(from[1]),
+        number_text(to[0]),
+        number_text(to[1]),
+        number_text(from[0] + TEXT * dx),
+        number_text(from[1] + TEXT * dy - 5.0),
         escape(text),
     )
 }
 
 fn circle(class: &str, place: [f64; 2], radius: f64) -> String {
-    let [x, y] = place.map(short);
-    let r = short(radius);
+    let [x, y] = place.map(number_text);
+    let r = number_text(radius);
     format!("<circle class=\"{class}\" cx=\"{x}\" cy=\"{y}\" r=\"{r}\"/>")
 }
 
 /// Opens a group whose own origin is a pixel of the picture.
 fn about(place: [f64; 2]) -> String {
-    let [x, y] = place.map(|value| short(-value));
+    let [x, y] = place.map(|value| number_text(-value));
     format!("<g transform=\"translate({x} {y})\">")
 }
 
 /// A turn about a pixel, by degrees clockwise.
 fn rotation_attribute(place: [f64; 2], degrees: f64) -> String {
-    let [x, y] = place.map(short);
-    format!("translate({x} {y}) rotate({})", short(degrees))
+    let [x, y] = place.map(number_text);
+    format!("translate({x} {y}) rotate({})", number_text(degrees))
 }
 
 fn follower_transform(mover: &Mover, lift: f64) -> String {
@@ -307,11 +307,11 @@ fn rim(cam: &DiscCam, curves: &[NamedCurve], view: &View) -> String {
     let [x, y] = view.origin;
     format!(
         "M{} {}a{r} {r} 0 1 0 {} 0a{r} {r} 0 1 0 {} 0z",
-        short(x - radius),
-        short(y),
-        short(2.0 * radius),
-        short(-2.0 * radius),
-        r = short(radius)
+        number_text(x - radius),
+        number_text(y),
+        number_text(2.0 * radius),
+        number_text(-2.0 * radius),
+        r = number_text(radius)
     )
 }
 

@@ -27,7 +27,7 @@ impl View {
 
     pub(super) fn text(&self, p: [f64; 2]) -> String {
         let [x, y] = self.point(p);
-        format!("{} {}", short(x), short(y))
+        format!("{} {}", number_text(x), number_text(y))
     }
 }
 
@@ -197,6 +197,6 @@ pub(in crate::report) fn view_within(cam: &DiscCam, curves: &[NamedCurve], most:
     }
 }
 
-pub(super) fn short(value: f64) -> String {
+pub(super) fn number_text(value: f64) -> String {
     crate::report::plot::coordinate(value)
 }

@@ -54,7 +54,7 @@ impl Value {
     }
 
     /// The value in a table of the terminal: `12.5 mm`, `-3e-17 m`.
-    pub(super) fn plain(&self) -> String {
+    pub(super) fn terminal_text(&self) -> String {
         match self {
             Self::Words(words) => words.clone(),
             Self::Number { value, .. } if !value.is_finite() => "–".to_owned(),
@@ -68,9 +68,12 @@ impl Value {
                     true => (*value, unit),
                     false => (value / scale.factor, &scale.unit),
                 };
-                format!("{} {unit}", shown(number, display_units::digits(*digits)))
-                    .trim_end()
-                    .to_owned()
+                format!(
+                    "{} {unit}",
+                    shown(number, display_units::shown_digits(*digits))
+                )
+                .trim_end()
+                .to_owned()
             }
         }
     }

@@ -89,9 +89,9 @@ fn lines(figures: &[Figure]) -> String {
     let name = |figure: &Figure| width(&figure.name);
     let names = figures.iter().map(name).max().unwrap_or(0);
     let numbers = figures.iter().filter(|one| is_number(&one.value));
-    let numbers = numbers.map(|one| width(&one.value.plain())).max();
+    let numbers = numbers.map(|one| width(&one.value.terminal_text())).max();
     let line = |figure: &Figure| {
-        let value = typed(&figure.value.plain());
+        let value = typed(&figure.value.terminal_text());
         let value = match is_number(&figure.value) {
             true => padded(&value, numbers.unwrap_or(0), true),
             false => value,
@@ -151,7 +151,7 @@ impl Table {
         let under = |head: &str, cells: Vec<String>| [vec![head.to_owned()], cells].concat();
         // A column of additions stands behind that of the values.
         let column = |(at, column): (usize, &Column)| -> Vec<Lane> {
-            let value = |cell: &Cell| said(&cell.value.plain());
+            let value = |cell: &Cell| said(&cell.value.terminal_text());
             let lanes = match column.prose {
                 true => vec![Lane::new(under(&column.name, of(at, &prose)), false)],
                 false => vec![
@@ -198,8 +198,8 @@ impl Table {
 /// A cell as a sentence: bad news in capitals, what is to be added behind a colon.
 fn prose(cell: &Cell) -> String {
     let value = match cell.good {
-        Some(false) => cell.value.plain().to_uppercase(),
-        _ => cell.value.plain(),
+        Some(false) => cell.value.terminal_text().to_uppercase(),
+        _ => cell.value.terminal_text(),
     };
     match (value.as_str(), cell.note.as_str()) {
         ("", other) | (other, "") => typed(other),

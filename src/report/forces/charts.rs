@@ -125,7 +125,7 @@ fn over_course(
             .iter()
             .enumerate()
             .map(|(index, row)| {
-                let at = axis.shown(study.course.parameter(index));
+                let at = axis.in_unit(study.course.parameter(index));
                 (at, column.value(row).unwrap_or(f64::NAN))
             })
             .collect();
@@ -142,7 +142,7 @@ fn over_course(
 fn shaded(report: &ForcesReport<'_>) -> Vec<[f64; 2]> {
     let zones = report.study.zones.iter();
     zones
-        .map(|zone| [zone.from, zone.to].map(|at| report.axis().shown(at)))
+        .map(|zone| [zone.from, zone.to].map(|at| report.axis().in_unit(at)))
         .collect()
 }
 
@@ -197,11 +197,11 @@ pub fn massless_chart(report: &ForcesReport<'_>) -> Option<Plot> {
     let study = report.study;
     let axis = report.axis();
     let points = |chi: &[Option<f64>]| -> Vec<(f64, f64)> {
-        let at = found.coordinates.iter().map(|q| axis.shown(*q));
+        let at = found.coordinates.iter().map(|q| axis.in_unit(*q));
         let values = chi.iter().map(|chi| chi.unwrap_or(f64::NAN));
         let mut points: Vec<(f64, f64)> = at.zip(values).collect();
         if let (Some(period), Some(first)) = (study.course.period(), points.first().copied()) {
-            points.push((first.0 + axis.shown(period), first.1));
+            points.push((first.0 + axis.in_unit(period), first.1));
         }
         points
     };

@@ -75,7 +75,7 @@ pub fn drawing<'a>(report: &ForcesReport<'a>) -> Drawing<'a> {
         axis: Axis {
             name: axis.name.to_owned(),
             unit: axis.unit().to_owned(),
-            values: places.map(|at| axis.shown(at)).collect(),
+            values: places.map(|at| axis.in_unit(at)).collect(),
             times: kept.iter().map(|(_, row, _)| time(row)).collect(),
             closed: study.course.is_closed() && stride == 1,
         },

@@ -9,7 +9,7 @@ use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table};
 use crate::report::plot::{Plot, page::hodograph};
 use crate::report::quantity::{DIGITS, counted, significant};
-use crate::report::sentence::{Sentence, told};
+use crate::report::sentence::{Sentence, in_shown_units};
 use crate::report::verdict::Verdict;
 use crate::studies::forces::{Extreme, Extremes, ForceStudy};
 use crate::studies::judgement::Judgement;
@@ -26,7 +26,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
         "forces of {}, {}, {}",
         report.object,
         counted(study.rows.len(), "position"),
-        told(report.motion)
+        in_shown_units(report.motion)
     );
     if let Some(output) = study.settings.output {
         let (output, convention) = (

@@ -59,7 +59,7 @@ impl ForcesReport<'_> {
     /// A place on the course for reading.
     fn place(&self, at: f64) -> String {
         let axis = self.axis();
-        let place = format!("{} {}", significant(axis.shown(at), 6), axis.unit());
+        let place = format!("{} {}", significant(axis.in_unit(at), 6), axis.unit());
         place.trim_end().to_owned()
     }
 }

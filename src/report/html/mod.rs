@@ -157,7 +157,7 @@ pub(in crate::report) fn number(value: f64, unit: &str, digits: usize) -> String
     format!(
         "<span title=\"{value} {}\">{}{joint}<span class=\"unit\">{}</span></span>",
         escape(unit),
-        significant(value / shown.factor, display_units::digits(digits)),
+        significant(value / shown.factor, display_units::shown_digits(digits)),
         escape(&shown.unit)
     )
 }

@@ -250,7 +250,7 @@ impl Player {
 }
 
 /// A number for the player, with that many digits after the point; none for what is no number.
-pub(in crate::report) fn short(value: f64, digits: i32) -> Option<f64> {
+pub(in crate::report) fn player_number(value: f64, digits: i32) -> Option<f64> {
     let factor = 10f64.powi(digits);
     let rounded = (value * factor).round() / factor;
     rounded.is_finite().then_some(rounded)

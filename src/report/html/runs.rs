@@ -184,7 +184,7 @@ fn unshaded(runs: &[RunSeries<'_>], object: &str) -> String {
 }
 
 /// Tables of an object for the player: its displacement and its deviation from the law.
-pub(in crate::report) fn followed(
+pub(in crate::report) fn player_tables(
     plots: &mut Plots,
     record: &Record,
     object: &str,

@@ -8,7 +8,7 @@ use crate::studies::kinematics::{Kinematics, Quantity};
 /// The drawing with the paths of all points that are no pins of the ground, and
 /// arrows of speed and acceleration.
 pub fn drawing<'a>(found: &'a Kinematics) -> Drawing<'a> {
-    let rows = thinned(found.frames.len());
+    let rows = thinned_indices(found.frames.len());
     with_rows(found, &rows)
 }
 
@@ -18,7 +18,7 @@ pub fn picture(found: &Kinematics, row: usize) -> String {
     with_rows(found, &all).svg(row)
 }
 
-fn thinned(count: usize) -> Vec<usize> {
+fn thinned_indices(count: usize) -> Vec<usize> {
     let stride = count.div_ceil(MOST_FRAMES).max(1);
     (0..count).step_by(stride).collect()
 }
@@ -57,13 +57,16 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
     let axis = axis(found);
     Drawing {
         spec: found.linkage.spec(),
-        frames: rows.iter().map(|&row| placed(&found.frames[row])).collect(),
+        frames: rows
+            .iter()
+            .map(|&row| placements(&found.frames[row]))
+            .collect(),
         axis: Axis {
             name: axis.name.to_owned(),
             unit: axis.unit().to_owned(),
             values: rows
                 .iter()
-                .map(|&row| axis.shown(found.axis.values[row]))
+                .map(|&row| axis.in_unit(found.axis.values[row]))
                 .collect(),
             times: rows.iter().map(|&row| found.times[row]).collect(),
             closed: found.closed,
@@ -86,7 +89,7 @@ fn with_rows<'a>(found: &'a Kinematics, rows: &[usize]) -> Drawing<'a> {
 }
 
 /// The links of a position.
-pub(super) fn placed(frame: &[[f64; 4]]) -> Vec<Placement> {
+pub(super) fn placements(frame: &[[f64; 4]]) -> Vec<Placement> {
     let place = |&[x, y, cos, sin]: &[f64; 4]| Placement {
         at: [x, y],
         turn: [cos, sin],

@@ -5,7 +5,7 @@ use crate::dynamics::model::Coordinate;
 use crate::report::csv::Rows;
 use crate::report::findings::{Cell, Figure, Findings, Item, Row, Section, Source, Table, Value};
 use crate::report::quantity::{DIGITS, counted, significant, with_unit};
-use crate::report::sentence::{Sentence, told};
+use crate::report::sentence::{Sentence, in_shown_units};
 use crate::report::verdict::Verdict;
 use crate::studies::kinematics::{
     AnyLinkage, Column, Equilibrium, Extremes, Kinematics, Quantity, Stroke,
@@ -40,7 +40,7 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
             found.object,
             counted(found.axis.values.len(), "position"),
             found.axis.name,
-            told(&found.motion)
+            in_shown_units(&found.motion)
         ),
         answer: Some(answer(found)),
         warnings: found.warnings.clone(),

@@ -1,7 +1,7 @@
 //! What linkages of several inputs have beside those of one: the machine with a slider for
 //! each input, and their singular positions.
 
-use super::drawing::placed;
+use super::drawing::placements;
 use super::{coordinate, input};
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};
 use crate::report::findings::{Layout, Section, Table};
@@ -41,7 +41,7 @@ fn over_inputs(found: &Kinematics) -> Option<String> {
     });
     let drawing = Drawing {
         spec: found.linkage.spec(),
-        frames: grid.frames.iter().map(|frame| placed(frame)).collect(),
+        frames: grid.frames.iter().map(|frame| placements(frame)).collect(),
         axis: crate::report::mechanism::Axis::default(),
         paths: Vec::new(),
         arrows: Vec::new(),

@@ -128,7 +128,7 @@ fn frame_unbounded(chart: &mut Plot, found: &Kinematics, endless: &Endless) {
         points.filter(|(_, at)| !endless.is_near(**at))
     });
     chart.y.range = framed(shown.map(|(point, _)| point.1));
-    let ends = endless.ends.iter().map(|&at| axis(found).shown(at));
+    let ends = endless.ends.iter().map(|&at| axis(found).in_unit(at));
     chart.rules.extend(ends.map(Rule::upright));
     if let Some(rule) = chart.rules.last_mut() {
         rule.label = "grows without bound towards here".to_owned();
@@ -137,8 +137,8 @@ fn frame_unbounded(chart: &mut Plot, found: &Kinematics, endless: &Endless) {
 
 fn curve(found: &Kinematics, column: &Column) -> Series {
     let points = found.axis.values.iter().zip(&column.values);
-    let points = points.map(|(&at, &value)| (axis(found).shown(at), value));
-    let owner = short(&column.owner);
+    let points = points.map(|(&at, &value)| (axis(found).in_unit(at), value));
+    let owner = owner_name(&column.owner);
     let label = match &column.by {
         Some(input) => format!("{owner} by {input}"),
         None => owner.to_owned(),
@@ -147,7 +147,7 @@ fn curve(found: &Kinematics, column: &Column) -> Series {
 }
 
 /// An owner without the word that says what it is: the heading says that.
-fn short(owner: &str) -> &str {
+fn owner_name(owner: &str) -> &str {
     let owner = owner.strip_prefix("links.").unwrap_or(owner);
     owner.strip_prefix("pairs.").unwrap_or(owner)
 }

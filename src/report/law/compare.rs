@@ -26,7 +26,7 @@ pub fn comparison_findings<'a>(
     };
     let best = match best(laws, by).as_slice() {
         [] => "none".to_owned(),
-        best => plain(&best.join(", ")),
+        best => names_in_words(&best.join(", ")),
     };
     let headline = format!("Best by {}: {best}, of {} laws.", by.words(), laws.len());
     let text = doubt.trim_start();
@@ -46,7 +46,7 @@ pub fn comparison_findings<'a>(
 }
 
 /// Names of laws as words: `modified_sine` as modified sine.
-fn plain(names: &str) -> String {
+fn names_in_words(names: &str) -> String {
     names.replace('_', " ")
 }
 
@@ -64,7 +64,7 @@ fn table(laws: &[ComparedLaw], by: Figure) -> Table {
         .collect();
     let rows = order.iter().map(|&index| {
         let cells = shown.iter().map(|figure| cell(*figure, laws, index));
-        let name = Cell::from(plain(&laws[index].name));
+        let name = Cell::from(names_in_words(&laws[index].name));
         std::iter::once(name).chain(cells).collect::<Vec<Cell>>()
     });
     Table::new(std::iter::once("law").chain(names.iter().map(String::as_str))).rows(rows)
@@ -101,7 +101,7 @@ fn others(laws: &[ComparedLaw], by: Figure) -> Vec<String> {
     let misleading = constants.filter_map(|figure| {
         let named = best(laws, figure);
         let other = !named.is_empty() && !named.iter().any(|name| chosen.contains(name));
-        let list = plain(&named.join(", "));
+        let list = names_in_words(&named.join(", "));
         other.then(|| format!("by {} alone it would have been: {list}", figure.words()))
     });
     misleading.collect()
@@ -152,7 +152,7 @@ fn chart(laws: &[ComparedLaw]) -> Plot {
         title: "Every result as a multiple of the best law's".to_owned(),
         x: Axis::logarithmic("multiple of the best", ""),
         y: Axis {
-            rows: laws.iter().map(|law| plain(&law.name)).collect(),
+            rows: laws.iter().map(|law| names_in_words(&law.name)).collect(),
             ..Axis::default()
         },
         series: figures.collect(),

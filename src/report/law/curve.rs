@@ -70,12 +70,12 @@ impl<'a> Curve<'a> {
 
     fn points(&self, order: usize, size: f64) -> Vec<(f64, f64)> {
         let rows = self.rows.iter();
-        rows.map(|(x, jet)| (self.shown(*x), parts(jet)[order] / size))
+        rows.map(|(x, jet)| (self.chart_argument(*x), parts(jet)[order] / size))
             .collect()
     }
 
     /// The argument as charts have it: angles in degrees.
-    fn shown(&self, x: f64) -> f64 {
+    fn chart_argument(&self, x: f64) -> f64 {
         match self.x.unit.as_str() {
             "rad" => x.to_degrees(),
             _ => x,

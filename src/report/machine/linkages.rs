@@ -215,7 +215,7 @@ fn outputs(
     let all = || drawing.spec.outputs.iter();
     let outlets = all().map(|output| (id(&output.name), drawing.outlet(view, &output.kind, frame)));
     let grips = all().filter_map(|output| {
-        let hold = drawing.hold(view, &output.kind)?;
+        let hold = drawing.force_place(view, &output.kind)?;
         Some((id(&output.name), grip(hold, 1.0)))
     });
     (outlets.collect(), grips.collect())

@@ -13,7 +13,7 @@ mod whole;
 
 use super::cam;
 use super::html::player::{Coordinates, Player};
-use super::html::runs::followed;
+use super::html::runs::player_tables;
 use super::plot::Plots;
 use super::quantity::escape;
 use crate::dynamics::model::{Model, OUTPUT, ObjectPart};
@@ -73,7 +73,7 @@ impl Machine<'_> {
         let all = self.drivers_first();
         let plotted = all
             .iter()
-            .filter_map(|&part| Some((part, followed(plots, record, &part.id)?)));
+            .filter_map(|&part| Some((part, player_tables(plots, record, &part.id)?)));
         let (drawn, columns): (Vec<&ObjectPart>, Vec<Coordinates>) = plotted.take(MOST).unzip();
         let mut player = Player {
             id: "machine".to_owned(),

@@ -64,8 +64,8 @@ fn over(axis: &Axis) -> String {
         "{} ({} values from {} to {}{by})",
         axis.path,
         axis.count,
-        short(axis, axis.from),
-        short(axis, axis.to)
+        value_text(axis, axis.from),
+        value_text(axis, axis.to)
     )
 }
 
@@ -157,7 +157,7 @@ fn interval(study: &Study<'_>, result: &MapResult) -> Option<String> {
     let last = cells.iter().rposition(good)?;
     let whole = cells[first..=last].iter().all(good);
     (whole && first < last && last - first + 1 < cells.len()).then(|| {
-        let [from, to] = [first, last].map(|index| short(&study.x, study.place(index).0));
+        let [from, to] = [first, last].map(|index| value_text(&study.x, study.place(index).0));
         let parameter = parameter_words(&study.x.path);
         format!("In working order for a {parameter} from {from} to {to}.")
     })
@@ -271,10 +271,12 @@ fn causes(study: &Study<'_>, result: &MapResult) -> Table {
             if *count <= MOST_CAUSES {
                 let (x, y) = study.place(index);
                 let y = study.y.as_ref().zip(y);
-                let y = y.map_or(String::new(), |(axis, y)| format!("; {}", short(axis, y)));
+                let y = y.map_or(String::new(), |(axis, y)| {
+                    format!("; {}", value_text(axis, y))
+                });
                 table.push([
                     name(study, panel),
-                    short(&study.x, x) + &y,
+                    value_text(&study.x, x) + &y,
                     cell.verdict.words().to_owned(),
                     cell.cause.clone(),
                 ]);
@@ -289,7 +291,7 @@ fn causes(study: &Study<'_>, result: &MapResult) -> Table {
 }
 
 /// A value of a parameter to six digits: all of them are in the table of the map.
-fn short(axis: &Axis, value: f64) -> String {
+fn value_text(axis: &Axis, value: f64) -> String {
     let number = significant(value, 6);
     match axis.unit.as_str() {
         "" => number,

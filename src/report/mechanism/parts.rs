@@ -274,7 +274,7 @@ impl Drawing<'_> {
     }
 
     /// Where a force on an output is drawn; `None`: on the ground.
-    pub(in crate::report) fn hold(&self, view: &View, output: &OutputKind) -> Option<Hold> {
+    pub(in crate::report) fn force_place(&self, view: &View, output: &OutputKind) -> Option<Hold> {
         match *output {
             OutputKind::Angle { link } => Some(self.moment(view, (link, self.pivot(link).at), 1.0)),
             OutputKind::Point { point, direction } => Some(Hold {

@@ -2,7 +2,7 @@
 
 use super::view::View;
 use super::{Drawing, GridAxis, arrows, marks, parts};
-use crate::report::html::player::{Arrows, Body, Player, RowAxis, Slider, short};
+use crate::report::html::player::{Arrows, Body, Player, RowAxis, Slider, player_number};
 use crate::report::plot::{coordinate, document};
 use crate::report::quantity::{escape, significant};
 
@@ -65,7 +65,7 @@ impl Drawing<'_> {
         let slider = |axis: &GridAxis| Slider {
             name: axis.name.clone(),
             unit: axis.unit.clone(),
-            values: axis.values.iter().map(|v| short(*v, 6)).collect(),
+            values: axis.values.iter().map(|v| player_number(*v, 6)).collect(),
         };
         let player = Player {
             axis: Some(RowAxis {
@@ -115,14 +115,21 @@ impl Drawing<'_> {
         let flat = placed.flat_map(|placement| {
             let [x, y] = view.pixel(placement.at);
             let [c, s] = placement.turn;
-            [short(x, 2), short(y, 2), short(c, 6), short(s, 6)]
+            [
+                player_number(x, 2),
+                player_number(y, 2),
+                player_number(c, 6),
+                player_number(s, 6),
+            ]
         });
         flat.collect()
     }
 
     /// Everything that moves, in pixels.
     fn player(&self, id: &str, view: &View) -> Player {
-        let all = |values: &[f64], digits: i32| values.iter().map(|v| short(*v, digits)).collect();
+        let all = |values: &[f64], digits: i32| {
+            values.iter().map(|v| player_number(*v, digits)).collect()
+        };
         let arrows = |set: &super::ArrowSet| {
             let scale = arrows::pixels(set, view);
             let arrow = |arrow: &super::Arrow| -> Vec<Option<f64>> {
@@ -130,7 +137,12 @@ impl Drawing<'_> {
                 both.flat_map(|(at, vector)| {
                     let [x, y] = view.pixel(*at);
                     let (dx, dy) = (vector[0] * scale, -vector[1] * scale);
-                    [short(x, 2), short(y, 2), short(dx, 2), short(dy, 2)]
+                    [
+                        player_number(x, 2),
+                        player_number(y, 2),
+                        player_number(dx, 2),
+                        player_number(dy, 2),
+                    ]
                 })
                 .collect()
             };

@@ -103,7 +103,7 @@ pub(super) fn style(index: usize) -> usize {
     index % SERIES.len()
 }
 
-fn variables(dark: bool) -> impl Iterator<Item = (String, &'static str)> {
+fn css_variables(dark: bool) -> impl Iterator<Item = (String, &'static str)> {
     let of = move |(light, deep)| if dark { deep } else { light };
     let general = (GENERAL.iter()).map(move |(name, l, d)| ((*name).to_owned(), of((*l, *d))));
     let series = SERIES.iter().enumerate();
@@ -114,7 +114,7 @@ fn variables(dark: bool) -> impl Iterator<Item = (String, &'static str)> {
 pub(in crate::report) fn of_page() -> String {
     let list = |dark| -> String {
         let one = |(name, colour)| format!("--{name}:{colour};");
-        variables(dark).map(one).collect()
+        css_variables(dark).map(one).collect()
     };
     format!(
         ":root{{color-scheme:light dark;{}}}\n@media screen and (prefers-color-scheme:dark){{:root{{{}}}}}\n",
@@ -148,7 +148,7 @@ fn with_colours(style: &str, dark: bool) -> String {
     while let Some((before, after)) = rest.split_once("var(--") {
         let (name, after) = after.split_once(')').unwrap_or((after, ""));
         let name = name.split(',').next().unwrap_or(name).trim();
-        let found = variables(dark).find(|(known, _)| known == name);
+        let found = css_variables(dark).find(|(known, _)| known == name);
         out.push_str(before);
         out.push_str(found.map_or("inherit", |(_, colour)| colour));
         rest = after;

@@ -132,7 +132,7 @@ pub(in crate::report) fn objects<'a>(
             .legend(window(figures)),
         Section::new("Stops").table(tables::stops(figures)),
         Section::new("Impacts").table(tables::impacts(figures)),
-        Section::new("Contact pressure").table(tables::pressing(figures)),
+        Section::new("Contact pressure").table(tables::contact_pressure_table(figures)),
         Section::new("Joint friction").table(tables::joints(figures)),
     ];
     sections.retain(has_rows);

@@ -134,7 +134,7 @@ pub(super) fn stops(figures: &Figures) -> Table {
 }
 
 /// Pressures of contacts of known shape and material.
-pub(super) fn pressing(figures: &Figures) -> Table {
+pub(super) fn contact_pressure_table(figures: &Figures) -> Table {
     let heads = [">greatest pressure", ">at"];
     table(heads, figures, |object, _| {
         let pressing = object.pressing?;

@@ -40,7 +40,7 @@ pub(super) fn table(model: &Model) -> Table {
                 "the others".to_owned(),
                 String::new(),
                 String::new(),
-                besides(reduced, units(object.coordinate).displacement),
+                static_correction(reduced, units(object.coordinate).displacement),
             ]);
         }
     }
@@ -88,7 +88,7 @@ pub(crate) fn modes(model: &Model, reduced: &ModalReduction) -> impl Iterator<It
 }
 
 /// The static correction.
-fn besides(reduced: &ModalReduction, unit: &str) -> String {
+fn static_correction(reduced: &ModalReduction, unit: &str) -> String {
     let correction = significant(reduced.under_acceleration, 6);
     let mut text = format!("−{correction} s²·φ̈ of the driven end");
     if reduced.offset != 0.0 {

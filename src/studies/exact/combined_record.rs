@@ -359,7 +359,7 @@ impl Listener for CombinedRecord<'_> {
                 self.log.confirm(object, tally, &mut stretch);
             }
         }
-        self.log.keep(times, stretch);
+        self.log.keep_rows(times, stretch);
     }
 
     fn switch(&mut self, event: &SwitchEvent<'_>) {

@@ -181,7 +181,7 @@ impl<'a> Remainder<'a> {
         if self.noted == span {
             return;
         }
-        let origin = self.origin(given);
+        let origin = self.state_origin(given);
         // What is given in steps is that of another step at their joint.
         let first = match given.is_none() && self.noted[1] == span[0] {
             true => self.start_next_stretch(),
@@ -207,7 +207,7 @@ impl<'a> Remainder<'a> {
         if !self.coupled.iter().any(rises) {
             return true;
         }
-        let origin = self.origin(motion.given);
+        let origin = self.state_origin(motion.given);
         BETWEEN.into_iter().all(|share| {
             let (states, slopes) = &mut self.between;
             let seen = observe(&mut self.observer, &self.modes, origin, span, share);
@@ -221,7 +221,7 @@ impl<'a> Remainder<'a> {
     }
 
     /// Where the states of what is beside the trees come from.
-    fn origin<'g>(&self, given: Option<&'g RemainderStep<'g>>) -> Origin<'g> {
+    fn state_origin<'g>(&self, given: Option<&'g RemainderStep<'g>>) -> Origin<'g> {
         match given {
             Some(given) => Origin::Given(given),
             // Nothing else changes.

@@ -88,7 +88,7 @@ impl RangeSearch<'_> {
     /// Looks at places that are not known yet.
     fn look(&mut self, shares: Vec<f64>) {
         let shares: Vec<f64> = (shares.into_iter())
-            .filter(|&share| self.known(share).is_none())
+            .filter(|&share| self.known_sample(share).is_none())
             .collect();
         if shares.is_empty() || !self.complete {
             return;
@@ -108,7 +108,7 @@ impl RangeSearch<'_> {
         }
     }
 
-    fn known(&self, share: f64) -> Option<&Sample> {
+    fn known_sample(&self, share: f64) -> Option<&Sample> {
         let found = self
             .samples
             .binary_search_by(|one| one.share.total_cmp(&share));
@@ -118,7 +118,7 @@ impl RangeSearch<'_> {
     /// What is known at a place; `None`: ended from outside.
     fn sample(&mut self, share: f64) -> Option<Sample> {
         self.look(vec![share]);
-        self.known(share).cloned()
+        self.known_sample(share).cloned()
     }
 
     /// Places between three neighbours at which a parabola through a figure comes to its limit or
@@ -390,7 +390,7 @@ impl RangeSearch<'_> {
             }
             let within = LOCATED * self.width(ends);
             let limit = (wide && self.is_abrupt(start, ends, &worth)).then_some(Limit::Abrupt);
-            found.extend(self.known(start.0).map(|sample| Best {
+            found.extend(self.known_sample(start.0).map(|sample| Best {
                 sample: sample.clone(),
                 limit,
                 within,

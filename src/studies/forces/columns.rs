@@ -73,7 +73,7 @@ impl ColumnList {
     }
 
     /// Any other quantity.
-    fn plain(&mut self, name: &str, unit: &str, read: impl Fn(&Forces) -> f64 + 'static) {
+    fn add_quantity(&mut self, name: &str, unit: &str, read: impl Fn(&Forces) -> f64 + 'static) {
         self.add(name, unit, false, move |_, forces| Some(read(forces)));
     }
 }
@@ -86,7 +86,7 @@ pub(super) fn units(kind: &PairKind) -> [&'static str; 2] {
 /// All quantities of a linkage, in the order of tables.
 pub fn columns(linkage: &LinkageSpec, output: Option<usize>) -> Vec<Column> {
     let input = units(&linkage.pairs[linkage.driver].kind);
-    let output = output.map(|output| of_kind(&linkage.outputs[output].kind, linkage));
+    let output = output.map(|output| output_units(&linkage.outputs[output].kind, linkage));
     let [coordinate, force] = input;
     let mut list = ColumnList::default();
     let speed = |row: &Row, _: &Forces| Some(row.motion.speed);
@@ -122,10 +122,10 @@ pub fn columns_of_inputs(spec: &MultiSpec) -> Vec<Column> {
         let [unit, force] = Coordinate::sliding(input.coordinate.slides(linkage)).units();
         let name = &input.name;
         let own = list.of(format!("{name}."), &[]);
-        own.plain("displacement", unit, move |f| f.inputs[k].coordinate);
-        own.plain("speed", &format!("{unit}/s"), move |f| f.inputs[k].speed);
+        own.add_quantity("displacement", unit, move |f| f.inputs[k].coordinate);
+        own.add_quantity("speed", &format!("{unit}/s"), move |f| f.inputs[k].speed);
         let rate = format!("{unit}/s²");
-        own.plain("acceleration", &rate, move |f| f.inputs[k].acceleration);
+        own.add_quantity("acceleration", &rate, move |f| f.inputs[k].acceleration);
         list.of("drive.", &[])
             .figure(name, force, move |f| f.drives[k]);
         let power = move |f: &Forces| f.drives[k] * f.inputs[k].speed;
@@ -140,12 +140,12 @@ pub fn columns_of_inputs(spec: &MultiSpec) -> Vec<Column> {
 /// The list with the number of solutions behind it.
 fn solutions(mut list: ColumnList) -> Vec<Column> {
     let last = list.of("", &[Rests::Drive]);
-    last.plain("solutions", "", |f| f.solved.solutions as f64);
+    last.add_quantity("solutions", "", |f| f.solved.solutions as f64);
     list.all
 }
 
 /// Units of an output's displacement and load.
-fn of_kind(kind: &OutputKind, linkage: &LinkageSpec) -> [&'static str; 2] {
+fn output_units(kind: &OutputKind, linkage: &LinkageSpec) -> [&'static str; 2] {
     match kind {
         OutputKind::Angle { .. } => Coordinate::Turning.units(),
         OutputKind::Point { .. } => Coordinate::Sliding.units(),
@@ -186,8 +186,8 @@ fn of_joints(list: &mut ColumnList, linkage: &LinkageSpec) {
             let [x, y] = f.welds[index].force;
             x.hypot(y)
         });
-        own.plain("x", "N", move |f| f.welds[index].force[0]);
-        own.plain("y", "N", move |f| f.welds[index].force[1]);
+        own.add_quantity("x", "N", move |f| f.welds[index].force[0]);
+        own.add_quantity("y", "N", move |f| f.welds[index].force[1]);
         own.figure("couple", "N m", move |f| f.welds[index].couple);
     }
     for (index, coupling) in linkage.couplings.iter().enumerate() {
@@ -199,8 +199,8 @@ fn of_joints(list: &mut ColumnList, linkage: &LinkageSpec) {
 fn of_pair(list: &mut ColumnList, index: usize, name: &str, kind: &PairKind) {
     let own = list.of(format!("{name}."), &[Rests::Pair(index)]);
     own.figure("force", "N", move |f| f.pairs[index].size());
-    own.plain("x", "N", move |f| f.pairs[index].force[0]);
-    own.plain("y", "N", move |f| f.pairs[index].force[1]);
+    own.add_quantity("x", "N", move |f| f.pairs[index].force[0]);
+    own.add_quantity("y", "N", move |f| f.pairs[index].force[1]);
     let mut friction = "N m";
     if let PairKind::Sliding { corners, .. } = kind {
         let given = corners[0] > corners[1];
@@ -208,11 +208,11 @@ fn of_pair(list: &mut ColumnList, index: usize, name: &str, kind: &PairKind) {
             let force = move |_: &Row, f: &Forces| f.pairs[index].corners.map(|two| two[corner]);
             own.add(&format!("n{}", corner + 1), "N", true, force);
         }
-        own.plain("couple", "N m", move |f| f.pairs[index].couple);
+        own.add_quantity("couple", "N m", move |f| f.pairs[index].couple);
         friction = "N";
     }
-    own.plain("friction", friction, move |f| f.pairs[index].friction);
-    own.plain("loss", "W", move |f| f.pairs[index].loss);
+    own.add_quantity("friction", friction, move |f| f.pairs[index].friction);
+    own.add_quantity("loss", "W", move |f| f.pairs[index].loss);
 }
 
 fn of_power(list: &mut ColumnList) {
@@ -220,12 +220,12 @@ fn of_power(list: &mut ColumnList) {
     list.of("power.", drive)
         .figure("drive", "W", |f| f.balance.drive);
     let given = list.of("power.", &[]);
-    given.plain("weights", "W", |f| f.balance.weights);
-    given.plain("forces", "W", |f| f.balance.forces);
-    given.plain("inertia", "W", |f| f.balance.inertia);
+    given.add_quantity("weights", "W", |f| f.balance.weights);
+    given.add_quantity("forces", "W", |f| f.balance.forces);
+    given.add_quantity("inertia", "W", |f| f.balance.inertia);
     let rest = list.of("power.", drive);
     rest.figure("loss", "W", |f| f.balance.loss);
-    rest.plain("residual", "", |f| f.balance.residual);
+    rest.add_quantity("residual", "", |f| f.balance.residual);
     list.of("", drive)
         .add("efficiency", "", true, |_, f| f.balance.efficiency);
 }
@@ -237,8 +237,8 @@ fn of_frame(list: &mut ColumnList) {
     ] {
         let own = list.of(format!("{name}."), &[]);
         own.figure("force", "N", move |f| read(f)[0].hypot(read(f)[1]));
-        own.plain("x", "N", move |f| read(f)[0]);
-        own.plain("y", "N", move |f| read(f)[1]);
+        own.add_quantity("x", "N", move |f| read(f)[0]);
+        own.add_quantity("y", "N", move |f| read(f)[1]);
         own.figure("moment", "N m", move |f| read(f)[2]);
     }
 }

@@ -59,7 +59,7 @@ impl Subject {
     }
 
     fn of_short_form(model: &Model, part: &ObjectPart) -> Result<Self, String> {
-        let law = short(model, part).ok_or("it moves by no linkage")?;
+        let law = short_form_law(model, part).ok_or("it moves by no linkage")?;
         let start = start_of(model, law.driver);
         let linkage = assembled(&law.position, start).map_err(|faults| {
             let words: Vec<String> = faults.into_iter().map(|fault| fault.message).collect();
@@ -115,7 +115,7 @@ pub fn several_of<'m>(model: &'m Model, id: Option<&str>) -> Option<&'m MultiLin
 /// Linkages, and objects that move by the short form of one, whose input cannot
 /// go everywhere: how far it can, in words; and the redundant constraints of linkages.
 pub fn reaches(model: &Model) -> Vec<String> {
-    let limited = |part: &&ObjectPart| match short(model, part) {
+    let limited = |part: &&ObjectPart| match short_form_law(model, part) {
         Some(law) => {
             let reach = law.position.reach_from(start_of(model, law.driver));
             reach.is_ok_and(|reach| reach.is_some())
@@ -144,7 +144,7 @@ pub fn reaches(model: &Model) -> Vec<String> {
 /// The objects whose position function is the short form of a linkage.
 fn shorts(model: &Model) -> impl Iterator<Item = &ObjectPart> {
     let parts = model.objects.iter();
-    parts.filter(|part| short(model, part).is_some())
+    parts.filter(|part| short_form_law(model, part).is_some())
 }
 
 /// The assembly mode of every linkage that has another, each in a sentence with how to choose the
@@ -181,7 +181,7 @@ pub fn assembly_modes(model: &Model) -> Vec<String> {
     });
     let parts = model.objects.iter();
     let short = parts.filter_map(|part| {
-        let (name, branch) = short(model, part)?.position.branch()?;
+        let (name, branch) = short_form_law(model, part)?.position.branch()?;
         let (own, other) = match branch < 0.0 {
             true => ('-', '+'),
             false => ('+', '-'),
@@ -196,7 +196,7 @@ pub fn assembly_modes(model: &Model) -> Vec<String> {
 }
 
 /// The law of an object that moves by the short form of a linkage.
-fn short<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
+fn short_form_law<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
     let law = model.nodes[*part.nodes.first()?].motion.law()?;
     let linkage = matches!(
         law.position,
@@ -249,14 +249,14 @@ fn assembled(position: &Position, start: f64) -> Result<Linkage, Vec<Fault>> {
         beside.map_err(|_| faults)
     })?;
     match reach {
-        Some(reach) => held(linkage, reach),
+        Some(reach) => limited_to_short_form(linkage, reach),
         None => Ok(linkage),
     }
 }
 
 /// Keeps a linkage within the reach of its short form, which does not pass a
 /// position where all links are in line.
-fn held(linkage: Linkage, (from, to): (f64, f64)) -> Result<Linkage, Vec<Fault>> {
+fn limited_to_short_form(linkage: Linkage, (from, to): (f64, f64)) -> Result<Linkage, Vec<Fault>> {
     let [lower, upper] = linkage.range().ends();
     let room = 1e-6 * (to - from);
     if lower >= from - room && upper <= to + room {

@@ -85,7 +85,7 @@ pub(super) fn evaluate(
         match scene {
             Ok((scene, kept)) => match prepare(scene) {
                 Ok((system, settings)) => judged(
-                    (study, is_drawn(panel, cell)),
+                    (study, is_checked_sample(panel, cell)),
                     (scene, &system),
                     &settings,
                     kept,
@@ -104,7 +104,7 @@ pub(super) fn evaluate(
 
 /// True of the cells of a map whose equations of motion are checked: one of so many, drawn by
 /// the seed of the check, and the first of all.
-fn is_drawn(panel: usize, cell: usize) -> bool {
+fn is_checked_sample(panel: usize, cell: usize) -> bool {
     const ONE_OF: u64 = 16;
     cell == 0 || draw(SEED ^ ((panel as u64) << 32) ^ cell as u64).is_multiple_of(ONE_OF)
 }

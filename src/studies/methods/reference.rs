@@ -140,7 +140,7 @@ pub(super) fn find(
         (None, Some((one, _, distance))) if distance <= AGREE => (finest[one], Some(distance)),
         _ => {
             return Err(NoReference {
-                distances: mutual(attempts, &finest, &scales, until),
+                distances: mutual_distances(attempts, &finest, &scales, until),
                 doubt: None,
             });
         }
@@ -153,10 +153,10 @@ pub(super) fn find(
     let witnesses: Vec<Option<Witness>> = attempts.iter().map(Witness::of).collect();
     // A pair of methods is no nearer to the truth than it is to itself.
     let doubt = doubt(&witnesses, (index, &name(attempt)), resolution, |a, b| {
-        between(attempts, a, b, &scales, Some(until))
+        distance_between(attempts, a, b, &scales, Some(until))
     });
     if doubt.is_some() {
-        let distances = mutual(attempts, &finest, &scales, until);
+        let distances = mutual_distances(attempts, &finest, &scales, until);
         return Err(NoReference { distances, doubt });
     }
     let end = attempt.timed.as_ref().map_or(0.0, |t| t.outcome.time);
@@ -275,7 +275,7 @@ fn nearest(
     for one in 0..finest.len() {
         for other in one + 1..finest.len() {
             let (a, b) = (finest[one], finest[other]);
-            let Some(distance) = between(attempts, a, b, scales, until) else {
+            let Some(distance) = distance_between(attempts, a, b, scales, until) else {
                 continue;
             };
             if best.is_none_or(|(_, _, least)| distance < least) {
@@ -287,8 +287,8 @@ fn nearest(
     // Of the two, the one with the nearer third is the more accurate.
     let third = |member: usize| {
         let others = (0..finest.len()).filter(|&k| k != one && k != other);
-        let distances =
-            others.filter_map(|k| between(attempts, finest[member], finest[k], scales, until));
+        let distances = others
+            .filter_map(|k| distance_between(attempts, finest[member], finest[k], scales, until));
         distances.fold(f64::INFINITY, f64::min)
     };
     Some(if third(other) < third(one) {
@@ -298,7 +298,7 @@ fn nearest(
     })
 }
 
-fn between(
+fn distance_between(
     attempts: &[Attempt],
     one: usize,
     other: usize,
@@ -311,11 +311,16 @@ fn between(
 }
 
 /// All distances between the finest points.
-fn mutual(attempts: &[Attempt], finest: &[usize], scales: &[f64], until: usize) -> Vec<Distance> {
+fn mutual_distances(
+    attempts: &[Attempt],
+    finest: &[usize],
+    scales: &[f64],
+    until: usize,
+) -> Vec<Distance> {
     let mut all = Vec::new();
     for (k, &one) in finest.iter().enumerate() {
         for &other in &finest[k + 1..] {
-            if let Some(distance) = between(attempts, one, other, scales, Some(until)) {
+            if let Some(distance) = distance_between(attempts, one, other, scales, Some(until)) {
                 all.push(Distance {
                     one: name(&attempts[one]),
                     other: name(&attempts[other]),

@@ -110,7 +110,7 @@ impl BaseMotion {
             force,
         };
         let end = self.interval * (self.jerks.len() - 1) as f64;
-        let left = left_out.left_of_start(end);
+        let left = left_out.remaining_start_share(end);
         let at_end = Excitation {
             jerk_changes: (1.0 + FINE) * last,
             jerk: self.jerks[self.jerks.len() - 1].abs(),

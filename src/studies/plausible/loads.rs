@@ -1,6 +1,6 @@
 //! Loads without effect, windows and tables that are never entered.
 
-use super::{place, short};
+use super::{number_text, place};
 use crate::dynamics::model::{Coordinate, LinearPiece, Load, Model, ObjectPart, TrackSource};
 use crate::kinematics::breaks::Breaks;
 
@@ -79,7 +79,7 @@ impl<'a> Axis<'a> {
 
     fn place(&self, value: f64) -> String {
         match self {
-            Self::Time => format!("{} s", short(value)),
+            Self::Time => format!("{} s", number_text(value)),
             Self::Way(_, coordinate) => place(value, *coordinate),
         }
     }

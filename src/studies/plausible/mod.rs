@@ -82,10 +82,10 @@ fn travelled(model: &Model, record: &Record, node: usize) -> Option<[f64; 2]> {
 /// A displacement for reading: `12.5 deg`, `0.012 m`.
 fn place(displacement: f64, coordinate: Coordinate) -> String {
     let (value, unit) = coordinate.shown(displacement);
-    format!("{} {unit}", short(value))
+    format!("{} {unit}", number_text(value))
 }
 
 /// A number of a doubt, to six digits.
-fn short(value: f64) -> String {
+fn number_text(value: f64) -> String {
     shown(value, 6)
 }

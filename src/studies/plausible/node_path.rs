@@ -62,7 +62,7 @@ pub(super) fn node_paths(
         Stretch::Run => duration,
         Stretch::Whole => drive_durations(model).fold(duration, f64::max),
     };
-    let instants = instants(model, duration);
+    let instants = sampling_instants(model, duration);
     let mut followed = vec![false; model.nodes.len()];
     for &node in model.objects.iter().filter_map(|part| part.nodes.last()) {
         followed[node] = true;
@@ -152,7 +152,7 @@ fn constrained_motion(constraint: &Constraint, drivers: &[&[Jet]]) -> Vec<Jet> {
     (0..instants).map(at).collect()
 }
 
-fn instants(model: &Model, duration: f64) -> Vec<f64> {
+fn sampling_instants(model: &Model, duration: f64) -> Vec<f64> {
     let even = |end: f64| (0..=INSTANTS).map(move |index| end * index as f64 / INSTANTS as f64);
     match drive_cycle(model) {
         Ok(cycle) if cycle < duration => even(cycle).chain(even(duration)).collect(),

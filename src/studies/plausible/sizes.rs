@@ -1,7 +1,7 @@
 //! Stiffnesses and masses out of proportion to what is beside them, speeds beyond sense.
 
 use super::node_path::NodePath;
-use super::short;
+use super::number_text;
 use crate::dynamics::model::{Coordinate, Link, Model, NodeMotion, ObjectPart};
 
 /// From which factor on a stiffness, reduced to the motion of its neighbours, is
@@ -177,7 +177,7 @@ fn outlier_warning(
         false => (1.0 / ratio, "times less than"),
     };
     let value = |part: &ObjectPart| {
-        let value = size.of(model, part).map_or_else(String::new, short);
+        let value = size.of(model, part).map_or_else(String::new, number_text);
         format!("{value} {}", size.unit(part.coordinate))
     };
     format!(
@@ -218,9 +218,9 @@ fn within(model: &Model, part: &ObjectPart) -> Vec<String> {
              another unit?",
             at + 1,
             part.id,
-            short(sizes[at]),
+            number_text(sizes[at]),
             beside + 1,
-            short(sizes[beside]),
+            number_text(sizes[beside]),
         ));
     }
     found
@@ -248,7 +248,7 @@ fn too_soft(model: &Model, ways: &[Option<NodePath>], part: &ObjectPart) -> Opti
     let motion = way.mean_square_acceleration / way.mean_square_speed;
     let soft = motion.is_finite() && own < TOO_SOFT * motion;
     soft.then(|| {
-        let hertz = |square: f64| short(square.sqrt() / std::f64::consts::TAU);
+        let hertz = |square: f64| number_text(square.sqrt() / std::f64::consts::TAU);
         format!(
             "`{}` does not follow its law. Its natural frequency of some {} Hz is orders of \
              magnitude below that of its motion, some {} Hz. Check its stiffness, {} {}, and \
@@ -256,11 +256,11 @@ fn too_soft(model: &Model, ways: &[Option<NodePath>], part: &ObjectPart) -> Opti
             part.id,
             hertz(own),
             hertz(motion),
-            short(stiffness),
+            number_text(stiffness),
             Size::Stiffness.unit(part.coordinate),
             Size::Inertia
                 .of(model, part)
-                .map_or_else(String::new, short),
+                .map_or_else(String::new, number_text),
             Size::Inertia.unit(part.coordinate),
         )
     })
@@ -276,29 +276,29 @@ pub(super) fn unable_to_follow(model: &Model, ways: &[Option<NodePath>]) -> Vec<
 
 /// Objects that turn or slide faster than anything does.
 pub(super) fn beyond_sense(model: &Model, ways: &[Option<NodePath>]) -> Vec<String> {
-    let told = |part: &ObjectPart| {
-        let node = *part.nodes.last()?;
-        let speed = match &ways[node] {
-            Some(way) => way.fastest,
-            None => motor_speed(model, node)?,
-        };
-        let (limit, unit) = match part.coordinate {
-            Coordinate::Turning => (FASTEST_TURNING, "rad/s"),
-            Coordinate::Sliding => (FASTEST_SLIDING, "m/s"),
-        };
-        // What merely follows says nothing new: the first on the way is named.
-        let driver = part.driver().map(|driver| &model.objects[driver]);
-        let driver_too = driver.is_some_and(|driver| {
-            driver.coordinate == part.coordinate
-                && driver
-                    .nodes
-                    .last()
-                    .is_some_and(|&node| ways[node].as_ref().is_some_and(|way| way.fastest > limit))
-        });
-        (speed > limit && !driver_too).then(|| {
+    let told =
+        |part: &ObjectPart| {
+            let node = *part.nodes.last()?;
+            let speed = match &ways[node] {
+                Some(way) => way.fastest,
+                None => motor_speed(model, node)?,
+            };
+            let (limit, unit) = match part.coordinate {
+                Coordinate::Turning => (FASTEST_TURNING, "rad/s"),
+                Coordinate::Sliding => (FASTEST_SLIDING, "m/s"),
+            };
+            // What merely follows says nothing new: the first on the way is named.
+            let driver = part.driver().map(|driver| &model.objects[driver]);
+            let driver_too = driver.is_some_and(|driver| {
+                driver.coordinate == part.coordinate
+                    && driver.nodes.last().is_some_and(|&node| {
+                        ways[node].as_ref().is_some_and(|way| way.fastest > limit)
+                    })
+            });
+            (speed > limit && !driver_too).then(|| {
             let rpm = match part.coordinate {
                 Coordinate::Turning => {
-                    format!(" ({} rpm)", short(speed * 60.0 / std::f64::consts::TAU))
+                    format!(" ({} rpm)", number_text(speed * 60.0 / std::f64::consts::TAU))
                 }
                 Coordinate::Sliding => String::new(),
             };
@@ -306,10 +306,10 @@ pub(super) fn beyond_sense(model: &Model, ways: &[Option<NodePath>]) -> Vec<Stri
                 "`{}` reaches {} {unit}{rpm}: no mechanism moves as fast; check the unit of the \
                  speed",
                 part.id,
-                short(speed)
+                number_text(speed)
             )
         })
-    };
+        };
     model.objects.iter().filter_map(told).collect()
 }
 

@@ -13,7 +13,7 @@ use crate::frontend::scene::{BuiltIn, Document, Levels, Overrides, TypedScene};
 pub(super) fn without(whole: &Document, removals: &[Removal]) -> Result<TypedScene, String> {
     let mut document = whole.clone();
     document.edit(|root| removals.iter().for_each(|one| one.apply(root)));
-    tidied(document).1
+    without_unused_dimensions(document).1
 }
 
 /// The document with what is left out of it, and with the levels of its elastic objects.
@@ -25,11 +25,11 @@ pub(super) fn at_levels(whole: &Document, removals: &[Removal], levels: &Levels)
             set_level(root, id, *level);
         }
     });
-    tidied(document).0
+    without_unused_dimensions(document).0
 }
 
 /// The document without dimensions to which nothing refers any more, and its scene.
-fn tidied(mut document: Document) -> (Document, Result<TypedScene, String>) {
+fn without_unused_dimensions(mut document: Document) -> (Document, Result<TypedScene, String>) {
     loop {
         let faults = match document.scene(&BuiltIn, &Overrides::none()) {
             Ok(reading) => return (document, Ok(reading.scene)),

@@ -2,7 +2,9 @@
 //! elastic objects.
 
 use super::map::Map;
-use super::mean_speed::{AddedDrive, MeanSpeedTarget, PeriodicState, held, with_added};
+use super::mean_speed::{
+    AddedDrive, MeanSpeedTarget, PeriodicState, steady_at_mean_speed, with_added,
+};
 use super::periodic::none;
 use super::phase::PhaseMap;
 use super::shooting::{near, shoot};
@@ -119,7 +121,7 @@ impl WheelRequest<'_> {
                     Some(before) => (&before.state[..], before.moment),
                     None => (self.start, 0.0),
                 };
-                held(wanted, start, moment, self.cycle)?
+                steady_at_mean_speed(wanted, start, moment, self.cycle)?
             }
             _ => PeriodicState {
                 state: self.free(inertia, before.as_ref())?,

@@ -163,7 +163,7 @@ impl Machine {
         }
         let mut breaks = Vec::new();
         for (ends, modes) in places.windows(2).zip(all.windows(2)) {
-            self.narrow([ends[0], ends[1]], [&modes[0], &modes[1]], &mut breaks);
+            self.find_mode_changes([ends[0], ends[1]], [&modes[0], &modes[1]], &mut breaks);
         }
         breaks.retain(|&place| place > 0.0 && place < self.cycle);
         breaks.dedup();
@@ -178,7 +178,12 @@ impl Machine {
     }
 
     /// Halves an interval until the modes at its ends are neighbours.
-    fn narrow(&self, [from, to]: [f64; 2], [before, after]: [&Modes; 2], breaks: &mut Vec<f64>) {
+    fn find_mode_changes(
+        &self,
+        [from, to]: [f64; 2],
+        [before, after]: [&Modes; 2],
+        breaks: &mut Vec<f64>,
+    ) {
         if before == after {
             return;
         }
@@ -188,8 +193,8 @@ impl Machine {
             return;
         }
         let modes = self.modes_at(middle);
-        self.narrow([from, middle], [before, &modes], breaks);
-        self.narrow([middle, to], [&modes, after], breaks);
+        self.find_mode_changes([from, middle], [before, &modes], breaks);
+        self.find_mode_changes([middle, to], [&modes, after], breaks);
     }
 
     /// True when a moment changes with the speed at rest: dampers of linkages,

@@ -80,7 +80,7 @@ pub(super) trait Map {
     fn scales(&self) -> &[f64];
 
     /// Way in which its derivative is found, in words.
-    fn how(&self) -> &'static str;
+    fn derivative_method(&self) -> &'static str;
 
     /// The derivative found another way.
     ///
@@ -89,7 +89,7 @@ pub(super) trait Map {
     fn check(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String>;
 
     /// That way, in words.
-    fn checked_by(&self) -> &'static str;
+    fn derivative_check(&self) -> &'static str;
 }
 
 /// Any system, integrated; its state is y = [u, u̇].
@@ -109,12 +109,16 @@ const DIFFERENCE: f64 = 1e-5;
 const GREATER: f64 = 4.0 * DIFFERENCE;
 
 /// The derivative of a map: central differences with two steps, extrapolated.
-pub(super) fn differences(map: &dyn Map, state: &[f64], over: f64) -> Result<DMatrix<f64>, String> {
+pub(super) fn derivative_by_differences(
+    map: &dyn Map,
+    state: &[f64],
+    over: f64,
+) -> Result<DMatrix<f64>, String> {
     extrapolated(map, state, over, DIFFERENCE)
 }
 
 /// The same with greater steps.
-pub(super) fn differences_again(
+pub(super) fn derivative_by_greater_differences(
     map: &dyn Map,
     state: &[f64],
     over: f64,
@@ -249,7 +253,7 @@ impl Map for SystemMap<'_> {
     }
 
     fn monodromy(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
-        differences(self, state, time)
+        derivative_by_differences(self, state, time)
     }
 
     fn slopes(&self, state: &[f64], end: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
@@ -260,15 +264,15 @@ impl Map for SystemMap<'_> {
         self.system.scales()
     }
 
-    fn how(&self) -> &'static str {
+    fn derivative_method(&self) -> &'static str {
         "central differences of the integrated motion, extrapolated from two steps"
     }
 
     fn check(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
-        differences_again(self, state, time)
+        derivative_by_greater_differences(self, state, time)
     }
 
-    fn checked_by(&self) -> &'static str {
+    fn derivative_check(&self) -> &'static str {
         AGAIN
     }
 }

@@ -4,7 +4,10 @@
 //! it is a function of that moment: the state at φ = 0 and the moment are found together,
 //! as a state that comes back after a cycle with the mean speed asked for.
 
-use super::map::{AGAIN, Map, Orbit, differences, differences_again, rough_differences};
+use super::map::{
+    AGAIN, Map, Orbit, derivative_by_differences, derivative_by_greater_differences,
+    rough_differences,
+};
 use super::phase::PhaseMap;
 use super::shooting::near;
 use crate::budget::Budget;
@@ -144,7 +147,7 @@ impl Map for HeldMap<'_> {
     }
 
     fn monodromy(&self, state: &[f64], cycle: f64) -> Result<DMatrix<f64>, String> {
-        differences(self, state, cycle)
+        derivative_by_differences(self, state, cycle)
     }
 
     fn slopes(&self, state: &[f64], end: &[f64], cycle: f64) -> Result<DMatrix<f64>, String> {
@@ -160,15 +163,15 @@ impl Map for HeldMap<'_> {
         &self.scales
     }
 
-    fn how(&self) -> &'static str {
+    fn derivative_method(&self) -> &'static str {
         "differences"
     }
 
     fn check(&self, state: &[f64], cycle: f64) -> Result<DMatrix<f64>, String> {
-        differences_again(self, state, cycle)
+        derivative_by_greater_differences(self, state, cycle)
     }
 
-    fn checked_by(&self) -> &'static str {
+    fn derivative_check(&self) -> &'static str {
         AGAIN
     }
 }
@@ -183,7 +186,7 @@ fn split(state: &[f64]) -> (f64, &[f64]) {
 ///
 /// # Errors
 /// Why there is none, in words.
-pub(super) fn held(
+pub(super) fn steady_at_mean_speed(
     wanted: MeanSpeedTarget<'_>,
     start: &[f64],
     moment: f64,

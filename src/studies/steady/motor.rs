@@ -287,5 +287,5 @@ pub(super) fn answer(
         over_period: None,
         over_period_missing: None,
     };
-    Ok(answer.followed(system, method, control, period))
+    Ok(answer.with_period_results(system, method, control, period))
 }

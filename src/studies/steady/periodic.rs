@@ -95,7 +95,7 @@ impl PeriodicAnswer {
     }
 
     /// With what happens over a period, integrated from the state found.
-    pub(super) fn followed(
+    pub(super) fn with_period_results(
         self,
         system: &System,
         method: Method,
@@ -317,8 +317,8 @@ pub(super) fn part_near(
                     multipliers,
                     stability,
                     iterations: fixed.iterations,
-                    how: map.how().to_owned(),
-                    checked_by: map.checked_by().to_owned(),
+                    how: map.derivative_method().to_owned(),
+                    checked_by: map.derivative_check().to_owned(),
                     long_run: long_run(map, start, &fixed, turn, periods),
                 };
                 if stability != Stability::Repels {
@@ -333,7 +333,7 @@ pub(super) fn part_near(
 }
 
 /// What has no effect where the motions of all drives are prescribed.
-fn unused(spec: &SteadySpec) -> Result<(), Vec<Fault>> {
+fn refuse_unused(spec: &SteadySpec) -> Result<(), Vec<Fault>> {
     let given = [
         (spec.mean_speed.is_some(), "mean_speed"),
         (spec.fluctuation.is_some(), "fluctuation"),
@@ -374,7 +374,7 @@ pub(super) fn answer(
             "a drive with a constant `speed`",
         )]
     })?;
-    unused(spec)?;
+    refuse_unused(spec)?;
     let rhythms = Rhythms::of_all(system.model(), TAU / once);
     let cycle = rhythms.whole_cycle(spec.cycle)?;
     let turn = once * cycle / TAU;
@@ -413,7 +413,7 @@ pub(super) fn answer(
         over_period_missing: None,
     };
     let method = choose_general(system, settings, "").method;
-    Ok(answer.followed(system, method, control, turn * together as f64))
+    Ok(answer.with_period_results(system, method, control, turn * together as f64))
 }
 
 /// Least common multiple.

@@ -1,7 +1,10 @@
 //! The map of the state over an angle of a drive that turns as its motor and its load
 //! let it: the angle takes the place of time.
 
-use super::map::{AGAIN, Map, Orbit, differences, differences_again, follow, rough_differences};
+use super::map::{
+    AGAIN, Map, Orbit, derivative_by_differences, derivative_by_greater_differences, follow,
+    rough_differences,
+};
 use super::portrait::Portrait;
 use super::sink::Last;
 use crate::budget::Budget;
@@ -113,7 +116,7 @@ impl<'a> PhaseMap<'a> {
             let mut sink = PhaseCrossing::new(self.rotor, target);
             self.integrate(&at, &modes, leg, &mut sink)?;
             if let Some(caught) = sink.caught {
-                let arrival = self.narrow(caught, target, time)?;
+                let arrival = self.arrival_on_step(caught, target, time)?;
                 self.pace.set(arrival.time / (target - start));
                 return Ok(arrival);
             }
@@ -153,7 +156,12 @@ impl<'a> PhaseMap<'a> {
 
     /// The arrival on a step that passes the target: integrated anew from the start of
     /// the step to just the time that the angle takes.
-    fn narrow(&self, caught: CaughtStep, target: f64, before: f64) -> Result<Arrival, String> {
+    fn arrival_on_step(
+        &self,
+        caught: CaughtStep,
+        target: f64,
+        before: f64,
+    ) -> Result<Arrival, String> {
         let speed = self.system.coordinates() + self.rotor;
         let mut length = caught.length;
         let mut best: Option<(f64, Arrival)> = None;
@@ -240,7 +248,7 @@ impl Map for PhaseMap<'_> {
     }
 
     fn monodromy(&self, state: &[f64], angle: f64) -> Result<DMatrix<f64>, String> {
-        differences(self, state, angle)
+        derivative_by_differences(self, state, angle)
     }
 
     fn slopes(&self, state: &[f64], end: &[f64], angle: f64) -> Result<DMatrix<f64>, String> {
@@ -266,16 +274,16 @@ impl Map for PhaseMap<'_> {
         &self.scales
     }
 
-    fn how(&self) -> &'static str {
+    fn derivative_method(&self) -> &'static str {
         "central differences of the motion integrated over a cycle of the drive's angle, \
          extrapolated from two steps"
     }
 
     fn check(&self, state: &[f64], angle: f64) -> Result<DMatrix<f64>, String> {
-        differences_again(self, state, angle)
+        derivative_by_greater_differences(self, state, angle)
     }
 
-    fn checked_by(&self) -> &'static str {
+    fn derivative_check(&self) -> &'static str {
         AGAIN
     }
 }

@@ -126,7 +126,7 @@ enum Slope {
 /// The state itself gets nowhere.
 pub(super) fn near(map: &dyn Map, start: &[f64], time: f64) -> Result<Option<Vec<f64>>, String> {
     let (mut iterations, mut nearest) = (0, f64::INFINITY);
-    let found = close(map, start, time, &mut iterations, &mut nearest)?;
+    let found = find_recurring_state(map, start, time, &mut iterations, &mut nearest)?;
     Ok(found.map(|(state, _)| state))
 }
 
@@ -137,7 +137,7 @@ fn newton(
     iterations: &mut u32,
     nearest: &mut f64,
 ) -> Result<Option<FixedPoint>, String> {
-    let Some((state, miss)) = close(map, start, time, iterations, nearest)? else {
+    let Some((state, miss)) = find_recurring_state(map, start, time, iterations, nearest)? else {
         return Ok(None);
     };
     let monodromy = map.monodromy(&state, time)?;
@@ -150,7 +150,7 @@ fn newton(
 }
 
 /// A state that comes back, and how far it misses itself.
-fn close(
+fn find_recurring_state(
     map: &dyn Map,
     start: &[f64],
     time: f64,

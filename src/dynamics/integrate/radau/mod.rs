@@ -84,15 +84,15 @@ impl Stepper {
 
 /// Takes the run as far towards its target as one leg goes: to the target or
 /// to a switch.
-pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
+pub(super) fn follow_leg<D: Dynamics>(run: &mut Run<'_, D>) {
     let known = run.radau.take();
     let tolerance = run.settings.tolerance;
     let new = || Stepper::new(run.evaluator.dynamics, tolerance);
     let mut stepper = known.unwrap_or_else(new);
     match &mut stepper {
-        Stepper::Three(radau) => radau.leg(run),
-        Stepper::Five(radau) => radau.leg(run),
-        Stepper::Seven(radau) => radau.leg(run),
+        Stepper::Three(radau) => radau.follow_leg(run),
+        Stepper::Five(radau) => radau.follow_leg(run),
+        Stepper::Seven(radau) => radau.follow_leg(run),
     }
     run.radau = Some(stepper);
 }
@@ -151,11 +151,11 @@ impl<const S: usize, const L: usize> Radau<S, L> {
         })
     }
 
-    fn leg<D: Dynamics>(&mut self, run: &mut Run<'_, D>) {
+    fn follow_leg<D: Dynamics>(&mut self, run: &mut Run<'_, D>) {
         let mut wanted = run.first_length(2 * S as i32 - 1);
         let longest = run.longest_step();
         self.last = None;
-        self.stages.forget();
+        self.stages.forget_stages();
         loop {
             let (time, target) = (run.from.time, run.target);
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
@@ -196,12 +196,12 @@ impl<const S: usize, const L: usize> Radau<S, L> {
                 Verdict::Continue if !lands => wanted = length * self.growth(length, error),
                 _ => return,
             }
-            self.stages.keep(length);
+            self.stages.keep_stages(length);
         }
     }
 
     fn foresee<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Option<Vec<f64>> {
-        self.stages.forget();
+        self.stages.forget_stages();
         let attempt = self.attempt(run, length);
         matches!(attempt, Attempt::Error(error) if error <= 1.0).then(|| self.y.clone())
     }

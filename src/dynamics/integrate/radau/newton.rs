@@ -61,7 +61,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
     }
 
     /// The next step does not continue the last.
-    pub(super) fn forget(&mut self) {
+    pub(super) fn forget_stages(&mut self) {
         self.before = None;
         self.first = true;
     }
@@ -72,7 +72,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
     }
 
     /// The stages are those of an accepted step of a length.
-    pub(super) fn keep(&mut self, length: f64) {
+    pub(super) fn keep_stages(&mut self, length: f64) {
         self.before = Some(length);
         self.first = false;
     }

@@ -28,10 +28,10 @@ const LONGEST: f64 = 6.0;
 
 /// Takes the run as far towards its target as one leg goes: to the target or
 /// to a switch.
-pub(super) fn leg<D: Dynamics>(run: &mut Run<'_, D>) {
+pub(super) fn follow_leg<D: Dynamics>(run: &mut Run<'_, D>) {
     let known = run.rosenbrock.take();
     let mut stepper = known.unwrap_or_else(|| Box::new(Stepper::new(run.evaluator.dynamics)));
-    stepper.leg(run);
+    stepper.follow_leg(run);
     run.rosenbrock = Some(stepper);
 }
 
@@ -77,7 +77,7 @@ impl Stepper {
         }
     }
 
-    fn leg<D: Dynamics>(&mut self, run: &mut Run<'_, D>) {
+    fn follow_leg<D: Dynamics>(&mut self, run: &mut Run<'_, D>) {
         let mut wanted = run.first_length(ORDER);
         let longest = run.longest_step();
         self.last = None;

@@ -56,7 +56,7 @@ impl<D: Dynamics> Run<'_, D> {
     pub(super) fn misses_given_signal(&self) -> Option<f64> {
         let greatest = PLACES
             .into_iter()
-            .flat_map(|s| self.missed(s))
+            .flat_map(|s| self.missed_stretches(s))
             .map(|(off, moved)| off / (SEEN * moved))
             .fold(0.0, f64::max);
         let step = self.output.step(1.0);
@@ -79,7 +79,7 @@ impl<D: Dynamics> Run<'_, D> {
             .any(|(off, moved)| off > tolerance * moved)
     }
 
-    fn missed(&self, s: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
+    fn missed_stretches(&self, s: f64) -> impl Iterator<Item = (f64, f64)> + '_ {
         let count = self.evaluator.dynamics.coordinates();
         (count..self.from.signals.len()).filter_map(move |signal| self.missed_by(signal, s))
     }

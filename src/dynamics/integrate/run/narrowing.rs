@@ -33,7 +33,10 @@ impl<D: Dynamics> Run<'_, D> {
         let (time, target) = (self.from.time, self.target);
         if target > self.narrow.until {
             let modes = self.evaluator.modes.borrow();
-            self.narrow.stretches = self.evaluator.dynamics.narrow(time, target, &modes);
+            self.narrow.stretches = self
+                .evaluator
+                .dynamics
+                .narrow_stretches(time, target, &modes);
             self.narrow.until = target;
         }
         self.narrow.longest = f64::INFINITY;

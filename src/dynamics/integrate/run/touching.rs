@@ -97,7 +97,7 @@ impl<D: Dynamics> Run<'_, D> {
     /// Finds which guards have neither a sign nor a rate where the run starts.
     pub(super) fn find_resting(&mut self) {
         if self.evaluator.dynamics.has_crossings() {
-            self.resting = self.undecided();
+            self.resting = self.undecided_guards();
             self.resting.retain(|own| own.rate == 0.0);
         }
     }
@@ -105,18 +105,18 @@ impl<D: Dynamics> Run<'_, D> {
     /// Lets go of those that have a sign by now.
     pub(super) fn release_resting(&mut self) {
         if !self.resting.is_empty() {
-            let undecided = self.undecided();
+            let undecided = self.undecided_guards();
             let still =
                 |own: &UndecidedGuard| undecided.iter().any(|one| one.component == own.component);
             self.resting.retain(still);
         }
     }
 
-    fn undecided(&self) -> Vec<UndecidedGuard> {
+    fn undecided_guards(&self) -> Vec<UndecidedGuard> {
         let modes = self.evaluator.modes.borrow();
         let share = TOLERANCES * self.settings.tolerance;
         let dynamics = self.evaluator.dynamics;
-        dynamics.undecided(self.from.time, &self.from.y, &modes, share)
+        dynamics.undecided_guards(self.from.time, &self.from.y, &modes, share)
     }
 
     /// True of a change of a contact whose depth and its rate cannot be told from zero.

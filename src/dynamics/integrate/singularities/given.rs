@@ -17,7 +17,7 @@ type Left = [f64; 2];
 impl<D: Dynamics> Run<'_, D> {
     /// What is left to an edge, with its rate, at an instant, where the signal is
     /// a given function of time.
-    pub(super) fn left_on_law(
+    pub(super) fn distance_on_law(
         &self,
         edge: &Singularity,
     ) -> Option<impl Fn(f64) -> [f64; 2] + use<'_, D>> {

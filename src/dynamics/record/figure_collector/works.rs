@@ -28,7 +28,7 @@ impl FigureCollector<'_> {
             for (index, power) in self.powers.iter().enumerate().take(6).skip(1) {
                 self.ledger.add(index, step.end * step.length, *power);
             }
-            return self.ledger.close(self.energy);
+            return self.ledger.close_step(self.energy);
         }
         self.kinks.sort_by(f64::total_cmp);
         self.kinks.push(step.end);
@@ -49,7 +49,7 @@ impl FigureCollector<'_> {
             }
             from = to;
         }
-        self.ledger.close(self.energy)
+        self.ledger.close_step(self.energy)
     }
 
     /// Kinks of the friction in the joints: between neighbouring places that differ.

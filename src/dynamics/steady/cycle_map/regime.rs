@@ -58,7 +58,7 @@ impl Machine<'_> {
     }
 
     /// The fixed point that a guess of the mean speed leads to.
-    fn settle(&self, guess: f64) -> Result<(f64, CycleEnd, u32), Refusal> {
+    fn fixed_point(&self, guess: f64) -> Result<(f64, CycleEnd, u32), Refusal> {
         let mut energy = 0.5 * self.mean_inertia() * guess * guess;
         let mut end = self.cycle(energy);
         let mut cycles = 1;
@@ -117,7 +117,7 @@ impl Machine<'_> {
         let mut found: Vec<(f64, CycleEnd, u32)> = Vec::new();
         let mut refusal = None;
         for guess in guesses {
-            match self.settle(guess) {
+            match self.fixed_point(guess) {
                 Ok(one) => {
                     let known = |other: &(f64, CycleEnd, u32)| (other.0 / one.0 - 1.0).abs() < 1e-6;
                     if !found.iter().any(known) {

@@ -101,7 +101,7 @@ impl Builder<'_> {
                 let part = parts.find(|part| part.nodes.iter().any(nodes));
                 part.map_or_else(String::new, |part| part.id.clone())
             };
-            let mut moving = frozen.roots(frozen.laws[own.law].driver);
+            let mut moving = frozen.root_nodes(frozen.laws[own.law].driver);
             moving.extend(own.nodes());
             let rubbing =
                 |group: &&Group| group.coordinate.is_some() && moving.contains(&group.root);

@@ -29,7 +29,7 @@ pub(super) struct LinkageMotion<N> {
     pub(super) pressed: Option<u64>,
 }
 
-pub(super) fn options(search: bool) -> Options {
+pub(super) fn solver_options(search: bool) -> Options {
     Options {
         tolerance: TOLERANCE,
         search,
@@ -47,7 +47,7 @@ impl Frozen {
         search: bool,
         work: &mut Work<N>,
     ) -> N {
-        let options = options(search);
+        let options = solver_options(search);
         // What is searched for presses on any side.
         let pressed = moving.pressed.filter(|_| !search);
         let q = work.displacement[member.node];

@@ -9,7 +9,7 @@ use crate::math::quantity::Quantity;
 
 impl Frozen {
     /// A group that friction holds: no force is left on its root.
-    pub(super) fn hold<N: Quantity>(
+    pub(super) fn hold_group<N: Quantity>(
         &self,
         group: &Group,
         state: &[N],

@@ -31,7 +31,7 @@ impl Frozen {
                 // A given motion is not changed; what drives it is.
                 None if extent == Extent::Full => self.add_driven_friction(group, modes, work),
                 None | Some(StickSlip::Unset) => {}
-                Some(StickSlip::Stuck) => self.hold(group, state, modes, extent, work),
+                Some(StickSlip::Stuck) => self.hold_group(group, state, modes, extent, work),
                 Some(_) => self.add_sliding_friction(group, state, modes, work),
             }
         }

@@ -88,7 +88,7 @@ impl Frozen {
         let nodes: Vec<usize> = inputs.chain(heavy).collect();
         let mut found: Vec<usize> = nodes
             .into_iter()
-            .flat_map(|node| self.roots(node))
+            .flat_map(|node| self.root_nodes(node))
             .collect();
         let rotor = |node: usize| {
             let mut steps = self.steps.iter();

@@ -17,7 +17,7 @@ const AMBIENT: f64 = 101_325.0;
 
 /// Laws that are expressions, or are made of one.
 pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, axis: Axis) {
-    let own = on.own();
+    let own = on.own_measures();
     let mut names = builder::OWN.to_vec();
     if !matches!(on, On::Rotor(_)) {
         names.extend(builder::DRIVER);

@@ -77,12 +77,12 @@ impl CouplingSpec {
 
     /// The points at which it joins its links.
     pub(super) fn points(&self) -> Vec<PointOf> {
-        self.kind.own().points(self.wheels)
+        self.kind.as_kind().points(self.wheels)
     }
 
     /// Made ready, having been checked.
     pub(super) fn ready(&self, pairs: &[PairSpec]) -> Option<Joint> {
-        self.kind.own().ready(self, pairs)
+        self.kind.as_kind().ready(self, pairs)
     }
 }
 
@@ -109,7 +109,7 @@ pub(in crate::kinematics::linkage) trait Kind {
     }
 
     /// A length of its own that is typical of it (m); 0: none.
-    fn length(&self) -> f64 {
+    fn typical_length(&self) -> f64 {
         0.0
     }
 
@@ -161,7 +161,7 @@ macro_rules! kinds {
 
         impl CouplingKind {
             /// Its numbers.
-            pub(super) fn own(&self) -> &dyn Kind {
+            pub(super) fn as_kind(&self) -> &dyn Kind {
                 match self {
                     $(Self::$Kind(own) => own),*
                 }
@@ -253,12 +253,12 @@ impl Joint {
 impl CouplingKind {
     /// Its words.
     pub(crate) fn words(&self) -> Words {
-        self.own().words()
+        self.as_kind().words()
     }
 
     /// True where it presses and cannot pull.
     pub(crate) fn is_one_sided(&self) -> bool {
-        self.own().is_one_sided()
+        self.as_kind().is_one_sided()
     }
 }
 

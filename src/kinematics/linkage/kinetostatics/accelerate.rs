@@ -124,7 +124,7 @@ impl Kinetostatics {
             |row, w| self.bias_row(row, w) * v2 - w.applied[row] - w.drive_rows[row] * given,
             w,
         );
-        let mut solved = self.settle(options, w)?;
+        let mut solved = self.solve_with_friction(options, w)?;
         solved.condition = condition;
         let scale = self.inertia_scale;
         w.acceleration = w.unknowns[self.size() - 1] / scale;

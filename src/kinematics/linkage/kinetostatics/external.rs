@@ -49,7 +49,7 @@ pub(super) fn wrenches(
     match law {
         ForceLaw::Strut { from, to, .. } => {
             let (start, end) = (point_of(links, from), point_of(links, to));
-            let pull = strut(law, &start, &end, input.speed);
+            let pull = strut_pull(law, &start, &end, input.speed);
             let back = [-pull[0], -pull[1]];
             [
                 Some(Wrench::force(from.link, start, pull)),
@@ -143,7 +143,7 @@ impl Wrench {
 
 /// Pull of a strut on its start, towards its end; zero where both ends meet,
 /// which gives it no direction.
-fn strut(law: &ForceLaw, start: &PointPosition, end: &PointPosition, speed: f64) -> [f64; 2] {
+fn strut_pull(law: &ForceLaw, start: &PointPosition, end: &PointPosition, speed: f64) -> [f64; 2] {
     let &ForceLaw::Strut {
         rate,
         free_length,

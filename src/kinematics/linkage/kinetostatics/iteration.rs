@@ -65,7 +65,7 @@ impl ForceWorkspace {
     }
 
     /// Finds τ and F; `None` in `Ok` if no method converged.
-    pub(super) fn settle(&mut self, tolerance: f64, cap: usize) -> (Convergence, bool) {
+    pub(super) fn solve_friction(&mut self, tolerance: f64, cap: usize) -> (Convergence, bool) {
         self.without_friction();
         let mut course = Convergence {
             method: Method::None,

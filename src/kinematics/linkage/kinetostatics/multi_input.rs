@@ -150,18 +150,18 @@ impl Kinetostatics {
             match sliding {
                 Sliding::Idle => {}
                 Sliding::Slides(sense) => w.add_term(pair, law.sliding(sense)),
-                Sliding::Held => self.hold(pair, law, w),
+                Sliding::Held => self.add_multiplier(pair, law, w),
             }
         }
         self.holding_columns(w);
         self.friction_columns(w);
-        let solved = self.settle(options, w)?;
+        let solved = self.solve_with_friction(options, w)?;
         self.sum_forces(w);
         Ok(solved.solutions)
     }
 
     /// Gives a held pair its multiplier, unless others hold it already.
-    fn hold(&self, pair: usize, law: Law, w: &mut ForceWorkspace) {
+    fn add_multiplier(&self, pair: usize, law: Law, w: &mut ForceWorkspace) {
         if !w.several.extend_factor(pair, self.drivers.len()) {
             return;
         }

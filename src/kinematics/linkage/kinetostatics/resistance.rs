@@ -141,7 +141,7 @@ impl Kinetostatics {
             },
             w,
         );
-        let solved = self.settle(options, w)?;
+        let solved = self.solve_with_friction(options, w)?;
         let force = self.friction_on_input(w);
         w.acceleration = a + s * force;
         w.drive = inertia * w.acceleration + bias * v2 - others - force;

@@ -135,7 +135,7 @@ impl Kinetostatics {
             self.inertia_row(row, w) * a + self.bias_row(row, w) * v2
         };
         self.solve_columns(|row, w| inertia(row, w) - w.applied[row], w);
-        let mut solved = self.settle(options, w)?;
+        let mut solved = self.solve_with_friction(options, w)?;
         solved.condition = condition;
         w.acceleration = motion.acceleration;
         w.drive = w.unknowns[self.size() - 1] * self.drive_unit();
@@ -176,7 +176,7 @@ impl Kinetostatics {
         }
         let condition = self.invert(Unknown::Drive, w)?;
         self.solve_columns(|row, w| self.bias_row(row, w) - w.applied[row], w);
-        let mut solved = self.settle(options, w)?;
+        let mut solved = self.solve_with_friction(options, w)?;
         solved.condition = condition;
         w.acceleration = 0.0;
         w.others.clear();
@@ -276,13 +276,13 @@ impl Kinetostatics {
     }
 
     /// Friction and reactions; whether they are the only ones.
-    pub(super) fn settle(
+    pub(super) fn solve_with_friction(
         &self,
         options: &Options,
         w: &mut ForceWorkspace,
     ) -> Result<SolutionQuality, ForceFailure> {
         w.others.clear();
-        let (mut convergence, found) = w.settle(options.tolerance, options.iterations);
+        let (mut convergence, found) = w.solve_friction(options.tolerance, options.iterations);
         let finite = w.right.iter().all(|value| value.is_finite());
         if !finite {
             return Err(ForceFailure::NotFinite);

@@ -205,7 +205,7 @@ impl<N: Number> Columns<N> {
             let known = known.map(|source| self.taken_from(source));
             let inner = group.inner.as_ref().filter(|inner| inner.input == input);
             let own = inner.map(|inner| (inner, self.screws[input]));
-            let found = self.close(index, group, known, own);
+            let found = self.dyad_velocities(index, group, known, own);
             self.set_columns(plan, group, input, &found, own.map(|(_, own)| own));
         }
         determinant.value() != 0.0 && determinant.value().is_finite()
@@ -223,7 +223,7 @@ impl<N: Number> Columns<N> {
     /// Velocities of the two bodies of a dyad: those of what it hangs on known, and that of
     /// the driven link against the one that carries its body's frame.
     #[inline(always)]
-    fn close(
+    fn dyad_velocities(
         &self,
         index: usize,
         group: &Group,
@@ -338,7 +338,7 @@ impl<N: Number> Columns<N> {
         let one = plus(plus(known[0], a), b);
         let other = plus(known[1], c);
         let inner = group.inner.as_ref().zip(inner);
-        let [first, second] = self.close(index, group, [one, other], inner);
+        let [first, second] = self.dyad_velocities(index, group, [one, other], inner);
         self.acceleration[group.bases[0]] = minus(first, b);
         self.acceleration[group.bases[1]] = second;
     }

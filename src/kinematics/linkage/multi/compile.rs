@@ -291,7 +291,7 @@ fn finish(spec: &MultiSpec, plan: Plan, joints: Joints, mut groups: Vec<Group>) 
     };
     ready.massive = massive(spec, &ready);
     for at in 0..ready.groups.len() {
-        ready.groups[at].known = known(&ready, &ready.groups[at]);
+        ready.groups[at].known = known_velocities(&ready, &ready.groups[at]);
     }
     ready
 }
@@ -314,7 +314,7 @@ fn massive(spec: &MultiSpec, plan: &MultiPlan) -> Vec<Massive> {
 }
 
 /// Where the velocities of what a dyad hangs on stand.
-fn known(plan: &MultiPlan, group: &Group) -> Vec<[Source; 2]> {
+fn known_velocities(plan: &MultiPlan, group: &Group) -> Vec<[Source; 2]> {
     if !group.dyad {
         return Vec::new();
     }

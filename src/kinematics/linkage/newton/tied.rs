@@ -108,7 +108,7 @@ impl PreparedJoint {
     }
 
     /// True where angles count over whole turns.
-    pub(in crate::kinematics::linkage) fn turns(&self) -> bool {
+    pub(in crate::kinematics::linkage) fn counts_whole_turns(&self) -> bool {
         !self.joint.shape().turning.is_empty()
     }
 

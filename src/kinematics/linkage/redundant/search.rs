@@ -208,6 +208,6 @@ fn between(spec: &LinkageSpec, driven: &[usize], link: usize) -> Option<Redundan
         pair: pin,
         part: RedundantPart::Along(link),
     };
-    let hangs = other_pair(spec, link, pin).is_some() && redundant.direction(spec).is_some();
+    let hangs = other_pair(spec, link, pin).is_some() && redundant.free_direction(spec).is_some();
     (hangs && !is_driven).then_some(redundant)
 }

@@ -56,7 +56,7 @@ impl<'t> Reader<'t, '_> {
             Some(letter) if is_letter(letter) => {
                 let other = |c: char| !(is_letter(c) || c.is_ascii_digit());
                 let plain = rest.find(other).unwrap_or(rest.len());
-                let length = self.symbols.long_name(rest).unwrap_or(plain);
+                let length = self.symbols.long_name_length(rest).unwrap_or(plain);
                 self.token = match &rest[..length] {
                     "mod" => Token::Symbol("%"),
                     name => Token::Name(name),

@@ -101,8 +101,8 @@ fn over(linkage: &MultiLinkage, at: &[f64], input: usize, own: &InputSpec) -> Co
         let mut motion = MultiMotion::new(linkage);
         for place in places {
             let inputs = at.iter().enumerate();
-            let inputs =
-                inputs.map(|(k, &value)| held(if k == input { values[place] } else { value }));
+            let inputs = inputs
+                .map(|(k, &value)| constant_jet(if k == input { values[place] } else { value }));
             if motion.set_inputs(&inputs.collect::<Vec<Jet>>()).is_ok() {
                 poses[place] = frames((0..links).map(|link| motion.pose(link)));
             }
@@ -173,7 +173,7 @@ fn frames(poses: impl Iterator<Item = Pose>) -> Option<Vec<f64>> {
     finite.then_some(numbers)
 }
 
-fn held(value: f64) -> Jet {
+fn constant_jet(value: f64) -> Jet {
     Jet {
         value,
         ..Jet::default()

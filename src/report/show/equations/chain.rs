@@ -44,7 +44,7 @@ pub(super) fn section(model: &Model, object: usize) -> Section {
         let (left, right) = equation(model, object, mass);
         section.line(left, right, "");
         if mass == 1 && count > LONGEST_WRITTEN_OUT {
-            generic(model, object, &mut section);
+            inner_mass_equation(model, object, &mut section);
         }
     }
     if !output::lines(model, object, &mut section) {
@@ -224,7 +224,7 @@ fn opposite(sum: Expr) -> Expr {
 }
 
 /// The equation of an inner mass m of a long chain.
-fn generic(model: &Model, object: usize, section: &mut Section) {
+fn inner_mass_equation(model: &Model, object: usize, section: &mut Section) {
     let part = &model.objects[object];
     let any = |letter: &'static str, offset: i8| symbol(letter, Index::Any(offset));
     let before = |letter, back: usize| any(letter, if back == 0 { 0 } else { -1 });

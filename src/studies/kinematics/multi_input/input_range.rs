@@ -33,8 +33,8 @@ pub(super) fn reach(linkage: &MultiLinkage, at: &[f64], input: usize, turning: b
     let end = |sense: f64| {
         let mut motion = MultiMotion::new(linkage);
         let mut go = |place: f64| {
-            let mut inputs: Vec<Jet> = at.iter().map(|&value| held(value)).collect();
-            inputs[input] = held(place);
+            let mut inputs: Vec<Jet> = at.iter().map(|&value| constant_jet(value)).collect();
+            inputs[input] = constant_jet(place);
             motion.set_inputs(&inputs)
         };
         let mut inside = at[input];
@@ -62,7 +62,7 @@ pub(super) fn reach(linkage: &MultiLinkage, at: &[f64], input: usize, turning: b
     }
 }
 
-fn held(value: f64) -> Jet {
+fn constant_jet(value: f64) -> Jet {
     Jet {
         value,
         ..Jet::default()

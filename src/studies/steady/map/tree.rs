@@ -1,6 +1,6 @@
 //! The map of a tree that is propagated exactly.
 
-use super::{Map, Orbit, differences};
+use super::{Map, Orbit, derivative_by_differences};
 use crate::budget::Budget;
 use crate::exact::{Cursor, ExactRun, ExactTree, Halt, PairState, Part, Request, TreeProblem};
 use crate::units::shown;
@@ -114,15 +114,15 @@ impl Map for TreeMap<'_> {
         &self.scales
     }
 
-    fn how(&self) -> &'static str {
+    fn derivative_method(&self) -> &'static str {
         "exact propagation of the variations through every event"
     }
 
     fn check(&self, state: &[f64], time: f64) -> Result<DMatrix<f64>, String> {
-        differences(self, state, time)
+        derivative_by_differences(self, state, time)
     }
 
-    fn checked_by(&self) -> &'static str {
+    fn derivative_check(&self) -> &'static str {
         "central differences of the motion, extrapolated from two steps"
     }
 }

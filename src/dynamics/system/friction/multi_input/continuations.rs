@@ -1,6 +1,6 @@
 //! The ways in which pairs at rest may go on, and which of them agree with Coulomb's law.
 
-use super::super::force::options;
+use super::super::force::solver_options;
 use super::super::standstill::EXCESS;
 use super::{Several, SeveralWork};
 use crate::kinematics::linkage::kinetostatics::Sliding;
@@ -79,7 +79,12 @@ impl<'a> Ways<'a> {
         } = &mut *self.own;
         let solver = &self.several.kinetostatics;
         solver
-            .solve_friction(mobility_values, &self.sliding, &options(false), forces)
+            .solve_friction(
+                mobility_values,
+                &self.sliding,
+                &solver_options(false),
+                forces,
+            )
             .is_ok()
     }
 

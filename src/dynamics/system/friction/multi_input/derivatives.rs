@@ -1,6 +1,6 @@
 //! Derivatives of the friction of a linkage of several inputs by all that it depends on.
 
-use super::super::force::{STEP, options, slope};
+use super::super::force::{STEP, slope, solver_options};
 use super::{Several, SeveralWork};
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::Work;
@@ -28,7 +28,7 @@ impl TrialMotion<'_> {
         self.motion.set_inputs(&self.inputs).ok()?;
         let (solver, forces) = (self.solver, &mut *self.forces);
         solver.set_motion(self.motion, self.carried, forces).ok()?;
-        let options = options(false);
+        let options = solver_options(false);
         solver
             .solve_friction(self.mobility, self.sliding, &options, forces)
             .ok()?;

@@ -1,7 +1,7 @@
 //! Friction of a linkage of several inputs within an evaluation: where the accelerations of the
 //! roots without it are known.
 
-use super::super::force::options;
+use super::super::force::solver_options;
 use super::super::{Obstacle, StickSlip};
 use super::{Several, SeveralWork};
 use crate::dynamics::system::frozen::Frozen;
@@ -150,7 +150,7 @@ impl Frozen {
         let found = solver.solve_friction(
             &own.mobility_values,
             &own.sliding,
-            &options(false),
+            &solver_options(false),
             &mut own.forces,
         );
         if let Err(failure) = found {

@@ -2,7 +2,7 @@
 //! there is one motion.
 
 use super::super::Obstacle;
-use super::super::force::options;
+use super::super::force::solver_options;
 use super::super::standstill::LOOKS;
 use super::super::stick_slip::ProbeAction;
 use super::super::stick_slip::StickSlip;
@@ -102,7 +102,7 @@ impl Several {
             ..
         } = own;
         let solver = &self.kinetostatics;
-        match solver.solve_friction(mobility_values, sliding, &options(true), forces) {
+        match solver.solve_friction(mobility_values, sliding, &solver_options(true), forces) {
             Ok(1) => None,
             Ok(_) => Some(Obstacle::Several),
             Err(failure) => Some(Obstacle::Failed(failure)),

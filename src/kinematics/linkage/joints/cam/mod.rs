@@ -193,7 +193,7 @@ impl Kind for Box<CamPairSpec> {
         vec![point(own, self.centre), point(other, self.roller)]
     }
 
-    fn length(&self) -> f64 {
+    fn typical_length(&self) -> f64 {
         self.prime_radius()
     }
 
