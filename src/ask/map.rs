@@ -171,7 +171,7 @@ impl MapQuestion {
         self.scene.built_soundly()?;
         let document = self.scene.document();
         self.scene
-            .looking(|catalogue| look(&Study::new(document, catalogue, question)?))
+            .with_catalogues(|catalogue| look(&Study::new(document, catalogue, question)?))
     }
 }
 

@@ -75,7 +75,7 @@ pub(crate) fn command(args: &CompareArgs) -> Result<Status, Failure> {
         said.map(move |warning| format!("{name}: {warning}"))
     };
     let mut warnings: Vec<String> = comparison.runs.iter().flat_map(named).collect();
-    warnings.extend(no_limit(&over.path, &ready, &comparison));
+    warnings.extend(contact_force_remarks(&over.path, &ready, &comparison));
     let over_what = abscissa(args.abscissa.as_deref(), model, folder.is_some())?;
     let (diagram, hash) = (Diagram::of(model), &ready[0].scene().hash);
     let source = Source::scene(input.text(), hash);
@@ -181,7 +181,7 @@ fn limits_of(
 }
 
 /// What is to be said of the contact force where numbers of masses are compared.
-fn no_limit(path: &str, ready: &[Ready], comparison: &Comparison) -> Vec<String> {
+fn contact_force_remarks(path: &str, ready: &[Ready], comparison: &Comparison) -> Vec<String> {
     let object = path.strip_suffix(".masses");
     let (Some(id), Some(last), Some(run)) = (object, ready.last(), comparison.runs.last()) else {
         return Vec::new();

@@ -107,7 +107,7 @@ impl Piece {
         } else {
             first / (root - bend)
         };
-        inside(t)
+        well_inside(t)
     }
 
     /// Place where the cubic crosses zero between ends of opposite sign, roughly.
@@ -148,7 +148,7 @@ impl Piece {
 
 /// t, or ½ when it is not well inside (0, 1).
 #[inline(always)]
-fn inside(t: f64) -> f64 {
+fn well_inside(t: f64) -> f64 {
     if t > 0.01 && t < 0.99 { t } else { 0.5 }
 }
 

@@ -164,7 +164,7 @@ impl Sum {
     }
 
     /// Zero where it is rounding.
-    fn rounded(self) -> Self {
+    fn zero_if_rounding(self) -> Self {
         match self.value.abs() <= ROUNDING * self.size {
             true => Self::default(),
             false => self,
@@ -237,7 +237,7 @@ fn derivatives(problem: &TreeProblem, states: &[PairState], orders: usize) -> Ve
         let next = force.iter().zip(&problem.masses).map(|(force, mass)| {
             let mut acceleration = Sum::default();
             acceleration.add(1.0 / mass.inertia, *force);
-            acceleration.rounded()
+            acceleration.zero_if_rounding()
         });
         let next: Vec<Sum> = next.collect();
         all.extend(next);

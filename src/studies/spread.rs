@@ -86,7 +86,7 @@ pub fn spread(
         closer.step = closer.step.map(|step| 0.5 * step);
     }
     closer.tolerance *= 0.5;
-    let changed = System::new(changed_loads(system.model().clone(), 1.0 + CHANGE))?;
+    let changed = System::new(with_scaled_loads(system.model().clone(), 1.0 + CHANGE))?;
     let by_loads = run(&changed, &same_method, control, &mut [])?;
     let by_tolerance = run(system, &closer, control, &mut [])?;
     Ok(Spread {
@@ -133,7 +133,7 @@ pub(super) fn is_result(figure: &str) -> bool {
 }
 
 /// The model with all loads, gaps and places of stops multiplied by `factor`.
-pub(super) fn changed_loads(mut model: Model, factor: f64) -> Model {
+pub(super) fn with_scaled_loads(mut model: Model, factor: f64) -> Model {
     for load in &mut model.loads {
         load.law.scale(factor);
     }
@@ -147,7 +147,7 @@ pub(super) fn changed_loads(mut model: Model, factor: f64) -> Model {
 
 #[cfg(test)]
 mod tests {
-    use super::{changed_loads, differences};
+    use super::{with_scaled_loads, differences};
     use crate::dynamics::model::{Load, LoadLaw, Model};
     use crate::studies::testing::result_with;
 
@@ -189,7 +189,7 @@ mod tests {
             ],
             ..Model::default()
         };
-        let changed = changed_loads(model, 1.5);
+        let changed = with_scaled_loads(model, 1.5);
         let force = changed.loads[0].law.as_constant().expect("the law stays");
         let LoadLaw::Linear(spring) = changed.loads[1].law else {
             panic!("the law stays");

@@ -246,7 +246,7 @@ impl Output {
         }
         self.degree = 5 + count;
         self.fill_ends(from, to);
-        self.fill_middle(count);
+        self.fill_middle_coefficients(count);
     }
 
     fn raise_of(&self, count: usize) -> &Raise {
@@ -282,7 +282,7 @@ impl Output {
     }
 
     /// The middle coefficients, from the accelerations at the inner points.
-    fn fill_middle(&mut self, count: usize) {
+    fn fill_middle_coefficients(&mut self, count: usize) {
         let degree = self.degree;
         let scale = self.length * self.length / (degree * (degree - 1)) as f64;
         let raise = if count == 1 { &self.one } else { &self.three };

@@ -190,7 +190,7 @@ pub fn size_of<M: Motion>(
 ) -> Result<(Flywheel, M), Refusal> {
     let delta = |inertia: f64| Ok(with(inertia)?.map(|motion| motion.figures().fluctuation));
     let (inertia, without) = inertia_for(&delta, fluctuation, first, NEAR)?;
-    let motion = with(inertia)?.ok_or_else(|| lost(fluctuation, without))?;
+    let motion = with(inertia)?.ok_or_else(|| unreachable_fluctuation(fluctuation, without))?;
     let flywheel = Flywheel {
         fluctuation,
         fluctuation_without: without,
@@ -235,7 +235,7 @@ fn approximations<M: Motion>(
 /// Doublings of the first estimate at most.
 const DOUBLINGS: u32 = 200;
 
-fn lost(wanted: f64, without: Option<f64>) -> Refusal {
+fn unreachable_fluctuation(wanted: f64, without: Option<f64>) -> Refusal {
     Refusal::Fluctuation {
         wanted,
         without,
@@ -258,7 +258,7 @@ fn search(
     while excess(high)? > 0.0 {
         (low, high, tries) = (high, 2.0 * high, tries + 1);
         if tries > DOUBLINGS || !high.is_finite() {
-            return Err(lost(wanted, without));
+            return Err(unreachable_fluctuation(wanted, without));
         }
     }
     let mut refused = None;

@@ -149,7 +149,7 @@ fn open(
     written: BodyFields,
     default_split: InertiaSplit,
 ) -> Option<BodySpec> {
-    if let Some(list) = continuum_lacks(&written, written.split.as_ref()) {
+    if let Some(list) = missing_for_continuum(&written, written.split.as_ref()) {
         let message =
             format!("`{list}` says of each mass or link what it is: nothing is left to be chosen");
         let fault = fields.refuse("masses", "contradiction", message);
@@ -207,7 +207,7 @@ fn elastic(
     let (inertia, stiffness) = (written.inertia(), written.stiffness());
     check_elastic(fields, &written, inertia, stiffness)?;
     let split = written.split.clone().unwrap_or(default_split);
-    let lumping = match continuum_lacks(&written, Some(&split)) {
+    let lumping = match missing_for_continuum(&written, Some(&split)) {
         None => written.lumping.or_default(),
         Some(why) => written.lumping.without_continuum(fields, why)?,
     };
@@ -249,7 +249,7 @@ fn elastic(
 }
 
 /// Why what is written is no continuum, cut into cells.
-fn continuum_lacks(written: &BodyFields, split: Option<&InertiaSplit>) -> Option<&'static str> {
+fn missing_for_continuum(written: &BodyFields, split: Option<&InertiaSplit>) -> Option<&'static str> {
     let lists = [
         (written.inertias.is_some(), "inertias"),
         (written.stiffnesses.is_some(), "stiffnesses"),

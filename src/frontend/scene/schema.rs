@@ -9,16 +9,16 @@ use serde_json::{Value, json};
 /// The schema (draft 2020-12) of a scene whose objects are of the kinds of a registry.
 /// Editors complete units and the names of the catalogue that is built in by it.
 pub fn schema(registry: &Registry) -> Value {
-    described(ObjectTable::new(registry).offering(None, &BuiltIn))
+    schema_with(ObjectTable::new(registry).offering(None, &BuiltIn))
 }
 
 /// Schema of one scene: with its own ids and outputs for `input`, and with the names of a
 /// catalogue for `from`. The scene need not be right, only JSON.
 pub fn schema_of(document: &Document, catalogue: &dyn Catalogue) -> Value {
-    described(document.object_table(catalogue))
+    schema_with(document.object_table(catalogue))
 }
 
-fn described(known: ObjectTable) -> Value {
+fn schema_with(known: ObjectTable) -> Value {
     let mut reader = Reader::describing();
     let (_, mut schema) = reader.read(None, "", |slot| root::read(slot, known));
     schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");

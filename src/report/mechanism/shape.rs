@@ -120,7 +120,7 @@ pub(super) fn block(pair: &PairSpec, extent: f64) -> Option<Block> {
 
 /// Corners of a square about every pitch circle and roller, the ends of all lines and the points of
 /// all flanks, at a position (m).
-pub(super) fn wheels(spec: &LinkageSpec, frame: &[Placement]) -> Vec<[f64; 2]> {
+pub(super) fn outline_corners(spec: &LinkageSpec, frame: &[Placement]) -> Vec<[f64; 2]> {
     let placed = |link: Option<usize>, at: [f64; 2]| match link {
         Some(link) => frame.get(link).map_or(at, |placement| placement.point(at)),
         None => at,

@@ -56,7 +56,7 @@ impl View {
             for point in drawing
                 .frames
                 .iter()
-                .flat_map(|frame| shape::wheels(drawing.spec, frame))
+                .flat_map(|frame| shape::outline_corners(drawing.spec, frame))
             {
                 area.take(point);
             }

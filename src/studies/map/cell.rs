@@ -17,7 +17,7 @@ use crate::frontend::lower::lower;
 use crate::frontend::scene::TypedScene;
 use crate::studies::demand::Demand;
 use crate::studies::run::{Motion, motion};
-use crate::studies::spread::{CHANGE, changed_loads};
+use crate::studies::spread::{CHANGE, with_scaled_loads};
 use crate::studies::{Control, RunSettings, lookup};
 use crate::units::shown;
 use std::cell::RefCell;
@@ -304,7 +304,7 @@ impl Task<'_> {
             tolerance: base.choice.tolerance,
             ..self.settings.clone()
         };
-        let changed = changed_loads(self.system.model().clone(), 1.0 + CHANGE);
+        let changed = with_scaled_loads(self.system.model().clone(), 1.0 + CHANGE);
         let changed = System::new(changed)?;
         let other = self.motion(&changed, &same_method)?;
         if other.outcome.stop.is_from_outside() {

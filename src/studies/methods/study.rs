@@ -176,7 +176,7 @@ pub fn study(
         hash: settings.hash.clone(),
         accuracy: plan.accuracy,
         complete,
-        verdict: working(complete, unknown.doubt.is_some()),
+        verdict: judge_working(complete, unknown.doubt.is_some()),
         duration: settings.duration,
         samples: settings.samples,
         fastest_rate: spectrum.fastest,
@@ -191,7 +191,7 @@ pub fn study(
 }
 
 /// The verdict of a study of methods, which says nothing of the mechanism.
-pub(super) fn working(complete: bool, doubted: bool) -> Working {
+pub(super) fn judge_working(complete: bool, doubted: bool) -> Working {
     let ending = match (doubted, complete) {
         (true, _) => RunEnd::OfComputation,
         (false, false) => RunEnd::FromOutside,

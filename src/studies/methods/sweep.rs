@@ -148,7 +148,7 @@ pub fn sweep<E>(
             break;
         }
     }
-    found.verdict = working(found.complete, found.is_doubted());
+    found.verdict = judge_working(found.complete, found.is_doubted());
     Ok(found)
 }
 

@@ -134,7 +134,7 @@ fn common_rhythm(terms: impl Iterator<Item = (Rhythm, f64)>) -> Option<Rhythm> {
 }
 
 /// Something that repeats with a period over a node's displacement.
-fn over(course: &PrescribedMotion, period: f64) -> Rhythm {
+fn rhythm_over(course: &PrescribedMotion, period: f64) -> Rhythm {
     let wave = Position::Sine {
         amplitude: 1.0,
         harmonic: TAU / period,
@@ -309,7 +309,7 @@ impl Rhythms {
             if let (Some(course), Some(period)) =
                 (known(body.node), body.linkage.range().period.as_ref())
             {
-                rhythms.add(&model.objects[body.object].id, over(course, period.length));
+                rhythms.add(&model.objects[body.object].id, rhythm_over(course, period.length));
             }
             if let Some(course) = known(body.node) {
                 rhythms.tables_of(&model.objects[body.object].id, body, course);
@@ -341,7 +341,7 @@ impl Rhythms {
             match period {
                 _ if points.iter().all(|point| point.1 == points[0].1) => {}
                 Some(period) => {
-                    self.add(&format!("{id}.forces.{}", force.name), over(course, period));
+                    self.add(&format!("{id}.forces.{}", force.name), rhythm_over(course, period));
                 }
                 None if grows(course.rhythm()) => {
                     self.never(&format!("{id}.forces.{}", force.name), LEFT_BEHIND);
@@ -375,7 +375,7 @@ impl Rhythms {
                     (TrackSource::Time, None) => {}
                     (TrackSource::Node(node), Some(period)) => {
                         if let Some(course) = known(node) {
-                            self.add(&load.name, over(course, period));
+                            self.add(&load.name, rhythm_over(course, period));
                         }
                     }
                     (TrackSource::Node(node), None) if growing(node).is_some() => {
@@ -440,7 +440,7 @@ impl Rhythms {
     /// A force over whole turns of what goes on and on; `None`: it repeats after none.
     fn turns(&mut self, name: &str, course: &PrescribedMotion, turns: Option<f64>) {
         match turns {
-            Some(turns) => self.add(name, over(course, TAU * turns)),
+            Some(turns) => self.add(name, rhythm_over(course, TAU * turns)),
             None => self.never(name, NO_WHOLE_TURNS),
         }
     }

@@ -87,7 +87,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
         self.predict(run, length);
         let middle = S / 2;
         let time = run.from.time + self.tableau.nodes[middle] * length;
-        self.gather(middle);
+        self.take_stage_state(middle);
         self.jacobian.evaluate(run.evaluator, time, &self.y);
         if !self.factorise(length) {
             return false;
@@ -151,7 +151,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
     }
 
     /// The state at a stage.
-    pub(super) fn gather(&mut self, stage: usize) {
+    pub(super) fn take_stage_state(&mut self, stage: usize) {
         let (u, v) = self.y.split_at_mut(self.displacements.len());
         for (u, series) in u.iter_mut().zip(&self.displacements) {
             *u = series[stage];
@@ -212,7 +212,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
     fn defects<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) {
         let count = self.accelerations.len();
         for stage in 0..S {
-            self.gather(stage);
+            self.take_stage_state(stage);
             let time = run.from.time + self.tableau.nodes[stage] * length;
             run.evaluator.derivatives(time, &self.y, &mut self.dy);
             let found = self.dy[count..].iter().zip(&self.accelerations);

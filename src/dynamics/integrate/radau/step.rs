@@ -138,7 +138,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
 
     /// State and derivative at a stage.
     fn at(&mut self, stage: usize) -> [&[f64]; 2] {
-        self.gather(stage);
+        self.take_stage_state(stage);
         let count = self.unknowns.len();
         self.dy[..count].copy_from_slice(&self.y[count..]);
         for (a, series) in self.dy[count..].iter_mut().zip(&self.accelerations) {

@@ -36,7 +36,7 @@ pub(super) fn read(
     let doc = "The kinematic pairs by name, and the welds.";
     let all = fields.need("pairs", doc, |slot| {
         slot.names(|name, slot| {
-            slot.defined("linkage_pair", |slot| joined(slot, name, names, free))
+            slot.defined("linkage_pair", |slot| read_joined(slot, name, names, free))
         })
     });
     let (mut pairs, mut welds) = (Vec::new(), Vec::new());
@@ -55,7 +55,7 @@ enum Kind {
     Weld(f64),
 }
 
-fn joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<JoinedLinks> {
+fn read_joined(slot: Slot<'_>, name: &str, names: &Names, free: bool) -> Option<JoinedLinks> {
     slot.record(|fields| {
         let doc = "Coefficient of Coulomb friction μ; it counts in `dam forces`, and with `joint_friction` in the motion.";
         let friction = fields.or("friction", doc, json!(0.0), |slot| {

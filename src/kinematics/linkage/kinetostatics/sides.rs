@@ -47,7 +47,7 @@ impl Kinetostatics {
         bits(&w.terms, |term| match term.law {
             Law::Pin(_) | Law::HeldGuide { .. } => 0,
             Law::Guide(_) => {
-                let [first, second] = term.towards(w).map(|force| u64::from(force < 0.0));
+                let [first, second] = term.forces_towards(w).map(|force| u64::from(force < 0.0));
                 second << 1 | first
             }
         })
@@ -61,7 +61,7 @@ impl Kinetostatics {
         let scale = w.scale();
         let terms = w.terms.iter().take(PAIRS);
         let least = terms.map(|term| {
-            let [first, second] = term.towards(w);
+            let [first, second] = term.forces_towards(w);
             match term.law {
                 Law::Guide(_) => first.min(second),
                 Law::Pin(_) if second.abs() > SHARP * scale => first.max(0.0),
@@ -101,7 +101,7 @@ impl Term {
 
     /// Normal forces on a block's corners, positive on the sides given; reaction of a
     /// pin along the direction given, and across it.
-    fn towards(&self, w: &ForceWorkspace) -> [f64; 2] {
+    fn forces_towards(&self, w: &ForceWorkspace) -> [f64; 2] {
         let [a, b] = [0, 1].map(|k| w.unknowns[self.unknown + k]);
         match (self.law, self.pressed) {
             (Law::Guide(_), Some([p, q])) => [p * a, q * b],

@@ -44,7 +44,7 @@ pub(super) fn check(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
             let message = format!("`{}` is the same coordinate", other.name);
             faults.add(path, message, "leave one of both out");
         } else if let Some(link) = input.coordinate.floating_link() {
-            floating(spec, link, &path, &mut faults);
+            require_floating_coordinates(spec, link, &path, &mut faults);
         }
     }
     forces::refused(linkage, &mut faults);
@@ -95,7 +95,7 @@ fn floating_as_one(spec: &MultiSpec) -> Result<(), Vec<Fault>> {
 }
 
 /// Requires all three coordinates of a link that floats.
-fn floating(spec: &MultiSpec, link: usize, path: &str, faults: &mut Faults) {
+fn require_floating_coordinates(spec: &MultiSpec, link: usize, path: &str, faults: &mut Faults) {
     let coordinates = [
         (InputCoordinate::X(link), "x"),
         (InputCoordinate::Y(link), "y"),

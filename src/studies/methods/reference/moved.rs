@@ -5,7 +5,7 @@ use crate::dynamics::record::Figures;
 use crate::dynamics::system::System;
 use crate::studies::methods::attempt::{Attempt, Effort, Problem};
 use crate::studies::methods::light::Trace;
-use crate::studies::spread::{CHANGE, DETERMINED, changed_loads, is_result};
+use crate::studies::spread::{CHANGE, DETERMINED, with_scaled_loads, is_result};
 
 /// Differences are told relative to at least this share of max|δ|.
 const LEAST: f64 = 1e-3;
@@ -17,7 +17,7 @@ pub(super) struct PerturbedRun {
 
 impl PerturbedRun {
     pub(super) fn of(problem: &Problem<'_>, guess: &Attempt, effort: &Effort<'_>) -> Self {
-        let model = changed_loads(problem.system.model().clone(), 1.0 + CHANGE);
+        let model = with_scaled_loads(problem.system.model().clone(), 1.0 + CHANGE);
         let attempt = System::new(model).ok().and_then(|system| {
             let initial = system.initial_state().ok()?;
             let changed = Problem {
