@@ -223,7 +223,8 @@ impl Scene {
     /// # Errors
     /// Everything that is wrong with its text.
     pub fn decode(&self) -> Result<Reading, Error> {
-        let found = self.with_catalogues(|catalogue| self.document.scene(catalogue, &self.settings));
+        let found =
+            self.with_catalogues(|catalogue| self.document.scene(catalogue, &self.settings));
         let mut found = match found {
             Ok(reading) if self.faults.is_empty() => return Ok(reading),
             Ok(reading) => reading.warnings,

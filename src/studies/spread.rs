@@ -147,7 +147,7 @@ pub(super) fn with_scaled_loads(mut model: Model, factor: f64) -> Model {
 
 #[cfg(test)]
 mod tests {
-    use super::{with_scaled_loads, differences};
+    use super::{differences, with_scaled_loads};
     use crate::dynamics::model::{Load, LoadLaw, Model};
     use crate::studies::testing::result_with;
 

@@ -249,7 +249,10 @@ fn elastic(
 }
 
 /// Why what is written is no continuum, cut into cells.
-fn missing_for_continuum(written: &BodyFields, split: Option<&InertiaSplit>) -> Option<&'static str> {
+fn missing_for_continuum(
+    written: &BodyFields,
+    split: Option<&InertiaSplit>,
+) -> Option<&'static str> {
     let lists = [
         (written.inertias.is_some(), "inertias"),
         (written.stiffnesses.is_some(), "stiffnesses"),

@@ -309,7 +309,10 @@ impl Rhythms {
             if let (Some(course), Some(period)) =
                 (known(body.node), body.linkage.range().period.as_ref())
             {
-                rhythms.add(&model.objects[body.object].id, rhythm_over(course, period.length));
+                rhythms.add(
+                    &model.objects[body.object].id,
+                    rhythm_over(course, period.length),
+                );
             }
             if let Some(course) = known(body.node) {
                 rhythms.tables_of(&model.objects[body.object].id, body, course);
@@ -341,7 +344,10 @@ impl Rhythms {
             match period {
                 _ if points.iter().all(|point| point.1 == points[0].1) => {}
                 Some(period) => {
-                    self.add(&format!("{id}.forces.{}", force.name), rhythm_over(course, period));
+                    self.add(
+                        &format!("{id}.forces.{}", force.name),
+                        rhythm_over(course, period),
+                    );
                 }
                 None if grows(course.rhythm()) => {
                     self.never(&format!("{id}.forces.{}", force.name), LEFT_BEHIND);

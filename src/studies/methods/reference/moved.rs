@@ -5,7 +5,7 @@ use crate::dynamics::record::Figures;
 use crate::dynamics::system::System;
 use crate::studies::methods::attempt::{Attempt, Effort, Problem};
 use crate::studies::methods::light::Trace;
-use crate::studies::spread::{CHANGE, DETERMINED, with_scaled_loads, is_result};
+use crate::studies::spread::{CHANGE, DETERMINED, is_result, with_scaled_loads};
 
 /// Differences are told relative to at least this share of max|δ|.
 const LEAST: f64 = 1e-3;
