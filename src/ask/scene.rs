@@ -397,7 +397,7 @@ impl Scene {
     }
 
     /// Uses the catalogues.
-    pub(super) fn looking<T>(&self, read: impl FnOnce(&(dyn Catalogue + Sync)) -> T) -> T {
+    pub(super) fn with_catalogues<T>(&self, read: impl FnOnce(&(dyn Catalogue + Sync)) -> T) -> T {
         match &self.catalogue {
             Some(own) => {
                 let own: &(dyn Catalogue + Sync) = &**own;

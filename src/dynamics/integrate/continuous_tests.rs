@@ -72,7 +72,7 @@ fn a_great_common_value_costs_no_digits() {
     output.accelerations[0] = [2.0; 3];
     output.degree = 8;
     output.fill_ends(&end(0.0), &end(1.0));
-    output.fill_middle(3);
+    output.fill_middle_coefficients(3);
     let step = output.step(1.0);
     for k in 0..=10 {
         let s = f64::from(k) / 10.0;

@@ -3,7 +3,7 @@
 use super::line::MethodLine;
 use super::setting::{first_step, is_fixed_step};
 use super::stability::Spectrum;
-use super::study::{Now, Plan, Study, start, study, working};
+use super::study::{Now, Plan, Study, judge_working, start, study};
 use super::verdict::Verdict;
 use crate::dynamics::integrate::{Dynamics, Method};
 use crate::dynamics::system::System;
