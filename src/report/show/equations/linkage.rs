@@ -1,5 +1,6 @@
 //! The terms of a linkage, reduced to its input coordinate.
 
+use super::closure::{Closure, ClosurePosition};
 use super::{Section, of_object};
 use crate::dynamics::model::{LinkageBody, Model};
 use crate::kinematics::linkage::spec::ForceLaw;
@@ -104,6 +105,20 @@ pub(super) fn forces(
         terms.push(letter.expr());
     }
     terms
+}
+
+/// The closing equations: the vector loops of the links, and what the input is.
+pub(super) fn closing(model: &Model, object: usize, body: &LinkageBody, section: &mut Section) {
+    let spec = body.linkage.spec();
+    let input = Closure::coordinate(spec, spec.driver);
+    section.line(of_object("φ", model, object), input, "the input");
+    let mut workspace = body.linkage.workspace();
+    let solved = body.linkage.solve(spec.start, 0, &mut workspace);
+    let position = ClosurePosition {
+        angle: &|link| workspace.angle(link),
+        pair: &|pair| workspace.pair(pair).value,
+    };
+    Closure::of(spec).write(section, solved.is_ok().then_some(&position));
 }
 
 /// J where the linkage is put together.
