@@ -3,12 +3,14 @@
 use super::{ForcesReport, value};
 use crate::report::findings::{Cell, Section, Table};
 use crate::report::quantity::significant;
-use crate::studies::forces::{Column, Row};
 
 /// Most positions that are listed.
 const MOST_POSITIONS: usize = 37;
 /// Most joints side by side.
 const ABREAST: usize = 4;
+
+/// A joint: its name, and the columns of the size and direction of its force.
+type Joint = (String, [usize; 2]);
 
 /// A table of joints over positions, if these are few.
 pub(super) fn reactions<'a>(report: &ForcesReport<'_>) -> Section<'a> {
@@ -17,41 +19,44 @@ pub(super) fn reactions<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         return Section::default();
     }
     let columns = study.columns();
-    let column = |name: String| columns.iter().find(|column| column.name == name);
-    let linkage = &study.linkage;
-    let pairs = linkage.pairs.iter().map(|pair| pair.name.as_str());
-    let names = pairs.chain(linkage.welds.iter().map(|weld| weld.name.as_str()));
-    let joints: Vec<(&str, [&Column; 2])> = names
-        .filter_map(|name| {
-            let size = column(format!("{name}.force"))?;
-            let known = [size, column(format!("{name}.direction"))?];
-            (!size.indeterminate).then_some((name, known))
-        })
-        .collect();
-    let mut section = Section::new("Reactions").legend(
-        "Force on the second link of each joint, and its direction counterclockwise from x.",
-    );
+    let place = |name: &str| columns.iter().position(|column| column.name == name);
+    let joints = columns
+        .iter()
+        .enumerate()
+        .filter_map(|(direction, column)| {
+            let name = column.name.strip_suffix(".direction")?;
+            let size = place(&format!("{name}.force"))?;
+            (!column.indeterminate).then(|| (name.to_owned(), [size, direction]))
+        });
+    let joints: Vec<Joint> = joints.collect();
+    let legend =
+        "Force on the second link of each joint, and its direction counterclockwise from x.";
+    let mut section = Section::new("Reactions").legend(legend);
     for abreast in joints.chunks(ABREAST) {
         section = section.table(table(report, abreast));
     }
     section
 }
 
-fn table(report: &ForcesReport<'_>, joints: &[(&str, [&Column; 2])]) -> Table {
-    let axis = report.axis().name;
+fn table(report: &ForcesReport<'_>, joints: &[Joint]) -> Table {
     let heads = joints.iter().map(|(name, _)| format!(">{name}"));
+    let axis = format!(">{}", report.axis().name);
+    let heads: Vec<String> = std::iter::once(axis).chain(heads).collect();
+    let columns = report.study.columns();
     let rows = report.study.rows.iter().map(|row| {
+        let cells = joints.iter().map(|(_, own)| {
+            let [size, direction] = own.map(|column| columns[column].value(row));
+            force(size, direction)
+        });
         let place = Cell::from(report.place(row.motion.coordinate));
-        let cells = joints.iter().map(|(_, columns)| force(row, *columns));
         std::iter::once(place).chain(cells).collect::<Vec<Cell>>()
     });
-    let heads: Vec<String> = std::iter::once(format!(">{axis}")).chain(heads).collect();
     Table::new(heads.iter().map(String::as_str)).rows(rows)
 }
 
-/// Size and direction; empty without forces.
-fn force(row: &Row, [size, direction]: [&Column; 2]) -> Cell {
-    match (size.value(row), direction.value(row)) {
+/// Size and direction; a dash without forces.
+fn force(size: Option<f64>, direction: Option<f64>) -> Cell {
+    match (size, direction) {
         (Some(force), Some(angle)) => {
             let degrees = significant(angle.to_degrees(), 4);
             Cell::with(value(force, "N"), format!("{degrees} deg"))

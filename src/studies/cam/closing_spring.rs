@@ -1,6 +1,6 @@
 //! The springs that close a contact, as loads of the model.
 
-use crate::dynamics::model::{LoadLaw, Model};
+use crate::dynamics::model::Model;
 
 /// Unit of the preload of the spring that closes the contact of an object (index in the model): of
 /// the object itself, or of the one object behind it that has springs.
@@ -22,10 +22,8 @@ pub fn preload_unit(model: &Model, object: usize) -> &'static str {
     }
     let has_spring = |&&index: &&usize| {
         let nodes = &model.objects[index].nodes;
-        model.loads.iter().any(|load| {
-            nodes.contains(&load.node)
-                && matches!(&load.law, LoadLaw::Linear(law) if law.rate != 0.0)
-        })
+        (model.loads.iter())
+            .any(|load| nodes.contains(&load.node) && load.law.as_spring().is_some())
     };
     let with: Vec<usize> = members.iter().filter(has_spring).copied().collect();
     let owner = match with.as_slice() {
@@ -56,11 +54,10 @@ impl ClosingLoads {
     pub(super) fn of(model: &Model, object: usize) -> Result<Self, String> {
         let part = &model.objects[object];
         let loads = model.loads.iter().enumerate();
-        let springs = loads.filter_map(|(index, load)| match &load.law {
-            LoadLaw::Linear(law) if law.rate != 0.0 && part.nodes.contains(&load.node) => {
-                Some((index, load.node, law.force))
-            }
-            _ => None,
+        let springs = loads.filter_map(|(index, load)| {
+            let spring = load.law.as_spring()?;
+            let is_own = part.nodes.contains(&load.node);
+            is_own.then_some((index, load.node, spring.force))
         });
         let springs: Vec<(usize, usize, f64)> = springs.collect();
         let Some(&(_, node, _)) = springs.first() else {
@@ -88,9 +85,8 @@ impl ClosingLoads {
         let Some(&first) = self.loads.first() else {
             return changed;
         };
-        if let LoadLaw::Linear(law) = &mut changed.loads[first].law {
-            law.force -= self.opens * (preload - self.preload);
-        }
+        let force = -self.opens * (preload - self.preload);
+        changed.loads[first].law = model.loads[first].law.spring_with(force);
         // (What the scene states of this load no longer holds.)
         changed.stated.loads.remove(&first);
         changed

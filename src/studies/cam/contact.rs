@@ -5,13 +5,12 @@
 
 use super::disc_cam;
 use super::elastic::{ElasticContact, Missing};
-use super::force::{CamForce, Reserve};
+use super::force::{CamForce, LiftOff, Reserve};
 use crate::dynamics::model::Closure;
 use crate::fault::Fault;
 use crate::frontend::scene::TypedScene;
 use crate::kinematics::cam::At;
 use crate::kinematics::cam::closing::LetsGo;
-use crate::studies::law::LiftOff;
 use crate::studies::rigid::elastic;
 
 /// Names of these results.

@@ -3,7 +3,7 @@
 //! that keeps it closed.
 
 use super::closing_spring::ClosingLoads;
-use super::force::ElasticFigures;
+use super::force::{ElasticFigures, LiftOff, lift_off};
 use super::speed_search::SpeedSearch;
 use crate::dynamics::integrate::Stop;
 use crate::dynamics::model::{Closure, Model, Span, SpanAxis, SpanFigure};
@@ -16,7 +16,6 @@ use crate::kinematics::cam::At;
 use crate::studies::demand::Demand;
 use crate::studies::document::stop_in_words;
 use crate::studies::judgement::Judgement;
-use crate::studies::law::{LiftOff, lift_off};
 use crate::studies::run::{Motion, motion};
 use crate::studies::{Control, RunSettings};
 use std::f64::consts::TAU;

@@ -7,7 +7,7 @@ use crate::kinematics::cam::closing::{ClosingSpring, ClosureProblem, LetsGo, Rat
 use crate::kinematics::cam::search::greatest_over;
 use crate::kinematics::cam::{At, DiscCam, Surface};
 use crate::studies::judgement::Judgement;
-use crate::studies::law::LiftOff;
+pub(super) use crate::studies::law::{LiftOff, lift_off};
 use crate::studies::rigid::Rigid;
 use crate::units::shown;
 use serde::Serialize;

@@ -9,7 +9,7 @@ use super::constraint::Act;
 use super::outline::Outline;
 use super::reader::{JointReader, Sizes};
 use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
-use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
+use super::{CouplingKind, CouplingSpec, Declaration, Following, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::units::shown;
 
@@ -71,6 +71,11 @@ impl Kind for Belt {
         circles(coupling, pairs, self.radii)
             .chain(strands)
             .collect()
+    }
+
+    fn following(&self) -> (&'static str, Following) {
+        let [one, other] = self.radii;
+        ("belt", Following::Turns(one / other))
     }
 
     /// Both strands together are no single force.

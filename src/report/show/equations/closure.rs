@@ -7,9 +7,6 @@
 //! and the angle α of the vector in it. A guide adds its displacement s along its direction.
 
 use super::{Section, symbol};
-use crate::kinematics::linkage::spec::{
-    CouplingKind, CouplingSpec, LinkageSpec, PairKind, PairSpec, PointOf,
-};
 use crate::report::math::{Expr, Index, Symbol};
 use std::collections::{BTreeMap, VecDeque};
 use std::f64::consts::PI;
@@ -22,35 +19,48 @@ pub(super) struct ClosurePosition<'p> {
     pub(super) pair: &'p dyn Fn(usize) -> f64,
 }
 
-/// A joint that is an edge of the graph.
+/// A point of a link.
 #[derive(Clone, Copy)]
-struct Edge<'s> {
-    name: &'s str,
-    ends: [PointOf; 2],
-    /// Index of the pair, if it is a guide.
-    guide: Option<usize>,
-    /// Angle of the second link's frame less that of the first, if it is constant (rad).
-    turned: Option<f64>,
-    /// Direction of the guide in the frame of the first link (rad).
-    direction: f64,
+pub(super) struct End {
+    /// The link; `None`: the ground.
+    pub(super) link: Option<usize>,
+    /// The point in its frame (m).
+    pub(super) at: [f64; 2],
 }
 
-impl<'s> Edge<'s> {
-    fn of_pair((index, pair): (usize, &'s PairSpec)) -> Self {
-        let (guide, turned, direction) = match pair.kind {
-            PairKind::Revolute { .. } => (None, None, 0.0),
-            PairKind::Sliding {
-                direction, angle, ..
-            } => (Some(index), Some(direction + angle), direction),
-        };
-        Self {
-            name: &pair.name,
-            ends: [pair.on, pair.link],
-            guide,
-            turned,
-            direction,
-        }
-    }
+/// A joint that is an edge of the graph.
+#[derive(Clone, Copy)]
+pub(super) struct Edge<'s> {
+    pub(super) name: &'s str,
+    pub(super) ends: [End; 2],
+    /// Index of the pair, if it slides.
+    pub(super) slides: Option<usize>,
+    /// Angle of the second link's frame less that of the first, if it is constant (rad).
+    pub(super) turned: Option<f64>,
+    /// Direction of sliding in the frame of the first link (rad).
+    pub(super) direction: f64,
+}
+
+/// A coupling between two links, seen from a third.
+pub(super) struct Coupled<'s> {
+    pub(super) name: &'s str,
+    /// What it is called.
+    pub(super) noun: &'static str,
+    pub(super) links: [Option<usize>; 2],
+    pub(super) carrier: Option<usize>,
+    pub(super) rule: Rule,
+    /// Angle or displacement of the second link where the angle of the first is zero.
+    pub(super) offset: f64,
+}
+
+/// How the second link of a coupling moves with the first.
+pub(super) enum Rule {
+    /// It turns as far times this.
+    Turns(f64),
+    /// It slides by this for a radian (m).
+    Slides(f64),
+    /// In words.
+    InWords(&'static str),
 }
 
 /// How a link is reached from the ground: by an edge, from its end of this number.
@@ -77,27 +87,26 @@ enum Term {
 
 /// The closing equations of a linkage.
 pub(super) struct Closure<'s> {
-    spec: &'s LinkageSpec,
+    /// Names of the links.
+    links: Vec<&'s str>,
     edges: Vec<Edge<'s>>,
+    couplings: Vec<Coupled<'s>>,
     parents: Parents,
     /// Lengths that are written: of a link, between two joints (edges).
     lengths: BTreeMap<(usize, [usize; 2]), f64>,
 }
 
 impl<'s> Closure<'s> {
-    pub(super) fn of(spec: &'s LinkageSpec) -> Self {
-        let mut edges: Vec<Edge<'s>> = spec.pairs.iter().enumerate().map(Edge::of_pair).collect();
-        edges.extend(spec.welds.iter().map(|weld| Edge {
-            name: &weld.name,
-            ends: [weld.on, weld.link],
-            guide: None,
-            turned: Some(weld.angle),
-            direction: 0.0,
-        }));
-        let parents = spanning_tree(&edges, spec.links.len());
+    pub(super) fn new(
+        links: Vec<&'s str>,
+        edges: Vec<Edge<'s>>,
+        couplings: Vec<Coupled<'s>>,
+    ) -> Self {
+        let parents = spanning_tree(&edges, links.len());
         Self {
-            spec,
+            links,
             edges,
+            couplings,
             parents,
             lengths: BTreeMap::new(),
         }
@@ -126,7 +135,7 @@ impl<'s> Closure<'s> {
             }
         }
         self.constant_angles(section);
-        for coupling in &self.spec.couplings {
+        for coupling in &self.couplings {
             self.coupling(coupling, section);
         }
         self.legend(section, position);
@@ -177,7 +186,7 @@ impl<'s> Closure<'s> {
             joints: [from, to],
         }];
         terms.extend(self.along(&one, edge, 0, 1.0));
-        if joint.guide.is_some() {
+        if joint.slides.is_some() {
             terms.push(Term::Along { edge, sign: 1.0 });
         }
         let back = self.along(&other, edge, 1, -1.0);
@@ -213,7 +222,7 @@ impl<'s> Closure<'s> {
             let Some(own) = *link else { continue };
             let (from, here) = match by {
                 Some((edge, parent)) => {
-                    if self.edges[*edge].guide.is_some() {
+                    if self.edges[*edge].slides.is_some() {
                         let sense = if *parent == 0 { sign } else { -sign };
                         terms.push(Term::Along {
                             edge: *edge,
@@ -244,7 +253,7 @@ impl<'s> Closure<'s> {
         let mut names: Vec<&str> = Vec::new();
         let name = |link: Option<usize>| match link {
             None => "ground",
-            Some(link) => self.spec.links[link].name.as_str(),
+            Some(link) => self.links[link],
         };
         for term in terms {
             let links = match *term {
@@ -269,7 +278,7 @@ impl<'s> Closure<'s> {
     }
 
     fn name(&self, link: usize) -> String {
-        self.spec.links[link].name.clone()
+        self.links[link].to_owned()
     }
 
     fn angle(&self, link: Option<usize>) -> Vec<Expr> {
@@ -315,9 +324,9 @@ impl<'s> Closure<'s> {
                 vec![self.projected(size, Some(link), y.atan2(x), axis)]
             }
             Term::Along { edge, sign } => {
-                let guide = &self.edges[edge];
+                let slide = &self.edges[edge];
                 let size = self.displacement(edge).expr();
-                let projected = self.projected(size, guide.ends[0].link, guide.direction, axis);
+                let projected = self.projected(size, slide.ends[0].link, slide.direction, axis);
                 vec![projected.signed(sign)]
             }
             Term::Origin { link, sign } => {
@@ -388,75 +397,49 @@ impl<'s> Closure<'s> {
         }
     }
 
-    /// What a coupling asks of the links.
-    fn coupling(&self, coupling: &CouplingSpec, section: &mut Section) {
-        let seen = |link: Option<usize>| {
-            let mut terms = self.angle(link);
-            terms.extend(self.angle(coupling.carrier).into_iter().map(Expr::negative));
-            Expr::sum(terms)
-        };
-        let [one, other] = coupling.wheels;
-        let turned = |ratio: f64| {
-            let turned = Expr::Number(ratio).times(seen(one));
-            let turned = match ratio {
-                1.0 => seen(one),
-                -1.0 => seen(one).negative(),
-                _ => turned,
-            };
-            Expr::sum(vec![turned, Expr::Angle(coupling.offset)])
-        };
-        let name = &coupling.name;
-        match &coupling.kind {
-            CouplingKind::Gear(gear) => {
-                section.line(seen(other), turned(gear.ratio), format!("gears {name}"));
-            }
-            CouplingKind::Belt(belt) => {
-                let ratio = belt.radii[0] / belt.radii[1];
-                section.line(seen(other), turned(ratio), format!("belt {name}"));
-            }
-            CouplingKind::Rack(rack) => self.rack(coupling, rack.radius, section),
-            CouplingKind::Cam(_) => section.line(
-                Expr::Words(format!("cam {name}:")),
-                Expr::Words(
-                    "the centre of the roller lies on the pitch curve of the cam".to_owned(),
-                ),
-                "",
-            ),
-        }
-    }
-
-    /// The rack slides along its guide on the carrier by r times the angle of the gear.
-    fn rack(&self, coupling: &CouplingSpec, radius: f64, section: &mut Section) {
-        let [wheel, rack] = coupling.wheels;
-        let guide = self.edges.iter().enumerate().find(|(_, edge)| {
-            let links = edge.ends.map(|end| end.link);
-            edge.guide.is_some()
-                && (links == [coupling.carrier, rack] || links == [rack, coupling.carrier])
-        });
-        let Some((edge, guide)) = guide else { return };
-        let sign = if guide.ends[0].link == coupling.carrier {
-            1.0
-        } else {
-            -1.0
-        };
-        let mut turned = self.angle(wheel);
-        turned.extend(self.angle(coupling.carrier).into_iter().map(Expr::negative));
-        let right = Expr::Number(radius).times(Expr::sum(turned));
-        let right = Expr::sum(vec![right, Expr::Number(coupling.offset)]);
-        let left = self.displacement(edge).expr().signed(sign);
-        section.line(left, right, format!("rack {}", coupling.name));
-    }
-
-    /// What the coordinate of a pair is in these letters.
-    pub(super) fn coordinate(spec: &LinkageSpec, pair: usize) -> Expr {
-        let pair = &spec.pairs[pair];
-        if pair.slides() {
-            return symbol("s", Index::Word(pair.name.clone())).expr();
-        }
-        let angle = |link: usize| symbol("θ", Index::Word(spec.links[link].name.clone())).expr();
-        let mut terms: Vec<Expr> = pair.link.link.map(angle).into_iter().collect();
-        terms.extend(pair.on.link.map(angle).map(Expr::negative));
+    /// The angle of a link seen from a carrier.
+    fn seen(&self, link: Option<usize>, carrier: Option<usize>) -> Expr {
+        let mut terms = self.angle(link);
+        terms.extend(self.angle(carrier).into_iter().map(Expr::negative));
         Expr::sum(terms)
+    }
+
+    /// What a coupling asks of the links.
+    fn coupling(&self, coupling: &Coupled<'_>, section: &mut Section) {
+        let [one, other] = coupling.links;
+        let turned = self.seen(one, coupling.carrier);
+        let name = format!("{} {}", coupling.noun, coupling.name);
+        match coupling.rule {
+            Rule::Turns(ratio) => {
+                let right = Expr::sum(vec![scaled(ratio, turned), Expr::Angle(coupling.offset)]);
+                section.line(self.seen(other, coupling.carrier), right, name);
+            }
+            Rule::Slides(radius) => {
+                let Some(left) = self.slid(coupling) else {
+                    return;
+                };
+                let right = Expr::sum(vec![scaled(radius, turned), Expr::Number(coupling.offset)]);
+                section.line(left, right, name);
+            }
+            Rule::InWords(rule) => {
+                let what = Expr::Words(format!("{name}:"));
+                section.line(what, Expr::Words(rule.to_owned()), "");
+            }
+        }
+    }
+
+    /// The displacement of the second link of a coupling on its carrier.
+    fn slid(&self, coupling: &Coupled<'_>) -> Option<Expr> {
+        let [_, other] = coupling.links;
+        let joins = |edge: &Edge<'_>| {
+            let links = edge.ends.map(|end| end.link);
+            edge.slides.is_some()
+                && (links == [coupling.carrier, other] || links == [other, coupling.carrier])
+        };
+        let edge = self.edges.iter().position(joins)?;
+        let is_on_carrier = self.edges[edge].ends[0].link == coupling.carrier;
+        let sign = if is_on_carrier { 1.0 } else { -1.0 };
+        Some(self.displacement(edge).expr().signed(sign))
     }
 
     fn legend(&self, section: &mut Section, position: Option<&ClosurePosition<'_>>) {
@@ -472,16 +455,25 @@ impl<'s> Closure<'s> {
         }
         let Some(position) = position else { return };
         let here = "here where the linkage is put together";
-        for link in 0..self.spec.links.len() {
+        for link in 0..self.links.len() {
             let letter = symbol("θ", Index::Word(self.name(link)));
             let meaning = format!("angle of the frame of {}; {here}", self.name(link));
             section.entry(letter, (position.angle)(link), "rad", meaning);
         }
         for (edge, joint) in self.edges.iter().enumerate() {
-            let Some(pair) = joint.guide else { continue };
+            let Some(pair) = joint.slides else { continue };
             let meaning = format!("displacement along the guide of {}; {here}", joint.name);
             section.entry(self.displacement(edge), (position.pair)(pair), "m", meaning);
         }
+    }
+}
+
+/// factor·expr, without a factor of one.
+fn scaled(factor: f64, expr: Expr) -> Expr {
+    match factor {
+        1.0 => expr,
+        -1.0 => expr.negative(),
+        _ => Expr::Number(factor).times(expr),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The equations of a linkage of several inputs: one line an input.
 
-use super::closure::{Closure, ClosurePosition};
+use super::closure::ClosurePosition;
+use super::linkage::{coordinate as coordinate_of, graph};
 use super::{LONGEST_WRITTEN_OUT, Section};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
 use crate::kinematics::linkage::multi::MultiMotion;
@@ -64,7 +65,7 @@ fn closing(body: &MultiLinkageBody, coordinate: &dyn Fn(usize) -> Symbol, sectio
         let of_link =
             |letter, link: usize| symbol(letter, Index::Word(spec.links[link].name.clone())).expr();
         let what = match input.coordinate {
-            InputCoordinate::Pair(pair) => Closure::coordinate(spec, pair),
+            InputCoordinate::Pair(pair) => coordinate_of(spec, pair),
             InputCoordinate::X(link) => of_link("x", link),
             InputCoordinate::Y(link) => of_link("y", link),
             InputCoordinate::Angle(link) => of_link("θ", link),
@@ -83,7 +84,7 @@ fn closing(body: &MultiLinkageBody, coordinate: &dyn Fn(usize) -> Symbol, sectio
         angle: &|link| motion.angle(link).value,
         pair: &|pair| motion.pair(pair).value,
     };
-    Closure::of(spec).write(section, solved.is_ok().then_some(&position));
+    graph(spec).write(section, solved.is_ok().then_some(&position));
 }
 
 /// M on its diagonal where the linkage is put together.
