@@ -2,7 +2,7 @@
 
 use super::Mechanism;
 use crate::Error;
-use crate::dynamics::model::Model;
+use crate::dynamics::model::{Model, SpanAxis, SpanFigure};
 use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Sources};
 use crate::studies::condition::Condition;
 use crate::studies::find::{Aim, FoundValue, Goal, Sample, Span, State, search};
@@ -10,6 +10,7 @@ use crate::studies::judgement::{RunEnd, checks, ending};
 use crate::studies::rigid::Rigid;
 use crate::studies::run::{RunResult, run};
 use crate::studies::{Control, lookup, plausible};
+use crate::units::shown;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -288,6 +289,11 @@ impl Evaluation<'_> {
                     .filter(|value| value.is_finite())
             };
             found.extend(of_run.into_iter().map(|name| (name, value(name))));
+            let missed = (settings.spans.iter())
+                .find(|span| value(&span.address).is_none() && state == State::Computed);
+            if let Some(span) = missed {
+                state = State::Refused(not_gone_through(span, result.outcome.time));
+            }
         }
         let subject = lookup::Subject {
             scene: ready.scene(),
@@ -309,6 +315,19 @@ impl Evaluation<'_> {
         }
         Ok(Some((found, state)))
     }
+}
+
+/// Why there is no value of a figure within a span.
+fn not_gone_through(span: &SpanFigure, end: f64) -> String {
+    let hint = match span.span.axis {
+        SpanAxis::Time => "give a span within the run, or a longer `run.duration`",
+        SpanAxis::Displacement { .. } => "give a span that the motion goes through",
+    };
+    format!(
+        "the run, which ends at {} s, does not go through all of `{}`: {hint}",
+        shown(end, 6),
+        span.address
+    )
 }
 
 /// What became of a run that was not ended from outside.

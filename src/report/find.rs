@@ -99,7 +99,7 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
                 true => format!("No value of {path} in the range meets the conditions."),
                 false => format!("No examined value of {path} meets the conditions."),
             },
-            String::new(),
+            nowhere_known(answer),
         ),
         (None, Some(goal)) => (
             format!(
@@ -130,6 +130,38 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
         headline,
         [text.as_str(), open].join(" ").trim().to_owned(),
     )
+}
+
+/// Why the conditions can be judged nowhere, as a sentence; empty if they can.
+fn nowhere_known(answer: &FoundValue) -> String {
+    let mut reasons: Vec<&str> = Vec::new();
+    for sample in &answer.found.samples {
+        match &sample.state {
+            State::Computed => return String::new(),
+            State::Refused(why) | State::Stopped(why) | State::NotTrusted(why) => {
+                if !reasons.contains(&why.as_str()) {
+                    reasons.push(why);
+                }
+            }
+        }
+    }
+    match reasons.as_slice() {
+        [only] => format!("They cannot be judged at any value: {only}."),
+        _ => String::new(),
+    }
+}
+
+/// The first of the reasons for which there is no result somewhere.
+fn first_refusal(answer: &FoundValue) -> String {
+    let first = answer
+        .found
+        .samples
+        .iter()
+        .find_map(|one| match &one.state {
+            State::Refused(why) => Some(why.as_str()),
+            State::Computed | State::Stopped(_) | State::NotTrusted(_) => None,
+        });
+    format!("there is no result: {}", first.unwrap_or_default())
 }
 
 /// The two ends of a range in words.
@@ -392,8 +424,12 @@ fn notes(answer: &FoundValue) -> Vec<String> {
         }
     }
     let unknown_words = "the computation is not to be trusted: nothing is known there";
+    let refusal = match nowhere_known(answer).is_empty() {
+        true => first_refusal(answer),
+        false => "there is no result".to_owned(),
+    };
     for (count, words) in [
-        (refused, "there is no such mechanism"),
+        (refused, refusal.as_str()),
         (stopped, "the mechanism stops"),
         (unknown, unknown_words),
     ] {

@@ -182,8 +182,8 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
 pub(super) fn instead_of(figure: &str, close: &[String]) -> String {
     match figure.strip_suffix(".pair.margin") {
         Some(object) => format!(
-            "only a rigid object has it, with \"masses\": 0; an elastic one has \
-             `{object}.pair.separations`"
+            "only a rigid object has it, with \"masses\": 0; an elastic one has the least contact \
+             force of the steady motion, `cam.{object}.margin`, and `{object}.pair.separations`"
         ),
         None => did_you_mean(close),
     }

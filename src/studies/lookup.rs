@@ -6,7 +6,9 @@
 //! those of a run (`Figures::studies`): those that the accuracy or the expectations of a scene
 //! name, and those of `compare --figure`. A map requests them for each cell.
 
-use super::cam::{CamForce, Reserve, disc_cam};
+use super::cam::{
+    CONTACT_RESULTS, CamForce, ElasticContact, Reserve, contact_result, disc_cam, preload_unit,
+};
 use super::expectations::{Verdict, judged};
 use super::run::run;
 use super::spans;
@@ -17,6 +19,7 @@ use crate::dynamics::model::{Model, SpanFigure};
 use crate::dynamics::record::{Figures, StudyFigure};
 use crate::dynamics::system::{Regime, System};
 use crate::fault::Fault;
+use crate::frontend::object::Measures;
 use crate::frontend::read::closest;
 use crate::frontend::scene::{
     AccuracySpec, CAM_FIGURES, Expectation, Expected, Figure, STEADY_FIGURES, StudyAddress,
@@ -110,7 +113,8 @@ pub fn span_of_run(figure: &str) -> Option<SpanFigure> {
 /// True for addresses of results of studies that take every object for rigid.
 pub fn is_rigid(figure: &str) -> bool {
     match StudyAddress::of(figure) {
-        Some(StudyAddress::Linkage { .. } | StudyAddress::Cam { .. }) => true,
+        Some(StudyAddress::Linkage { .. }) => true,
+        Some(StudyAddress::Cam { name, .. }) => !CONTACT_RESULTS.contains(&name),
         Some(StudyAddress::Within(within)) => is_rigid(within.figure),
         // The steady motion of elastic objects is one of them.
         Some(StudyAddress::Steady { .. } | StudyAddress::Frequency { .. }) | None => false,
@@ -182,12 +186,25 @@ fn did_you_mean(owner: &str, close: Option<&str>) -> String {
 pub fn unit(address: &str, model: &Model) -> String {
     match StudyAddress::of(address) {
         Some(StudyAddress::Steady { name }) => unit_in(STEADY_FIGURES, name).to_owned(),
-        Some(StudyAddress::Cam { name, .. }) => unit_in(CAM_FIGURES, name).to_owned(),
+        Some(StudyAddress::Cam { object, name }) => unit_of_cam(model, object, name).to_owned(),
         Some(StudyAddress::Frequency { .. }) => FREQUENCY.si().to_owned(),
         Some(StudyAddress::Linkage { .. }) => studied::unit(address, model).unwrap_or_default(),
         Some(StudyAddress::Within(within)) => spans::unit(within, model),
         None => String::new(),
     }
+}
+
+fn unit_of_cam(model: &Model, id: &str, name: &str) -> &'static str {
+    let object = model.objects.iter().position(|part| part.id == id);
+    let figure = CAM_FIGURES.iter().find(|figure| figure.name == name);
+    let (Some(object), Some(figure)) = (object, figure) else {
+        return "";
+    };
+    if name == "preload_needed" {
+        return preload_unit(model, object);
+    }
+    let own = Measures(Some(model.objects[object].coordinate));
+    (figure.measure)(own).first.si()
 }
 
 fn unit_in(figures: &[Figure<Quantity>], name: &str) -> &'static str {
@@ -235,8 +252,12 @@ fn find(
             steady::figure(found, address)
         }
         StudyAddress::Cam { object, name } => {
-            let cam = disc_cam(subject.scene, model, object)?;
-            of_cam(&cam, model, object, name).map_err(in_words)?
+            if CONTACT_RESULTS.contains(&name) {
+                of_contact(subject, object, name)?
+            } else {
+                let cam = disc_cam(subject.scene, model, object)?;
+                of_cam(&cam, model, object, name).map_err(in_words)?
+            }
         }
         StudyAddress::Within(within) => match StudyAddress::span_of_run(address) {
             Some(figure) => of_motion(figure, subject)?,
@@ -297,12 +318,35 @@ fn steady_motion(subject: Subject<'_>) -> Result<Answer, Vec<Fault>> {
     }])
 }
 
+/// A result of the contact of a follower, by the closed form or by runs.
+fn of_contact(subject: Subject<'_>, id: &str, name: &str) -> Result<Option<f64>, Vec<Fault>> {
+    let Subject {
+        scene,
+        system,
+        settings,
+        control,
+    } = subject;
+    let object = system.model().objects.iter().position(|part| part.id == id);
+    let unknown = || vec![Fault::new(id, "there is no such object", "")];
+    let contact = ElasticContact {
+        system,
+        object: object.ok_or_else(unknown)?,
+        settings,
+        control,
+    };
+    contact_result(scene, contact, name)
+}
+
 /// Judges what is expected of the cam of an object, in its order.
 pub fn check_cam(
     expectations: &[Expectation],
-    model: &Model,
+    subject: Subject<'_>,
     (id, cam): (&str, &DiscCam),
 ) -> Vec<Verdict> {
+    let value = |name: &str| match CONTACT_RESULTS.contains(&name) {
+        true => of_contact(subject, id, name).ok().flatten(),
+        false => of_cam(cam, subject.system.model(), id, name).ok().flatten(),
+    };
     let judge = |expectation: &Expectation| {
         let Expected::Figure { figure, allowed } = &expectation.what else {
             return None;
@@ -311,7 +355,7 @@ pub fn check_cam(
             StudyAddress::Cam { object, name } if object == id => Some(Verdict {
                 source: expectation.source.clone(),
                 // What has no value, for whatever reason, does not hold.
-                ..judged(figure, allowed, of_cam(cam, model, id, name).ok().flatten())
+                ..judged(figure, allowed, value(name))
             }),
             _ => None,
         }

@@ -15,8 +15,8 @@ use crate::dynamics::integrate::{
 };
 use crate::dynamics::model::{SpanFigure, UNTIL};
 use crate::dynamics::record::{
-    EnergyAudit, Figures, Record, Recorder, RecorderSettings, RunRecord, RunSummary, StudyFigure,
-    Tee, check_confirmed_peaks, choose_window, drive_cycle,
+    EnergyAudit, Figures, Record, Recorder, RecorderSettings, RunRecord, RunSummary, SpanExtreme,
+    StudyFigure, Tee, check_confirmed_peaks, choose_window, drive_cycle,
 };
 use crate::dynamics::system::{InitialState, System};
 use crate::fault::Fault;
@@ -123,9 +123,14 @@ pub fn run(
 }
 
 /// Adds what was found within parts of the motion, of figures that the whole motion has.
-fn add_spans(figures: &mut Figures, wanted: &[SpanFigure], found: &BTreeMap<String, Option<f64>>) {
+fn add_spans(
+    figures: &mut Figures,
+    wanted: &[SpanFigure],
+    found: &BTreeMap<String, Option<SpanExtreme>>,
+) {
     for one in wanted {
         let value = found.get(&one.address).copied().flatten();
+        let value = value.map(|extreme| extreme.value);
         let found = StudyFigure {
             value: value.filter(|_| figures.value(&one.figure).is_ok()),
             unit: figures.unit(&one.figure),
@@ -164,7 +169,7 @@ impl Motion {
     }
 
     /// Why its numbers are not to be had, or in doubt, where another method may do better.
-    fn doubt(&self, settings: &RunSettings) -> Option<String> {
+    pub(super) fn doubt(&self, settings: &RunSettings) -> Option<String> {
         match &self.choice.parts {
             Some(_) => self.doubt_of_exact(settings),
             None => {

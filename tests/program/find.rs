@@ -196,3 +196,23 @@ fn results_do_not_depend_on_the_number_of_threads() {
         ["1", "2"].map(|threads| document(&[&all[..], &["--threads", threads]].concat()));
     assert_eq!(one, two);
 }
+
+#[test]
+fn a_span_beyond_the_end_of_the_run_is_named() {
+    let scene = "scenarios/valve_train/rigid_margin.json";
+    let subject = "valve.pair.margin >= 50 N from 0.1 s to 0.3 s";
+    let vary = ["--vary", "camshaft.motion.speed=1000:1500 rpm:3"];
+    let found = dam(&[&["find", scene, "--subject", subject], &vary[..]].concat());
+    let text = String::from_utf8_lossy(&found.stdout).into_owned();
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        words.contains("which ends at 0.16 s, does not go through all of"),
+        "{text}"
+    );
+    assert!(!words.contains("no such mechanism"), "{text}");
+    // Up to its end it is judged.
+    let within = "valve.pair.margin >= 50 N from 0.1 s to 0.16 s";
+    let found = dam(&[&["find", scene, "--subject", within], &vary[..]].concat());
+    let text = String::from_utf8_lossy(&found.stdout).into_owned();
+    assert!(text.contains("All conditions hold"), "{text}");
+}

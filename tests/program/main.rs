@@ -11,6 +11,7 @@ mod diagnostics;
 mod documents;
 mod find;
 mod first_times;
+mod forces_at;
 mod imports;
 mod kept;
 mod labels;

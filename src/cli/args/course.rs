@@ -3,7 +3,7 @@
 use clap::Args;
 
 /// Which linkage is looked at, and over what.
-#[derive(Debug, Args)]
+#[derive(Clone, Debug, Args)]
 pub(crate) struct CourseArgs {
     /// The linkage, where the scene has several
     #[arg(long, value_name = "ID")]

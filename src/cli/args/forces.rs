@@ -15,6 +15,16 @@ pub(crate) struct ForcesArgs {
     /// Over the motion in the record of a run of this scene: out/record.csv
     #[arg(long, value_name = "FILE", group = "over", conflicts_with_all = ["speed", "acceleration", "compare_massless"])]
     pub(crate) record: Option<PathBuf>,
+    /// At chosen positions of the input, with a table of the reactions: 0:330:30 deg, or one of
+    /// them: 30 deg
+    #[arg(
+        long,
+        value_name = "FROM:TO:STEP",
+        allow_hyphen_values = true,
+        group = "over",
+        conflicts_with = "positions"
+    )]
+    pub(crate) at: Option<String>,
     /// Number of equal intervals
     #[arg(long, default_value_t = 360, value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub(crate) positions: u32,

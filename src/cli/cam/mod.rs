@@ -17,8 +17,9 @@ use super::status::Status;
 use crate::kinematics::cam::DiscCam;
 use crate::report::cam::{CamReport, curves, cycle_rows, dxf, findings, picture, polygon_rows};
 use crate::report::findings::Source;
-use crate::studies::cam::{CamForce, disc_cam, figures, objects_with_cam};
-use crate::studies::lookup::check_cam;
+use crate::studies::Control;
+use crate::studies::cam::{CamForce, ElasticContact, disc_cam, figures, objects_with_cam};
+use crate::studies::lookup::{Subject, check_cam};
 
 const FILES: [&str; 6] = [
     "cam.json",
@@ -63,6 +64,15 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
             Some(speed) => {
                 if let Some(force) = &mut found.force {
                     force.elastic = Some(speed);
+                    let contact = ElasticContact {
+                        system: &ready.system,
+                        object: index,
+                        settings: &ready.settings,
+                        control: asker.budget(),
+                    };
+                    let is_elastic = force.rigid.is_some();
+                    let elastic = is_elastic.then(|| contact.figures_at(force.speed));
+                    force.elastic_contact = elastic.flatten();
                 }
             }
             None => {
@@ -88,7 +98,7 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
         curves: &curves,
         tolerance: asked.tolerance,
     };
-    let expected = expectations(args, &ready, &id, &cam);
+    let expected = expectations((args, asker.budget()), &ready, (&id, &cam));
     let answer = Answer {
         command: "cam",
         findings: &findings(&report, Source::scene(input.text(), hash)),
@@ -125,11 +135,21 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
 }
 
 /// Another mechanism than the scene's, or another speed, has no expectations.
-fn expectations<'r>(args: &CamArgs, ready: &'r Ready, id: &str, cam: &DiscCam) -> Expectations<'r> {
+fn expectations<'r>(
+    (args, control): (&CamArgs, &Control<'_>),
+    ready: &'r Ready,
+    (id, cam): (&str, &DiscCam),
+) -> Expectations<'r> {
     let as_scene = args.scene.set.is_empty() && args.speed.is_none();
     let all = &ready.scene().expect;
     Expectations::judged("cam", all, as_scene, |all| {
-        check_cam(all, ready.system.model(), (id, cam))
+        let subject = Subject {
+            scene: ready.scene(),
+            system: &ready.system,
+            settings: &ready.settings,
+            control,
+        };
+        check_cam(all, subject, (id, cam))
     })
 }
 

@@ -224,6 +224,7 @@ fn expectations<'r>(
 ) -> Expectations<'r> {
     let same_course = args.course.is_of_scene()
         && args.record.is_none()
+        && args.at.is_none()
         && args.compare_massless.is_empty()
         && args.positions as usize == POSITIONS;
     let same_forces = args.scene.set.is_empty()

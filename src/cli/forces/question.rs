@@ -1,6 +1,6 @@
 //! What is asked of the forces: loads, friction, the course.
 
-use crate::cli::args::{ConventionName, Direction, ForcesArgs};
+use crate::cli::args::{ConventionName, CourseArgs, Direction, ForcesArgs};
 use crate::cli::failure::Failure;
 use crate::cli::input::Ready;
 use crate::cli::kinematics;
@@ -15,6 +15,7 @@ use crate::studies::forces::{
 use crate::studies::kinematics::{
     AskedSeveral, KinematicsRequest, Question, even_motion, whole_travel,
 };
+use crate::units::number_and_unit;
 use std::path::Path;
 
 /// A linkage of several inputs, and what is asked of it.
@@ -24,6 +25,7 @@ pub(super) fn multi_input_request<'m>(
     body: &MultiLinkageBody,
 ) -> Result<AskedSeveral<'m>, Failure> {
     let of_one = [
+        (args.at.is_some(), "--at"),
         (args.record.is_some(), "--record"),
         (args.load.is_some(), "--load"),
         (!args.compare_massless.is_empty(), "--compare-massless"),
@@ -145,12 +147,61 @@ fn question(
     input: Coordinate,
 ) -> Result<Question, Failure> {
     let own = Measures(Some(input));
-    let asked = kinematics::question(&args.course, args.positions, ready, own)?;
+    let (course, positions) = chosen(args)?;
+    let asked = kinematics::question(&course, positions, ready, own)?;
     // A speed, or a comparison over speeds, is meant for the whole travel.
     let whole = asked.speed.or(asked.acceleration).is_some() || !args.compare_massless.is_empty();
-    let over = kinematics::requested_range(&args.course, ready, own)?;
+    let over = kinematics::requested_range(&course, ready, own)?;
     let over = over.or_else(|| whole.then(|| whole_travel(linkage)));
     Ok(Question { over, ..asked })
+}
+
+/// Most positions of `--at`, as of `--positions`.
+const MOST_POSITIONS: f64 = 100_000.0;
+
+/// The course and its number of intervals: those of `--at`, or as they are given.
+fn chosen(args: &ForcesArgs) -> Result<(CourseArgs, u32), Failure> {
+    let Some(text) = &args.at else {
+        return Ok((args.course.clone(), args.positions));
+    };
+    let (range, positions) = intervals(text).map_err(|what| {
+        Failure::Other(format!(
+            "--at {text}: {what}; give FROM:TO:STEP, as 0:330:30 deg, or one position, as 30 deg"
+        ))
+    })?;
+    let course = CourseArgs {
+        range: Some(range),
+        ..args.course.clone()
+    };
+    Ok((course, positions))
+}
+
+/// `0:330:30 deg` as a range, `0:330 deg`, and its number of intervals.
+fn intervals(text: &str) -> Result<(String, u32), String> {
+    let parts: Vec<&str> = text.split(':').map(str::trim).collect();
+    let [from, to, step] = match parts.as_slice() {
+        [one] => return Ok((format!("{one}:{one}"), 1)),
+        [from, to, step] => [*from, *to, *step],
+        _ => return Err("these are not three numbers".to_owned()),
+    };
+    let (step, unit) = number_and_unit(step).ok_or("the step is no number")?;
+    let number = |text: &str| {
+        text.parse::<f64>()
+            .map_err(|_| format!("`{text}` is no number"))
+    };
+    let (first, last, width) = (number(from)?, number(to)?, number(step)?);
+    let count = (last - first) / width;
+    if !(1.0..=MOST_POSITIONS).contains(&count) {
+        return Err("the step does not lead from the first to the last position".to_owned());
+    }
+    let whole = count.round();
+    if (count - whole).abs() > 1e-9 * whole {
+        let end = first + count.floor() * width;
+        return Err(format!(
+            "the step does not divide the range, but {from}:{end} {unit}"
+        ));
+    }
+    Ok((format!("{from}:{to} {unit}"), whole as u32))
 }
 
 /// Largest record that is read at all.

@@ -106,6 +106,26 @@ impl LoadLaw {
         }
     }
 
+    /// The numbers of a spring to the ground; `None` of other laws.
+    pub fn as_spring(&self) -> Option<&LinearLoad> {
+        match self {
+            Self::Linear(own) if own.rate != 0.0 => Some(own),
+            _ => None,
+        }
+    }
+
+    /// The same spring with a constant force more; of other laws nothing changes.
+    #[must_use]
+    pub fn spring_with(&self, force: f64) -> Self {
+        match self.as_spring() {
+            Some(own) => Self::Linear(LinearLoad {
+                force: own.force + force,
+                ..*own
+            }),
+            None => self.clone(),
+        }
+    }
+
     /// The track whose piece counts, of a force by pieces.
     pub fn track<'t>(&self, tracks: &'t [Track]) -> Option<&'t Track> {
         tracks.get(self.pieces()?.0)

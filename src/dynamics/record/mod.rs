@@ -50,6 +50,7 @@ pub(crate) use log::{Course, Log, Stretch};
 pub use quantity::Quantity;
 pub use recorder::{Recorder, RunRecord};
 pub use settings::RecorderSettings;
+pub use spans::SpanExtreme;
 pub(crate) use spans::span_figures;
 pub use tee::Tee;
 pub use window::{choose_window, choose_window_of, drive_cycle};

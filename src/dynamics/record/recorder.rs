@@ -6,6 +6,7 @@ use super::failure::Failure;
 use super::figure_collector::FigureCollector;
 use super::log::{Course, Log, Stretch};
 use super::settings::RecorderSettings;
+use super::spans::SpanExtreme;
 use super::tally::Tally;
 use super::{ObjectFigures, Record};
 use crate::dynamics::audit::DrawnInstants;
@@ -41,7 +42,7 @@ pub struct RunRecord {
     pub undetermined_times: BTreeMap<String, f64>,
     /// Greatest and least values within parts of the motion, by address; `None`: the motion was
     /// never within.
-    pub spans: BTreeMap<String, Option<f64>>,
+    pub spans: BTreeMap<String, Option<SpanExtreme>>,
 }
 
 /// Records a run of a system. Its memory is bounded by samples and switches.

@@ -85,6 +85,17 @@ struct SpanExtremum {
     reached: [f64; 2],
     /// Greatest value so far in the sense that is sought; −∞: nothing was seen.
     best: f64,
+    /// Time at which it was first met (s).
+    time: f64,
+}
+
+/// A greatest or least value within a span.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpanExtreme {
+    /// The value.
+    pub value: f64,
+    /// Time at which it is first met (s).
+    pub time: f64,
 }
 
 /// Looks at an object at an instant.
@@ -107,6 +118,7 @@ impl SpanSearch {
                 reached: [f64::INFINITY, f64::NEG_INFINITY],
                 span: figure.span.clone(),
                 best: f64::NEG_INFINITY,
+                time: f64::NAN,
             })
         });
         let sought: Vec<SpanExtremum> = sought.collect();
@@ -144,7 +156,7 @@ impl SpanSearch {
 
     /// What was found, by address; `None`: the motion was never within the span, or did not go
     /// through all of it.
-    pub(super) fn finish(self) -> BTreeMap<String, Option<f64>> {
+    pub(super) fn finish(self) -> BTreeMap<String, Option<SpanExtreme>> {
         let found = self.sought.into_iter().map(|own| {
             let seen = own.best > f64::NEG_INFINITY;
             let seen = seen && (!own.whole || own.span.is_within(own.reached));
@@ -152,7 +164,8 @@ impl SpanSearch {
                 Sense::Greatest | Sense::Magnitude => own.best,
                 Sense::Least => -own.best,
             };
-            (own.address, seen.then_some(value))
+            let time = own.time;
+            (own.address, seen.then_some(SpanExtreme { value, time }))
         });
         found.collect()
     }
@@ -220,6 +233,7 @@ impl SpanExtremum {
         let value = self.in_sense(self.value(time, look));
         if value > self.best {
             self.best = value;
+            self.time = time;
         }
     }
 
@@ -321,6 +335,7 @@ mod tests {
                 whole: true,
                 reached: [f64::INFINITY, f64::NEG_INFINITY],
                 best: f64::NEG_INFINITY,
+                time: f64::NAN,
             }],
             density: 3.0,
             nodes: Nodes::new(),
@@ -328,7 +343,7 @@ mod tests {
         for ends in steps.windows(2) {
             search.follow([ends[0], ends[1]], true, &mut look);
         }
-        search.finish()[""].unwrap()
+        search.finish()[""].unwrap().value
     }
 
     #[test]

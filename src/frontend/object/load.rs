@@ -149,6 +149,7 @@ fn law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<LoadLaw
         law.case("weight", "Weight: W = −m·g·sin(inclination).", weight);
     }
     written_laws::add(&mut law, on, axis);
+    let is_given = law.is_given();
     let law = law.finish();
     let factor = written::unit(fields, force);
     let doc = "Another object or output: `press`, `press.ram`; the name of the drive for the \
@@ -156,7 +157,9 @@ fn law(fields: &mut Fields<'_>, on: On, context: &Context<'_>) -> Option<LoadLaw
                displacement in place of the driver's. `expression` knows its motion as over_phi \
                and over_phi_dot.";
     let over = context.mention(fields, "over", doc);
-    if !fields.describing() && (misplaced_unit(fields) | misplaced_over(fields)) {
+    // (Beside a law that is missing or misspelt nothing is known to be out of place.)
+    let judged = is_given && !fields.describing();
+    if judged && (misplaced_unit(fields) | misplaced_over(fields)) {
         return None;
     }
     Some(written::in_unit(law?, factor?).over_another(over?))

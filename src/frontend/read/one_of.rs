@@ -55,6 +55,11 @@ impl<'f, 'a, T> OneOf<'f, 'a, T> {
         self
     }
 
+    /// True if one of the properties is there, right or wrong.
+    pub fn is_given(&self) -> bool {
+        !self.group.found.is_empty()
+    }
+
     /// The value of the one that is there.
     pub fn finish(self) -> Option<T> {
         let alone = self.group.finish();

@@ -369,8 +369,9 @@ fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<Ab
         }
         Some(StudyAddress::Cam { object, name }) if known.objects.contains_key(object) => {
             let found = CAM_FIGURES.iter().find(|figure| figure.name == name);
-            let quantity = found.map_or(q::NUMBER, |figure| figure.measure);
-            return Some(About::Figure(address, quantity.into()));
+            let own = Measures(known.objects[object].coordinate);
+            let quantity = found.map_or(q::NUMBER.into(), |figure| (figure.measure)(own));
+            return Some(About::Figure(address, quantity));
         }
         _ => {}
     }

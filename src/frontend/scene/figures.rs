@@ -10,7 +10,7 @@ use crate::units::{Quantity, quantities as q};
 use serde_json::{Value, json};
 
 /// Measure of a result of something that turns or slides.
-pub(super) type OfCoordinate = fn(Measures) -> QuantityChoice;
+pub(crate) type OfCoordinate = fn(Measures) -> QuantityChoice;
 
 /// A result; `M`: what it measures.
 pub(crate) struct Figure<M: 'static> {
@@ -66,6 +66,33 @@ fn energy(_: Measures) -> QuantityChoice {
 
 fn pressure(_: Measures) -> QuantityChoice {
     q::MODULUS.into()
+}
+
+fn length(_: Measures) -> QuantityChoice {
+    q::LENGTH.into()
+}
+
+fn angle(_: Measures) -> QuantityChoice {
+    q::ANGLE.into()
+}
+
+fn angular_speed(_: Measures) -> QuantityChoice {
+    q::ANGULAR_SPEED.into()
+}
+
+fn normal_force(_: Measures) -> QuantityChoice {
+    q::FORCE.into()
+}
+
+fn torque(_: Measures) -> QuantityChoice {
+    q::MOMENT.into()
+}
+
+/// Of a spring on the object itself or on one behind it.
+fn force_of_spring(own: Measures) -> QuantityChoice {
+    let own = own.force().first;
+    let other = if own == q::FORCE { q::MOMENT } else { q::FORCE };
+    QuantityChoice::either(own, other)
 }
 
 /// Signs of results.
@@ -171,16 +198,20 @@ const SIZE_OF_MULTIPLIER: &str =
 
 /// Results of a cam.
 #[rustfmt::skip]
-pub(crate) const CAM_FIGURES: &[Figure<Quantity>] = &[
-    of_study("base_radius", q::LENGTH, "> 0", "Radius of the base circle."),
-    of_study("greatest_contact_force", q::FORCE, "any; > 0 in contact", "Greatest contact force along the normal, at constant speed."),
-    of_study("greatest_pressure_angle", q::ANGLE, SIZE, "Greatest size of the pressure angle over the turn."),
-    of_study("greatest_torque", q::MOMENT, "positive: the cam drives", "Greatest torque on the cam shaft, at constant speed."),
-    of_study("least_concave_radius", q::LENGTH, "> 0", "Least radius of curvature where the profile is concave; absent if it is nowhere so."),
-    of_study("least_pitch_radius", q::LENGTH, "> 0", "Least radius of curvature where the pitch curve is convex; absent under a flat face."),
-    of_study("least_radius", q::LENGTH, "> 0", "Least radius of curvature where the profile is convex."),
-    of_study("least_torque", q::MOMENT, "negative: the load drives the cam", "Least torque on the cam shaft, at constant speed."),
-    of_study("prime_radius", q::LENGTH, "> 0", "Radius of the prime circle: that of the roller centre when innermost."),
+pub(crate) const CAM_FIGURES: &[Figure<OfCoordinate>] = &[
+    of_object("base_radius", length, "> 0", "Radius of the base circle."),
+    of_object("greatest_contact_force", normal_force, "any; > 0 in contact", "Greatest contact force along the normal, at constant speed."),
+    of_object("greatest_pressure_angle", angle, SIZE, "Greatest size of the pressure angle over the turn."),
+    of_object("greatest_torque", torque, "positive: the cam drives", "Greatest torque on the cam shaft, at constant speed."),
+    of_object("least_concave_radius", length, "> 0", "Least radius of curvature where the profile is concave; absent if it is nowhere so."),
+    of_object("least_pitch_radius", length, "> 0", "Least radius of curvature where the pitch curve is convex; absent under a flat face."),
+    of_object("least_radius", length, "> 0", "Least radius of curvature where the profile is convex."),
+    of_object("least_torque", torque, "negative: the load drives the cam", "Least torque on the cam shaft, at constant speed."),
+    of_object("lift_off_speed", angular_speed, SIZE, "Least speed of the cam at which the follower lifts off, within 0.1 % for elastic objects; without a value if it never does."),
+    of_object("margin", Measures::force, "rigid: negative if the contact separates; elastic: 0", "Least contact force along the coordinate of the object in the steady motion, with the elasticity of the scene."),
+    of_object("margin_angle", angle, SIZE, "Angle of the cam at which the contact force is least."),
+    of_object("preload_needed", force_of_spring, "positive: towards the cam", "Least preload of the closing spring with which the contact stays closed in the steady motion, without a reserve."),
+    of_object("prime_radius", length, "> 0", "Radius of the prime circle: that of the roller centre when innermost."),
 ];
 
 /// Reasons for which a run may be expected to stop, with their meaning.
@@ -296,7 +327,7 @@ pub(crate) fn described() -> Value {
         "stop": stop,
         "run": run,
         "steady": whole_rows("steady", STEADY_FIGURES),
-        "cam": whole_rows("cam.OBJECT", CAM_FIGURES),
+        "cam": part_rows("cam.OBJECT", CAM_FIGURES),
         "frequency": frequency,
         "stops": stops,
     })

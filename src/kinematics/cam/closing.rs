@@ -7,8 +7,9 @@
 //!
 //! with the inertia a = J·U″ of everything that moves with the follower,
 //! damping b, other loads f, and a closing spring stretched by x(φ) in the
-//! direction of opening. Contact is kept where P ≥ 0 at every φ; what P is
-//! above zero is the margin.
+//! direction of opening. A spring on an object behind the follower acts with the
+//! share r(φ) of its force: r·(preload + rate·x) with its own displacement x.
+//! Contact is kept where P ≥ 0 at every φ; what P is above zero is the margin.
 
 use super::motion::intervals;
 use super::search::{At, evenly_spaced, refined};
@@ -18,7 +19,7 @@ use serde::Serialize;
 
 /// Demand on the contact at an angle of the cam: the force that it must give, along the
 /// displacement of opening (N or N·m).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Demand {
     /// a: by ω².
     pub by_square: f64,
@@ -26,8 +27,24 @@ pub struct Demand {
     pub by_speed: f64,
     /// f: of all loads but the closing springs.
     pub fixed: f64,
-    /// x: displacement in the direction of opening (m or rad).
+    /// x: displacement of the closing spring in the direction in which it is stretched by
+    /// opening (m or rad).
     pub stretch: f64,
+    /// r > 0: force of the contact over that of the closing spring; 1 of a spring on the
+    /// follower itself.
+    pub lever: f64,
+}
+
+impl Default for Demand {
+    fn default() -> Self {
+        Self {
+            by_square: 0.0,
+            by_speed: 0.0,
+            fixed: 0.0,
+            stretch: 0.0,
+            lever: 1.0,
+        }
+    }
 }
 
 /// A closing spring: it presses with preload + rate·x.
@@ -155,7 +172,7 @@ impl<'a> ClosureProblem<'a> {
     /// contact at a speed; negative where the spring might even pull.
     pub fn preload_for(&self, rate: f64, speed: f64, reserve: f64) -> At {
         let spring = ClosingSpring { rate, preload: 0.0 };
-        self.greatest(&|demand| reserve - demand.force(spring, speed))
+        self.greatest(&|demand| (reserve - demand.force(spring, speed)) / demand.lever)
     }
 
     /// The rates that with this preload leave at least `reserve` in contact.
@@ -171,9 +188,11 @@ impl<'a> ClosureProblem<'a> {
             self.greatest(&|demand| reserve - demand.force(spring, speed))
         };
         let none = lacking(0.0);
-        let stretch = self.greatest(&|demand| demand.stretch.abs()).value;
+        let stretch = self.greatest(&|demand| (demand.lever * demand.stretch).abs());
+        let (stretch, lever) = (stretch.value, self.greatest(&|demand| demand.lever).value);
         let force = self.greatest(&|demand| demand.force(ClosingSpring::default(), speed).abs());
-        let scale = (force.value + preload.abs() + reserve.abs()) / stretch.max(f64::MIN_POSITIVE);
+        let scale =
+            (force.value + lever * preload.abs() + reserve.abs()) / stretch.max(f64::MIN_POSITIVE);
         if !(scale.is_finite() && scale > 0.0) {
             return match none.value <= 0.0 {
                 true => Ok(Rates {
@@ -225,8 +244,7 @@ impl Demand {
     pub fn force(&self, spring: ClosingSpring, speed: f64) -> f64 {
         (self.by_square * speed + self.by_speed) * speed
             + self.fixed
-            + spring.preload
-            + spring.rate * self.stretch
+            + self.lever * (spring.preload + spring.rate * self.stretch)
     }
 }
 

@@ -5,8 +5,10 @@
 
 pub(super) mod pair;
 
+pub(crate) use super::joints::Following;
 pub use super::joints::cam::CamPairSpec;
 pub use super::joints::{CouplingKind, CouplingSpec};
+pub(crate) use pair::Tie;
 pub use pair::{PairKind, PairSpec, PointOf};
 
 /// A planar linkage of rigid links, lower pairs, gears, belts, racks and cams with one degree of freedom.
@@ -50,6 +52,20 @@ impl LinkageSpec {
     pub(crate) fn joints(&self) -> impl Iterator<Item = PointOf> {
         let pairs = self.pairs.iter().flat_map(|pair| [pair.on, pair.link]);
         pairs.chain(self.couplings.iter().flat_map(CouplingSpec::points))
+    }
+
+    /// The pairs and welds as ties between two links.
+    pub(crate) fn ties(&self) -> impl Iterator<Item = Tie<'_>> {
+        let pairs = self.pairs.iter().enumerate();
+        let pairs = pairs.map(|(index, pair)| pair.tie(index));
+        let welds = self.welds.iter().map(|weld| Tie {
+            name: &weld.name,
+            ends: [weld.on, weld.link],
+            slides: None,
+            turned: Some(weld.angle),
+            direction: 0.0,
+        });
+        pairs.chain(welds)
     }
 
     /// The greatest length of a coupling itself, such as the prime radius of a cam (m).

@@ -122,11 +122,14 @@ pub(super) fn springs(figures: &CamFigures) -> Option<Plot> {
         .iter()
         .map(|&[rate, preload]| (rate, preload));
     let spring = vec![(force.spring.rate, force.spring.preload)];
-    let unit = if force.unit == "N" { "N/m" } else { "N m/rad" };
+    let unit = match force.spring_unit {
+        "N" => "N/m",
+        _ => "N m/rad",
+    };
     Some(Plot::new(
         "Least preload",
         Axis::new("rate", unit),
-        force.unit,
+        force.spring_unit,
         vec![
             Series::line("least preload with the reserve", boundary.collect()),
             Series::marked("spring of the scene", spring, vec![Mark::default()]),

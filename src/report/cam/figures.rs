@@ -7,7 +7,9 @@ use crate::kinematics::cam::{At, CamGeometry, Contact, DiscCam, Guide, Surface};
 use crate::report::findings::{Figure, Value};
 use crate::report::quantity::{DIGITS, result, significant, with_unit};
 use crate::report::sentence::Sentence;
-use crate::studies::cam::{Answer, CamFigures, FaceFigures, ForceFigures, Radii, SpringAnswer};
+use crate::studies::cam::{
+    Answer, CamFigures, ElasticFigures, FaceFigures, ForceFigures, Radii, SpringAnswer,
+};
 use crate::studies::law::LiftOff;
 use std::f64::consts::TAU;
 
@@ -263,20 +265,45 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
     });
     rows.extend(rigid.map(|text| Figure::new("lift-off, rigid", text)));
     rows.extend(elastic.map(|text| Figure::new("lift-off, elastic (runs, to 0.1 %)", text)));
+    if let Some(elastic) = &force.elastic_contact {
+        elastic_rows(rows, force, elastic);
+    }
     if let Some(answer) = &force.closing {
-        spring_rows(rows, force, answer, generalised);
+        spring_rows(rows, force, answer);
     }
 }
 
-fn spring_rows(rows: &mut Rows, force: &ForceFigures, answer: &SpringAnswer, unit: &str) {
+fn elastic_rows(rows: &mut Rows, force: &ForceFigures, elastic: &ElasticFigures) {
+    if let Some(margin) = elastic.margin {
+        let name = "least contact force, elastic (runs)";
+        rows.push(extreme(name, margin, force.unit));
+    }
+    if let Some(preload) = elastic.preload {
+        let name = "preload needed, elastic (runs)";
+        rows.push(number(name, clean(preload), force.unit).with("without a reserve"));
+    }
+    for why in &elastic.missing {
+        rows.push(Figure::new("elastic contact", format!("not known: {why}")));
+    }
+}
+
+fn spring_rows(rows: &mut Rows, force: &ForceFigures, answer: &SpringAnswer) {
+    let unit = force.spring_unit;
     let rate = if unit == "N m" { "N m/rad" } else { "N/m" };
+    let on = force.spring_on.as_ref();
+    let on = on.map_or_else(String::new, |id| format!("spring on {id}, "));
     let has = format!(
-        "at {} (rate {}, has {})",
+        "at {} ({}rate {}, has {})",
         degrees(answer.preload.phi),
+        on,
         with_unit(force.spring.rate, rate, DIGITS),
         with_unit(force.spring.preload, unit, DIGITS)
     );
-    rows.push(number("reserve wanted in contact", answer.reserve, unit));
+    rows.push(number(
+        "reserve wanted in contact",
+        answer.reserve,
+        force.unit,
+    ));
     let preload = clean(answer.preload.value);
     rows.push(number("preload needed with this rate", preload, unit).with(has));
     let text = match (&answer.rates, &answer.no_rate) {

@@ -2,6 +2,7 @@
 
 use super::changes::{massless, sensitivities};
 use super::charts::{groups, ratio_chart};
+use super::reactions::reactions;
 use super::{ForcesReport, WIDE, drawing, value};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
 use crate::report::csv::{Field, Rows, head};
@@ -22,11 +23,17 @@ const MOST_POINTS: usize = 2000;
 /// Drawing, zones, the cycle, transmission, charts, sensitivities, extremes.
 pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'a> {
     let study = report.study;
+    let (positions, motion) = match (study.rows.as_slice(), report.is_of_one_position()) {
+        ([row], true) => (
+            format!("at {}", report.place(row.motion.coordinate)),
+            report.motion.replace(" at every position", ""),
+        ),
+        (rows, _) => (counted(rows.len(), "position"), report.motion.to_owned()),
+    };
     let mut subtitle = format!(
-        "forces of {}, {}, {}",
+        "forces of {}, {positions}, {}",
         report.object,
-        counted(study.rows.len(), "position"),
-        in_shown_units(report.motion)
+        in_shown_units(&motion)
     );
     if let Some(output) = study.settings.output {
         let (output, convention) = (
@@ -43,21 +50,30 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
             .drawing(move |_| drawing(&drawn).section("mechanism"))
             .legend(drawn_forces(&study.linkage)),
     };
-    let ratio = ratio_chart(report).into_iter().collect();
+    let ratio = ratio_chart(report).filter(|_| !report.is_of_one_position());
+    let ratio = ratio.into_iter().collect();
     let mut sections = vec![
         mechanism,
         zones(report),
+        reactions(report),
         open(study),
         Section::new(course(report)).figures(figures(report)),
         Section::new("Transmission").charts(WIDE, "", ratio),
         massless(report),
-        Section::new("Hodographs")
-            .legend("The tip of each force over the course; the dot is the first position.")
-            .charts(Layout::Round, "", hodographs(study)),
     ];
-    sections.extend(groups(report));
-    sections.push(sensitivities(report));
-    sections.push(Section::new("Extremes").table(extremes(report)));
+    // (Nothing changes over one position.)
+    if report.is_of_one_position() {
+        sections.push(sensitivities(report));
+        sections.push(Section::new("All results").table(at_one_position(report)));
+    } else {
+        let legend = "The tip of each force over the course; the dot is the first position.";
+        let hodographs = hodographs(study);
+        let section = Section::new("Hodographs").legend(legend);
+        sections.push(section.charts(Layout::Round, "", hodographs));
+        sections.extend(groups(report));
+        sections.push(sensitivities(report));
+        sections.push(Section::new("Extremes").table(extremes(report)));
+    }
     Findings {
         title: report.name.to_owned(),
         subtitle,
@@ -80,6 +96,9 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
         let at = at.map_or(String::new(), |input| format!("at {input} "));
         if [&drive.least, &drive.greatest].map(|end| end.value.is_finite()) == [false; 2] {
             return Sentence::from(format!("{at}without bounds"));
+        }
+        if report.is_of_one_position() {
+            return Sentence::from(at).sentence(end(&drive.least));
         }
         let from = Sentence::from(format!("{at}from ")).sentence(end(&drive.least));
         from.words(" to ").sentence(end(&drive.greatest))
@@ -215,7 +234,10 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
             add("its root mean square", cycle.rms_drive, force);
         }
     }
-    if let Some(found) = &study.counterweight {
+    if let (Some(found), true) = (&study.counterweight, report.is_of_one_position()) {
+        let force = value(found.greatest[0], "N");
+        figures.push(Figure::new("shaking force", force));
+    } else if let Some(found) = &study.counterweight {
         let [before, after] = found.greatest;
         let note = format!("rms {}", value(found.rms[0], "N").words());
         figures.push(Figure::new("greatest shaking force", value(before, "N")).with(note));
@@ -230,6 +252,18 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
     }
     figures.extend(study.checks().iter().map(Figure::check));
     figures
+}
+
+/// The results of a single position.
+fn at_one_position(report: &ForcesReport<'_>) -> Table {
+    let rows = report.study.extremes.iter().map(|found| {
+        let known = match found.least.value.is_finite() {
+            true => Cell::from(value(found.least.value, &found.unit)),
+            false => Cell::from("unbounded"),
+        };
+        vec![Cell::from(found.name.as_str()), known]
+    });
+    Table::new(["quantity", ">value"]).rows(rows)
 }
 
 fn extremes(report: &ForcesReport<'_>) -> Table {

@@ -5,6 +5,7 @@ mod charts;
 mod document;
 mod drawing;
 mod findings;
+mod reactions;
 
 pub use charts::massless_chart;
 pub use document::document;
@@ -54,6 +55,11 @@ impl ForcesReport<'_> {
             None => ("input coordinate", study.coordinate_unit()),
         };
         CourseAxis { name, si }
+    }
+
+    /// True of a study of one position.
+    fn is_of_one_position(&self) -> bool {
+        self.study.rows.len() == 1
     }
 
     /// A place on the course for reading.

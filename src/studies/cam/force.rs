@@ -7,7 +7,7 @@ use crate::kinematics::cam::closing::{ClosingSpring, ClosureProblem, LetsGo, Rat
 use crate::kinematics::cam::search::greatest_over;
 use crate::kinematics::cam::{At, DiscCam, Surface};
 use crate::studies::judgement::Judgement;
-use crate::studies::law::LiftOff;
+pub(super) use crate::studies::law::{LiftOff, lift_off};
 use crate::studies::rigid::Rigid;
 use crate::units::shown;
 use serde::Serialize;
@@ -32,8 +32,13 @@ pub struct ForceFigures {
     pub speed: f64,
     /// Reduced inertia of follower and what it carries, at the beginning of the turn (kg or kg·m²).
     pub inertia: f64,
-    /// The closing spring: all springs on the follower together.
+    /// The closing spring: all springs on the follower together, or, if it has none, on the one
+    /// object behind it that has springs.
     pub spring: ClosingSpring,
+    /// The object behind the follower on which the spring acts; null: the follower itself.
+    pub spring_on: Option<String>,
+    /// Unit of the force of the spring: N or N m.
+    pub spring_unit: &'static str,
     /// Names of the springs.
     pub springs: Vec<String>,
     /// Least force of the pair along the displacement of the follower (N or
@@ -58,10 +63,24 @@ pub struct ForceFigures {
     /// With the follower's elasticity: the speed (rad/s of the drive) at which the pair opens in
     /// the last cycle of a run; null unless it was looked for.
     pub elastic: Option<LiftOff>,
+    /// With the follower's elasticity, by runs at the speed; null unless lift-off was looked for in
+    /// an elastic scene.
+    pub elastic_contact: Option<ElasticFigures>,
     /// Label of the figures where objects of the scene are elastic: they take them as rigid.
     pub rigid: Option<Rigid>,
     /// Notes on what is left out.
     pub notes: Vec<String>,
+}
+
+/// The contact in the steady motion, with the elasticity of the scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ElasticFigures {
+    /// Least force along the displacement of the follower (N or N·m); 0 where it is off the cam.
+    pub margin: Option<At>,
+    /// Least preload of the closing spring that keeps contact, without a reserve.
+    pub preload: Option<f64>,
+    /// Why one of them is missing.
+    pub missing: Vec<String>,
 }
 
 /// Share to which the speed of an elastic lift-off is known.
@@ -130,6 +149,13 @@ pub struct CamForce<'m> {
     rigid: Option<Rigid>,
 }
 
+/// The constant speed (rad/s) of the cam of an object, in its scene.
+pub(super) fn cam_speed(model: &Model, object: usize) -> Option<f64> {
+    let driver = model.objects[object].driver()?;
+    let node = model.objects[driver].nodes.last()?;
+    Trajectory::of(model, *node)?.constant_speed()
+}
+
 /// Points of the boundary of the region of springs.
 const BOUNDARY: usize = 60;
 
@@ -146,9 +172,7 @@ impl<'m> CamForce<'m> {
         speed: Option<f64>,
     ) -> Result<Self, String> {
         let reduction = Reduction::new(model, object, cam)?;
-        let driver = model.objects[object].driver();
-        let node = driver.and_then(|driver| model.objects[driver].nodes.last());
-        let speed = speed.or_else(|| Trajectory::of(model, *node?)?.constant_speed());
+        let speed = speed.or_else(|| cam_speed(model, object));
         let speed = speed.ok_or("the cam has no constant speed: give one")?;
         if !(speed.is_finite() && speed != 0.0) {
             return Err(format!("{speed} rad/s is no speed of a cam"));
@@ -160,6 +184,12 @@ impl<'m> CamForce<'m> {
             rigid: Rigid::label(model, &["dam run", "dam cam --lift-off"]),
             unit: model.objects[object].coordinate.units()[1],
         })
+    }
+
+    /// Unit of the force of the closing spring: N or N m.
+    pub(super) fn spring_unit(&self) -> &'static str {
+        let owner = self.reduction.spring_owner();
+        owner.map_or(self.unit, |part| part.coordinate.units()[1])
     }
 
     /// The cam.
@@ -245,6 +275,9 @@ impl<'m> CamForce<'m> {
         let (spring, speed) = (self.reduction.spring, self.speed);
         let forced = self.reduction.pair().closure == Closure::Force;
         let mut notes = self.reduction.notes.clone();
+        let owner = self.reduction.spring_owner();
+        let behind = owner.filter(|_| self.reduction.has_spring_behind());
+        let spring_unit = self.spring_unit();
         notes.extend(
             self.rigid
                 .as_ref()
@@ -261,6 +294,8 @@ impl<'m> CamForce<'m> {
                 .inertia(self.cam, 0, self.reduction.pieces[0][0]),
             spring,
             springs: self.reduction.springs.clone(),
+            spring_on: behind.map(|part| part.id.clone()),
+            spring_unit,
             margin: closing.least(spring, speed),
             greatest: closing.most(spring, speed),
             contact_force,
@@ -268,8 +303,10 @@ impl<'m> CamForce<'m> {
             torque,
             return_torque,
             lets_go: forced.then(|| closing.separation_speed(spring, speed.signum())),
-            closing: forced.then(|| answer(&closing, spring, (speed, self.unit), reserve)),
+            closing: forced
+                .then(|| answer(&closing, spring, (speed, [self.unit, spring_unit]), reserve)),
             elastic: None,
+            elastic_contact: None,
             rigid: self.rigid.clone(),
             notes,
         }
@@ -304,7 +341,7 @@ fn without_reserve(
 fn answer(
     closing: &ClosureProblem<'_>,
     spring: ClosingSpring,
-    (speed, unit): (f64, &str),
+    (speed, [unit, spring_unit]): (f64, [&str; 2]),
     reserve: Reserve,
 ) -> SpringAnswer {
     let reserve = match reserve {
@@ -314,14 +351,14 @@ fn answer(
     let rates = closing.rates_for(spring.preload, speed, reserve);
     let no_rate = rates.as_ref().err().map(|none| {
         let missing = format!(
-            "no spring rate keeps the reserve of {} {unit} with the preload of {} {unit}: at φ = \
-             {:.3} deg {} {unit} are missing. The reserve is required in dwells too",
+            "no spring rate keeps the reserve of {} {unit} with the preload of {} {spring_unit}: at \
+             φ = {:.3} deg {} {unit} are missing. The reserve is required in dwells too",
             shown(reserve, 6),
             shown(spring.preload, 6),
             none.lacking.phi.to_degrees(),
             shown(none.lacking.value, 6)
         );
-        missing + &without_reserve(closing, spring, speed, unit)
+        missing + &without_reserve(closing, spring, speed, spring_unit)
     });
     let widest = match &rates {
         Ok(rates) => rates.from.max(spring.rate),

@@ -1,14 +1,18 @@
 //! The cam of an object in a scene: its profile, its checks, its sizes, and the
 //! force that keeps the follower on it.
 
+mod closing_spring;
+mod contact;
 mod elastic;
 mod force;
 mod reduction;
 mod result;
 mod speed_search;
 
-pub use elastic::{Steady, steady_contact};
-pub use force::{CamForce, ForceFigures, Reserve, SpringAnswer};
+pub use closing_spring::preload_unit;
+pub use contact::{CONTACT_RESULTS, contact_result};
+pub use elastic::{ElasticContact, Missing, Steady, SteadyForce, steady_contact};
+pub use force::{CamForce, ElasticFigures, ForceFigures, Reserve, SpringAnswer};
 pub use result::{Answer, CamFigures, FaceFigures, Question, Radii, figures};
 pub use speed_search::SpeedSearch;
 

@@ -9,10 +9,11 @@
 //! turned into the direction in which the pair opens.
 
 use crate::dynamics::model::{
-    Closure, Law, LinearPiece, Load, LoadLaw, Model, Pair, Track, TrackSource,
+    Closure, Law, LinearPiece, Load, LoadLaw, Model, ObjectPart, Pair, Track, TrackSource,
 };
 use crate::dynamics::trajectory::transfer;
 use crate::kinematics::cam::closing::{ClosingSpring, Demand};
+use crate::kinematics::cam::search::evenly_spaced;
 use crate::kinematics::cam::{DiscCam, FollowerMotion};
 use crate::math::jet::Jet;
 use std::f64::consts::TAU;
@@ -32,15 +33,32 @@ pub(super) struct Reduction<'m> {
     /// First node of the follower.
     first: usize,
     pair: Pair,
-    /// The springs that close the pair: those on the follower itself.
+    /// The springs that close the pair: those on the follower itself, else those on the one
+    /// object behind it that has springs.
     pub(super) spring: ClosingSpring,
     /// Names of those springs.
     pub(super) springs: Vec<String>,
+    /// Where they act, if they are behind the follower.
+    behind: Option<SpringBehind>,
     /// Stretches of φ on which the demand is smooth.
     pub(super) pieces: Vec<[f64; 2]>,
     /// Notes on what is left out, in words.
     pub(super) notes: Vec<String>,
 }
+
+/// Springs on an object behind the follower.
+#[derive(Clone, Copy, Debug)]
+struct SpringBehind {
+    /// Place of its node in [`Reduction::nodes`].
+    place: usize,
+    /// Sense of its displacement in which it is stretched by opening: 1 or −1.
+    sense: f64,
+}
+
+/// Parts of a piece at whose ends the sense of a spring behind the follower is looked at.
+const SENSES: usize = 32;
+/// Share of the greatest ratio below which a spring behind the follower has no leverage there.
+const LEAST_LEVER: f64 = 1e-9;
 
 impl<'m> Reduction<'m> {
     /// The reduction of an object (index in the model) on its cam.
@@ -84,12 +102,92 @@ impl<'m> Reduction<'m> {
             pair: pair_of(model, object),
             spring: ClosingSpring::default(),
             springs: Vec::new(),
+            behind: None,
             pieces: Vec::new(),
             notes: Vec::new(),
         };
         found.sort_loads(object)?;
         found.pieces = found.smooth_pieces(cam.motion())?;
+        found.find_spring_behind(cam);
         Ok(found)
+    }
+
+    /// The closing spring behind a follower that has none itself: of one object, and acting in one
+    /// sense over the turn. Others stay loads.
+    fn find_spring_behind(&mut self, cam: &DiscCam) {
+        if !self.springs.is_empty() {
+            return;
+        }
+        let springs = self
+            .loads
+            .iter()
+            .filter_map(|&(place, load)| match &load.law {
+                LoadLaw::Linear(law) if law.rate != 0.0 => Some((place, law, &load.name)),
+                _ => None,
+            });
+        let springs: Vec<_> = springs.collect();
+        let Some(&(place, ..)) = springs.first() else {
+            return;
+        };
+        let names: Vec<String> = springs.iter().map(|(.., name)| (*name).clone()).collect();
+        if springs.iter().any(|(other, ..)| *other != place) {
+            self.notes.push(format!(
+                "{} act on several objects and are counted as loads: the closing spring is one on \
+                 the follower, beside them",
+                names.join(" and ")
+            ));
+            return;
+        }
+        let Some(sense) = self.sense_of_opening(cam, place) else {
+            self.notes.push(format!(
+                "{} has no leverage on the follower, or changes its sense, within the turn, and is \
+                 counted as a load: the closing spring is one on the follower, beside it",
+                names.join(" and ")
+            ));
+            return;
+        };
+        self.spring = springs
+            .iter()
+            .fold(ClosingSpring::default(), |sum, (_, law, _)| ClosingSpring {
+                rate: sum.rate + law.rate,
+                preload: sum.preload - sense * law.force,
+            });
+        self.springs = names;
+        self.behind = Some(SpringBehind { place, sense });
+    }
+
+    /// The sense in which a node moves as the pair opens; `None`: it changes, or the node rests.
+    fn sense_of_opening(&self, cam: &DiscCam, place: usize) -> Option<f64> {
+        let pieces = self.pieces.iter().enumerate();
+        let places = pieces
+            .flat_map(|(piece, &ends)| evenly_spaced(ends, SENSES).map(move |phi| (piece, phi)));
+        let ratios = places.map(|(piece, phi)| {
+            let [q, first, _] = self.follower(cam, piece, phi);
+            self.pair.opens * self.ratios(q, first)[place].first
+        });
+        let (least, most) = ratios.fold((f64::INFINITY, f64::NEG_INFINITY), |ends, ratio| {
+            (ends.0.min(ratio), ends.1.max(ratio))
+        });
+        let floor = LEAST_LEVER * least.abs().max(most.abs());
+        match (least > floor, most < -floor) {
+            (true, _) => Some(1.0),
+            (_, true) => Some(-1.0),
+            (false, false) => None,
+        }
+    }
+
+    /// The object on which the closing spring acts: the follower, or one behind it.
+    pub(super) fn spring_owner(&self) -> Option<&'m ObjectPart> {
+        let node = self
+            .behind
+            .map_or(self.first, |behind| self.nodes[behind.place]);
+        let mut parts = self.model.objects.iter();
+        parts.find(|part| part.nodes.contains(&node))
+    }
+
+    /// True where the closing spring acts on an object behind the follower.
+    pub(super) fn has_spring_behind(&self) -> bool {
+        self.behind.is_some()
     }
 
     /// Closing springs, and loads that have no place here.
@@ -272,6 +370,11 @@ impl<'m> Reduction<'m> {
             stretch: self.pair.opens * q,
             ..Demand::default()
         };
+        if let Some(behind) = self.behind {
+            let ratio = ratios[behind.place];
+            found.stretch = behind.sense * ratio.value;
+            found.lever = (self.pair.opens * ratio.first).abs();
+        }
         for (&node, ratio) in self.nodes.iter().zip(&ratios) {
             let acceleration = ratio.first * second + ratio.second * first * first;
             found.by_square += self.model.nodes[node].inertia * acceleration * ratio.first;

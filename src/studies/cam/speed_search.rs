@@ -1,6 +1,6 @@
 //! At which speed an elastic follower leaves its cam: what runs of its scene are asked.
 
-use super::force::CamForce;
+use super::force::{CamForce, cam_speed};
 use crate::dynamics::model::{Closure, Model, NodeMotion};
 use crate::kinematics::motion::DriveMotion;
 
@@ -12,6 +12,8 @@ pub struct SpeedSearch {
     /// Speed of the cam from which the search goes (rad/s), > 0.
     pub start: f64,
     drive: String,
+    /// Node of the drive.
+    node: usize,
     /// The scene's own speed of the drive (rad/s).
     speed: f64,
     /// The scene's own ratio from drive to cam: another speed scales both.
@@ -26,6 +28,18 @@ impl SpeedSearch {
     pub fn new(model: &Model, id: &str, force: Option<&CamForce<'_>>) -> Result<Self, String> {
         let object = model.objects.iter().position(|part| part.id == id);
         let object = object.ok_or("there is no such object")?;
+        Self::from_speed(model, object, force.map(CamForce::speed))
+    }
+
+    /// For an object (index in the model) from the speed of its scene on.
+    ///
+    /// # Errors
+    /// As of [`Self::new`].
+    pub fn of_scene(model: &Model, object: usize) -> Result<Self, String> {
+        Self::from_speed(model, object, cam_speed(model, object))
+    }
+
+    fn from_speed(model: &Model, object: usize, start: Option<f64>) -> Result<Self, String> {
         let pair = model.pair(&model.objects[object]);
         if pair.map(|pair| pair.closure) != Some(Closure::Force) {
             return Err("only a pair that is closed by force lifts off".into());
@@ -46,15 +60,31 @@ impl SpeedSearch {
             } if *speed != 0.0 => *speed,
             _ => return Err(format!("give the drive `{}` a constant speed", drive.id)),
         };
-        let force = force.ok_or("the speed of the cam is not known")?;
-        let own = CamForce::new(model, object, force.cam(), None);
+        let start = start.ok_or("the speed of the cam is not known")?;
         Ok(Self {
             object,
-            start: force.speed().abs(),
+            start: start.abs(),
             drive: drive.id.clone(),
+            node: drive.nodes[0],
             speed,
-            ratio: own.map_or(1.0, |own| own.speed() / speed).abs(),
+            ratio: cam_speed(model, object).map_or(1.0, |own| (own / speed).abs()),
         })
+    }
+
+    /// The model with the drive at the speed that gives the cam this one (rad/s).
+    pub fn model_at(&self, model: &Model, cam_speed: f64) -> Model {
+        let mut changed = model.clone();
+        let motion = &mut changed.nodes[self.node].motion;
+        if let NodeMotion::Prescribed {
+            motion: DriveMotion::Constant { speed, .. },
+            ..
+        } = motion
+        {
+            *speed = self.setting(cam_speed).1;
+        }
+        // (What the scene states of this drive no longer holds.)
+        changed.stated.drives.remove(&self.node);
+        changed
     }
 
     /// Address and value (rad/s) with which the cam of the scene turns at this speed (rad/s).

@@ -188,6 +188,9 @@ fn of_joints(list: &mut ColumnList, linkage: &LinkageSpec) {
         });
         own.add_quantity("x", "N", move |f| f.welds[index].force[0]);
         own.add_quantity("y", "N", move |f| f.welds[index].force[1]);
+        own.add("direction", "rad", false, move |_, f| {
+            direction(f.welds[index].force)
+        });
         own.figure("couple", "N m", move |f| f.welds[index].couple);
     }
     for (index, coupling) in linkage.couplings.iter().enumerate() {
@@ -196,11 +199,19 @@ fn of_joints(list: &mut ColumnList, linkage: &LinkageSpec) {
     }
 }
 
+/// Direction of a force, counterclockwise from x (rad, −π to π); no force has none.
+fn direction([x, y]: [f64; 2]) -> Option<f64> {
+    (x != 0.0 || y != 0.0).then(|| y.atan2(x))
+}
+
 fn of_pair(list: &mut ColumnList, index: usize, name: &str, kind: &PairKind) {
     let own = list.of(format!("{name}."), &[Rests::Pair(index)]);
     own.figure("force", "N", move |f| f.pairs[index].size());
     own.add_quantity("x", "N", move |f| f.pairs[index].force[0]);
     own.add_quantity("y", "N", move |f| f.pairs[index].force[1]);
+    own.add("direction", "rad", false, move |_, f| {
+        direction(f.pairs[index].force)
+    });
     let mut friction = "N m";
     if let PairKind::Sliding { corners, .. } = kind {
         let given = corners[0] > corners[1];

@@ -12,6 +12,7 @@ fn eccentric(mass: f64, e: f64, damping: f64, load: f64) -> impl Fn(usize, f64) 
         by_speed: damping * e * phi.sin(),
         fixed: load,
         stretch: e * (1.0 - phi.cos()),
+        lever: 1.0,
     }
 }
 

@@ -11,7 +11,7 @@ use super::reader::{JointReader, Sizes};
 #[cfg(test)]
 use super::tests::Sample;
 use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
-use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
+use super::{CouplingKind, CouplingSpec, Declaration, Following, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::units::shown;
 
@@ -82,6 +82,11 @@ impl Kind for Belt {
         circles(coupling, pairs, self.radii)
             .chain(strands)
             .collect()
+    }
+
+    fn following(&self) -> (&'static str, Following) {
+        let [one, other] = self.radii;
+        ("belt", Following::Turns(one / other))
     }
 
     /// Both strands together are no single force.

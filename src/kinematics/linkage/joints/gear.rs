@@ -12,7 +12,7 @@ use super::reader::{JointReader, Sizes};
 #[cfg(test)]
 use super::tests::Sample;
 use super::wheels::{LACKS, TwoWheels, WORDS, check_ratio, circles, towards, wrong};
-use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
+use super::{CouplingKind, CouplingSpec, Declaration, Following, Joint, Kind, Words};
 use crate::fault::Faults;
 
 /// Two gears in plain numbers.
@@ -82,6 +82,10 @@ impl Kind for Gear {
         };
         let unit = towards(axes).1 / (self.ratio - 1.0);
         circles(coupling, pairs, [self.ratio * unit, unit]).collect()
+    }
+
+    fn following(&self) -> (&'static str, Following) {
+        ("gears", Following::Turns(self.ratio))
     }
 
     fn words(&self) -> Words {

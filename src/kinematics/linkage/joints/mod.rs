@@ -80,10 +80,26 @@ impl CouplingSpec {
         self.kind.as_kind().points(self.wheels)
     }
 
+    /// How its links follow each other, and what it is called.
+    pub(crate) fn following(&self) -> (&'static str, Following) {
+        self.kind.as_kind().following()
+    }
+
     /// Made ready, having been checked.
     pub(super) fn ready(&self, pairs: &[PairSpec]) -> Option<Joint> {
         self.kind.as_kind().ready(self, pairs)
     }
+}
+
+/// How the second link of a coupling follows the first, seen from their carrier.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Following {
+    /// It turns as far times this.
+    Turns(f64),
+    /// It slides by this for a radian (m).
+    Slides(f64),
+    /// By no such rule; in words.
+    InWords(&'static str),
 }
 
 /// A kind of coupling, by its numbers.
@@ -102,6 +118,9 @@ pub(in crate::kinematics::linkage) trait Kind {
 
     /// Its words.
     fn words(&self) -> Words;
+
+    /// How its links follow each other, and what it is called.
+    fn following(&self) -> (&'static str, Following);
 
     /// The points at which it joins its links.
     fn points(&self, _wheels: [Option<usize>; 2]) -> Vec<PointOf> {

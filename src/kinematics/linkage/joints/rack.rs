@@ -12,7 +12,7 @@ use super::reader::{Domain, JointReader, MissingCarrier};
 #[cfg(test)]
 use super::tests::Sample;
 use super::wheels::{WORDS, check_ratio, circle};
-use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
+use super::{CouplingKind, CouplingSpec, Declaration, Following, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::math::number::Number;
 use crate::math::series::Series;
@@ -109,6 +109,10 @@ impl Kind for Rack {
         let line = Outline::Line(carrier, pitch_line(on_carrier, self.radius, own.along));
         let circle = circle(coupling, pairs, 0, self.radius);
         circle.into_iter().chain([line]).collect()
+    }
+
+    fn following(&self) -> (&'static str, Following) {
+        ("rack", Following::Slides(self.radius))
     }
 
     fn words(&self) -> Words {

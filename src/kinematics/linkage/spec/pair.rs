@@ -9,6 +9,21 @@ pub struct PointOf {
     pub at: [f64; 2],
 }
 
+/// What joins two links at a point, or slides on a line: a pair or a weld.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tie<'s> {
+    /// Name of the pair or weld.
+    pub(crate) name: &'s str,
+    /// The points that it joins.
+    pub(crate) ends: [PointOf; 2],
+    /// Index of the pair that slides; `None`: the points lie on each other.
+    pub(crate) slides: Option<usize>,
+    /// Angle of the second link's frame less that of the first, if it is constant (rad).
+    pub(crate) turned: Option<f64>,
+    /// Direction of sliding in the frame of the first link (rad).
+    pub(crate) direction: f64,
+}
+
 /// A kinematic pair that joins link i (`on`) to link j (`link`).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PairSpec {
@@ -28,6 +43,23 @@ impl PairSpec {
     /// True for a block on a guide.
     pub fn slides(&self) -> bool {
         self.kind.slides()
+    }
+
+    /// As a tie; `index`: its place in the list of pairs.
+    pub(super) fn tie(&self, index: usize) -> Tie<'_> {
+        let (slides, turned, direction) = match self.kind {
+            PairKind::Revolute { .. } => (None, None, 0.0),
+            PairKind::Sliding {
+                direction, angle, ..
+            } => (Some(index), Some(direction + angle), direction),
+        };
+        Tie {
+            name: &self.name,
+            ends: [self.on, self.link],
+            slides,
+            turned,
+            direction,
+        }
     }
 
     /// Direction of the guide in the frame of link i, (cos ψ, sin ψ); `None` of a pin.

@@ -1,9 +1,10 @@
 //! The terms of a linkage, reduced to its input coordinate.
 
+use super::closure::{Closure, ClosurePosition, Coupled, Edge, End, Rule};
 use super::{Section, of_object};
 use crate::dynamics::model::{LinkageBody, Model};
-use crate::kinematics::linkage::spec::ForceLaw;
-use crate::report::math::Expr;
+use crate::kinematics::linkage::spec::{Following, ForceLaw, LinkageSpec};
+use crate::report::math::{Expr, Index, symbol};
 use crate::report::show::units;
 
 /// Forces that a linkage has.
@@ -104,6 +105,63 @@ pub(super) fn forces(
         terms.push(letter.expr());
     }
     terms
+}
+
+/// The closing equations: the vector loops of the links, and what the input is.
+pub(super) fn closing(model: &Model, object: usize, body: &LinkageBody, section: &mut Section) {
+    let spec = body.linkage.spec();
+    let input = coordinate(spec, spec.driver);
+    section.line(of_object("φ", model, object), input, "the input");
+    let mut workspace = body.linkage.workspace();
+    let solved = body.linkage.solve(spec.start, 0, &mut workspace);
+    let position = ClosurePosition {
+        angle: &|link| workspace.angle(link),
+        pair: &|pair| workspace.pair(pair).value,
+    };
+    graph(spec).write(section, solved.is_ok().then_some(&position));
+}
+
+/// What the coordinate of a pair is, by the angles of links and the displacements on them.
+pub(super) fn coordinate(spec: &LinkageSpec, pair: usize) -> Expr {
+    let pair = &spec.pairs[pair];
+    if pair.slides() {
+        return symbol("s", Index::Word(pair.name.clone())).expr();
+    }
+    let angle = |link: usize| symbol("θ", Index::Word(spec.links[link].name.clone())).expr();
+    let mut terms: Vec<Expr> = pair.link.link.map(angle).into_iter().collect();
+    terms.extend(pair.on.link.map(angle).map(Expr::negative));
+    Expr::sum(terms)
+}
+
+/// Links and joints as a graph.
+pub(super) fn graph(spec: &LinkageSpec) -> Closure<'_> {
+    let links = spec.links.iter().map(|link| link.name.as_str());
+    let edges = spec.ties().map(|tie| Edge {
+        name: tie.name,
+        ends: tie.ends.map(|end| End {
+            link: end.link,
+            at: end.at,
+        }),
+        slides: tie.slides,
+        turned: tie.turned,
+        direction: tie.direction,
+    });
+    let couplings = spec.couplings.iter().map(|coupling| {
+        let (noun, following) = coupling.following();
+        Coupled {
+            name: &coupling.name,
+            noun,
+            links: coupling.wheels,
+            carrier: coupling.carrier,
+            rule: match following {
+                Following::Turns(ratio) => Rule::Turns(ratio),
+                Following::Slides(radius) => Rule::Slides(radius),
+                Following::InWords(words) => Rule::InWords(words),
+            },
+            offset: coupling.offset,
+        }
+    });
+    Closure::new(links.collect(), edges.collect(), couplings.collect())
 }
 
 /// J where the linkage is put together.

@@ -6,6 +6,7 @@
 //! `shaft`. Long chains are abbreviated: first, generic and last mass.
 
 mod chain;
+mod closure;
 mod contact;
 mod contact_force;
 mod inputs;
@@ -328,5 +329,7 @@ fn list(
     });
 }
 
+#[cfg(test)]
+mod closure_tests;
 #[cfg(test)]
 mod tests;

@@ -1,7 +1,12 @@
 //! The equations of a linkage of several inputs: one line an input.
 
+use super::closure::ClosurePosition;
+use super::linkage::{coordinate as coordinate_of, graph};
 use super::{LONGEST_WRITTEN_OUT, Section};
 use crate::dynamics::model::{Coordinate, Model, MultiLinkageBody};
+use crate::kinematics::linkage::multi::MultiMotion;
+use crate::kinematics::linkage::multi::spec::InputCoordinate;
+use crate::math::jet::Jet;
 use crate::report::math::{Expr, Index, Symbol, symbol};
 use crate::report::show::units;
 
@@ -47,8 +52,39 @@ pub(super) fn section(model: &Model, object: usize, body: &MultiLinkageBody) -> 
         };
         section.line(word("T", inputs[k].name.clone()), Expr::sum(terms), remark);
     }
+    closing(body, &coordinate, &mut section);
     entries(body, &mass, &mut section);
     section
+}
+
+/// The closing equations: what each input is, and the vector loops of the links.
+fn closing(body: &MultiLinkageBody, coordinate: &dyn Fn(usize) -> Symbol, section: &mut Section) {
+    let linkage = &body.linkage;
+    let spec = &linkage.spec().linkage;
+    for (k, input) in linkage.inputs().iter().enumerate() {
+        let of_link =
+            |letter, link: usize| symbol(letter, Index::Word(spec.links[link].name.clone())).expr();
+        let what = match input.coordinate {
+            InputCoordinate::Pair(pair) => coordinate_of(spec, pair),
+            InputCoordinate::X(link) => of_link("x", link),
+            InputCoordinate::Y(link) => of_link("y", link),
+            InputCoordinate::Angle(link) => of_link("θ", link),
+        };
+        section.line(coordinate(k), what, format!("the input {}", input.name));
+    }
+    let starts: Vec<Jet> = (linkage.inputs().iter())
+        .map(|input| Jet {
+            value: input.start,
+            ..Jet::default()
+        })
+        .collect();
+    let mut motion = MultiMotion::new(linkage);
+    let solved = motion.set_inputs(&starts);
+    let position = ClosurePosition {
+        angle: &|link| motion.angle(link).value,
+        pair: &|pair| motion.pair(pair).value,
+    };
+    graph(spec).write(section, solved.is_ok().then_some(&position));
 }
 
 /// M on its diagonal where the linkage is put together.

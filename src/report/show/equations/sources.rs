@@ -90,7 +90,10 @@ pub(super) fn rigid(model: &Model, object: usize, law: &Law) -> Section {
     );
     lift_off(part, of_object("F", model, object).expr(), &mut section);
     match body {
-        Some(body) => linkage::entry(model, object, body, &mut section),
+        Some(body) => {
+            linkage::closing(model, object, body, &mut section);
+            linkage::entry(model, object, body, &mut section);
+        }
         None if part.kind == OUTPUT => {}
         None => inertia_entry_of(model, object, &mut section),
     }

@@ -93,7 +93,7 @@ fn latex_is_balanced_for_every_kind_of_load() {
 }
 
 /// Value of a formula, given the values of its symbols.
-fn value(expr: &Expr, of: &dyn Fn(&Symbol) -> f64) -> f64 {
+pub(super) fn value(expr: &Expr, of: &dyn Fn(&Symbol) -> f64) -> f64 {
     let all = |list: &[Expr]| list.iter().map(|e| value(e, of)).collect::<Vec<_>>();
     match expr {
         Expr::Number(number) | Expr::Angle(number) => *number,
@@ -103,6 +103,8 @@ fn value(expr: &Expr, of: &dyn Fn(&Symbol) -> f64) -> f64 {
         Expr::Product(factors) => all(factors).iter().product(),
         Expr::Quotient(top, bottom) => value(top, of) / value(bottom, of),
         Expr::Power(base, power) => value(base, of).powi(power.cast_signed()),
+        Expr::Function("cos", argument) => value(argument, of).cos(),
+        Expr::Function("sin", argument) => value(argument, of).sin(),
         other => panic!("{other:?}"),
     }
 }

@@ -21,7 +21,7 @@ use super::outline::Outline;
 use super::reader::{Domain, JointReader};
 #[cfg(test)]
 use super::tests::Sample;
-use super::{CouplingKind, CouplingSpec, Declaration, Joint, Kind, Words};
+use super::{CouplingKind, CouplingSpec, Declaration, Following, Joint, Kind, Words};
 use crate::fault::Faults;
 use crate::kinematics::cam::spec::Surface;
 use crate::kinematics::linkage::spec::pair::{PairSpec, PointOf};
@@ -177,6 +177,11 @@ impl Kind for Box<CamPairSpec> {
         };
         let roller = Outline::Roller(other, self.roller, self.roller_radius);
         flanks.into_iter().map(flank).chain([roller]).collect()
+    }
+
+    fn following(&self) -> (&'static str, Following) {
+        let rule = "the centre of the roller lies on the pitch curve of the cam";
+        ("cam", Following::InWords(rule))
     }
 
     fn words(&self) -> Words {
