@@ -3,14 +3,14 @@
 use crate::dynamics::record::Figures;
 use crate::dynamics::record::Quantity;
 use crate::report::abscissa::Abscissa;
-use crate::report::addresses::RESULTS;
+use crate::report::addresses::{RESULTS, in_words, parameter_words, result_words};
 use crate::report::diagram::Diagram;
 use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{significant, units};
+use crate::report::quantity::{significant, units, with_unit};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
@@ -63,7 +63,13 @@ pub fn findings<'a>(
         (label(comparison, run), text)
     };
     source.more.extend(all.iter().map(of));
-    let enough = comparison.enough().into_iter().map(Item::Words).collect();
+    let converged = |value: f64, error: f64, unit: &str| {
+        format!("{} ± {}", with_unit(value, unit, 6), with_unit(error, unit, 2))
+    };
+    let enough = comparison.enough(converged).into_iter();
+    let over_words = parameter_words(&comparison.over);
+    let named = |text: String| in_words(&text.replace(&comparison.over, &over_words));
+    let enough = enough.map(|text| Item::Words(named(text))).collect();
     let mut sections = vec![
         Section {
             heading: String::new(),
@@ -81,6 +87,10 @@ pub fn findings<'a>(
             Section::default()
                 .drawing(move |plots| runs::section(plots, &series(comparison, over), &id, &kind)),
         );
+        let id = one.id.clone();
+        sections.push(Section::default().drawing(move |plots| {
+            runs::differences(plots, &series(comparison, over), &id)
+        }));
         sections.push(figures(&comparison.table, &one.id));
     }
     sections.push(figures(&comparison.table, "run"));
@@ -93,7 +103,7 @@ pub fn findings<'a>(
         title: scene.to_owned(),
         subtitle: format!("{} runs compared; {shares} {against}", all.len()),
         answer: Some(answer(all)),
-        warnings,
+        warnings: warnings.into_iter().map(named).collect(),
         sections,
         source,
     }
@@ -107,7 +117,7 @@ fn is_refinement(over: &str) -> bool {
 }
 
 fn label(comparison: &Comparison, run: &ComparedRun) -> String {
-    format!("{} = {}", comparison.over, run.label)
+    format!("{} = {}", parameter_words(&comparison.over), run.label)
 }
 
 /// How far the greatest deviation depends on what is compared, and whether a run is in doubt.
@@ -215,7 +225,7 @@ pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'
     let limit = limit.into_iter().take(2 * usize::from(table.against_limit));
     let heads: Vec<String> = values.chain(limit).collect();
     let heads = heads.iter().map(String::as_str);
-    let heading = format!("Results of {id} over {}", table.over);
+    let heading = format!("Results of {id} over {}", parameter_words(&table.over));
     let rows = table.rows.iter().filter_map(own);
     let table = Table::new(std::iter::once("result").chain(heads)).rows(rows);
     Section::new(heading).table(table).words(left_out)
@@ -259,7 +269,10 @@ fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
     let settled = settled.into_iter().take(2 * usize::from(against_limit));
     let first = match words {
         Some((_, words)) => Cell::with(*words, name),
-        None => Cell::from(name),
+        None => match result_words(&row.figure) {
+            words if words == row.figure => Cell::from(name),
+            words => Cell::address(name, words),
+        },
     };
     std::iter::once(first)
         .chain(values)

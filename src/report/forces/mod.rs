@@ -5,6 +5,7 @@ mod charts;
 mod document;
 mod drawing;
 mod findings;
+mod words;
 
 pub use charts::massless_chart;
 pub use document::document;

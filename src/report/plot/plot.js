@@ -195,9 +195,11 @@ const live = (() => {
     // -- drawing
     // Width that there is; asked of the page only where it has not told of it.
     room() { return this.width ?? this.svg.parentNode.clientWidth; }
+    // Width on paper (pixels): of two beside each other that of a half, so that letters keep their size.
+    paper() { return Math.min(this.svg.closest(".plots:not(.single), .panels:not(.single)") ? 338 : 700, this.size[0]); }
     fit(room) {
       if (this.fluid) {
-        const total = Math.max(280, printing ? Math.min(700, this.size[0]) : room);
+        const total = Math.max(280, printing ? this.paper() : room);
         let x = this.drawn.left, row = 0;
         for (const entry of this.entries) {
           const room = +entry.dataset.room;
