@@ -1,5 +1,7 @@
 //! Addresses of results and of parameters in words: `rocker.delta_abs` as greatest |δ| of rocker.
 
+use super::verdict::capitalised;
+
 /// Results of an object, in words.
 pub(in crate::report) const RESULTS: [(&str, &str); 27] = [
     ("delta_abs", "greatest |δ|"),
@@ -49,8 +51,14 @@ const OF_THE_MACHINE: [(&str, &str); 22] = [
     ("steady.speed_at_start", "speed at φ = 0"),
     ("steady.fluctuation", "coefficient of speed fluctuation"),
     ("steady.energy_at_start", "kinetic energy at φ = 0"),
-    ("steady.reference_energy", "kinetic energy at the least inertia"),
-    ("steady.energy_fluctuation", "fluctuation of the kinetic energy"),
+    (
+        "steady.reference_energy",
+        "kinetic energy at the least inertia",
+    ),
+    (
+        "steady.energy_fluctuation",
+        "fluctuation of the kinetic energy",
+    ),
     ("steady.cycle_work", "work of a cycle"),
     ("steady.balance", "moment that balances the cycle"),
     ("steady.multiplier", "multiplier of a cycle"),
@@ -64,7 +72,10 @@ pub(in crate::report) fn result_words(address: &str) -> String {
     let known = known.or_else(|| of_a_study(address)).or_else(|| {
         RESULTS.iter().find_map(|(name, words)| {
             let object = address.strip_suffix(name)?.strip_suffix('.')?;
-            Some(format!("{words} of {object}"))
+            Some(match words.strip_suffix(" at the end") {
+                Some(words) => format!("{words} of {object} at the end"),
+                None => format!("{words} of {object}"),
+            })
         })
     });
     known.unwrap_or_else(|| address.to_owned())
@@ -78,9 +89,11 @@ fn of_a_study(address: &str) -> Option<String> {
         ["frequency", "open", at] if number(at) => {
             Some(format!("natural frequency {at}, contacts separated"))
         }
-        ["cam", ref object @ .., what] if !object.is_empty() => {
-            Some(format!("{} of the cam of {}", what.replace('_', " "), object.join(".")))
-        }
+        ["cam", ref object @ .., what] if !object.is_empty() => Some(format!(
+            "{} of the cam of {}",
+            what.replace('_', " "),
+            object.join(".")
+        )),
         _ => None,
     }
 }
@@ -95,9 +108,20 @@ pub(in crate::report) fn in_words(text: &str) -> String {
         let token = &rest[..length.max(first.len_utf8())];
         let address = token.trim_end_matches('.');
         let free = !code && !out.ends_with(['=', '-', '/']) && !rest[length..].starts_with('=');
-        let option = out.rsplit(' ').nth(1).is_some_and(|word| word.starts_with("--"));
+        let option = out
+            .rsplit(' ')
+            .nth(1)
+            .is_some_and(|word| word.starts_with("--"));
         match free && !option && address.len() < text.len() && address.contains('.') {
-            true => out.push_str(&(result_words(address) + &token[address.len()..])),
+            true => {
+                let words = result_words(address) + &token[address.len()..];
+                let begins = out.is_empty() || out.ends_with(". ");
+                out.push_str(&if begins && words != token {
+                    capitalised(&words)
+                } else {
+                    words
+                });
+            }
             false => out.push_str(token),
         }
         code ^= token == "`";
@@ -162,7 +186,11 @@ mod tests {
         );
         for (address, words) in [
             ("frequency.1", "natural frequency 1"),
-            ("frequency.open.2", "natural frequency 2, contacts separated"),
+            (
+                "frequency.open.2",
+                "natural frequency 2, contacts separated",
+            ),
+            ("rocker.final.speed", "speed of rocker at the end"),
             ("steady.fluctuation", "coefficient of speed fluctuation"),
             ("cam.valve.least_radius", "least radius of the cam of valve"),
             ("run.switches", "events"),
@@ -204,16 +232,23 @@ mod tests {
         for (text, words) in [
             (
                 "rocker.delta_abs leads to 0.0075 rad.",
-                "greatest |δ| of rocker leads to 0.0075 rad.",
+                "Greatest |δ| of rocker leads to 0.0075 rad.",
             ),
+            ("see run. It", "see run. It"),
             ("it has no lever.sigma.", "it has no mean |δ| of lever."),
             ("rocker.delta_abs", "rocker.delta_abs"),
             (
                 "write --figure rocker.sigma, or `rocker.sigma`; δ of rocker.sigma: 1.5",
                 "write --figure rocker.sigma, or `rocker.sigma`; δ of mean |δ| of rocker: 1.5",
             ),
-            ("--accuracy rocker.delta_abs=1", "--accuracy rocker.delta_abs=1"),
-            ("see record.csv, e.g. run.json", "see record.csv, e.g. run.json"),
+            (
+                "--accuracy rocker.delta_abs=1",
+                "--accuracy rocker.delta_abs=1",
+            ),
+            (
+                "see record.csv, e.g. run.json",
+                "see record.csv, e.g. run.json",
+            ),
         ] {
             assert_eq!(in_words(text), words);
         }

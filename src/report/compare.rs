@@ -64,7 +64,15 @@ pub fn findings<'a>(
     };
     source.more.extend(all.iter().map(of));
     let converged = |value: f64, error: f64, unit: &str| {
-        format!("{} ± {}", with_unit(value, unit, 6), with_unit(error, unit, 2))
+        let share = percent(error / value.abs());
+        match value == 0.0 {
+            true => format!(
+                "{} ± {}",
+                with_unit(value, unit, 6),
+                with_unit(error, unit, 2)
+            ),
+            false => format!("{} ± {share}", with_unit(value, unit, 6)),
+        }
     };
     let enough = comparison.enough(converged).into_iter();
     let over_words = parameter_words(&comparison.over);
@@ -88,9 +96,10 @@ pub fn findings<'a>(
                 .drawing(move |plots| runs::section(plots, &series(comparison, over), &id, &kind)),
         );
         let id = one.id.clone();
-        sections.push(Section::default().drawing(move |plots| {
-            runs::differences(plots, &series(comparison, over), &id)
-        }));
+        sections.push(
+            Section::default()
+                .drawing(move |plots| runs::differences(plots, &series(comparison, over), &id)),
+        );
         sections.push(figures(&comparison.table, &one.id));
     }
     sections.push(figures(&comparison.table, "run"));
@@ -309,12 +318,13 @@ fn series<'a>(comparison: &'a Comparison, over: &'a Abscissa) -> Vec<RunSeries<'
 #[cfg(test)]
 mod tests {
     use super::{chart, findings, percent};
-    use crate::dynamics::record::Quantity;
-    use crate::report::abscissa::Abscissa;
+    use crate::dynamics::record::{Quantity, Record};
+    use crate::report::abscissa::{Abscissa, Turns};
     use crate::report::diagram::Diagram;
     use crate::report::findings::Source;
     use crate::report::fitted::fitted;
     use crate::report::fixture;
+    use crate::report::html::runs;
     use crate::studies::compare::compare;
     use crate::studies::run::RunResult;
     use crate::studies::testing::result_with;
@@ -326,8 +336,8 @@ mod tests {
         }
     }
 
-    #[test]
-    fn runs_stand_side_by_side() {
+    /// Runs of the lever with 1, 2 and 10 masses.
+    fn masses_compared() -> super::Comparison {
         let labels = ["1", "2", "10"].map(str::to_owned);
         let run = |label: &str| -> Result<RunResult, ()> {
             let (figures, record) = fixture::run(label.parse().unwrap(), 0.05, 200);
@@ -337,7 +347,65 @@ mod tests {
                 ..result_with(|_| {})
             })
         };
-        let comparison = compare("rocker.masses", &labels, run).unwrap();
+        compare("rocker.masses", &labels, run).unwrap()
+    }
+
+    #[test]
+    fn differences_from_the_last_run_are_those_of_the_same_instant() {
+        let comparison = masses_compared();
+        let all = super::series(&comparison, &Abscissa::Time);
+        let shown = runs::difference(&all, "rocker", Quantity::Delta, "").unwrap();
+        let labels: Vec<&str> = shown.series.iter().map(|one| one.label.as_str()).collect();
+        assert_eq!(labels, ["masses of rocker = 1", "masses of rocker = 2"]);
+        for (series, run) in shown.series.iter().zip(&comparison.runs) {
+            assert!(series.points.len() > 100, "{}", series.points.len());
+            // The only row of an instant, found by looking through all of them.
+            let value = |record: &Record, time: f64| {
+                let rows = (0..record.times.len()).filter(|&row| record.times[row] == time);
+                let [row] = rows.collect::<Vec<_>>()[..] else {
+                    panic!("{time}")
+                };
+                record.column("rocker", Quantity::Delta).unwrap().values[row]
+            };
+            let last = &comparison.runs[2].result.record;
+            for &(time, difference) in &series.points {
+                let expected = value(&run.result.record, time) - value(last, time);
+                assert_eq!(difference, expected, "{} at {time}", series.label);
+            }
+        }
+        // The drive moves alike in all: nothing is shown of it.
+        assert!(runs::difference(&all, "shaft", Quantity::Displacement, "").is_none());
+        assert!(runs::difference(&all[..1], "rocker", Quantity::Delta, "").is_none());
+    }
+
+    #[test]
+    fn differences_over_an_angle_need_the_same_angle() {
+        let mut comparison = masses_compared();
+        let over = Abscissa::Angle {
+            drive: "shaft".to_owned(),
+            turns: Turns::Behind,
+        };
+        let all = super::series(&comparison, &over);
+        let shown = runs::difference(&all, "rocker", Quantity::Delta, "").unwrap();
+        assert_eq!((shown.x.unit.as_str(), shown.series.len()), ("deg", 2));
+        // A drive that lags behind is nowhere at the same angle at the same time.
+        let columns = &mut comparison.runs[0].result.record.columns;
+        let lagging = (columns.iter_mut())
+            .find(|one| one.object == "shaft" && one.quantity == Quantity::Displacement);
+        lagging
+            .unwrap()
+            .values
+            .iter_mut()
+            .for_each(|angle| *angle -= 1e-3);
+        let all = super::series(&comparison, &over);
+        let shown = runs::difference(&all, "rocker", Quantity::Delta, "").unwrap();
+        assert_eq!(shown.series.len(), 1);
+        assert_eq!(shown.series[0].label, "masses of rocker = 2");
+    }
+
+    #[test]
+    fn runs_stand_side_by_side() {
+        let comparison = masses_compared();
         let diagram = Diagram::of(&fixture::rocker(2));
         let source = Source::scene(include_str!("fixture/scene.json"), "");
         let found = findings(
@@ -348,7 +416,10 @@ mod tests {
             source,
         );
         let page = found.page();
-        assert!(page.contains("errors against rocker.masses = 10"));
+        assert!(page.contains("errors against masses of rocker = 10"));
+        let differences = "<h3>Differences of rocker from the run with masses of rocker = 10</h3>";
+        assert!(page.contains(differences));
+        assert!(page.contains("Δ Positioning error δ") && !page.contains("Differences of shaft"));
         assert!(page.contains("The paper&#39;s &lt;figures&gt;"));
         // In 80 columns each row of figures stands whole, under its own name.
         let text = fitted(&found.text(Some(80)), 80);

@@ -54,7 +54,11 @@ fn sought(answer: &FoundValue) -> String {
     let subject = subject.collect::<Vec<_>>().join(", ");
     let wanted = match &answer.goal {
         Some(goal) if goal.is_parameter => format!("the {} {path}", goal.aim.words()),
-        Some(goal) => format!("{path} for the {} {}", goal.aim.words(), result_words(&goal.of)),
+        Some(goal) => format!(
+            "{path} for the {} {}",
+            goal.aim.words(),
+            result_words(&goal.of)
+        ),
         None => format!("the ranges of {path}"),
     };
     match subject.as_str() {
@@ -328,7 +332,10 @@ fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
     let limits = answer.conditions.iter().filter(|one| one.figure == name);
     let limits = limits.map(|one| {
         let limit = figure(answer, name, Some(one.value));
-        Rule::level(one.value, format!("{} {limit}", written(one.relation.sign())))
+        Rule::level(
+            one.value,
+            format!("{} {limit}", written(one.relation.sign())),
+        )
     });
     let best = answer.found.best.as_ref().map(|best| {
         let point = (best.sample.value, value(&best.sample).unwrap_or(f64::NAN));

@@ -303,8 +303,8 @@ pub(in crate::report) fn capitalised(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{Sort, run_answer, verdict};
-    use crate::report::sentence::Sentence;
     use crate::report::fixture;
+    use crate::report::sentence::Sentence;
 
     #[test]
     fn mechanism_and_computation_are_judged_apart() {

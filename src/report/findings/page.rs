@@ -234,7 +234,7 @@ impl Table {
             let below = |text: String| format!("<span class=\"sub\">{text}</span>");
             let mut note = match cell.words.is_empty() {
                 true => String::new(),
-                false => below(value(&cell.value)),
+                false => below(escape(&cell.value.words())),
             };
             if !cell.note.is_empty() {
                 note.push_str(&below(prose(&cell.note)));

@@ -232,7 +232,11 @@ impl Cell {
     /// An address with its words, which may be the address itself.
     pub fn address(address: &str, words: String) -> Self {
         Self {
-            words: if words == address { String::new() } else { words },
+            words: if words == address {
+                String::new()
+            } else {
+                words
+            },
             ..address.into()
         }
     }

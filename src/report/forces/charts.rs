@@ -49,19 +49,18 @@ pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
         .iter()
         .map(|pair| change(&pair.name, "friction"));
     let by_mass = linkage.links.iter().map(|link| change(&link.name, "mass"));
-    let title = format!("Change of the {} by", driving(study.drive_unit()));
     let sensitivity = vec![
-        chart(
-            &format!("{title} coefficients of friction"),
-            by_friction.collect(),
-        ),
-        chart(&format!("{title} masses"), by_mass.collect()),
+        chart("Change by coefficients of friction", by_friction.collect()),
+        chart("Change by masses", by_mass.collect()),
     ];
     vec![
         section(&heading(study, &all), drive(study, &all, &chart)),
         section("Reactions", reactions),
         section("The frame", frame),
-        section("Sensitivity", sensitivity),
+        section(
+            &format!("Sensitivity of the {}", driving(study.drive_unit())),
+            sensitivity,
+        ),
     ]
 }
 

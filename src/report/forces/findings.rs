@@ -35,7 +35,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
             study.settings.convention,
         );
         let name = convention.name();
-        let _ = write!(subtitle, "; output {output}, sign of χ by the convention `{name}`");
+        let _ = write!(subtitle, "; output {output}, sign of χ: convention {name}");
     }
     let drawn = *report;
     let mechanism = match study.solved().next() {

@@ -43,7 +43,9 @@ pub(super) fn inputs(study: &ForceStudy) -> Vec<&str> {
 pub(super) fn quantity_words(address: &str, unit: &str, inputs: &[&str]) -> String {
     let known = OF_ALL.iter().find(|(name, _)| *name == address);
     // (A joint may be called `drive` too.)
-    let at = address.split_once('.').filter(|(_, at)| inputs.contains(at));
+    let at = address
+        .split_once('.')
+        .filter(|(_, at)| inputs.contains(at));
     match (known, at) {
         (Some(("drive", _)), _) => driving(unit).to_owned(),
         (Some((_, words)), _) => (*words).to_owned(),

@@ -98,7 +98,8 @@ pub(in crate::report) fn warnings(warnings: &[String]) -> String {
     if warnings.is_empty() {
         return String::new();
     }
-    let item = |warning: &String| format!("<li>{}</li>\n", Sentence::read(&in_words(warning)).html());
+    let item =
+        |warning: &String| format!("<li>{}</li>\n", Sentence::read(&in_words(warning)).html());
     let items: String = warnings.iter().map(item).collect();
     format!("<h2>Warnings</h2>\n<ul class=\"warnings\">\n{items}</ul>\n")
 }

@@ -1,8 +1,8 @@
 //! Error against cost over models.
 
 use crate::frontend::scene::in_words;
-use crate::report::addresses::result_words;
 use crate::report::accuracy::{LEAST, requested_error_line};
+use crate::report::addresses::result_words;
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
 use crate::studies::order::FigureAccuracy;

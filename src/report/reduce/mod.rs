@@ -79,7 +79,10 @@ fn excess(reduction: &Reduction) -> String {
             size(error),
             size(accuracy.asked)
         ),
-        None => format!(" The scene as given is not that accurate: it has no {}.", result_words(figure)),
+        None => format!(
+            " The scene as given is not that accurate: it has no {}.",
+            result_words(figure)
+        ),
     }
 }
 

@@ -12,8 +12,8 @@ use super::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use super::html::{mechanism, runs};
 use super::machine::Machine;
 use super::quantity::{significant, units, with_unit};
-use super::thinned::drawn;
 use super::sentence::Sentence;
+use super::thinned::drawn;
 use super::verdict::run_answer;
 use crate::dynamics::record::{Figures, Record};
 use crate::studies::order::Certificate;
@@ -109,7 +109,8 @@ fn result(figures: &Figures, diagram: &Diagram) -> Option<Sentence> {
     let said = match of(one).peak_reaction > 0.0 {
         true => {
             let force = of(one).peak_reaction;
-            said.words(", peak reaction: ").quantity(force, units(one).force, ANSWER)
+            said.words(", peak reaction: ")
+                .quantity(force, units(one).force, ANSWER)
         }
         false => said,
     };
