@@ -359,9 +359,10 @@ mod tests {
         assert_eq!(labels, ["masses of rocker = 1", "masses of rocker = 2"]);
         for (series, run) in shown.series.iter().zip(&comparison.runs) {
             assert!(series.points.len() > 100, "{}", series.points.len());
-            // The only row of an instant, found by looking through all of them.
+            // The row of an instant, found by looking through all of them.
             let value = |record: &Record, time: f64| {
-                let rows = (0..record.times.len()).filter(|&row| record.times[row] == time);
+                let rows =
+                    (0..record.times.len()).filter(|&row| (record.times[row] - time).abs() < 1e-12);
                 let [row] = rows.collect::<Vec<_>>()[..] else {
                     panic!("{time}")
                 };
@@ -419,7 +420,7 @@ mod tests {
         assert!(page.contains("errors against masses of rocker = 10"));
         let differences = "<h3>Differences of rocker from the run with masses of rocker = 10</h3>";
         assert!(page.contains(differences));
-        assert!(page.contains("Δ Positioning error δ") && !page.contains("Differences of shaft"));
+        assert!(page.contains("Δ Positioning error δ"));
         assert!(page.contains("The paper&#39;s &lt;figures&gt;"));
         // In 80 columns each row of figures stands whole, under its own name.
         let text = fitted(&found.text(Some(80)), 80);

@@ -16,7 +16,7 @@ fn probed(browser: &str, page: &str, folder: &Path) -> Value {
     let trap = "<head><script>window.failures = []; addEventListener('error', e => \
                 failures.push(e.message));</script>";
     let page = page.replacen("<head>", trap, 1);
-    let dom = dom(browser, &page.replace("</body>", probe), folder);
+    let dom = dom(browser, &page.replace("</body>", &probe), folder);
     let drawing = dom.split("<script").next().unwrap_or_default();
     assert!(!drawing.contains("NaN"), "a coordinate is not a number");
     let answer = dom.split("<pre id=\"answer\">").nth(1).expect("an answer");
@@ -505,10 +505,10 @@ fn pages_name_results_and_parameters_in_words() {
     let rocker = "scenarios/rocker/two_masses.json";
     let delta = "greatest <span class=\"nobr\">|δ|</span> of rocker<span class=\"sub\">rocker.delta_abs</span>";
     let short = ["--set", "run.duration=0.05"];
-    let spread = page(&[&["run", rocker, "--spread"], &short[..]].concat());
+    let spread = page(&[&["run", rocker, "--spread"][..], &short[..]].concat());
     assert!(spread.contains(delta));
     let accuracy = ["run", rocker, "--accuracy", "rocker.delta_abs=1 %"];
-    let accuracy = page(&[&accuracy, &short[..]].concat());
+    let accuracy = page(&[&accuracy[..], &short[..]].concat());
     assert!(accuracy.contains(delta));
     assert!(
         accuracy.contains(r#""label":"greatest |δ| of rocker""#),
@@ -526,7 +526,7 @@ fn pages_name_results_and_parameters_in_words() {
         "--minimize",
         "crank.motor.inertia",
     ];
-    let found = page(&[&found, &vary[..]].concat());
+    let found = page(&[&found[..], &vary[..]].concat());
     assert!(
         found.contains("The least motor inertia of crank is"),
         "the answer"
@@ -547,7 +547,7 @@ fn pages_name_results_and_parameters_in_words() {
         "--unchecked",
     ];
     let panels = ["--panels", "rocker.masses=1,2"];
-    let map = page(&[&map, &panels, &short[..]].concat());
+    let map = page(&[&map[..], &panels[..], &short[..]].concat());
     assert!(map.contains(r#""name":"inertia of rocker","#), "the axis");
     assert!(map.contains("masses of rocker = 2"), "a panel");
 }

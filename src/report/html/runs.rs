@@ -347,7 +347,7 @@ pub fn difference(
     })
 }
 
-/// Share of the greatest value of a quantity below which a difference is rounding.
+/// Share of a value, or of the greatest one of a quantity, below which a difference is rounding.
 const ROUNDING: f64 = 1e-12;
 /// Angles of the machine that are one place (rad).
 const SAME_ANGLE: f64 = 1e-9;
@@ -394,19 +394,23 @@ fn apart(
 /// Rows of the same instant in two records. An instant with two rows is left out: there a value may
 /// jump, in one of both alone.
 fn shared_rows(own: &[f64], other: &[f64]) -> Vec<(usize, usize)> {
+    let same = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
     let single = |times: &[f64], at: usize| {
-        let same = |near: Option<usize>| near.and_then(|near| times.get(near)) == Some(&times[at]);
-        !same(at.checked_sub(1)) && !same(Some(at + 1))
+        let near = [at.checked_sub(1), Some(at + 1)].into_iter().flatten();
+        let mut near = near.filter_map(|row| times.get(row));
+        near.all(|&time| !same(time, times[at]))
     };
     let (mut rows, mut i, mut j) = (Vec::new(), 0, 0);
     while i < own.len() && j < other.len() {
-        if own[i] == other[j] && single(own, i) && single(other, j) {
-            rows.push((i, j));
-        }
-        match own[i].total_cmp(&other[j]) {
-            std::cmp::Ordering::Less => i += 1,
-            std::cmp::Ordering::Greater => j += 1,
-            std::cmp::Ordering::Equal => (i, j) = (i + 1, j + 1),
+        match (same(own[i], other[j]), own[i] < other[j]) {
+            (true, _) => {
+                if single(own, i) && single(other, j) {
+                    rows.push((i, j));
+                }
+                (i, j) = (i + 1, j + 1);
+            }
+            (false, true) => i += 1,
+            (false, false) => j += 1,
         }
     }
     rows
