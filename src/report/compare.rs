@@ -10,7 +10,7 @@ use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Valu
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{significant, units, with_unit};
+use crate::report::quantity::{scale, significant, units};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
@@ -64,15 +64,10 @@ pub fn findings<'a>(
     };
     source.more.extend(all.iter().map(of));
     let converged = |value: f64, error: f64, unit: &str| {
-        let share = percent(error / value.abs());
-        match value == 0.0 {
-            true => format!(
-                "{} ± {}",
-                with_unit(value, unit, 6),
-                with_unit(error, unit, 2)
-            ),
-            false => format!("{} ± {share}", with_unit(value, unit, 6)),
-        }
+        let shown = scale(value, unit);
+        let [value, error] = [(value, 6), (error, 2)]
+            .map(|(number, digits)| significant(number / shown.factor, digits));
+        format!("{value} ± {error} {}", shown.unit)
     };
     let enough = comparison.enough(converged).into_iter();
     let over_words = parameter_words(&comparison.over);

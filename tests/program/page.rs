@@ -426,7 +426,7 @@ fn charts_are_saved_as_pictures() {
     let answer = dom.split("<pre id=\"answer\">").nth(1).unwrap();
     let answer: Value = serde_json::from_str(answer.split("</pre>").next().unwrap()).unwrap();
     assert_eq!(answer["all"], true);
-    let names = ["valve.contact_force.png", "valve.contact_force.svg"];
+    let names = ["valve.contact-force.png", "valve.contact-force.svg"];
     assert_eq!(answer["saved"], serde_json::json!(names));
     assert_eq!(
         [&answer["wrong"], &answer["outside"]],

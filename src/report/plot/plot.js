@@ -200,7 +200,7 @@ const live = (() => {
     paper() { return Math.min(this.beside([".plots", ".panels"]) ? 338 : 700, this.size[0]); }
     // A title that is longer than its chart is wide has smaller letters.
     entitled(room) {
-      const title = this.group.querySelector(".title"), wide = 7.6 * (title?.textContent.length ?? 0);
+      const title = this.group.querySelector(".title"), wide = 8.4 * (title?.textContent.length ?? 0);
       if (title) title.style.fontSize = wide > room ? `${fixed(13.5 * room / wide)}px` : "";
     }
     fit(room) {
