@@ -8,7 +8,7 @@ use std::{env, fs, io};
 fn main() -> io::Result<()> {
     println!("cargo::rerun-if-changed=build.rs");
     write("objects", "json", "catalogue.rs", "BUILT_IN", "definition")?;
-    if env::var_os("CARGO_FEATURE_STUDIO").is_some() {
+    if env::var_os("CARGO_FEATURE_LIVE").is_some() {
         write("scenarios", "json", "scenarios.rs", "SCENARIOS", "scenario")?;
         write("scenarios", "csv", "tables.rs", "TABLE_FILES", "table")?;
     }

@@ -3,8 +3,11 @@
 //! One [`Budget`] is made where a question is asked, and passed by reference to all
 //! that may take long. Results do not depend on it, except by being incomplete.
 
+mod clock;
+
+pub(crate) use clock::Instant;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// A deadline and a flag that is raised from outside; by default neither.
 #[derive(Clone, Copy, Debug, Default)]

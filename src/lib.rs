@@ -149,7 +149,11 @@ mod math;
 pub mod prelude;
 pub mod report;
 pub mod studies;
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
+#[cfg_attr(
+    not(feature = "studio"),
+    expect(dead_code, reason = "a server needs more")
+)]
 pub mod studio;
 pub mod units;
 

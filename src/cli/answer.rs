@@ -155,7 +155,7 @@ impl Answer<'_> {
     }
 
     /// Names of the files.
-    #[cfg(feature = "studio")]
+    #[cfg(feature = "live")]
     pub(crate) fn names(&self) -> Vec<&str> {
         self.files.iter().map(|(name, _)| name.as_str()).collect()
     }

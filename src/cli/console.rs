@@ -54,15 +54,24 @@ enum Stream {
 fn width(stream: Stream) -> Option<usize> {
     let said = std::env::var("COLUMNS").ok();
     let said = said.and_then(|said| said.parse().ok());
-    let found = || {
-        let (terminal, shown) = match stream {
-            Stream::Output => (::console::Term::stdout(), std::io::stdout().is_terminal()),
-            Stream::Error => (::console::Term::stderr(), std::io::stderr().is_terminal()),
-        };
-        let size = terminal.size_checked().filter(|_| shown);
-        size.map(|(_, columns)| usize::from(columns))
+    said.or_else(|| terminal_width(stream))
+        .filter(|width| *width >= 20)
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn terminal_width(stream: Stream) -> Option<usize> {
+    let (terminal, shown) = match stream {
+        Stream::Output => (::console::Term::stdout(), std::io::stdout().is_terminal()),
+        Stream::Error => (::console::Term::stderr(), std::io::stderr().is_terminal()),
     };
-    said.or_else(found).filter(|width| *width >= 20)
+    let size = terminal.size_checked().filter(|_| shown);
+    size.map(|(_, columns)| usize::from(columns))
+}
+
+/// A browser tab has no terminal.
+#[cfg(target_family = "wasm")]
+fn terminal_width(_: Stream) -> Option<usize> {
+    None
 }
 
 /// Result of a write to standard output.

@@ -25,7 +25,7 @@ pub(crate) struct Input<'a> {
 
 impl<'a> Input<'a> {
     /// A text that is no file, with what it may copy from and the time that there is for it.
-    #[cfg(feature = "studio")]
+    #[cfg(feature = "live")]
     pub(crate) fn of_text(
         (name, text): (&str, &str),
         folder: impl Catalogue + Sync + 'a,

@@ -126,6 +126,7 @@ pub(crate) fn status() -> Status {
 }
 
 /// A signal has come; `code` is its exit status.
+#[cfg(not(target_family = "wasm"))]
 fn handle_signal(code: u8) {
     if SIGNALLED.load(Ordering::Relaxed) {
         std::process::exit(i32::from(code));
@@ -157,8 +158,11 @@ fn listen() {
     });
 }
 
-#[cfg(not(unix))]
+#[cfg(target_family = "wasm")]
+fn listen() {}
+
+#[cfg(not(any(unix, target_family = "wasm")))]
 fn listen() {
     // Without a handler Ctrl-C still ends the program, only less politely.
-    let _ = ctrlc::set_handler(|| heard(130));
+    let _ = ctrlc::set_handler(|| handle_signal(130));
 }

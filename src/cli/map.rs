@@ -4,15 +4,15 @@ use super::answer::{
     Answer, AnswerForm, Content, Document, DocumentWithWarnings, Files, PAGE, files,
 };
 use super::args::MapArgs;
+use super::bar::Bar;
 use super::console;
 use super::failure::Failure;
 use super::input::Input;
 use super::interrupt;
 use super::journal::{Journal, LARGEST};
 use super::output::OutputFolder;
-use super::progress::PATIENCE;
 use super::status::Status;
-use crate::frontend::diagnostics::printable;
+use crate::budget::Instant;
 use crate::report::findings::Source;
 use crate::report::map::{document, findings, map_rows, picture};
 use crate::studies::axis::Axis;
@@ -20,13 +20,11 @@ use crate::studies::limit::without_limit;
 use crate::studies::map::{
     Cell, Listener, MapResult, Panels, Question, Study, StudyFault, journal, map, map_cells,
 };
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::collections::BTreeMap;
 use std::fs::File;
-use std::io::{IsTerminal, Read};
+use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 const FILES: [&str; 5] = ["map.csv", "map.json", "map.svg", PAGE, "timing.json"];
 
@@ -245,49 +243,27 @@ fn print_summary(
 /// Keeps finished rows and shows how far the map is.
 struct Watch<'a> {
     journal: Option<&'a Journal>,
-    bar: Option<ProgressBar>,
-    begun: Instant,
+    bar: Bar,
 }
 
 impl<'a> Watch<'a> {
     fn new(study: &Study<'_>, kept: usize, journal: Option<&'a Journal>, quiet: bool) -> Self {
-        let visible = !quiet && std::io::stderr().is_terminal();
-        let bar = visible.then(|| {
-            let bar = ProgressBar::hidden();
-            bar.set_length(study.cells() as u64);
-            // Known cells cost no time: rate and time left are those of the others.
-            bar.set_position(kept as u64);
-            bar.reset_eta();
-            bar.set_style(style());
-            bar.set_prefix(printable(&study.scene));
-            bar
-        });
+        let template = "{prefix} {bar:30} {pos} of {len} cells, {per_sec}, {eta} left";
+        let cells = (kept as u64, Some(study.cells() as u64));
         Self {
             journal,
-            bar,
-            begun: Instant::now(),
+            bar: Bar::new(template, &study.scene, cells, quiet),
         }
     }
 
     fn finish(&self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
-        }
+        self.bar.finish();
     }
-}
-
-fn style() -> ProgressStyle {
-    let template = "{prefix} {bar:30} {pos} of {len} cells, {per_sec}, {eta} left";
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
 impl Listener for Watch<'_> {
     fn cell(&self) {
-        let Some(bar) = &self.bar else { return };
-        if bar.is_hidden() && self.begun.elapsed() > PATIENCE {
-            bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
-        bar.inc(1);
+        self.bar.advance();
     }
 
     fn row(&self, row: usize, cells: &[Cell]) -> Result<(), String> {

@@ -11,6 +11,7 @@ mod accuracy;
 mod answer;
 mod args;
 mod asker;
+mod bar;
 mod cam;
 mod check;
 mod compare;
@@ -32,7 +33,7 @@ mod new;
 mod output;
 mod progress;
 mod quantity;
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(crate) mod questions;
 mod reduce;
 mod run;
@@ -97,6 +98,12 @@ fn run(command: &Command) -> Result<Status, Failure> {
         Command::Forces(args) => forces::command(args, &Terminal),
         Command::Studio(args) => studio::command(args),
     }
+}
+
+/// The program in a browser tab, which has no server.
+#[cfg(feature = "live")]
+pub fn tab() -> crate::studio::tab::Tab {
+    crate::studio::tab::Tab::new(&questions::Program)
 }
 
 /// Help, the version, or what is wrong with the arguments.

@@ -12,6 +12,7 @@ use super::output::OutputFolder;
 use super::progress::Progress;
 use super::status::Status;
 use crate::ask::ModelAssessment;
+use crate::budget::Instant;
 use crate::dynamics::integrate::{Sink, Stop};
 use crate::dynamics::model::Model;
 use crate::dynamics::record::Figures;
@@ -34,7 +35,6 @@ use crate::studies::spread::{Spread, spread};
 use crate::studies::{RunSettings, lookup, plausible};
 use serde::Serialize;
 use serde_json::Value;
-use std::time::Instant;
 
 const FILES: [&str; 5] = [
     "summary.json",

@@ -30,6 +30,7 @@ impl Status {
     }
 
     /// A signal has come; `code` is the exit status of a command that it ends.
+    #[cfg(not(target_family = "wasm"))]
     pub(crate) fn set_signalled(code: u8) {
         CODE.store(code, Ordering::Relaxed);
     }

@@ -42,6 +42,10 @@ pub(crate) trait Task {
 pub(crate) struct Plain;
 
 /// Fused multiply-add, of one rounding; for processors that have it.
+#[cfg_attr(
+    target_family = "wasm",
+    expect(dead_code, reason = "WebAssembly has none")
+)]
 #[derive(Clone, Copy)]
 pub(crate) struct FusedMultiplyAdd;
 

@@ -41,7 +41,7 @@ pub mod forces;
 pub mod html;
 pub mod kinematics;
 pub mod law;
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(crate) mod live;
 pub mod machine;
 pub mod map;

@@ -29,7 +29,7 @@ pub mod lookup;
 pub mod map;
 mod method;
 pub mod methods;
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(crate) mod offer;
 pub mod order;
 pub mod plausible;

@@ -332,6 +332,19 @@ pub(super) struct Had {
     pub(super) sight: Option<BTreeSet<usize>>,
 }
 
+impl Had {
+    /// The frame of an answer that a window is sent now.
+    pub(super) fn take(&mut self, answer: &Answer) -> Vec<u8> {
+        let frame = answer.frame(self);
+        if self.charts != answer.charts {
+            // Others may be in sight.
+            self.sight = None;
+        }
+        (self.charts, self.pictures) = (answer.charts, answer.pictures);
+        frame
+    }
+}
+
 impl Answer {
     /// One frame: the length of the head in four bytes, the head as JSON, filled up with blanks
     /// to a multiple of eight, the numbers. Charts and pictures that the window has are left

@@ -51,12 +51,22 @@ impl<C: Catalogue + Sync> Task<'_, C> {
     /// Makes it, from the coarse one on; what cannot be asked is told as a map without cells.
     /// False: it was ended.
     pub(super) fn make(&self, stop: &AtomicBool, told: &impl ChartProgress) -> bool {
+        self.make_levels(&CELLS, stop, told)
+    }
+
+    /// Makes it with so many cells along and up, one after the other. False: it was ended.
+    pub(super) fn make_levels(
+        &self,
+        levels: &[usize],
+        stop: &AtomicBool,
+        told: &impl ChartProgress,
+    ) -> bool {
         let Ok(document) = Document::parse(self.name, self.text.as_bytes()) else {
             return false;
         };
         let catalogue = LayeredCatalogue(self.catalogue, &BuiltIn);
         let mut last = 0;
-        for count in CELLS {
+        for &count in levels {
             let question = Question {
                 overrides: Vec::new(),
                 x: self.asked.x.axis(count),

@@ -1,114 +1,27 @@
-//! `dam studio`: a server on the loopback that shows a scene in the browser and lets it be
-//! changed, while its answers follow.
+//! The studio: a scene in the browser that is changed while its answers follow.
 //!
-//! * `served`, `server`, `guard`, `connections`: what is served, to whom, how much at a time;
-//! * `folder`, `atomic`, `by_file`, `drafts`, `pins`, `launch`: files: within one folder, written as
-//!   a whole, kept from crashes; how the browser is told the token;
-//! * `first`, `recent`, `gallery`: the first page: what was opened last, what is built in;
-//!   `settings`: what the user chose for all windows; `earlier`: windows that come back;
-//! * `text`: a scene's text with its edits; `room`: the text that all windows on a file share,
-//!   with its answers; `window`: what one of them is sent, `view`: what it has
-//!   pinned; `socket`: what it says;
-//! * `work`, `answer`: from a text to its answer, newest first; `chart`: the live map; `inquiry`:
-//!   what `commands` of the program answer, `files`: what they write.
-//!
-//! The server is the authority: windows send edits of a version of the text, and get those of
-//! the others. Everything that they show follows from the text.
+//! * `answer`, `chart`, `asides`: from a text to its answer, the live map, what is asked besides;
+//!   `commands`: the questions that the program's commands answer;
+//! * `messages`, `view`, `pins`: what a window says, what it sees besides the run;
+//!   `gallery`: scenes that are built in;
+//! * `server`: `dam studio`, a server on the loopback with the windows of one folder;
+//! * `tab`: the same answers in a browser tab, without a server.
 
 mod answer;
-mod atomic;
-mod by_file;
+mod asides;
 mod chart;
 pub(crate) mod commands;
-mod connections;
-mod disk;
-mod drafts;
-mod earlier;
-mod files;
-mod first;
-mod folder;
 mod gallery;
-mod guard;
-mod history;
-mod inquiry;
-mod launch;
 mod limits;
 mod messages;
-#[cfg(test)]
-mod pin_tests;
 mod pins;
-mod questions;
-mod recent;
-mod room;
-#[cfg(test)]
-mod room_tests;
-mod served;
+#[cfg(feature = "studio")]
 mod server;
-#[cfg(test)]
-mod server_tests;
-mod settings;
-mod socket;
-mod state;
-mod text;
-mod token;
+pub mod tab;
 mod units;
 mod view;
-mod window;
-mod work;
 
-use commands::Commands;
-use folder::Folder;
-use served::Studio;
-use std::path::PathBuf;
-use std::sync::Arc;
-
-/// What is to be served, and how.
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// A scene, or a folder of scenes; `None`: the folder one is in.
-    pub target: Option<PathBuf>,
-    /// The port; `None`: any that is free.
-    pub port: Option<u16>,
-    /// True: the browser is opened.
-    pub open: bool,
-}
-
-/// Serves until the program ends; `commands` answer what is asked besides the run, `tell` is
-/// given what the user is to know.
-///
-/// # Errors
-/// There is no such scene or folder, or the port cannot be had.
-pub(crate) fn serve(
-    options: &Options,
-    commands: &'static dyn Commands,
-    tell: impl Fn(&str),
-) -> Result<(), String> {
-    let (folder, scene) = Folder::open(options.target.as_deref())?;
-    let runtime = tokio::runtime::Builder::new_current_thread()
-        .enable_all()
-        .build()
-        .map_err(|error| format!("cannot start the server: {error}"))?;
-    runtime.block_on(async {
-        let listener = server::listen(options.port).await?;
-        let port = listener.local_addr().map_err(|error| error.to_string())?;
-        let studio = Studio::new((folder, scene), port.port(), commands)?;
-        let studio = Arc::new(studio.with_earlier(port.port()));
-        let address = studio.address();
-        let _page = match options.open {
-            false => {
-                tell(&format!("The studio is at {address}\n"));
-                None
-            }
-            true => {
-                let page = launch::open(&address)?;
-                tell(&format!(
-                    "The studio is open in the browser; it is served on port {} until Ctrl-C.\n",
-                    port.port()
-                ));
-                Some(page)
-            }
-        };
-        server::run(studio, listener).await;
-        Ok(())
-    })
-}
+#[cfg(feature = "studio")]
+pub use server::Options;
+#[cfg(feature = "studio")]
+pub(crate) use server::serve;

@@ -5,6 +5,7 @@ import { useEffect, useMemo, useReducer, useRef, useState } from "preact/hooks";
 import { Board, type Answer } from "./answer";
 import { Asking, MOTION, type Hearing } from "./asking";
 import { Beside } from "./beside";
+import { Besides, connection } from "./connection";
 import { Drawing } from "./drawing";
 import { Editor } from "./editor";
 import { Expectations } from "./expect";
@@ -15,7 +16,7 @@ import type { Outline } from "./graph";
 import { Host } from "./host";
 import type { Parts } from "./kinds";
 import { isUnfinished, take } from "./keys";
-import { Link, shownScene, type Message } from "./link";
+import { shownScene, type Message } from "./link";
 import { MapView } from "./map";
 import { Models } from "./models";
 import { fields as fieldsOf, type Field, type Span } from "./numbers";
@@ -33,7 +34,7 @@ import "./expect.css";
 import "./units.css";
 import "./print.css";
 
-const link = new Link();
+const link = connection();
 
 const VIEWS = [["objects", "Objects"], ["drawing", "Drawing"], ["text", "Text"], ["model", "Dynamic model"], ["equations", "Equations"]] as const;
 type View = (typeof VIEWS)[number][0];
@@ -317,6 +318,7 @@ function Studio() {
         <button type="button" onClick={() => act("redo")} disabled={!status.redo} title="Ctrl-Y">Redo</button>
         <Exports link={link} scene={scene} stale={stale} tell={tell} />
         </>}
+        <Besides scene={home ? "" : scene} link={link} tell={tell} />
         <button type="button" onClick={fresh}>New…</button>
         <button type="button" onClick={() => setTouring(true)}>Tour</button>
         <Units link={link} changed={() => { board.current?.again(); redraw(0); }} />

@@ -244,7 +244,7 @@ impl Document {
     }
 
     /// Its tree with catalogue objects copied in, as far as there are any.
-    #[cfg(feature = "studio")]
+    #[cfg(feature = "live")]
     pub(super) fn copied(&self, catalogue: &dyn Catalogue) -> Node {
         let (mut sources, mut faults) = (self.sources.clone(), Vec::new());
         self.tree(catalogue, &Overrides::none(), &mut sources, &mut faults)

@@ -205,7 +205,7 @@ pub(super) const STOPS: [(&str, &str); 14] = [
 
 /// Whether a result of this name may be expected of a stop (true), of any other object (false),
 /// or of the run itself (`None`) whatever computes it.
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(crate) fn is_expectable(name: &str, of_stop: Option<bool>) -> bool {
     let figures = match of_stop {
         Some(true) => STOP_FIGURES,

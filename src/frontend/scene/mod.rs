@@ -13,7 +13,7 @@ mod folder;
 mod levels;
 mod numbers;
 mod objects;
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 mod outline;
 mod overrides;
 mod root;
@@ -27,7 +27,7 @@ mod variation;
 
 pub use catalogue::{BuiltIn, Catalogue, LayeredCatalogue, NamedBytes};
 pub use document::{Document, Places, Reading};
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(crate) use figures::is_expectable;
 pub(crate) use figures::{CAM_FIGURES, Figure, STEADY_FIGURES, described};
 pub use folder::{Folder, read_bounded};

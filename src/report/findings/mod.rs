@@ -13,7 +13,7 @@ mod page;
 pub(super) mod table;
 mod text;
 
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(in crate::report) use page::WIDE;
 pub use table::{Cell, Column, Figure, Row, Table, Value};
 pub(in crate::report) use text::width;

@@ -47,7 +47,7 @@ pub(in crate::report) struct Player {
     pub(in crate::report) names: Vec<String>,
 }
 
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 impl Player {
     /// Columns of the page's charts that it reads.
     pub(in crate::report) fn plotted(&self) -> Vec<usize> {

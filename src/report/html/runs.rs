@@ -256,7 +256,7 @@ impl ObjectCharts {
     }
 
     /// What the section shows besides numbers: two that are alike here differ in numbers alone.
-    #[cfg(feature = "studio")]
+    #[cfg(feature = "live")]
     pub(in crate::report) fn likeness(&self) -> String {
         let chart = |plot: &Plot| {
             let series = plot

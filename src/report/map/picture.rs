@@ -25,7 +25,7 @@ const KEY: f64 = 744.0;
 const MOST_OF_HEAD: usize = 80;
 const LINE: f64 = 15.0;
 /// Size of the plot of a map that is steered.
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 const STEERED: [f64; 2] = [340.0, 270.0];
 /// The picture of a study: all its panels, and a legend of the verdicts that occur. A complete SVG
 /// document.
@@ -78,7 +78,7 @@ fn legend(study: &Study<'_>, result: &MapResult, [left, top, width]: [f64; 3]) -
 }
 
 /// The map of one panel where it is looked at and steered, no larger than needed.
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(in crate::report) fn steered(
     study: &Study<'_>,
     result: &MapResult,

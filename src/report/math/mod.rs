@@ -6,7 +6,7 @@
 //! MathML is a third rendering of the same tree.
 
 mod latex;
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 mod mathml;
 mod of_program;
 mod unicode;
@@ -242,7 +242,7 @@ impl Expr {
     }
 
     /// As MathML, for inside of `<math>`.
-    #[cfg(feature = "studio")]
+    #[cfg(feature = "live")]
     pub fn mathml(&self) -> String {
         mathml::write(self)
     }

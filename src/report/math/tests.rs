@@ -52,7 +52,7 @@ fn brackets_stand_where_they_must() {
 }
 
 /// Whether all elements are closed in their order.
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 fn is_well_formed(text: &str) -> bool {
     let mut open = Vec::new();
     for part in text.split('<').skip(1) {
@@ -69,7 +69,7 @@ fn is_well_formed(text: &str) -> bool {
     open.is_empty()
 }
 
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 #[test]
 fn mathml_says_what_the_text_says() {
     let inertia = symbol("J", Index::Mass(1)).expr();

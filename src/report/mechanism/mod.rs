@@ -10,7 +10,7 @@ mod names;
 mod parts;
 mod section;
 mod shape;
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(in crate::report) mod sketch;
 mod view;
 mod wheels;

@@ -35,7 +35,7 @@ const VALUES: usize = 9;
 impl Plots {
     /// Charts that are given other numbers again and again: nothing is rounded. They are
     /// numbered from `first` on.
-    #[cfg(feature = "studio")]
+    #[cfg(feature = "live")]
     pub(in crate::report) fn live(first: usize) -> Self {
         Self {
             first,
@@ -45,13 +45,13 @@ impl Plots {
     }
 
     /// The columns, and the charts as JSON.
-    #[cfg(feature = "studio")]
+    #[cfg(feature = "live")]
     pub(crate) fn parts(&self) -> (&[Vec<Option<f64>>], &[Value]) {
         (&self.columns, &self.plots)
     }
 
     /// A chart of the page whose picture is there already.
-    #[cfg(feature = "studio")]
+    #[cfg(feature = "live")]
     pub(in crate::report) fn again(&mut self, plot: &Plot, [width, height]: [f64; 2], link: &str) {
         let (frame, _) = plot.layout(width, height);
         self.add(plot, &frame, link);

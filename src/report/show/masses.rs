@@ -40,7 +40,7 @@ pub fn text(model: &Model, frequencies: &Frequencies) -> String {
 }
 
 /// The same as tables of a page.
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(in crate::report) fn html(model: &Model, frequencies: &Frequencies) -> String {
     use crate::report::quantity::escape;
     let tables = [

@@ -1,6 +1,7 @@
 //! The lightest run that answers the question: samples of the deviations and
 //! the times of the switches, nothing else. This is what is timed.
 
+use crate::budget::Instant;
 use crate::dynamics::integrate::{
     Dynamics, Method, Modes, Outcome, Settings, Sink, Stop, SwitchEvent, integrate,
 };
@@ -11,7 +12,6 @@ use crate::math::polynomial::Step;
 use crate::studies::demand::Demand;
 use crate::studies::run::motion;
 use crate::studies::{Control, RunSettings, exact};
-use std::time::Instant;
 
 /// Track of an object: the coordinate that is followed.
 #[derive(Clone, Debug, PartialEq)]

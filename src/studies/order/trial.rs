@@ -2,6 +2,7 @@
 
 use super::bound::{BaseMotion, LeftOutOf, truncation_bound};
 use super::requested_figures::is_count;
+use crate::budget::Instant;
 use crate::dynamics::builder::spec::{ChainSpec, Level, Lumping};
 use crate::dynamics::model::{Closure, Model};
 use crate::dynamics::record::Figures;
@@ -14,7 +15,6 @@ use crate::studies::lookup::{Subject, attach, named_in};
 use crate::studies::run::run;
 use crate::studies::{Control, RunSettings};
 use std::collections::BTreeMap;
-use std::time::Instant;
 
 /// A run at some levels.
 #[derive(Clone, Debug)]

@@ -2,11 +2,12 @@
 
 use super::removal::Removal;
 use super::variant::without;
+use crate::budget::Instant;
 use crate::frontend::scene::{Document, Levels};
 use crate::studies::order::trial::Trials;
 use crate::studies::{Control, RunSettings};
 use serde::Serialize;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Runs of each scene, at least and at most.
 const REPEATS: [usize; 2] = [3, 25];

@@ -12,7 +12,7 @@ mod inputs;
 mod latex;
 mod linkage;
 mod loads;
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 mod mathml;
 mod multi_input;
 mod output;
@@ -22,7 +22,7 @@ mod text;
 pub(crate) use inputs::summary as inputs_summary;
 pub use latex::latex;
 pub use loads::{stop_words, summary as load_summary};
-#[cfg(feature = "studio")]
+#[cfg(feature = "live")]
 pub(in crate::report) use mathml::mathml;
 pub use text::text;
 

@@ -1,0 +1,275 @@
+// The program in this tab as the other end of the line: it says what the server would.
+//
+// The text with its history is kept here; workers answer the newest version. Nothing is sent anywhere.
+
+import { Text } from "@codemirror/state";
+import { shownScene, type Link, type Message } from "../link";
+import { Desk } from "./desk";
+import { Document } from "./document";
+import { kernel, unpackedScene } from "./kernel";
+import { Shelf } from "./shelf";
+
+// The only window.
+const WINDOW = "1";
+// How often a text that is not saved is kept (ms); how long nothing newer comes before a map is made finer.
+const OFTEN = 1000, REST = 20;
+const LEVELS = 3;
+
+interface Pin { name: string; text: string; hash: string; judged: boolean }
+
+export class Tab implements Link {
+  readonly known = true;
+  answer: (frame: ArrayBuffer) => void = () => {};
+  state: (connected: boolean) => void = () => {};
+  private readonly heard = new Map<string, (message: Message) => void>();
+  private readonly shelf = new Shelf();
+  private readonly replies = new Map<number, { done: (value: any) => void; failed: (error: Error) => void }>();
+  private readonly runs: Desk;
+  private readonly maps: Desk;
+  private readonly questions: Desk;
+  private readonly asides: Desk;
+  private name = "";
+  private document: Document | null = null;
+  private saved = "";
+  private isAsking = false;
+  private status = "";
+  private kept = 0;
+  private replyNumber = 0;
+  private connected = false;
+  // What the window sees besides the run, and the run that it could pin.
+  private pins: Pin[] = [];
+  private over: [string, string] | null = null;
+  private run: { version: number; text: string; hash: string; judged: boolean } | null = null;
+  private asked: { version: number; text: string } = { version: 0, text: "" };
+  private map: unknown = null;
+  private question: unknown = null;
+  private level = 0;
+  private finer = 0;
+
+  constructor() {
+    const module = kernel();
+    const hear = (found: { text: string } | { answer: ArrayBuffer }) => { if ("answer" in found) this.answer(found.answer); else this.told(JSON.parse(found.text)); };
+    const failed = (words: string) => this.tell({ type: "failed", version: this.document?.version ?? 0, message: words });
+    this.runs = new Desk(module, hear, failed, true);
+    this.maps = new Desk(module, hear, failed);
+    this.questions = new Desk(module, hear, (words) => this.tell({ type: "question", version: this.document?.version ?? 0, question: this.question, refused: words }));
+    this.asides = new Desk(module, hear, (words, request) => this.reply({ type: "reply", number: request.number, error: words }));
+  }
+
+  get isOpen(): boolean { return this.connected; }
+
+  on(type: string, act: (message: Message) => void): void { this.heard.set(type, act); }
+
+  connect(): void {
+    void this.shared().then((scene) => {
+      this.connected = true;
+      this.state(true);
+      this.tell({ type: "welcome", window: WINDOW, folder: "this browser", scene, settings: {}, program: PROGRAM });
+    });
+  }
+
+  // The scene that the address holds; null: none.
+  private async shared(): Promise<string | null> {
+    const given = /^#scene=([A-Za-z0-9_-]+)$/.exec(location.hash)?.[1];
+    if (!given) return null;
+    history.replaceState(null, "", location.pathname + location.search);
+    shownScene.forget();
+    try { return this.add("shared.json", await unpackedScene(given)); } catch (error) {
+      queueMicrotask(() => this.tell({ type: "error", message: `The scene in the address cannot be read: ${(error as Error).message}` }));
+      return null;
+    }
+  }
+
+  // Keeps a text under a name that is free.
+  add(name: string, text: string): string {
+    const free = this.shelf.free(name);
+    this.shelf.save(free, text);
+    return free;
+  }
+
+  private tell(message: Message): void { this.heard.get(message.type)?.(message); }
+
+  private error(message: string): void { queueMicrotask(() => this.tell({ type: "error", message })); }
+
+  // What a worker found.
+  private told(message: Message): void {
+    if (message.type === "reply") { this.reply(message); return; }
+    if (message.type === "source") { this.run = { ...this.asked, hash: message.hash, judged: message.judged }; return; }
+    if (message.type === "map" && !message.refused) {
+      clearTimeout(this.finer);
+      if (this.level + 1 < LEVELS) this.finer = setTimeout(() => { this.level++; this.chart(); }, REST);
+    }
+    this.tell(message);
+  }
+
+  private reply({ number, value, error }: Message): void {
+    const waiting = this.replies.get(number);
+    this.replies.delete(number);
+    if (error === undefined) waiting?.done(value); else waiting?.failed(new Error(error));
+  }
+
+  send(message: Message): boolean {
+    try { this.obey(message); } catch (error) { this.error((error as Error).message); }
+    return true;
+  }
+
+  private obey(message: Message): void {
+    switch (message.type) {
+      case "open": this.open(message.scene); return;
+      case "new": void this.begin(message.scene, message.from); return;
+      case "ping": queueMicrotask(() => this.tell({ type: "pong", number: message.number })); return;
+      case "keep": return;
+      case "shown": this.runs.taken(); return;
+      case "map_shown": case "question_shown": return;
+      case "sight": this.runs.submit({ ask: "sight", charts: message.charts }, false); return;
+    }
+    const document = this.document;
+    if (!document) throw new Error("no scene is open");
+    switch (message.type) {
+      case "push": this.push(document, message); return;
+      case "undo": case "redo": this.updated(document, document.version, [document.step(message.type === "undo")], "0"); return;
+      case "save": this.save(document); return;
+      case "save_as": this.saveAs(document, message.scene); return;
+      case "draft": this.decide(document, message.restore); return;
+      case "map": this.map = message.question; this.level = 0; this.chart(); return;
+      case "question": this.question = message.question; this.inquire(); return;
+      case "over": this.over = message.signals; this.compute(); return;
+      case "pin": this.pin(message.name); return;
+      case "unpin": this.pins = this.pins.filter((_, at) => at !== message.pin); this.compute(); return;
+      case "rename": this.pins = this.pins.map((pin, at) => at === message.pin ? { ...pin, name: message.name } : pin); this.compute(); return;
+      default: throw new Error(`“${message.type}” is not known here`);
+    }
+  }
+
+  private open(name: string): void {
+    const text = this.shelf.text(name);
+    if (text === null) throw new Error("there is no such scene in this browser");
+    const unix = text.replaceAll("\r\n", "\n"), draft = this.shelf.draft(name);
+    this.name = name;
+    this.document = new Document(Text.of(unix.split("\n")));
+    this.saved = unix;
+    this.pins = [];
+    this.over = this.run = this.map = this.question = null;
+    const offered = draft && draft.text !== unix ? { time: draft.time, other_base: false } : null;
+    this.isAsking = offered !== null;
+    this.status = "";
+    queueMicrotask(() => {
+      this.tell({ type: "opened", scene: name, epoch: `${Date.now()}`, version: 0, text: unix, draft: offered });
+      this.tellStatus();
+      this.compute();
+    });
+  }
+
+  private async begin(name: string, from: unknown): Promise<void> {
+    const refused = this.shelf.refusal(name);
+    if (refused) { this.error(refused); return; }
+    const title = JSON.stringify(name.replace(/\.json$/, "").replaceAll(/[_-]/g, " "));
+    const empty = `{\n  "dam": 1,\n  "name": ${title},\n  "objects": {\n  },\n  "run": { "duration": "1 s" }\n}\n`;
+    try {
+      this.shelf.save(name, from ? await this.aside({ ask: "begin", from }) : empty);
+      this.open(name);
+    } catch (error) { this.error((error as Error).message); }
+  }
+
+  private push(document: Document, { version, updates }: Message): void {
+    if (this.isAsking) throw new Error("decide about the draft first");
+    if (version !== document.version) { queueMicrotask(() => this.tell({ type: "late", version: document.version })); return; }
+    for (const one of updates) document.take(one.changes, one.drag);
+    this.updated(document, version, updates.map((one: any) => one.changes), WINDOW);
+  }
+
+  private updated(document: Document, version: number, changes: unknown[], by: string): void {
+    const made = changes.filter((one) => one !== null);
+    if (!made.length) return;
+    queueMicrotask(() => {
+      if (document !== this.document) return;
+      this.tell({ type: "updates", version, updates: made.map((one) => ({ by, changes: one })) });
+      this.tellStatus();
+    });
+    this.keepSoon();
+    this.compute();
+  }
+
+  private tellStatus(): void {
+    const document = this.document!, { undo, redo } = document;
+    const status = { type: "status", saved: document.text === this.saved, base: "", undo, redo, disk: "same", draft: this.isAsking };
+    const written = JSON.stringify(status);
+    if (written !== this.status) { this.status = written; this.tell(status); }
+  }
+
+  private keepSoon(): void {
+    if (this.kept) return;
+    this.kept = setTimeout(() => {
+      this.kept = 0;
+      const text = this.document!.text;
+      if (text === this.saved) this.shelf.forgetDraft(this.name); else this.shelf.keepDraft(this.name, text);
+    }, OFTEN);
+  }
+
+  private save(document: Document): void {
+    this.saved = document.text;
+    if (!this.shelf.save(this.name, this.saved)) this.error("This browser keeps nothing of this page: save the scene as a file.");
+    queueMicrotask(() => this.tellStatus());
+  }
+
+  private saveAs(document: Document, name: string): void {
+    const refused = this.shelf.refusal(name);
+    if (refused) throw new Error(refused);
+    this.shelf.forgetDraft(this.name);
+    this.shelf.save(name, document.text);
+    this.open(name);
+  }
+
+  private decide(document: Document, restore: boolean): void {
+    const draft = this.shelf.draft(this.name);
+    this.isAsking = false;
+    if (restore && draft) this.updated(document, document.version, [document.replace(draft.text)], "0");
+    else this.shelf.forgetDraft(this.name);
+    queueMicrotask(() => this.tellStatus());
+  }
+
+  private pin(name: string): void {
+    if (!this.run) throw new Error("there is no run to be pinned");
+    if (this.pins.length >= 3) throw new Error("3 runs are pinned: unpin one of them first");
+    const { text, hash, judged } = this.run;
+    this.pins.push({ name, text, hash, judged });
+    this.compute();
+  }
+
+  // ---- what is computed
+
+  private get version(): { version: number; name: string; text: string } { return { version: this.document!.version, name: this.name, text: this.document!.text }; }
+
+  private compute(): void {
+    const of = this.version;
+    this.asked = of;
+    this.runs.submit({ ask: "run", of, pins: this.pins, ...(this.over ? { over: this.over } : {}) });
+    this.level = 0;
+    this.chart();
+    this.inquire();
+  }
+
+  private chart(): void { clearTimeout(this.finer); if (this.map && this.document) this.maps.submit({ ask: "map", of: this.version, question: this.map, level: this.level }); }
+
+  private inquire(): void { if (this.question && this.document) this.questions.submit({ ask: "question", of: this.version, question: this.question }); }
+
+  private aside(request: { ask: string; [name: string]: unknown }): Promise<any> {
+    const number = ++this.replyNumber;
+    return new Promise((done, failed) => {
+      this.replies.set(number, { done, failed });
+      this.asides.submit({ ...request, number }, false);
+    });
+  }
+
+  async get(path: string): Promise<any> {
+    const { pathname, searchParams } = new URL(path, "file:///");
+    if (pathname === "/api/scenes") return { folder: "this browser", scenes: this.shelf.names() };
+    const of = this.document ? this.version : { version: 0, name: "", text: "" };
+    const found = await this.aside({ ask: "get", path: pathname, of, query: Object.fromEntries(searchParams) });
+    if (pathname !== "/api/first") return found;
+    const scenes = this.shelf.names().map((name) => ({ name, title: /"name"\s*:\s*"([^"\\]*)"/.exec(this.shelf.text(name) ?? "")?.[1] ?? null }));
+    return { ...found, recent: [], scenes };
+  }
+
+  async text(path: string): Promise<string> { return this.get(path); }
+}
