@@ -1,6 +1,6 @@
 //! Addresses of results and of parameters in words: `rocker.delta_abs` as greatest |δ| of rocker.
 
-use super::verdict::capitalised;
+use super::quantity::capitalised;
 
 /// Results of an object, in words.
 pub(in crate::report) const RESULTS: [(&str, &str); 27] = [

@@ -73,6 +73,12 @@ pub fn findings<'a>(
     let over_words = parameter_words(&comparison.over);
     let named = |text: String| in_words(&text.replace(&comparison.over, &over_words));
     let enough = enough.map(|text| Item::Words(named(text))).collect();
+    // Each begins with the run that it is of.
+    let run = format!("{} = ", comparison.over);
+    let of_a_run = |text: String| match text.strip_prefix(&run) {
+        Some(rest) => format!("{over_words} = {rest}"),
+        None => text,
+    };
     let mut sections = vec![
         Section {
             heading: String::new(),
@@ -107,7 +113,7 @@ pub fn findings<'a>(
         title: scene.to_owned(),
         subtitle: format!("{} runs compared; {shares} {against}", all.len()),
         answer: Some(answer(all)),
-        warnings: warnings.into_iter().map(named).collect(),
+        warnings: warnings.into_iter().map(of_a_run).collect(),
         sections,
         source,
     }
@@ -331,11 +337,18 @@ mod tests {
         }
     }
 
-    /// Runs of the lever with 1, 2 and 10 masses.
+    /// Runs of the lever with 1, 2 and 10 masses, with samples at the same instants.
     fn masses_compared() -> super::Comparison {
         let labels = ["1", "2", "10"].map(str::to_owned);
         let run = |label: &str| -> Result<RunResult, ()> {
-            let (figures, record) = fixture::run(label.parse().unwrap(), 0.05, 200);
+            let (figures, mut record) = fixture::run(label.parse().unwrap(), 0.05, 200);
+            let (times, columns) = (&mut record.times, &mut record.columns);
+            for (row, time) in times.iter_mut().enumerate() {
+                *time = 0.05 * row as f64 / 200.0;
+            }
+            let turned = (columns.iter_mut())
+                .find(|one| one.object == "shaft" && one.quantity == Quantity::Displacement);
+            turned.unwrap().values = times.iter().map(|time| fixture::SPEED * time).collect();
             Ok(RunResult {
                 figures,
                 record,
@@ -347,9 +360,18 @@ mod tests {
 
     #[test]
     fn differences_from_the_last_run_are_those_of_the_same_instant() {
-        let comparison = masses_compared();
+        let mut comparison = masses_compared();
+        // A switch of the first run: two rows of one instant.
+        let record = &mut comparison.runs[0].result.record;
+        let switch = record.times[100];
+        record.times.insert(100, switch);
+        for column in &mut record.columns {
+            column.values.insert(100, column.values[100] + 1.0);
+        }
         let all = super::series(&comparison, &Abscissa::Time);
         let shown = runs::difference(&all, "rocker", Quantity::Delta, "").unwrap();
+        let has = |series: usize| shown.series[series].points.iter().any(|one| one.0 == switch);
+        assert!(!has(0) && has(1));
         let labels: Vec<&str> = shown.series.iter().map(|one| one.label.as_str()).collect();
         assert_eq!(labels, ["masses of rocker = 1", "masses of rocker = 2"]);
         for (series, run) in shown.series.iter().zip(&comparison.runs) {

@@ -2,6 +2,7 @@
 //! the numbers can be trusted. The two are never mixed up.
 
 use crate::dynamics::record::{CreepFigures, Figures, PairFigures, Units};
+pub(in crate::report) use crate::report::quantity::capitalised;
 use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
 use crate::studies::judgement::{Judgement, RunEnd, checks, ending, is_unchecked};
@@ -291,13 +292,6 @@ fn sentence(parts: Vec<Sentence>) -> Sentence {
         0..=3 => shown.words("."),
         more => shown.words(format!("; and {} more.", more - 3)),
     }
-}
-
-/// A text that begins with a capital.
-pub(in crate::report) fn capitalised(text: &str) -> String {
-    let mut rest = text.chars();
-    let first = rest.next().into_iter().flat_map(char::to_uppercase);
-    first.chain(rest).collect()
 }
 
 #[cfg(test)]

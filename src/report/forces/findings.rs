@@ -2,8 +2,8 @@
 
 use super::changes::{massless, sensitivities};
 use super::charts::{groups, ratio_chart};
-use super::words::{driving, inputs, quantity_words};
-use super::{ForcesReport, WIDE, drawing, value};
+use super::words::{driving, quantity_words};
+use super::{ForcesReport, WIDE, drawing, inputs, value};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
 use crate::report::csv::{Field, Rows, head};
 use crate::report::findings::table::judged;

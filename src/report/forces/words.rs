@@ -1,7 +1,5 @@
 //! Quantities of the forces of a linkage in words.
 
-use crate::studies::forces::ForceStudy;
-
 /// What drives an input, by the SI unit of its column: a moment where the input turns.
 pub(super) fn driving(unit: &str) -> &'static str {
     match unit {
@@ -31,13 +29,6 @@ const OF_A_JOINT: [(&str, &str); 4] = [
     ("n2", "force at corner 2 of"),
     ("couple", "couple in"),
 ];
-
-/// Names of the inputs of a linkage of several; else none.
-pub(super) fn inputs(study: &ForceStudy) -> Vec<&str> {
-    let several = study.several.iter();
-    let all = several.flat_map(|several| &several.spec.inputs);
-    all.map(|input| input.name.as_str()).collect()
-}
 
 /// The quantity of an address in words, which depend on its unit; the address where it has none.
 pub(super) fn quantity_words(address: &str, unit: &str, inputs: &[&str]) -> String {
