@@ -44,7 +44,12 @@ export class Desk {
   private async next(): Promise<void> {
     if (this.begun !== null || !this.waiting.length || (this.isPaced && this.owed)) return;
     this.begun = performance.now();
-    this.worker ??= await this.hired();
+    try { this.worker ??= await this.hired(); } catch (error) {
+      const refused = this.waiting.splice(0);
+      this.rest();
+      for (const request of refused) this.failed(`the program in this page cannot be started: ${(error as Error).message}`, request);
+      return;
+    }
     this.begun = performance.now();
     this.request = this.waiting.shift()!;
     this.worker.postMessage(JSON.stringify(this.request));

@@ -68,20 +68,26 @@ export class Tab implements Link {
     });
   }
 
-  // The scene that the address holds; null: none.
+  // The scene that the address holds or names; null: none.
   private async shared(): Promise<string | null> {
-    const given = /^#scene=([A-Za-z0-9_-]+)$/.exec(location.hash)?.[1];
+    const [, sort, given] = /^#(scene|scenario)=([A-Za-z0-9_/-]+)$/.exec(location.hash) ?? [];
     if (!given) return null;
     history.replaceState(null, "", location.pathname + location.search);
     shownScene.forget();
-    try { return this.add("shared.json", await unpackedScene(given)); } catch (error) {
-      queueMicrotask(() => this.tell({ type: "error", message: `The scene in the address cannot be read: ${(error as Error).message}` }));
+    try {
+      return sort === "scene"
+        ? this.add("shared.json", await unpackedScene(given))
+        : this.add(`${given.split("/").at(-1)}.json`, await this.aside({ ask: "begin", from: { scenario: given } }));
+    } catch (error) {
+      const words = `The scene in the address cannot be read: ${(error as Error).message}`;
+      setTimeout(() => this.tell({ type: "error", message: words }));
       return null;
     }
   }
 
-  // Keeps a text under a name that is free.
+  // Keeps a text under a name that is free, or that it has already.
   add(name: string, text: string): string {
+    if (this.shelf.text(name) === text) return name;
     const free = this.shelf.free(name);
     this.shelf.save(free, text);
     return free;
