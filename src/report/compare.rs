@@ -370,7 +370,12 @@ mod tests {
         }
         let all = super::series(&comparison, &Abscissa::Time);
         let shown = runs::difference(&all, "rocker", Quantity::Delta, "").unwrap();
-        let has = |series: usize| shown.series[series].points.iter().any(|one| one.0 == switch);
+        let has = |series: usize| {
+            shown.series[series]
+                .points
+                .iter()
+                .any(|one| one.0 == switch)
+        };
         assert!(!has(0) && has(1));
         let labels: Vec<&str> = shown.series.iter().map(|one| one.label.as_str()).collect();
         assert_eq!(labels, ["masses of rocker = 1", "masses of rocker = 2"]);

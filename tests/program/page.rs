@@ -376,7 +376,9 @@ fn the_moment_of_a_motor_is_drawn_on_its_cam() {
     assert!(caption.contains("camshaft 2 N m"), "{caption}");
     let all = set["on"].as_array().unwrap();
     let named = caption.strip_prefix("loads, longest ").unwrap();
-    let place = named.split(", ").position(|one| one.starts_with("camshaft"));
+    let place = named
+        .split(", ")
+        .position(|one| one.starts_with("camshaft"));
     let arrow = &all[place.unwrap()];
     let vector = |key: &str| -> [f64; 2] { serde_json::from_value(arrow[key].clone()).unwrap() };
     let ([x, y], [dx, dy]) = (vector("at"), vector("by"));

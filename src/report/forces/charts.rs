@@ -1,7 +1,7 @@
 //! Curves over the course, χ against i, massless against full.
 
-use super::{ForcesReport, inputs};
 use super::words::driving;
+use super::{ForcesReport, inputs};
 use crate::math::order::by_first;
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Band, Plot, Series};
