@@ -216,7 +216,7 @@ const live = (() => {
         const lane = this.group.querySelector(".lane") ? LANE : 0;
         this.frame.top = 28 + (this.entries.length ? 18 * (row + 1) : 0) + lane;
         this.frame.width = Math.max(60, total - this.drawn.left - RIGHT);
-        this.frame.height = this.drawn.height * (printing && this.beside([".plots"]) ? 0.72 : 1);
+        this.frame.height = this.drawn.height * (printing && this.size[1] > 250 && this.beside([".plots"]) ? 0.72 : 1);
         this.entitled(total - this.drawn.left);
         const height = this.frame.top + this.frame.height + this.below;
         put(this.svg, "viewBox", `0 0 ${fixed(total)} ${fixed(height)}`);
