@@ -34,7 +34,8 @@
       image.src = `data:image/svg+xml,${encodeURIComponent(picture.written(svg))}`;
       await image.decode();
       canvas.getContext("2d").drawImage(image, 0, 0, width, height);
-      return new Promise((done) => canvas.toBlob(done, "image/png"));
+      const letters = atob(canvas.toDataURL("image/png").split(",")[1]);
+      return new Blob([Uint8Array.from(letters, (letter) => letter.charCodeAt(0))], { type: "image/png" });
     },
   };
 
