@@ -49,7 +49,7 @@ PICTURES = [
     Picture("first-scene", "tutorial/first-scene.md", "lever", ["The machine moving"], 630, at=0.0555),
     Picture("closing", "tutorial/lift-off.md", "closing", ["lever"], 600, after="tutorial/first-scene.md"),
     Picture("masses", "tutorial/how-good.md", "masses", ["lever"], 600, after="tutorial/first-scene.md"),
-    Picture("map", "tutorial/own-machine.md", "map", [""], 910),
+    Picture("map", "tutorial/own-machine.md", "map", ["Map"], 970),
     Picture("cam", "tutorial/cam-from-table.md", "cam", ["Cam and follower"], 900, at=0.22),
     Picture("press", "tutorial/press.md", "forces", ["The mechanism with its forces"], 710, at=0.92),
     Picture("flywheel", "tutorial/press.md", "flywheel", ["Motion over a cycle"], 620),
@@ -62,6 +62,8 @@ PREPARE = """<script>
 addEventListener("load", () => {
   const shown = %s;
   document.querySelector("footer")?.remove();
+  // They are seen under a pointer alone.
+  document.querySelectorAll(".chart .saves").forEach((buttons) => buttons.remove());
   let keep = shown.includes("");
   for (const part of document.querySelector("main").children) {
     const title = part.tagName === "SECTION" ? part.querySelector("h2") : part.tagName === "H2" && part;

@@ -64,6 +64,9 @@ pub(crate) trait Found: Send + Sync {
 pub(crate) trait Told: Send + Sync {
     fn document(&self) -> Result<Value, Error>;
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error>;
+    fn answer(&self) -> Result<Option<Verdict>, Error> {
+        self.tell(|findings| findings.answer.clone())
+    }
     fn figures(&self) -> Vec<Figure> {
         Vec::new()
     }
@@ -83,7 +86,7 @@ impl<T: Told> Found for T {
     }
 
     fn answer(&self) -> Result<Option<Verdict>, Error> {
-        self.tell(|findings| findings.answer.clone())
+        Told::answer(self)
     }
 
     fn warnings(&self) -> Result<Vec<String>, Error> {

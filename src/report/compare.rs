@@ -3,14 +3,14 @@
 use crate::dynamics::record::Figures;
 use crate::dynamics::record::Quantity;
 use crate::report::abscissa::Abscissa;
-use crate::report::addresses::RESULTS;
+use crate::report::addresses::{RESULTS, in_words, parameter_words, result_words};
 use crate::report::diagram::Diagram;
 use crate::report::findings::table::judged;
 use crate::report::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use crate::report::html::mechanism;
 use crate::report::html::runs::{self, QUANTITIES, RunSeries};
 use crate::report::plot::Plot;
-use crate::report::quantity::{significant, units};
+use crate::report::quantity::{scale, significant, units};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::{Sort, Verdict, capitalised};
 use crate::studies::compare::{ComparedRun, Comparison, FigureTable, TableRow};
@@ -63,7 +63,22 @@ pub fn findings<'a>(
         (label(comparison, run), text)
     };
     source.more.extend(all.iter().map(of));
-    let enough = comparison.enough().into_iter().map(Item::Words).collect();
+    let converged = |value: f64, error: f64, unit: &str| {
+        let shown = scale(value, unit);
+        let [value, error] = [(value, 6), (error, 2)]
+            .map(|(number, digits)| significant(number / shown.factor, digits));
+        format!("{value} ± {error} {}", shown.unit)
+    };
+    let enough = comparison.enough(converged).into_iter();
+    let over_words = parameter_words(&comparison.over);
+    let named = |text: String| in_words(&text.replace(&comparison.over, &over_words));
+    let enough = enough.map(|text| Item::Words(named(text))).collect();
+    // Each begins with the run that it is of.
+    let run = format!("{} = ", comparison.over);
+    let of_a_run = |text: String| match text.strip_prefix(&run) {
+        Some(rest) => format!("{over_words} = {rest}"),
+        None => text,
+    };
     let mut sections = vec![
         Section {
             heading: String::new(),
@@ -81,6 +96,11 @@ pub fn findings<'a>(
             Section::default()
                 .drawing(move |plots| runs::section(plots, &series(comparison, over), &id, &kind)),
         );
+        let id = one.id.clone();
+        sections.push(
+            Section::default()
+                .drawing(move |plots| runs::differences(plots, &series(comparison, over), &id)),
+        );
         sections.push(figures(&comparison.table, &one.id));
     }
     sections.push(figures(&comparison.table, "run"));
@@ -93,7 +113,7 @@ pub fn findings<'a>(
         title: scene.to_owned(),
         subtitle: format!("{} runs compared; {shares} {against}", all.len()),
         answer: Some(answer(all)),
-        warnings,
+        warnings: warnings.into_iter().map(of_a_run).collect(),
         sections,
         source,
     }
@@ -107,7 +127,7 @@ fn is_refinement(over: &str) -> bool {
 }
 
 fn label(comparison: &Comparison, run: &ComparedRun) -> String {
-    format!("{} = {}", comparison.over, run.label)
+    format!("{} = {}", parameter_words(&comparison.over), run.label)
 }
 
 /// How far the greatest deviation depends on what is compared, and whether a run is in doubt.
@@ -215,7 +235,7 @@ pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'
     let limit = limit.into_iter().take(2 * usize::from(table.against_limit));
     let heads: Vec<String> = values.chain(limit).collect();
     let heads = heads.iter().map(String::as_str);
-    let heading = format!("Results of {id} over {}", table.over);
+    let heading = format!("Results of {id} over {}", parameter_words(&table.over));
     let rows = table.rows.iter().filter_map(own);
     let table = Table::new(std::iter::once("result").chain(heads)).rows(rows);
     Section::new(heading).table(table).words(left_out)
@@ -259,7 +279,10 @@ fn cells(name: &str, row: &TableRow, against_limit: bool) -> Vec<Cell> {
     let settled = settled.into_iter().take(2 * usize::from(against_limit));
     let first = match words {
         Some((_, words)) => Cell::with(*words, name),
-        None => Cell::from(name),
+        None => match result_words(&row.figure) {
+            words if words == row.figure => Cell::from(name),
+            words => Cell::address(name, words),
+        },
     };
     std::iter::once(first)
         .chain(values)
@@ -296,12 +319,13 @@ fn series<'a>(comparison: &'a Comparison, over: &'a Abscissa) -> Vec<RunSeries<'
 #[cfg(test)]
 mod tests {
     use super::{chart, findings, percent};
-    use crate::dynamics::record::Quantity;
-    use crate::report::abscissa::Abscissa;
+    use crate::dynamics::record::{Quantity, Record};
+    use crate::report::abscissa::{Abscissa, Turns};
     use crate::report::diagram::Diagram;
     use crate::report::findings::Source;
     use crate::report::fitted::fitted;
     use crate::report::fixture;
+    use crate::report::html::runs;
     use crate::studies::compare::compare;
     use crate::studies::run::RunResult;
     use crate::studies::testing::result_with;
@@ -313,18 +337,98 @@ mod tests {
         }
     }
 
-    #[test]
-    fn runs_stand_side_by_side() {
+    /// Runs of the lever with 1, 2 and 10 masses, with samples at the same instants.
+    fn masses_compared() -> super::Comparison {
         let labels = ["1", "2", "10"].map(str::to_owned);
         let run = |label: &str| -> Result<RunResult, ()> {
-            let (figures, record) = fixture::run(label.parse().unwrap(), 0.05, 200);
+            let (figures, mut record) = fixture::run(label.parse().unwrap(), 0.05, 200);
+            let (times, columns) = (&mut record.times, &mut record.columns);
+            for (row, time) in times.iter_mut().enumerate() {
+                *time = 0.05 * row as f64 / 200.0;
+            }
+            let turned = (columns.iter_mut())
+                .find(|one| one.object == "shaft" && one.quantity == Quantity::Displacement);
+            turned.unwrap().values = times.iter().map(|time| fixture::SPEED * time).collect();
             Ok(RunResult {
                 figures,
                 record,
                 ..result_with(|_| {})
             })
         };
-        let comparison = compare("rocker.masses", &labels, run).unwrap();
+        compare("rocker.masses", &labels, run).unwrap()
+    }
+
+    #[test]
+    fn differences_from_the_last_run_are_those_of_the_same_instant() {
+        let mut comparison = masses_compared();
+        // A switch of the first run: two rows of one instant.
+        let record = &mut comparison.runs[0].result.record;
+        let switch = record.times[100];
+        record.times.insert(100, switch);
+        for column in &mut record.columns {
+            column.values.insert(100, column.values[100] + 1.0);
+        }
+        let all = super::series(&comparison, &Abscissa::Time);
+        let shown = runs::difference(&all, "rocker", Quantity::Delta, "").unwrap();
+        let has = |series: usize| {
+            shown.series[series]
+                .points
+                .iter()
+                .any(|one| one.0 == switch)
+        };
+        assert!(!has(0) && has(1));
+        let labels: Vec<&str> = shown.series.iter().map(|one| one.label.as_str()).collect();
+        assert_eq!(labels, ["masses of rocker = 1", "masses of rocker = 2"]);
+        for (series, run) in shown.series.iter().zip(&comparison.runs) {
+            assert!(series.points.len() > 100, "{}", series.points.len());
+            // The row of an instant, found by looking through all of them.
+            let value = |record: &Record, time: f64| {
+                let rows =
+                    (0..record.times.len()).filter(|&row| (record.times[row] - time).abs() < 1e-12);
+                let [row] = rows.collect::<Vec<_>>()[..] else {
+                    panic!("{time}")
+                };
+                record.column("rocker", Quantity::Delta).unwrap().values[row]
+            };
+            let last = &comparison.runs[2].result.record;
+            for &(time, difference) in &series.points {
+                let expected = value(&run.result.record, time) - value(last, time);
+                assert_eq!(difference, expected, "{} at {time}", series.label);
+            }
+        }
+        // The drive moves alike in all: nothing is shown of it.
+        assert!(runs::difference(&all, "shaft", Quantity::Displacement, "").is_none());
+        assert!(runs::difference(&all[..1], "rocker", Quantity::Delta, "").is_none());
+    }
+
+    #[test]
+    fn differences_over_an_angle_need_the_same_angle() {
+        let mut comparison = masses_compared();
+        let over = Abscissa::Angle {
+            drive: "shaft".to_owned(),
+            turns: Turns::Behind,
+        };
+        let all = super::series(&comparison, &over);
+        let shown = runs::difference(&all, "rocker", Quantity::Delta, "").unwrap();
+        assert_eq!((shown.x.unit.as_str(), shown.series.len()), ("deg", 2));
+        // A drive that lags behind is nowhere at the same angle at the same time.
+        let columns = &mut comparison.runs[0].result.record.columns;
+        let lagging = (columns.iter_mut())
+            .find(|one| one.object == "shaft" && one.quantity == Quantity::Displacement);
+        lagging
+            .unwrap()
+            .values
+            .iter_mut()
+            .for_each(|angle| *angle -= 1e-3);
+        let all = super::series(&comparison, &over);
+        let shown = runs::difference(&all, "rocker", Quantity::Delta, "").unwrap();
+        assert_eq!(shown.series.len(), 1);
+        assert_eq!(shown.series[0].label, "masses of rocker = 2");
+    }
+
+    #[test]
+    fn runs_stand_side_by_side() {
+        let comparison = masses_compared();
         let diagram = Diagram::of(&fixture::rocker(2));
         let source = Source::scene(include_str!("fixture/scene.json"), "");
         let found = findings(
@@ -335,7 +439,10 @@ mod tests {
             source,
         );
         let page = found.page();
-        assert!(page.contains("errors against rocker.masses = 10"));
+        assert!(page.contains("errors against masses of rocker = 10"));
+        let differences = "<h3>Differences of rocker from the run with masses of rocker = 10</h3>";
+        assert!(page.contains(differences));
+        assert!(page.contains("Δ Positioning error δ"));
         assert!(page.contains("The paper&#39;s &lt;figures&gt;"));
         // In 80 columns each row of figures stands whole, under its own name.
         let text = fitted(&found.text(Some(80)), 80);

@@ -48,12 +48,17 @@ pub fn findings<'a>(scene: &str, answer: &FoundValue, source: Source<'a>) -> Fin
 
 /// What was asked, in a few words.
 fn sought(answer: &FoundValue) -> String {
-    let path = &answer.span.axis.path;
-    let subject = answer.conditions.iter().map(|one| one.text.as_str());
+    let path = parameter_words(&answer.span.axis.path);
+    let subject = answer.conditions.iter();
+    let subject = subject.map(|one| condition_words(&one.text, &one.figure));
     let subject = subject.collect::<Vec<_>>().join(", ");
     let wanted = match &answer.goal {
         Some(goal) if goal.is_parameter => format!("the {} {path}", goal.aim.words()),
-        Some(goal) => format!("{path} for the {} {}", goal.aim.words(), goal.of),
+        Some(goal) => format!(
+            "{path} for the {} {}",
+            goal.aim.words(),
+            result_words(&goal.of)
+        ),
         None => format!("the ranges of {path}"),
     };
     match subject.as_str() {
@@ -244,7 +249,7 @@ fn conditions_at(answer: &FoundValue, sample: &Sample) -> Table {
     let row = |(at, one): (usize, &Condition)| {
         let holds = !violated.contains(&at);
         vec![
-            Cell::from(one.text.as_str()),
+            Cell::address(&one.text, condition_words(&one.text, &one.figure)),
             Cell::from(figure(answer, &one.figure, sample.figures[at])),
             Cell::from(if holds { "holds" } else { "does not hold" }).judged(Some(holds)),
         ]
@@ -267,7 +272,7 @@ fn around(answer: &FoundValue, best: &Best) -> Table {
     let mut shown: Vec<&Sample> = before.collect();
     shown.reverse();
     shown.extend(all[place..].iter().filter(apart).take(BESIDE + 1));
-    let heads = [format!(">{}", answer.span.axis.path)].into_iter();
+    let heads = [format!(">{}", parameter_words(&answer.span.axis.path))].into_iter();
     let goal = answer.goal.as_ref().filter(|goal| !goal.is_parameter);
     let heads = heads.chain(goal.map(|goal| format!(">{}", goal.of)));
     let heads = heads.chain(
@@ -337,6 +342,11 @@ fn charts(answer: &FoundValue) -> Vec<Plot> {
         .collect()
 }
 
+/// A relation as it is written by hand.
+fn written(sign: &str) -> String {
+    sign.replace(">=", "≥").replace("<=", "≤")
+}
+
 fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
     let index = answer.conditions.iter().position(|one| one.figure == name);
     let value = |one: &Sample| match index {
@@ -354,7 +364,10 @@ fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
     let limits = answer.conditions.iter().filter(|one| one.figure == name);
     let limits = limits.map(|one| {
         let limit = figure(answer, name, Some(one.value));
-        Rule::level(one.value, format!("{} {limit}", one.relation.sign()))
+        Rule::level(
+            one.value,
+            format!("{} {limit}", written(one.relation.sign())),
+        )
     });
     let best = answer.found.best.as_ref().map(|best| {
         let point = (best.sample.value, value(&best.sample).unwrap_or(f64::NAN));
@@ -363,11 +376,11 @@ fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
     });
     Plot {
         id: name.to_owned(),
-        title: name.to_owned(),
+        title: capitalised(&result_words(name)),
         x: Axis {
             fixed: true,
             log: answer.span.axis.log,
-            ..Axis::new(&answer.span.axis.path, &answer.unit)
+            ..Axis::new(&parameter_words(&answer.span.axis.path), &answer.unit)
         },
         y: Axis::of(unit),
         series: std::iter::once(Series::line("", points.collect()))
@@ -391,20 +404,24 @@ fn notes(answer: &FoundValue) -> Vec<String> {
     let mut notes = Vec::new();
     if answer.span.whole {
         notes.push(format!(
-            "All {looked} of {} in the range were examined.",
-            axis.path
+            "All {looked} of the {} in the range were examined.",
+            parameter_words(&axis.path)
         ));
     } else if found.complete {
         let apart = found.best.as_ref().map_or(0.5, |best| best.sample.share);
         let apart = parameter(answer, answer.span.spacing(apart), 2);
         notes.push(format!(
-            "In all {looked} of {} from {} to {} were examined, {} of them at equal distances of \
-             {apart}. A narrower feature between two of them can be missed. For more places: \
-             --vary {}=FROM:TO:PLACES.",
-            axis.path,
+            "In all {looked} of the {} from {} to {} were examined, {} of them at equal {}. A narrower \
+             feature between two of them can be missed. For more places: `--vary \
+             {}=FROM:TO:PLACES`.",
+            parameter_words(&axis.path),
             parameter(answer, axis.from, DIGITS),
             parameter(answer, axis.to, DIGITS),
             axis.count,
+            match axis.log {
+                true => "ratios".to_owned(),
+                false => format!("distances of {apart}"),
+            },
             axis.path
         ));
     }

@@ -253,6 +253,13 @@ pub(crate) fn counted(count: usize, what: &str) -> String {
     }
 }
 
+/// A text that begins with a capital.
+pub(in crate::report) fn capitalised(text: &str) -> String {
+    let mut rest = text.chars();
+    let first = rest.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(rest).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::{escape, raised, scale, shortened, significant, subscript, with_unit};

@@ -2,6 +2,7 @@
 //! the numbers can be trusted. The two are never mixed up.
 
 use crate::dynamics::record::{CreepFigures, Figures, PairFigures, Units};
+pub(in crate::report) use crate::report::quantity::capitalised;
 use crate::report::quantity::{significant, units};
 use crate::report::sentence::Sentence;
 use crate::studies::judgement::{Judgement, RunEnd, checks, ending, is_unchecked};
@@ -104,17 +105,50 @@ pub fn verdict(figures: &Figures) -> Verdict {
     let ending = ending(figures);
     let failed_check = judgement == Judgement::NotToBeTrusted && ending != RunEnd::OfComputation;
     let text = match judgement {
-        _ if ending != RunEnd::Complete && !failed_check => stopped(figures, ending),
+        _ if ending != RunEnd::Complete && !failed_check => all(stopped(figures, ending)),
         Judgement::NotToBeTrusted if ending == RunEnd::OfScene => {
-            let ended = stopped(figures, ending);
+            let ended = all(stopped(figures, ending));
             ended.words(". ").sentence(failed(figures))
         }
         Judgement::NotToBeTrusted => failed(figures),
         Judgement::InWorkingOrder | Judgement::NotInWorkingOrder | Judgement::NotJudged => {
-            pairs(figures, judgement)
+            let course = pairs(figures, judgement);
+            all([course.said, course.missing])
         }
     };
     Verdict::judged(judgement, judgement.words(), text)
+}
+
+/// The verdict of a run as its answer: first what became of the mechanism, or `result` where
+/// nothing did, then the verdict in words.
+pub(in crate::report) fn run_answer(figures: &Figures, result: Option<Sentence>) -> Verdict {
+    let judgement = Judgement::of(figures);
+    let ending = ending(figures);
+    let [headline, text] = match (judgement, ending) {
+        (Judgement::NotToBeTrusted, RunEnd::OfScene) => {
+            [failed(figures), all(stopped(figures, ending))]
+        }
+        (Judgement::NotToBeTrusted, _) if ending != RunEnd::OfComputation => {
+            [failed(figures), Sentence::default()]
+        }
+        (_, RunEnd::Complete) => {
+            let course = pairs(figures, judgement);
+            match result.filter(|_| !course.fails) {
+                Some(result) => [result, all([course.said, course.missing])],
+                None => [course.said, course.missing],
+            }
+        }
+        _ => stopped(figures, ending),
+    };
+    Verdict::judged(judgement, headline, text)
+}
+
+/// Two sentences behind each other.
+fn all([first, second]: [Sentence; 2]) -> Sentence {
+    match first.is_empty() || second.is_empty() {
+        true => first.sentence(second),
+        false => first.words(" ").sentence(second),
+    }
 }
 
 /// The first check that a run failed.
@@ -141,8 +175,8 @@ fn failed(figures: &Figures) -> Sentence {
     format!("The computation failed its own check: {reason}.").into()
 }
 
-/// A run that did not reach its end.
-fn stopped(figures: &Figures, ending: RunEnd) -> Sentence {
+/// A run that did not reach its end: where it ended, and why.
+fn stopped(figures: &Figures, ending: RunEnd) -> [Sentence; 2] {
     let reason = figures.run.stopped_because.as_deref().unwrap_or("");
     let what = match ending {
         RunEnd::FromOutside | RunEnd::Complete => "The run is not finished: it ended",
@@ -151,14 +185,20 @@ fn stopped(figures: &Figures, ending: RunEnd) -> Sentence {
         RunEnd::OfMechanism => "The mechanism stops",
     };
     let ended = Sentence::from(format!("{what} at t = ")).quantity(figures.run.time, "s", 6);
-    match reason.trim_end() {
-        "" => ended.words("."),
-        reason => ended.words(". ").sentence(Sentence::read(reason)),
-    }
+    [ended.words("."), Sentence::read(reason.trim_end())]
+}
+
+/// What contacts did in a run.
+struct Course {
+    said: Sentence,
+    /// Why the steady motion is not judged.
+    missing: Sentence,
+    /// True where a contact separates or an object creeps.
+    fails: bool,
 }
 
 /// A complete run that passed its checks: what the pairs did.
-fn pairs(figures: &Figures, judgement: Judgement) -> Sentence {
+fn pairs(figures: &Figures, judgement: Judgement) -> Course {
     let pairs: Vec<(&String, &PairFigures)> = figures
         .objects
         .iter()
@@ -170,13 +210,18 @@ fn pairs(figures: &Figures, judgement: Judgement) -> Sentence {
         .collect();
     let missing = match (judgement, &figures.run.window_missing) {
         (Judgement::NotJudged, _) if is_unchecked(figures) => {
-            " The tolerance is too coarse to check the equations of motion.".to_owned()
+            "The tolerance is too coarse to check the equations of motion.".to_owned()
         }
-        (Judgement::NotJudged, Some(why)) => format!(" No steady window: {why}."),
+        (Judgement::NotJudged, Some(why)) => format!("No steady window: {why}."),
         _ => String::new(),
     };
+    let course = |said: Sentence, fails| Course {
+        said,
+        missing: missing.clone().into(),
+        fails,
+    };
     if !failing.is_empty() {
-        return sentence(failing).words(missing);
+        return course(sentence(failing), true);
     }
     let creeping: Vec<Sentence> = figures
         .objects
@@ -184,7 +229,10 @@ fn pairs(figures: &Figures, judgement: Judgement) -> Sentence {
         .filter_map(|(id, object)| Some(creeps(id, object.creep?, units(figures, id))))
         .collect();
     if !creeping.is_empty() {
-        return sentence(creeping);
+        return Course {
+            missing: Sentence::default(),
+            ..course(sentence(creeping), true)
+        };
     }
     let passing: u64 = pairs.iter().map(|(_, pair)| pair.separations).sum();
     let text = match (pairs.is_empty(), passing) {
@@ -195,7 +243,7 @@ fn pairs(figures: &Figures, judgement: Judgement) -> Sentence {
             times(count)
         ),
     };
-    (text + &missing).into()
+    course(text.into(), false)
 }
 
 /// Complaint about one pair; `None` when nothing is wrong. Without a window every
@@ -246,17 +294,11 @@ fn sentence(parts: Vec<Sentence>) -> Sentence {
     }
 }
 
-/// A text that begins with a capital.
-pub(in crate::report) fn capitalised(text: &str) -> String {
-    let mut rest = text.chars();
-    let first = rest.next().into_iter().flat_map(char::to_uppercase);
-    first.chain(rest).collect()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Sort, verdict};
+    use super::{Sort, run_answer, verdict};
     use crate::report::fixture;
+    use crate::report::sentence::Sentence;
 
     #[test]
     fn mechanism_and_computation_are_judged_apart() {
@@ -287,6 +329,35 @@ mod tests {
         assert_eq!(verdict(&figures).sort, Sort::Numerical);
         figures.run.stopped = Some("interrupted".into());
         assert_eq!(verdict(&figures).sort, Sort::Unfinished);
+    }
+
+    #[test]
+    fn an_answer_begins_with_what_became_of_the_mechanism() {
+        let (mut figures, _) = fixture::run(2, 0.03, 50);
+        let answer = |figures: &_| {
+            let found = run_answer(figures, Some(Sentence::from("Greatest |δ|: 1 mm.")));
+            format!("{} | {}", found.headline, found.said())
+        };
+        let said = answer(&figures);
+        assert!(said.starts_with("rocker separates"), "{said}");
+        assert!(said.ends_with(" | Not in working order."), "{said}");
+        let pair = figures.objects.get_mut("rocker").unwrap();
+        let pair = pair.pair.as_mut().unwrap();
+        (pair.in_working_order, pair.separations) = (Some(true), 0);
+        assert_eq!(
+            answer(&figures),
+            "Greatest |δ|: 1 mm. | No loss of contact during the run. In working order."
+        );
+        figures.run.complete = false;
+        figures.run.stopped = Some("dead_position".into());
+        figures.run.stopped_because = Some("rod cannot be assembled beyond 90 deg".into());
+        let said = answer(&figures);
+        assert!(said.starts_with("The mechanism stops at t = "), "{said}");
+        let rest = "s. | rod cannot be assembled beyond 90 deg. Not in working order.";
+        assert!(said.ends_with(rest), "{said}");
+        figures.run.energy_error = f64::NAN;
+        let said = answer(&figures);
+        assert!(said.starts_with("The computation failed"), "{said}");
     }
 
     #[test]

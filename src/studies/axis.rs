@@ -208,7 +208,7 @@ fn parameter_unit(path: &str, model: &Model) -> &'static str {
     // (What is nested deeper may measure anything.)
     match parts.as_slice() {
         ["ground", ..] | ["links", _, "points", ..] => "m",
-        ["inertia"] => either("kg m²", "kg"),
+        ["inertia"] | ["motor", "inertia"] => either("kg m²", "kg"),
         ["mass"] | ["links", _, "mass"] => "kg",
         ["moment"] | ["links", _, "moment"] => "kg m²",
         ["stiffness"] => either("N m/rad", "N/m"),
@@ -216,7 +216,7 @@ fn parameter_unit(path: &str, model: &Model) -> &'static str {
         ["loads", _, "constant"] => either("N m", "N"),
         ["pair", "gap"] => either("rad", "m"),
         ["position", "cam", "lift"] => either("rad", "m"),
-        ["motion", "speed"] => either("rad/s", "m/s"),
+        ["motion" | "motor", "speed"] => either("rad/s", "m/s"),
         ["duration"] => "s",
         _ => "",
     }

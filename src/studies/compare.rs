@@ -122,8 +122,8 @@ impl Comparison {
     }
 
     /// How many are enough: for the greatest |δ| and the contact force of the object whose
-    /// model is varied, a sentence each.
-    pub fn enough(&self) -> Vec<String> {
+    /// model is varied, a sentence each; `told` is a value, its error and their unit in words.
+    pub fn enough(&self, told: impl Fn(f64, f64, &str) -> String) -> Vec<String> {
         let Some((id, _)) = self.over.rsplit_once('.') else {
             return Vec::new();
         };
@@ -139,11 +139,16 @@ impl Comparison {
         };
         rows.filter_map(|row| Some((row, row.limit.as_ref()?)))
             .filter(|(row, limit)| !warned(row, limit))
-            .map(|(row, limit)| self.enough_of(row, limit))
+            .map(|(row, limit)| self.enough_of(row, limit, &told))
             .collect()
     }
 
-    fn enough_of(&self, row: &TableRow, limit: &Limit) -> String {
+    fn enough_of(
+        &self,
+        row: &TableRow,
+        limit: &Limit,
+        told: impl Fn(f64, f64, &str) -> String,
+    ) -> String {
         let (Some(value), Some(error)) = (limit.value, limit.error) else {
             let why = limit.why.as_deref().unwrap_or("it does not settle");
             return format!("{}: {why}", row.figure);
@@ -160,13 +165,7 @@ impl Comparison {
         let from = shares.iter().rposition(|share| !(*share <= NEAR));
         let from = from.map_or(0, |far| far + 1);
         let name = |at: usize| format!("{} = {}", self.over, self.table.labels[at]);
-        let limit = format!(
-            "{} leads to {} ± {} {}",
-            row.figure,
-            shown(value, 6),
-            shown(error, 2),
-            row.unit
-        );
+        let limit = format!("{} leads to {}", row.figure, told(value, error, &row.unit));
         match shares.get(from) {
             Some(share) => format!(
                 "{limit}; it is within 1 % from {} on ({} %)",

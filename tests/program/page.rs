@@ -356,6 +356,236 @@ fn loads_on_outputs_are_drawn_on_the_linkage() {
     assert_eq!(caption, "loads, longest motor 2 N m");
 }
 
+/// A motor whose cam the follower's picture shows has the arrow of its moment on that cam, square to
+/// the radius and in the sense in which the cam turns.
+#[test]
+fn the_moment_of_a_motor_is_drawn_on_its_cam() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = root.join("scenarios/cams/flat_tappet.json");
+    let text = std::fs::read_to_string(text).unwrap();
+    let moved = r#""motion": { "speed": "3000 rpm" }"#;
+    let motor = r#""motor": { "inertia": "0.02 kg m^2", "speed": "3000 rpm",
+                              "torque": { "constant": "2 N m" } }"#;
+    assert!(text.contains(moved));
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("scene.json");
+    std::fs::write(&scene, text.replace(moved, motor)).unwrap();
+    let machine = machine_of(&page_of_run(scene.to_str().unwrap()));
+    let set = &machine["sets"][0];
+    let caption = set["caption"].as_str().unwrap();
+    assert!(caption.contains("camshaft 2 N m"), "{caption}");
+    let all = set["on"].as_array().unwrap();
+    let named = caption.strip_prefix("loads, longest ").unwrap();
+    let place = named
+        .split(", ")
+        .position(|one| one.starts_with("camshaft"));
+    let arrow = &all[place.unwrap()];
+    let vector = |key: &str| -> [f64; 2] { serde_json::from_value(arrow[key].clone()).unwrap() };
+    let ([x, y], [dx, dy]) = (vector("at"), vector("by"));
+    assert!(x.hypot(y) > 10.0 && dx.hypot(dy) > 10.0, "{arrow}");
+    assert!(
+        (x * dx + y * dy).abs() < 1e-9,
+        "square to the radius: {arrow}"
+    );
+    // Counterclockwise, as the cam turns, with y downwards.
+    assert!(x * dy - y * dx < 0.0, "{arrow}");
+}
+
+/// Charts are saved as they look, as SVG and as PNG, under the name of what they show, without
+/// anything from outside; on paper there are no buttons.
+#[test]
+fn charts_are_saved_as_pictures() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let page = page_of_run("scenarios/valve_train/in_working_order.json");
+    let probe = r##"<pre id="answer"></pre><script>addEventListener("load", async () => {
+        const saved = [], blobs = [];
+        HTMLAnchorElement.prototype.click = function () { saved.push(this.download); };
+        URL.createObjectURL = (blob) => { blobs.push(blob); return "#"; };
+        // What a file is made of is known at once: reading it takes time.
+        window.Blob = class extends Blob { constructor(parts, kind) { super(parts, kind); this.parts = parts; } };
+        const charts = [...document.querySelectorAll(".chart")];
+        const chart = charts.find((one) => one.querySelector("svg").getAttribute("aria-label").startsWith("Contact force"));
+        chart.querySelectorAll(".saves button").forEach((button) => button.click());
+        // Messages take none of the browser's virtual time, which would be over before a picture is drawn.
+        const turn = () => new Promise((done) => { const { port1, port2 } = new MessageChannel(); port1.onmessage = done; port2.postMessage(0); });
+        for (let left = 3e6; blobs.length < 2 && left > 0; left--) await turn();
+        const named = (type) => blobs.find((blob) => blob.type === type);
+        const svg = named("image/svg+xml").parts[0];
+        const png = named("image/png").parts[0];
+        const read = new DOMParser().parseFromString(svg, "image/svg+xml"), root = read.documentElement;
+        const curve = read.querySelector(".curve"), size = (at) => new DataView(png.buffer).getUint32(at);
+        document.getElementById("answer").textContent = JSON.stringify({
+            all: charts.every((one) => one.querySelectorAll(".saves button").length === 2),
+            saved: saved.sort(), wrong: read.querySelector("parsererror") !== null,
+            outside: /href|url\((?!&quot;#|#)|var\(|@import/.test(svg),
+            curve: curve.getAttribute("d").length, colour: curve.getAttribute("stroke"),
+            wide: [2 * root.getAttribute("width"), size(16)], high: [2 * root.getAttribute("height"), size(20)],
+            begins: String.fromCharCode(...png.slice(1, 4)),
+        });
+    });</script></body>"##;
+    let dom = dom(&browser, &page.replace("</body>", probe), folder.path());
+    let answer = dom.split("<pre id=\"answer\">").nth(1).unwrap();
+    let answer: Value = serde_json::from_str(answer.split("</pre>").next().unwrap()).unwrap();
+    assert_eq!(answer["all"], true);
+    let names = ["valve.contact-force.png", "valve.contact-force.svg"];
+    assert_eq!(answer["saved"], serde_json::json!(names));
+    assert_eq!(
+        [&answer["wrong"], &answer["outside"]],
+        [false; 2],
+        "{answer}"
+    );
+    assert!(answer["curve"].as_u64().unwrap() > 200, "{answer}");
+    assert!(
+        answer["colour"].as_str().unwrap().starts_with("rgb"),
+        "{answer}"
+    );
+    assert_eq!(answer["begins"], "PNG");
+    for side in ["wide", "high"] {
+        let [of_svg, of_png] = [0, 1].map(|at| answer[side][at].as_f64().unwrap());
+        assert!((of_svg - of_png).abs() <= 1.0, "{answer}");
+    }
+    let printed = page
+        .split("@media print {")
+        .find(|part| part.contains(".chart .saves,"));
+    assert!(printed.is_some(), "buttons are printed");
+}
+
+/// On paper charts beside each other are drawn for half of it: their letters keep their size; long
+/// titles have smaller ones.
+#[test]
+fn printed_charts_are_drawn_for_the_room_on_paper() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args(["kinematics", "scenarios/linkages/shaper.json", "--out"])
+        .arg(&out)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    let probe = r##"<pre id="answer"></pre><script>addEventListener("load", () => {
+        const charts = [...document.querySelectorAll(".plots:not(.single) svg.dam-plot")];
+        const widths = () => charts.map((svg) => svg.viewBox.baseVal.width);
+        const cut = () => charts.filter((svg) => { const title = svg.querySelector(".title"); return title.getBBox().x + title.getBBox().width > svg.viewBox.baseVal.width; }).length;
+        const before = widths();
+        dispatchEvent(new Event("beforeprint"));
+        const printed = widths(), lost = cut();
+        dispatchEvent(new Event("afterprint"));
+        document.getElementById("answer").textContent = JSON.stringify({ before, printed, lost, after: widths() });
+    });</script></body>"##;
+    let dom = dom(&browser, &page.replace("</body>", probe), folder.path());
+    let answer = dom.split("<pre id=\"answer\">").nth(1).unwrap();
+    let answer: Value = serde_json::from_str(answer.split("</pre>").next().unwrap()).unwrap();
+    let printed = answer["printed"].as_array().unwrap();
+    assert!(
+        printed.len() > 6 && printed.iter().all(|one| *one == 338),
+        "{answer}"
+    );
+    assert_eq!(answer["lost"], 0, "{answer}");
+    assert_eq!(answer["before"], answer["after"]);
+}
+
+/// Pages name results and parameters in words: in heads of tables, on axes, in legends and titles.
+/// The address of a result stands small below its words.
+#[test]
+fn pages_name_results_and_parameters_in_words() {
+    let page = |arguments: &[&str]| {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("out");
+        let status = Command::new(env!("CARGO_BIN_EXE_dam"))
+            .args(arguments)
+            .arg("--out")
+            .arg(&out)
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        let page = std::fs::read_to_string(out.join("report.html"));
+        page.unwrap_or_else(|error| panic!("{error}: {status:?}"))
+    };
+    let rocker = "scenarios/rocker/two_masses.json";
+    let delta = "greatest <span class=\"nobr\">|δ|</span> of rocker<span class=\"sub\">rocker.delta_abs</span>";
+    let short = ["--set", "run.duration=0.05"];
+    let spread = page(&[&["run", rocker, "--spread"][..], &short[..]].concat());
+    assert!(spread.contains(delta));
+    let accuracy = ["run", rocker, "--accuracy", "rocker.delta_abs=1 %"];
+    let accuracy = page(&[&accuracy[..], &short[..]].concat());
+    assert!(accuracy.contains(delta));
+    assert!(
+        accuracy.contains(r#""label":"greatest |δ| of rocker""#),
+        "the chart"
+    );
+    let vary = [
+        "--vary",
+        "crank.motor.inertia=0.1:1:4",
+        "--subject",
+        "steady.fluctuation <= 10 %",
+    ];
+    let found = [
+        "find",
+        "scenarios/steady/engine.json",
+        "--minimize",
+        "crank.motor.inertia",
+    ];
+    let found = page(&[&found[..], &vary[..]].concat());
+    assert!(
+        found.contains("The least motor inertia of crank is"),
+        "the answer"
+    );
+    assert!(
+        found.contains(r#""name":"motor inertia of crank","#),
+        "the axis"
+    );
+    assert!(
+        found.contains(r#""title":"Coefficient of speed fluctuation""#),
+        "the title"
+    );
+    let map = [
+        "map",
+        rocker,
+        "--x",
+        "rocker.inertia=0.05:0.5:2",
+        "--unchecked",
+    ];
+    let panels = ["--panels", "rocker.masses=1,2"];
+    let map = page(&[&map[..], &panels[..], &short[..]].concat());
+    assert!(map.contains(r#""name":"inertia of rocker","#), "the axis");
+    assert!(map.contains("masses of rocker = 2"), "a panel");
+}
+
+/// What drives an input that turns is a moment: in the answer, in titles and in tables.
+#[test]
+fn forces_of_an_input_that_turns_are_moments() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    Command::new(env!("CARGO_BIN_EXE_dam"))
+        .args([
+            "forces",
+            "scenarios/kinetostatics/slider_crank.json",
+            "--out",
+        ])
+        .arg(&out)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let page = std::fs::read_to_string(out.join("report.html")).unwrap();
+    for words in [
+        "<b>Driving moment from ",
+        ">Driving moment, power, efficiency</h2>",
+        ">Sensitivity of the driving moment</h2>",
+        "<dt>mean driving moment</dt>",
+        ">of the driving moment</th>",
+        "driving moment<span class=\"sub\">drive</span>",
+        "force at corner 2 of P03<span class=\"sub\">P03.n2</span>",
+        r#""title":"Driving moment""#,
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    let before_scene = page.split(">Scene</h2>").next().unwrap();
+    assert!(!before_scene.to_lowercase().contains("driving force"));
+}
+
 /// Forces of one position may be far smaller than the greatest of all: arrows have a scale for
 /// each position, and tell then what the longest is.
 #[test]

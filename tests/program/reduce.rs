@@ -74,7 +74,7 @@ fn a_scene_that_is_itself_inaccurate_is_said_to_be() {
         assert_eq!(error <= asked.expect("a bound"), holds, "{error}");
         assert_eq!(found["given_holds"], holds, "{accuracy}");
         let answer = found["answer"].as_str().expect("an answer");
-        let words = "The scene as given is not that accurate: rocker.delta_max is up to";
+        let words = "The scene as given is not that accurate: greatest δ of rocker is up to";
         assert_eq!(answer.contains(words), !holds, "{answer}");
     }
 }

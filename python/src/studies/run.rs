@@ -12,6 +12,7 @@ use dam::report::diagram::Diagram;
 use dam::report::findings::Findings;
 use dam::report::machine::Machine;
 use dam::report::run::{RunReport, findings};
+use dam::report::verdict::{Verdict, verdict};
 use dam::studies::cam::disc_cams;
 use dam::studies::judgement::RunDocument;
 use dam::studies::run::{RunResult, run};
@@ -136,6 +137,15 @@ impl Told for Run {
             accuracy::add_to(&mut document, certificate);
         }
         Ok(document)
+    }
+
+    /// The verdict in words and what it says: results have names of their own.
+    fn answer(&self) -> Result<Option<Verdict>, Error> {
+        let judged = verdict(&self.result.figures);
+        Ok(Some(Verdict {
+            headline: judged.headline.words("."),
+            ..judged
+        }))
     }
 
     fn tell<T>(&self, to: impl FnOnce(&Findings<'_>) -> T) -> Result<T, Error> {

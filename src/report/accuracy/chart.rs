@@ -2,6 +2,7 @@
 
 use super::requested_error_line;
 use crate::frontend::scene::in_words;
+use crate::report::addresses::result_words;
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
@@ -29,7 +30,7 @@ pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
             let (points, marks): (Vec<_>, Vec<_>) = points.unzip();
             Series {
                 marks,
-                ..Series::line(name, points)
+                ..Series::line(&result_words(name), points)
             }
         })
         .collect();

@@ -15,7 +15,7 @@ pub(in crate::report) fn sections<'a>(certificate: &Certificate) -> Vec<Section<
     let figure = |(name, found): (&String, &FigureAccuracy)| {
         let number = |value: f64, digits| Value::new(value, &found.unit, digits);
         vec![
-            Cell::from(name.as_str()),
+            Cell::result(name),
             number(found.value, 7).into(),
             number(found.limit.unwrap_or(f64::NAN), 7).into(),
             Cell::with(worth(found), found.why.clone().unwrap_or_default()),

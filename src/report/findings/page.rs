@@ -1,6 +1,7 @@
 //! Findings as a page that opens without a network.
 
 use super::{Cell, Charts, Figure, Findings, Item, Layout, Section, Table, Value};
+use crate::report::addresses::{in_words, result_words};
 use crate::report::html::{bar, fact_list, header, named, number, scene, shell, warnings};
 use crate::report::plot::{Plot, Plots};
 use crate::report::quantity::{coded, escape, raised};
@@ -107,7 +108,7 @@ fn list(notes: &[String]) -> String {
 
 /// A sentence.
 fn prose(words: &str) -> String {
-    coded(&symbols(&escape(&raised(words)), Setting::Page))
+    coded(&symbols(&escape(&raised(&in_words(words))), Setting::Page))
 }
 
 /// Headings of a page from which on it has a list of them.
@@ -192,7 +193,8 @@ impl Charts {
             }
             Layout::Round => format!("<div class=\"round\">\n{figures}</div>\n"),
             Layout::Panels(columns) => format!(
-                "<div class=\"panels\" style=\"--columns:{columns};--few:{}\">\n{figures}</div>\n",
+                "<div class=\"panels{}\" style=\"--columns:{columns};--few:{}\">\n{figures}</div>\n",
+                if columns == 1 { " single" } else { "" },
                 columns.div_ceil(2)
             ),
         }
@@ -219,7 +221,7 @@ impl Table {
                 format!(
                     "<th class=\"{}\">{}</th>",
                     class_of(at, "head"),
-                    named(&column.name)
+                    named(&result_words(&column.name))
                 )
             })
             .collect();
@@ -229,10 +231,14 @@ impl Table {
                 Some(false) => "no",
                 None => "",
             };
-            let note = match cell.note.is_empty() {
+            let below = |text: String| format!("<span class=\"sub\">{text}</span>");
+            let mut note = match cell.words.is_empty() {
                 true => String::new(),
-                false => format!("<span class=\"sub\">{}</span>", prose(&cell.note)),
+                false => below(escape(&cell.value.words())),
             };
+            if !cell.note.is_empty() {
+                note.push_str(&below(prose(&cell.note)));
+            }
             let tag = if at == 0 { "th" } else { "td" };
             let class = format!("{}{tone}", class_of(at, tag));
             let class = match class.trim() {
@@ -241,11 +247,12 @@ impl Table {
             };
             let value = match cell.object {
                 true => format!("<a href=\"#object-{0}\">{0}</a>", value(&cell.value)),
+                false if !cell.words.is_empty() => named(&cell.words),
                 false => value(&cell.value),
             };
             let label = match self.columns.get(at) {
                 Some(column) if wide && at > 0 => {
-                    let name = symbols(&escape(&column.name), Setting::Letters);
+                    let name = symbols(&escape(&result_words(&column.name)), Setting::Letters);
                     format!(" data-label=\"{name}\"")
                 }
                 _ => String::new(),

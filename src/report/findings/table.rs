@@ -1,5 +1,6 @@
 //! Values, figures and tables of findings.
 
+use crate::report::addresses::result_words;
 use crate::report::display_units;
 use crate::report::quantity::{scale, significant, with_unit};
 use crate::studies::check::Check;
@@ -196,6 +197,8 @@ pub struct Cell {
     pub good: Option<bool>,
     /// True: the id of an object, whose motion a page shows.
     pub object: bool,
+    /// What a page says for an address, which stands below it there; empty of everything else.
+    pub words: String,
 }
 
 impl<V: Into<Value>> From<V> for Cell {
@@ -205,6 +208,7 @@ impl<V: Into<Value>> From<V> for Cell {
             note: String::new(),
             good: None,
             object: false,
+            words: String::new(),
         }
     }
 }
@@ -220,6 +224,23 @@ impl Cell {
         Self {
             object: true,
             ..id.into()
+        }
+    }
+
+    /// The address of a result, of which a page has the words.
+    pub fn result(address: &str) -> Self {
+        Self::address(address, result_words(address))
+    }
+
+    /// An address with its words, which may be the address itself.
+    pub fn address(address: &str, words: String) -> Self {
+        Self {
+            words: if words == address {
+                String::new()
+            } else {
+                words
+            },
+            ..address.into()
         }
     }
 

@@ -1,6 +1,7 @@
 //! What changes the driving force and χ: coefficients, masses, leaving masses out.
 
 use super::charts::massless_chart;
+use super::words::{cause_words, driving};
 use super::{ForcesReport, WIDE, value};
 use crate::report::findings::{Cell, Figure, Section, Table, Value};
 use crate::report::quantity::significant;
@@ -15,6 +16,7 @@ pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         let values = values.filter_map(|(index, row)| Some((index, column.value(row)?)));
         values.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))
     };
+    let cause = |name: &str| Cell::address(name, cause_words(name));
     let row = |column: &Column| {
         let name = column.name.strip_prefix("drive_by.")?;
         let (index, by) = greatest(column).filter(|(_, by)| *by != 0.0)?;
@@ -22,17 +24,18 @@ pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         if let Some((_, at)) = endless.find(|(known, _)| *known == column.name) {
             let place = format!("→ {}", report.place(*at));
             let unbounded = Cell::with("unbounded", place);
-            return Some(vec![name.into(), unbounded, "unbounded".into()]);
+            return Some(vec![cause(name), unbounded, "unbounded".into()]);
         }
         let place = report.place(study.course.parameter(index));
         let chi = format!("chi_by.{name}");
         let chi = all.iter().find(|other| other.name == chi);
         let chi = chi.and_then(|chi| Some(value(greatest(chi)?.1, &chi.unit)));
         let by = Cell::with(value(by, &column.unit), format!("at {place}"));
-        Some(vec![name.into(), by, chi.unwrap_or("".into()).into()])
+        Some(vec![cause(name), by, chi.unwrap_or("".into()).into()])
     };
+    let drive = format!(">of the {}", driving(study.drive_unit()));
     Section::new("Greatest change by coefficients of friction and masses")
-        .table(Table::new(["by", ">of the drive", ">of χ"]).rows(all.iter().filter_map(row)))
+        .table(Table::new(["by", &drive, ">of χ"]).rows(all.iter().filter_map(row)))
 }
 
 pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {

@@ -1,10 +1,12 @@
 //! Curves over the course, χ against i, massless against full.
 
-use super::ForcesReport;
+use super::words::driving;
+use super::{ForcesReport, inputs};
 use crate::math::order::by_first;
 use crate::report::findings::{Layout, Section};
 use crate::report::plot::{Axis, Band, Plot, Series};
 use crate::report::quantity::significant;
+use crate::report::verdict::capitalised;
 use crate::studies::forces::{Column, ForceStudy, Forces};
 
 /// All curves over the course.
@@ -47,19 +49,18 @@ pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
         .iter()
         .map(|pair| change(&pair.name, "friction"));
     let by_mass = linkage.links.iter().map(|link| change(&link.name, "mass"));
-    let title = "Change of the driving force by";
     let sensitivity = vec![
-        chart(
-            &format!("{title} coefficients of friction"),
-            by_friction.collect(),
-        ),
-        chart(&format!("{title} masses"), by_mass.collect()),
+        chart("Change by coefficients of friction", by_friction.collect()),
+        chart("Change by masses", by_mass.collect()),
     ];
     vec![
-        section("Driving force, power, efficiency", drive(study, &chart)),
+        section(&heading(study, &all), drive(study, &all, &chart)),
         section("Reactions", reactions),
         section("The frame", frame),
-        section("Sensitivity", sensitivity),
+        section(
+            &format!("Sensitivity of the {}", driving(study.drive_unit())),
+            sensitivity,
+        ),
     ]
 }
 
@@ -71,17 +72,35 @@ fn change<'n>(name: &'n str, what: &str) -> (String, &'n str) {
 /// Makes a chart of a title and of columns, each with its label.
 type Chart<'a> = dyn Fn(&str, Vec<(String, &str)>) -> Plot + 'a;
 
+/// What drives an input, by the column that has it.
+fn driven_by(all: &[Column], name: &str) -> &'static str {
+    let column = all.iter().find(|column| column.name == name);
+    driving(column.map_or("", |column| &column.unit))
+}
+
+/// The heading above what drives: of inputs of both kinds that of a force.
+fn heading(study: &ForceStudy, all: &[Column]) -> String {
+    let turns = |name: &str| driven_by(all, name) == driving("N m");
+    let turns = match study.several {
+        None => turns("drive"),
+        Some(_) => (inputs(study).iter()).all(|name| turns(&format!("drive.{name}"))),
+    };
+    let kind = driving(if turns { "N m" } else { "N" });
+    format!("{}, power, efficiency", capitalised(kind))
+}
+
 /// Driving forces, powers, efficiency and the dynamic transmission ratio.
-fn drive(study: &ForceStudy, chart: &Chart<'_>) -> Vec<Plot> {
+fn drive(study: &ForceStudy, all: &[Column], chart: &Chart<'_>) -> Vec<Plot> {
     let one = |title: &str, name: &str| chart(title, vec![(name.to_owned(), "")]);
     let mut charts = Vec::new();
     match &study.several {
-        None => charts.push(one("Driving force", "drive")),
+        None => charts.push(one(&capitalised(driven_by(all, "drive")), "drive")),
         Some(several) => {
             let names = || several.spec.inputs.iter().map(|input| input.name.as_str());
             let of_one = |name: &str| {
-                let title = format!("Driving force at {name}");
-                one(&title, &format!("drive.{name}"))
+                let column = format!("drive.{name}");
+                let title = format!("{} at {name}", capitalised(driven_by(all, &column)));
+                one(&title, &column)
             };
             charts.extend(names().map(of_one));
             let powers = names().map(|name| (format!("power.{name}"), name));

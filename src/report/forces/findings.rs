@@ -3,7 +3,8 @@
 use super::changes::{massless, sensitivities};
 use super::charts::{groups, ratio_chart};
 use super::reactions::reactions;
-use super::{ForcesReport, WIDE, drawing, value};
+use super::words::{driving, quantity_words};
+use super::{ForcesReport, WIDE, drawing, inputs, value};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
 use crate::report::csv::{Field, Rows, head};
 use crate::report::findings::table::judged;
@@ -11,7 +12,7 @@ use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, T
 use crate::report::plot::{Plot, page::hodograph};
 use crate::report::quantity::{DIGITS, counted, significant};
 use crate::report::sentence::{Sentence, in_shown_units};
-use crate::report::verdict::Verdict;
+use crate::report::verdict::{Verdict, capitalised};
 use crate::studies::forces::{Extreme, Extremes, ForceStudy};
 use crate::studies::judgement::Judgement;
 use std::collections::BTreeSet;
@@ -106,18 +107,17 @@ fn answer(report: &ForcesReport<'_>) -> Verdict {
     let drives = (study.extremes.iter())
         .filter(|found| found.name == "drive" || found.name.starts_with("drive."));
     let drives: Vec<&Extremes> = drives.collect();
-    let turns = !drives.is_empty() && drives.iter().all(|drive| drive.unit == "N m");
+    let turns = drives.iter().all(|drive| drive.unit == "N m");
+    let kind = driving(if turns { "N m" } else { "N" });
     let drives: Vec<Sentence> = drives.into_iter().map(between).collect();
     let headline = match drives.is_empty() {
-        false => Sentence::from(match turns {
-            true => "Driving moment ",
-            false => "Driving force ",
-        })
-        .sentence(Sentence::joined(drives, ", "))
-        .words("."),
-        true if study.indeterminate.drive => {
-            Sentence::from("The driving force is statically indeterminate.")
-        }
+        false => Sentence::from(format!("{} ", capitalised(kind)))
+            .sentence(Sentence::joined(drives, ", "))
+            .words("."),
+        true if study.indeterminate.drive => Sentence::from(format!(
+            "The {} is statically indeterminate.",
+            driving(study.drive_unit())
+        )),
         true if study.missing() < study.rows.len() => {
             Sentence::from("Forces grow without bound towards the dead-centre position.")
         }
@@ -230,7 +230,8 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
             add("efficiency", 100.0 * efficiency, "%");
         }
         if let Some(force) = force {
-            add("mean driving force", cycle.mean_drive, force);
+            let mean = format!("mean {}", driving(force));
+            add(&mean, cycle.mean_drive, force);
             add("its root mean square", cycle.rms_drive, force);
         }
     }
@@ -256,17 +257,20 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
 
 /// The results of a single position.
 fn at_one_position(report: &ForcesReport<'_>) -> Table {
+    let inputs = inputs(report.study);
     let rows = report.study.extremes.iter().map(|found| {
         let known = match found.least.value.is_finite() {
             true => Cell::from(value(found.least.value, &found.unit)),
             false => Cell::from("unbounded"),
         };
-        vec![Cell::from(found.name.as_str()), known]
+        let words = quantity_words(&found.name, &found.unit, &inputs);
+        vec![Cell::address(&found.name, words), known]
     });
     Table::new(["quantity", ">value"]).rows(rows)
 }
 
 fn extremes(report: &ForcesReport<'_>) -> Table {
+    let inputs = inputs(report.study);
     let rows = report.study.extremes.iter().map(|found| {
         let cell = |end: &Extreme| {
             let place = report.place(end.at);
@@ -275,7 +279,8 @@ fn extremes(report: &ForcesReport<'_>) -> Table {
                 false => Cell::with("unbounded", format!("→ {place}")),
             }
         };
-        let name = Cell::from(found.name.as_str());
+        let words = quantity_words(&found.name, &found.unit, &inputs);
+        let name = Cell::address(&found.name, words);
         vec![name, cell(&found.least), cell(&found.greatest)]
     });
     Table::new(["quantity", ">least", ">greatest"]).rows(rows)

@@ -6,6 +6,7 @@ mod document;
 mod drawing;
 mod findings;
 mod reactions;
+mod words;
 
 pub use charts::massless_chart;
 pub use document::document;
@@ -19,6 +20,13 @@ use crate::studies::forces::{ForceStudy, MasslessComparison, Zone};
 
 /// Height of charts over the whole page (pixels).
 const WIDE: Layout = Layout::Wide(420.0);
+
+/// Names of the inputs of a linkage of several; else none.
+fn inputs(study: &ForceStudy) -> Vec<&str> {
+    let several = study.several.iter();
+    let all = several.flat_map(|several| &several.spec.inputs);
+    all.map(|input| input.name.as_str()).collect()
+}
 
 /// A quantity of the study.
 fn value(value: f64, unit: &str) -> Value {

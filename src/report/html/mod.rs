@@ -7,6 +7,7 @@
 pub(in crate::report) mod player;
 pub mod runs;
 
+use crate::report::addresses::in_words;
 use crate::report::diagram::Diagram;
 use crate::report::display_units;
 use crate::report::mechanism;
@@ -19,17 +20,28 @@ use crate::report::verdict::{Sort, Verdict};
 
 /// The style of pages.
 pub(in crate::report) const STYLE: &str = include_str!("style.css");
+/// What writes pictures of a page as files.
+const PICTURE: &str = include_str!("picture.js");
+/// The buttons that save charts.
+const SAVES: &str = include_str!("saves.js");
 /// The player of what moves, behind what writes its pictures as files.
 pub(in crate::report) const PLAYER: &str =
     concat!(include_str!("picture.js"), include_str!("player.js"));
 
-/// A complete document around `body`, with the data of its plots, and with the
-/// player where something moves.
+/// A complete document around `body`, with the data of its plots, with the player where something
+/// moves and with buttons that save where there are charts.
 pub(in crate::report) fn shell(title: &str, body: &str, data: &str) -> String {
     let moves = body.contains("<figure class=\"moving\"");
-    let player = match moves {
-        true => format!("<script>\n{PLAYER}</script>\n"),
-        false => String::new(),
+    let charts = body.contains("<div class=\"chart");
+    let picture = match (moves, charts) {
+        (true, _) => PLAYER,
+        (false, true) => PICTURE,
+        (false, false) => "",
+    };
+    let saves = if charts { SAVES } else { "" };
+    let more = match [picture, saves].concat() {
+        none if none.is_empty() => none,
+        scripts => format!("<script>\n{scripts}</script>\n"),
     };
     let moving = if moves { mechanism::STYLE } else { "" };
     format!(
@@ -40,7 +52,7 @@ pub(in crate::report) fn shell(title: &str, body: &str, data: &str) -> String {
          <meta name=\"generator\" content=\"dam\">\n\
          <title>{}</title>\n<style>\n{}{}{STYLE}{moving}</style>\n</head>\n<body>\n{body}\
          <script id=\"data\" type=\"application/json\">{data}</script>\n\
-         <script>\n{SCRIPT}</script>\n{player}</body>\n</html>\n",
+         <script>\n{SCRIPT}</script>\n{more}</body>\n</html>\n",
         escape(title),
         palette::of_page(),
         palette::STYLE,
@@ -86,7 +98,8 @@ pub(in crate::report) fn warnings(warnings: &[String]) -> String {
     if warnings.is_empty() {
         return String::new();
     }
-    let item = |warning: &String| format!("<li>{}</li>\n", Sentence::read(warning).html());
+    let item =
+        |warning: &String| format!("<li>{}</li>\n", Sentence::read(&in_words(warning)).html());
     let items: String = warnings.iter().map(item).collect();
     format!("<h2>Warnings</h2>\n<ul class=\"warnings\">\n{items}</ul>\n")
 }
@@ -138,9 +151,9 @@ pub(in crate::report) fn fact_list(rows: &[(String, String)]) -> String {
     )
 }
 
-/// A name with its symbols.
+/// A name with its symbols; no line ends within |δ|.
 pub(in crate::report) fn named(name: &str) -> String {
-    symbols(&escape(name), Setting::Page)
+    symbols(&escape(name), Setting::Page).replace("|δ|", "<span class=\"nobr\">|δ|</span>")
 }
 
 /// A number with its unit for reading, the full number on hover.

@@ -319,6 +319,129 @@ pub fn section(plots: &mut Plots, runs: &[RunSeries<'_>], id: &str, kind: &str) 
     ObjectCharts::of(runs, id, kind).map_or(String::new(), |shown| shown.html(plots))
 }
 
+/// How far a quantity of an object differs in every other run from the last one, where both have a
+/// sample over the same place; `None`: nowhere, or it is the same in all.
+pub fn difference(
+    runs: &[RunSeries<'_>],
+    object: &str,
+    quantity: Quantity,
+    title: &str,
+) -> Option<Plot> {
+    let (base, others) = runs.split_last()?;
+    let unit = base.record.column(object, quantity)?.unit;
+    let series = others.iter().enumerate().filter_map(|(run, one)| {
+        let curve = apart(one, base, object, quantity)?;
+        Some(Series {
+            style: Some(run),
+            ..Series::line(&one.label, curve)
+        })
+    });
+    let series: Vec<Series> = series.collect();
+    (!series.is_empty()).then(|| Plot {
+        id: format!("{object}.{quantity}.difference"),
+        title: title.to_owned(),
+        x: base.over.axis(),
+        y: Axis::of(unit),
+        series,
+        ..Plot::default()
+    })
+}
+
+/// Share of a value, or of the greatest one of a quantity, below which a difference is rounding.
+const ROUNDING: f64 = 1e-12;
+/// Angles of the machine that are one place (rad).
+const SAME_ANGLE: f64 = 1e-9;
+
+/// A quantity of a run less that of another over places that both have; `None`: there are less
+/// than two, or they do not differ.
+fn apart(
+    run: &RunSeries<'_>,
+    base: &RunSeries<'_>,
+    object: &str,
+    quantity: Quantity,
+) -> Option<Vec<(f64, f64)>> {
+    let columns = [run, base].map(|one| one.record.column(object, quantity));
+    let [own, other] = [columns[0]?, columns[1]?];
+    let angles = [run, base].map(|one| one.over.angles(one.record));
+    let same_place = |&(i, j): &(usize, usize)| match angles {
+        [Some(own), Some(other)] => (own[i] - other[j]).abs() <= SAME_ANGLE,
+        _ => true,
+    };
+    let rows = shared_rows(&run.record.times, &base.record.times);
+    let rows: Vec<(usize, usize)> = rows.into_iter().filter(same_place).collect();
+    let differences = rows.iter().map(|&(i, j)| own.values[i] - other.values[j]);
+    let differences: Vec<f64> = differences.collect();
+    let greatest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
+    let size = greatest(&mut other.values.iter().map(|value| value.abs()));
+    let most = greatest(&mut differences.iter().map(|value| value.abs()));
+    (rows.len() > 1 && most > ROUNDING * size).then(|| {
+        // Only what places the samples is asked of the record.
+        let columns = run.record.columns.iter();
+        let columns = columns.filter(|column| column.quantity == Quantity::Displacement);
+        let columns = columns.map(|column| Column {
+            values: rows.iter().map(|&(i, _)| column.values[i]).collect(),
+            ..column.clone()
+        });
+        let shared = Record {
+            times: rows.iter().map(|&(i, _)| run.record.times[i]).collect(),
+            columns: columns.collect(),
+            ..Record::default()
+        };
+        run.over.curve(&shared, &differences)
+    })
+}
+
+/// Rows of the same instant in two records. An instant with two rows is left out: there a value may
+/// jump, in one of both alone.
+fn shared_rows(own: &[f64], other: &[f64]) -> Vec<(usize, usize)> {
+    let same = |a: f64, b: f64| (a - b).abs() <= ROUNDING * a.abs().max(b.abs());
+    let single = |times: &[f64], at: usize| {
+        let near = [at.checked_sub(1), Some(at + 1)].into_iter().flatten();
+        let mut near = near.filter_map(|row| times.get(row));
+        near.all(|&time| !same(time, times[at]))
+    };
+    let (mut rows, mut i, mut j) = (Vec::new(), 0, 0);
+    while i < own.len() && j < other.len() {
+        match (same(own[i], other[j]), own[i] < other[j]) {
+            (true, _) => {
+                if single(own, i) && single(other, j) {
+                    rows.push((i, j));
+                }
+                (i, j) = (i + 1, j + 1);
+            }
+            (false, true) => i += 1,
+            (false, false) => j += 1,
+        }
+    }
+    rows
+}
+
+/// The charts of the differences of an object, two beside each other under a heading; empty where
+/// no quantity differs.
+pub fn differences(plots: &mut Plots, runs: &[RunSeries<'_>], id: &str) -> String {
+    let Some(base) = runs.last() else {
+        return String::new();
+    };
+    let charts = plotted_quantities(id, runs);
+    let charts = charts
+        .into_iter()
+        .filter_map(|(quantity, name)| difference(runs, id, quantity, &format!("Δ {name}")));
+    let charts: Vec<Plot> = charts.collect();
+    if charts.is_empty() {
+        return String::new();
+    }
+    let figures: String = (charts.iter())
+        .map(|chart| plots.figure(chart, ONE, &format!("object {id}")))
+        .collect();
+    format!(
+        "<h3>Differences of {} from the run with {}</h3>\n\
+         <div class=\"plots\" style=\"--rows:{}\">\n{figures}</div>\n",
+        escape(id),
+        escape(&base.label),
+        charts.len().div_ceil(2)
+    )
+}
+
 /// The quantities of an object with their names on the plots: the six of every object,
 /// then its contact pressure and those of masses and links that any run has recorded.
 fn plotted_quantities(id: &str, runs: &[RunSeries<'_>]) -> Vec<(Quantity, String)> {

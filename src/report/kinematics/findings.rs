@@ -62,7 +62,7 @@ fn answer(found: &Kinematics) -> Verdict {
     }
     let stroke = |stroke: &Stroke| {
         let size = stroke.ends[1].1 - stroke.ends[0].1;
-        Sentence::from(format!("{} ", stroke.owner)).angle_or(size, stroke.unit, DIGITS)
+        Sentence::from(format!("{} ", slide(&stroke.owner))).angle_or(size, stroke.unit, DIGITS)
     };
     // What a block on the guide of an output does is the stroke of the output once more.
     let size = |stroke: &Stroke| stroke.ends[1].1 - stroke.ends[0].1;
@@ -94,6 +94,12 @@ fn answer(found: &Kinematics) -> Verdict {
         (true, None) => (Sentence::from(through), text),
     };
     Verdict::judged(found.judgement(), headline, text)
+}
+
+/// What makes a stroke, in words: an output by its name, a block as that of its joint.
+fn slide(owner: &str) -> String {
+    let joint = owner.strip_prefix("pairs.");
+    joint.map_or(owner.to_owned(), |joint| format!("block in {joint}"))
 }
 
 /// The least transmission angle of all dyads, and where it is.
@@ -136,7 +142,7 @@ fn strokes(found: &Kinematics) -> Table {
         let [rise, fall] = stroke.rise_and_return.map(|over| input(found, over));
         let size = Value::angle_or(high.1 - low.1, stroke.unit, DIGITS);
         vec![
-            stroke.owner.as_str().into(),
+            Cell::address(&stroke.owner, slide(&stroke.owner)),
             cell(low),
             cell(high),
             size.into(),

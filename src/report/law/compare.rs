@@ -1,5 +1,6 @@
 //! Laws compared by constants and by response, as findings and rows.
 
+use crate::report::addresses::parameter_words;
 use crate::report::csv::{Field, Rows};
 use crate::report::findings::{Cell, Findings, Item, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
@@ -32,7 +33,7 @@ pub fn comparison_findings<'a>(
     let text = doubt.trim_start();
     Findings {
         title: scene.to_owned(),
-        subtitle: format!("laws compared at {at}"),
+        subtitle: format!("laws compared for the {}", parameter_words(at)),
         answer: Some(Verdict::answer(sort, headline, text)),
         warnings: Vec::new(),
         sections: vec![

@@ -13,7 +13,7 @@ pub(super) fn picture(
     machine: &Machine<'_>,
     part: &ObjectPart,
     way: &ObjectPath,
-    driver: &ObjectPath,
+    (driver_id, driver): (&str, &ObjectPath),
     (columns, elastic, most): ([usize; 2], bool, f64),
 ) -> Option<Picture> {
     let (_, cam) = machine.cams.iter().find(|(id, _)| *id == part.id)?;
@@ -46,7 +46,9 @@ pub(super) fn picture(
         Some(start).filter(|_| elastic),
     );
     let [inlet, outlet, tip] = ends(cam, &view);
-    let grip = grip(&all[1], [outlet, tip]);
+    let follower = grip(&all[1], [outlet, tip]).map(|grip| (part.id.clone(), grip));
+    let radius = view.scale * cam.geometry().base_radius;
+    let turned = on_cam(&all[0], radius).map(|grip| (driver_id.to_owned(), grip));
     Some(Picture {
         drawn: parts + &marks(cam, &view, driver.forward),
         size: view.size,
@@ -57,10 +59,7 @@ pub(super) fn picture(
         outlets: Vec::new(),
         scale: Some(view.scale),
         shows_driver: true,
-        grips: grip
-            .map(|grip| (part.id.clone(), grip))
-            .into_iter()
-            .collect(),
+        grips: follower.into_iter().chain(turned).collect(),
     })
 }
 
@@ -82,6 +81,19 @@ fn grip(follower: &Body, [end, tip]: [[f64; 2]; 2]) -> Option<Grip> {
         along: along.map(|part| part / size),
         fixed: false,
     })
+}
+
+/// Where the moment on the cam acts, its first part: on its base circle, square to the radius.
+fn on_cam(cam: &Body, radius: f64) -> Option<Grip> {
+    match *cam {
+        Body::Turn { sense, .. } => Some(Grip {
+            part: 0,
+            at: [radius, 0.0],
+            along: [0.0, -sense.signum()],
+            fixed: false,
+        }),
+        Body::Slide { .. } | Body::Rows { .. } | Body::Over { .. } => None,
+    }
 }
 
 /// Length of a unit of outward displacement (pixels): of a turning follower at its tip.

@@ -65,7 +65,7 @@ impl Station {
                 machine,
                 part,
                 &own,
-                &turned,
+                (&drawn[driver].id, &turned),
                 ([driver, column], elastic, most),
             )
         };

@@ -3,7 +3,7 @@
 use super::meanings::{meaning, not_determined};
 use super::picture::{key, letter, panels};
 use super::pointing::section;
-use crate::report::addresses::{parameter_words, result_words};
+use crate::report::addresses::{parameter_words, result_words, setting_words};
 use crate::report::findings::{Cell as Entry, Findings, Layout, Section, Source, Table, Value};
 use crate::report::html::facts;
 use crate::report::quantity::{significant, with_unit};
@@ -62,7 +62,7 @@ fn over(axis: &Axis) -> String {
     let by = if axis.log { " by equal ratios" } else { "" };
     format!(
         "{} ({} values from {} to {}{by})",
-        axis.path,
+        parameter_words(&axis.path),
         axis.count,
         value_text(axis, axis.from),
         value_text(axis, axis.to)
@@ -216,7 +216,7 @@ fn extremes(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
     let row = |(index, panel): (usize, &PanelSummary)| {
         let label = match panel.label.as_str() {
             "" => "map".to_owned(),
-            label => format!("{}  {label}", letter(index)),
+            label => format!("{}  {}", letter(index), setting_words(label)),
         };
         vec![label.into(), cell(&panel.least), cell(&panel.greatest)]
     };

@@ -3,6 +3,7 @@
 use super::style::{colour, hatching};
 use super::values::Values;
 use crate::math::contour::contours;
+use crate::report::addresses::parameter_words;
 use crate::report::plot::{Axis, Contour, Field, Kind, LineStyle, Mark, Plot, Rule, Series, Shape};
 use crate::studies::axis::Axis as Parameter;
 use crate::studies::map::{Cell, Study, Verdict};
@@ -213,7 +214,7 @@ impl Grid {
                 .copied()
                 .zip(edges.last().copied())
                 .map(|(a, b)| [a, b]),
-            ..Axis::new(&parameter.path, unit)
+            ..Axis::new(&parameter_words(&parameter.path), unit)
         };
         Self {
             axis,

@@ -4,7 +4,7 @@
 use super::panel::{Panel, undetermined};
 use super::style::{colour, hatching};
 use super::values::Values;
-use crate::report::addresses::result_words;
+use crate::report::addresses::{result_words, setting_words};
 use crate::report::plot::field::{patterns, swatch};
 use crate::report::plot::page::Plots;
 use crate::report::plot::palette::STYLE;
@@ -46,7 +46,7 @@ pub(super) fn panels(study: &Study<'_>, result: &MapResult) -> Vec<Plot> {
             cells,
             values: &values,
         };
-        let settings = title(&panel.settings).join(", ");
+        let settings = setting_words(&title(&panel.settings).join(", "));
         let head = match (several, settings.as_str()) {
             (true, settings) => format!("{}  {settings}", letter(index)),
             (false, "") => capitalised(&result_words(&study.figure)),

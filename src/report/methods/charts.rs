@@ -2,6 +2,7 @@
 
 use crate::dynamics::integrate::Method;
 use crate::frontend::scene::in_words;
+use crate::report::addresses::parameter_words;
 use crate::report::plot::palette::method_verdicts as colours;
 use crate::report::plot::{Axis, Field, Kind, Mark, Plot, Rule, Series, Shape};
 use crate::report::quantity::{shortened, significant, with_unit};
@@ -186,7 +187,7 @@ fn axis(sweep: &Sweep) -> Axis {
         log: sweep.axis.log,
         // A unit of the user's own stays as it is.
         fixed: true,
-        ..Axis::new(&sweep.axis.path, &sweep.axis.unit)
+        ..Axis::new(&parameter_words(&sweep.axis.path), &sweep.axis.unit)
     }
 }
 

@@ -19,7 +19,7 @@ const HEIGHT: f64 = 560.0;
 const TIMING: &str = "Filled marks: converged, the error is within the tolerance (of a fixed \
                       step, within the accuracy required). Open marks: inaccurate or not judged. \
                       Crosses: failed. Marks with an arrow: the reference. Its error is at most \
-                      its distance from the nearest other method. Pointing at a mark tells its \
+                      its distance from the nearest other method. Pointing at a mark shows its \
                       cause. Times are wall-clock times from the system ready to all samples of δ \
                       and all event times. They are medians of repeated runs with a single \
                       thread. They vary from run to run and from machine to machine.";

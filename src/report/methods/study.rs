@@ -4,6 +4,7 @@ use super::charts::{Against, work_precision};
 use super::{HEIGHT, TIMING, verdict};
 use crate::dynamics::integrate::Method;
 use crate::frontend::scene::in_words;
+use crate::report::addresses::result_words;
 use crate::report::diagram::Diagram;
 use crate::report::findings::{Cell, Figure, Findings, Layout, Section, Source, Table, Value};
 use crate::report::html::mechanism;
@@ -242,7 +243,7 @@ fn row(line: &MethodLine, point: &Point) -> Vec<Cell> {
         error,
         worst.map_or("–".into(), |worst| {
             let error = Value::new(worst.error.unwrap_or(f64::NAN), "", 2);
-            Cell::with(error, worst.figure.as_str())
+            Cell::with(error, result_words(&worst.figure))
         }),
         Cell::known(point.measured_seconds, "s", 3),
         count(point.evaluations),

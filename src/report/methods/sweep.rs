@@ -4,6 +4,7 @@ use super::charts::{cost, height_of_regions, methods, regions, stable_steps};
 use super::study::names;
 use super::{HEIGHT, TIMING, verdict};
 use crate::dynamics::integrate::Method;
+use crate::report::addresses::parameter_words;
 use crate::report::diagram::Diagram;
 use crate::report::findings::{Cell, Findings, Layout, Section, Source, Table};
 use crate::report::html::mechanism;
@@ -44,7 +45,7 @@ pub fn sweep_findings<'a>(
         title: scene.to_owned(),
         subtitle: format!(
             "methods over {} from {} to {}, {} values",
-            axis.path,
+            parameter_words(&axis.path),
             value(sweep, axis.from),
             value(sweep, axis.to),
             sweep.slices.len()
@@ -138,7 +139,8 @@ fn standings(sweep: &Sweep) -> Section<'static> {
         format!(" (methods of fixed step: at {})", with_unit(step, "s", 3))
     });
     let heads = methods.iter().map(|method| method.name());
-    let table = Table::new(std::iter::once(sweep.axis.path.as_str()).chain(heads));
+    let parameter = parameter_words(&sweep.axis.path);
+    let table = Table::new(std::iter::once(parameter.as_str()).chain(heads));
     Section::new("Values")
         .words(format!(
             "The verdict at the required tolerance{fixed}, and the least time to an error of δ \
@@ -166,7 +168,7 @@ fn causes(sweep: &Sweep) -> Section<'static> {
             ]);
         }
     }
-    let parameter = format!(">{}", sweep.axis.path);
+    let parameter = format!(">{}", parameter_words(&sweep.axis.path));
     let heads = [
         "method",
         &parameter,

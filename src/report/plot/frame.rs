@@ -183,7 +183,11 @@ impl Plot {
             return 20.0;
         }
         let scale = Scale::new(&self.y, self.y_range());
-        let labels = scale.ticks(240.0, 30.0);
+        let mut labels = scale.ticks(240.0, 30.0);
+        // A high chart marks more than decades: 5·10⁻¹.
+        if self.y.log {
+            labels.extend(scale.ticks(600.0, 30.0));
+        }
         let widest = labels.iter().map(|tick| width_of(&tick.label));
         let widest = widest.fold(width_of(&self.lane), f64::max);
         let named = if self.y.name.is_empty() { 0.0 } else { 20.0 };

@@ -195,9 +195,17 @@ const live = (() => {
     // -- drawing
     // Width that there is; asked of the page only where it has not told of it.
     room() { return this.width ?? this.svg.parentNode.clientWidth; }
+    // Width on paper (pixels): of two beside each other that of a half, so that letters keep their size.
+    beside(kinds) { return this.svg.closest(kinds.map((kind) => `${kind}:not(.single)`).join()) !== null; }
+    paper() { return Math.min(this.beside([".plots", ".panels"]) ? 338 : 700, this.size[0]); }
+    // A title that is longer than its chart is wide has smaller letters.
+    entitled(room) {
+      const title = this.group.querySelector(".title"), wide = 8.4 * (title?.textContent.length ?? 0);
+      if (title) title.style.fontSize = wide > room ? `${fixed(13.5 * room / wide)}px` : "";
+    }
     fit(room) {
       if (this.fluid) {
-        const total = Math.max(280, printing ? Math.min(700, this.size[0]) : room);
+        const total = Math.max(280, printing ? this.paper() : room);
         let x = this.drawn.left, row = 0;
         for (const entry of this.entries) {
           const room = +entry.dataset.room;
@@ -208,7 +216,8 @@ const live = (() => {
         const lane = this.group.querySelector(".lane") ? LANE : 0;
         this.frame.top = 28 + (this.entries.length ? 18 * (row + 1) : 0) + lane;
         this.frame.width = Math.max(60, total - this.drawn.left - RIGHT);
-        this.frame.height = this.drawn.height;
+        this.frame.height = this.drawn.height * (printing && this.size[1] > 250 && this.beside([".plots"]) ? 0.72 : 1);
+        this.entitled(total - this.drawn.left);
         const height = this.frame.top + this.frame.height + this.below;
         put(this.svg, "viewBox", `0 0 ${fixed(total)} ${fixed(height)}`);
         if (this.data.plane) {

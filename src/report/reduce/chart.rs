@@ -2,6 +2,7 @@
 
 use crate::frontend::scene::in_words;
 use crate::report::accuracy::{LEAST, requested_error_line};
+use crate::report::addresses::result_words;
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::with_unit;
 use crate::studies::order::FigureAccuracy;
@@ -23,7 +24,7 @@ pub(super) fn chart(reduction: &Reduction) -> Option<Plot> {
             let mut points: Vec<_> = points.collect();
             points.sort_by(|a, b| a.0.0.total_cmp(&b.0.0));
             let (points, marks): (Vec<_>, Vec<_>) = points.into_iter().unzip();
-            Some(Series::marked(name, points, marks))
+            Some(Series::marked(&result_words(name), points, marks))
         })
         .filter(|series| !series.points.is_empty())
         .collect();

@@ -25,6 +25,12 @@ pub fn findings<'a>(
         true => "",
         false => "Ended before everything was tried.",
     };
+    // The first sentence is the result.
+    let said = answer(reduction);
+    let (headline, rest) = match said.split_once(". ") {
+        Some((first, rest)) => (format!("{first}."), rest),
+        None => (said.clone(), ""),
+    };
     let mut sections = accuracy::sections(&reduction.certificate);
     sections.extend([
         Section::new("Parts that the scene does not need").table(steps(reduction)),
@@ -45,7 +51,11 @@ pub fn findings<'a>(
             "smallest scene, {} run",
             counted(reduction.models.len(), "model")
         ),
-        answer: Some(Verdict::answer(sort, answer(reduction), more.to_owned())),
+        answer: Some(Verdict::answer(
+            sort,
+            headline,
+            format!("{rest} {more}").trim(),
+        )),
         warnings: Vec::new(),
         sections,
         source,

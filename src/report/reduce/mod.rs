@@ -5,6 +5,7 @@ mod findings;
 
 pub use findings::findings;
 
+use crate::report::addresses::result_words;
 use crate::report::quantity::{counted, significant, with_unit};
 use crate::studies::reduce::{Cost, Part, Reduction, Refusal, Role, Step};
 use serde_json::{Value, json};
@@ -73,11 +74,15 @@ fn excess(reduction: &Reduction) -> String {
     let size = |value: f64| with_unit(value, &accuracy.unit, 2);
     match error {
         Some(error) => format!(
-            " The scene as given is not that accurate: {figure} is up to {} off, {} is allowed.",
+            " The scene as given is not that accurate: {} is up to {} off, {} is allowed.",
+            result_words(figure),
             size(error),
             size(accuracy.asked)
         ),
-        None => format!(" The scene as given is not that accurate: it has no {figure}."),
+        None => format!(
+            " The scene as given is not that accurate: it has no {}.",
+            result_words(figure)
+        ),
     }
 }
 
@@ -102,10 +107,11 @@ fn greatest(reduction: &Reduction, step: &Step) -> String {
     let by = with_unit(change.change.abs(), unit(reduction, figure), 2);
     match change.share {
         Some(share) => format!(
-            "changes {figure} by {by}, {} % of what is allowed",
+            "changes {} by {by}, {} % of what is allowed",
+            result_words(figure),
             significant(100.0 * share, 2)
         ),
-        None => format!("changes {figure} by {by}"),
+        None => format!("changes {} by {by}", result_words(figure)),
     }
 }
 
@@ -117,12 +123,12 @@ fn why(reduction: &Reduction, refused: &Refusal) -> String {
             error: Some(error),
         } => {
             let off = with_unit(*error, unit(reduction, figure), 2);
-            format!("{figure} would be up to {off} off")
+            format!("{} would be up to {off} off", result_words(figure))
         }
         Refusal::Figure {
             figure,
             error: None,
-        } => format!("there would be no {figure}"),
+        } => format!("there would be no {}", result_words(figure)),
         Refusal::Opens(id) => format!("the contact of {id} would separate"),
         Refusal::Doubt(why) => format!("its run cannot be trusted: {why}"),
         Refusal::Impossible(why) => format!("there is no such scene: {why}"),

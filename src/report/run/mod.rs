@@ -12,8 +12,9 @@ use super::findings::{Cell, Findings, Item, Section, Source, Table, Value};
 use super::html::{mechanism, runs};
 use super::machine::Machine;
 use super::quantity::{significant, units, with_unit};
+use super::sentence::Sentence;
 use super::thinned::drawn;
-use super::verdict::{Verdict, verdict};
+use super::verdict::run_answer;
 use crate::dynamics::record::{Figures, Record};
 use crate::studies::order::Certificate;
 use crate::studies::spread::{FigureSpread, Spread};
@@ -70,7 +71,6 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
     sections.push(switches(report.record, figures));
     sections.push(Section::new("Run").figures(tables::statistics(figures)));
     sections.retain(has_rows);
-    let judged = verdict(figures);
     let count = figures.objects.len();
     Findings {
         title: figures.scene.clone(),
@@ -80,14 +80,41 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
             if count == 1 { "object" } else { "objects" },
             figures.run.method
         ),
-        answer: Some(Verdict {
-            headline: judged.headline.words("."),
-            ..judged
-        }),
+        answer: Some(run_answer(figures, result(figures, diagram))),
         warnings: figures.warnings.clone(),
         sections,
         source,
     }
+}
+
+/// Digits of the results of an answer.
+const ANSWER: usize = 4;
+
+/// What the run found of the object that is driven last: its deflection, of a rigid one its speed
+/// and its reaction; of a drive alone its speed.
+fn result(figures: &Figures, diagram: &Diagram) -> Option<Sentence> {
+    let known = |one: &&ObjectBox| figures.objects.contains_key(&one.id);
+    let boxes = || diagram.boxes.iter().rev().filter(known);
+    let driven = || boxes().filter(|one| !one.is_drive());
+    let of = |one: &ObjectBox| &figures.objects[&one.id];
+    let units = |one: &ObjectBox| units(figures, &one.id);
+    if let Some(one) = driven().find(|one| of(one).delta_abs > 0.0) {
+        let said = Sentence::from(format!("Greatest |δ| of {}: ", one.id));
+        let said = said.quantity(of(one).delta_abs, units(one).displacement, ANSWER);
+        return Some(said.words("."));
+    }
+    let one = driven().next().or_else(|| boxes().next())?;
+    let said = Sentence::from(format!("Peak speed of {}: ", one.id));
+    let said = said.quantity(of(one).peak_speed, &tables::speed(units(one)), ANSWER);
+    let said = match of(one).peak_reaction > 0.0 {
+        true => {
+            let force = of(one).peak_reaction;
+            said.words(", peak reaction: ")
+                .quantity(force, units(one).force, ANSWER)
+        }
+        false => said,
+    };
+    Some(said.words("."))
 }
 
 /// What the charts of a page leave out, in sentences.
@@ -214,7 +241,7 @@ fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
             "not determined"
         };
         vec![
-            figure.figure.as_str().into(),
+            Cell::result(&figure.figure),
             Value::new(figure.value, &unit, 7).into(),
             moved(figure.by_loads, &unit),
             moved(figure.by_tolerance, &unit),
