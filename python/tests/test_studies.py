@@ -110,7 +110,7 @@ def test_a_comparison_has_a_row_a_run(rocker: dam.Scene) -> None:
     for masses, value in zip((1, 2, 5), delta):
         run = scene.set("rocker.masses", masses).run()
         assert value == run.figures["rocker.delta_abs"]
-    assert "rocker.masses" in found.page()
+    assert "masses of rocker" in found.page()
     with pytest.raises(dam.SceneError):
         scene.compare("rocker.masses", [])
 

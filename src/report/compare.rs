@@ -165,8 +165,14 @@ fn answer(runs: &[ComparedRun]) -> Verdict {
     let all = runs.len();
     let said = worst.iter().filter(|one| count(one) > 0);
     let said = said.map(|one| match (count(one), one.words().to_lowercase()) {
-        (count, words) if count == all => format!("all {all} runs {words}"),
-        (count, words) => format!("{count} of {all} runs {words}"),
+        (count, words) if count == all && all > 1 => match words.strip_prefix("not ") {
+            Some(missed) => format!("none of the {all} runs is {missed}"),
+            None => format!("all {all} runs are {words}"),
+        },
+        (count, words) => {
+            let is = if count == 1 { "is" } else { "are" };
+            format!("{count} of {all} runs {is} {words}")
+        }
     });
     let text = said.collect::<Vec<_>>().join("; ");
     let text = format!("{}.", capitalised(&text));

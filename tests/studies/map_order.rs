@@ -74,7 +74,7 @@ fn panels_are_told_apart_everywhere() {
     for (letter, load) in [("a", "-600"), ("b", "-900")] {
         let label = format!("{letter}  rocker.loads.closing.constant = {load}");
         assert!(picture.contains(&label), "{label}");
-        let row = format!("<th class=\"left\">{label}</th>");
+        let row = format!("<th class=\"left\">{letter}  load closing on rocker = {load}</th>");
         assert!(page.contains(&row), "{row}");
     }
     let places = page.split("<span class=\"sub\">at ").skip(1);

@@ -87,7 +87,7 @@ fn the_command_goes_over_a_parameter() {
     ]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     let text = String::from_utf8(output.stdout).unwrap();
-    assert!(text.contains("methods over wheel.stiffness"), "{text}");
+    assert!(text.contains("methods over stiffness of wheel"), "{text}");
     for name in ["regions.svg", "cost.svg", "report.html", "methods.csv"] {
         assert!(out.join(name).exists(), "{name}");
     }
@@ -98,7 +98,7 @@ fn the_command_goes_over_a_parameter() {
     // The unit of the scene, as on a map, though none was given.
     assert_eq!(document["axis"]["unit"], "N m/rad");
     let report = std::fs::read_to_string(out.join("report.html")).unwrap();
-    assert!(report.contains("wheel.stiffness, N m/rad"));
+    assert!(report.contains("stiffness of wheel, N m/rad"));
 }
 
 #[test]

@@ -230,9 +230,7 @@ impl OneLoad<'_> {
 
     /// Id of the object to whose motion an expression refers besides.
     fn over(&self) -> Option<&str> {
-        let Some(written) = self.load.law.written() else {
-            return None;
-        };
+        let written = self.load.law.written()?;
         let program = written.expression.program();
         if !OVER.iter().any(|(_, index)| program.reads(*index)) {
             return None;
