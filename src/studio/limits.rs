@@ -14,7 +14,7 @@ pub(super) const RUN: Duration = Duration::from_secs(30);
 /// How long the model of a scene is judged before it is shown as it stands.
 pub(super) const JUDGED: Duration = Duration::from_secs(6);
 /// How long a run and its repetitions may last that tell the errors of its figures; with the
-/// judging of the model less than [`REQUEST`].
+/// judging of the model less than a request may last.
 pub(super) const FIGURES: Duration = Duration::from_millis(3500);
 /// What is answered within this is answered before faults and numbers are told.
 pub(super) const QUICK: Duration = Duration::from_millis(15);

@@ -115,7 +115,7 @@ fn row(name: &str, scene: &Value) -> String {
 /// A text with rows behind the last row of its table of three columns.
 fn with_rows(text: &str, rows: &str) -> String {
     let is_row = |line: &&str| line.starts_with("| `") && line.matches(" | ").count() == 2;
-    let last = text.split_inclusive('\n').filter(is_row).next_back();
+    let last = text.split_inclusive('\n').rfind(is_row);
     let last = last.expect("a row");
     text.replacen(last, &format!("{last}{rows}"), 1)
 }
