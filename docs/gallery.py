@@ -3,7 +3,8 @@ the drawing of its machine and a chart, as pictures that follow the light or dar
 
     python docs/gallery.py --dam target/release/dam
 
-writes docs/site/gallery anew. What stands in it comes from the program and from the table of
+writes docs/site/gallery anew; with `--live` each scene has a link that opens it in the studio of one file beside
+the site. What stands in it comes from the program and from the table of
 scenarios/README.md; a scene that is not in that table, or a picture that cannot be had, is an error.
 """
 
@@ -192,8 +193,8 @@ def plain(text: str) -> str:
     return html.unescape(re.sub(r"<[^>]+>", "", text)).strip()
 
 
-def page_of(group: str, scenes: list[Scene]) -> str:
-    """The page of a group."""
+def page_of(group: str, scenes: list[Scene], live: bool) -> str:
+    """The page of a group; with `live` every scene can be opened in the studio."""
     lines = [f"# {TITLES[group]}", ""]
     for scene in scenes:
         lines += [f"## {scene.question} {{ #{scene.stem} }}", ""]
@@ -203,6 +204,9 @@ def page_of(group: str, scenes: list[Scene]) -> str:
             lines += [f"![{scene.chart}]({group}/{scene.stem}-chart.svg){{ .chart }}", ""]
         lines += [f"**{scene.headline}** {scene.answer}", ""]
         lines += ["```sh", scene.command, "```", ""]
+        if live:
+            words = "Open it in this browser, with sliders, charts and the moving machine"
+            lines += [f'<a href="../dam-studio.html#scenario={scene.name}">{words}</a>', ""]
         source = re.sub(r"^(.)", lambda first: first[1].lower(), scene.source)
         lines += [f"Source of the expected results: {source}.", ""]
     return "\n".join(lines)
@@ -242,6 +246,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--dam", type=Path, required=True, help="the program")
     parser.add_argument("--out", type=Path, default=ROOT / "docs/site/gallery")
+    parser.add_argument("--live", action="store_true", help="the studio of one file is on the site")
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
     program = options.dam.resolve(strict=True)
@@ -259,7 +264,7 @@ def main() -> None:
     for scene in sorted(scenes, key=lambda scene: TITLES[scene.group]):
         groups.setdefault(scene.group, []).append(scene)
     for group, members in groups.items():
-        (options.out / f"{group}.md").write_text(page_of(group, members), encoding="utf-8")
+        (options.out / f"{group}.md").write_text(page_of(group, members, options.live), encoding="utf-8")
     (options.out / "index.md").write_text(index_of(groups), encoding="utf-8")
     print(f"{len(scenes)} scenes in {len(groups)} groups: {options.out}")
 

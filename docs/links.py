@@ -16,6 +16,11 @@ from urllib.parse import unquote, urlsplit
 LOADS = {("script", "src"), ("img", "src"), ("link", "href"), ("iframe", "src"), ("source", "srcset")}
 
 
+# The studio of one file, opened with a scenario behind the #.
+STUDIO = "dam-studio.html"
+SCENARIOS = Path(__file__).resolve().parent.parent / "scenarios"
+
+
 class Page(HTMLParser):
     """Anchors and addresses of a page."""
 
@@ -38,7 +43,7 @@ class Page(HTMLParser):
 def faults(site: Path) -> list[str]:
     """What leads nowhere, or away."""
     # 404.html is shown at any address: its own are those of a server's root.
-    pages = {path: Page(path) for path in site.rglob("*.html") if path.name != "404.html"}
+    pages = {path: Page(path) for path in site.rglob("*.html") if path.name not in ("404.html", STUDIO)}
     found = []
     for path, page in pages.items():
         for address, loads in page.addresses:
@@ -53,6 +58,9 @@ def faults(site: Path) -> list[str]:
             target = target / "index.html" if target.is_dir() else target
             if not target.is_file():
                 found.append(f"{path}: {address} leads nowhere")
+            elif target.name == STUDIO:
+                if not (SCENARIOS / f"{parts.fragment.removeprefix('scenario=')}.json").is_file():
+                    found.append(f"{path}: {address}: there is no such scenario")
             elif parts.fragment and target in pages:
                 if unquote(parts.fragment) not in pages[target].anchors:
                     found.append(f"{path}: {address}: there is no such anchor")
