@@ -100,9 +100,10 @@ test("a scene is passed on in an address and as a file", async ({ page, context 
 });
 
 test("faults, map and questions answer as with a server", async ({ page }) => {
+  test.setTimeout(240_000);
   await begun(page);
   await button(page, "Map over two numbers").click();
-  await expect(page.locator(".map-view")).toContainText("400 points", { timeout: 50_000 });
+  await expect(page.locator(".map-view")).toContainText("400 points", { timeout: 150_000 });
   const asking = page.locator("section.asking");
   await asking.getByRole("tab", { name: "Methods", exact: true }).click();
   await expect(page.locator(".found").locator("h2, .dam-plot, dl").first()).toBeVisible({ timeout: 60_000 });
