@@ -66,13 +66,54 @@ test("what is saved is there when the page comes again, and what is not is offer
   await page.getByLabel("text of the scene").click();
   await page.keyboard.press("Control+End");
   await page.keyboard.type("\n");
-  await page.waitForTimeout(1500);
+  // At once: what was typed last is kept as the page goes.
   await page.reload();
   await expect(page.locator(".notices")).toContainText("draft");
   await button(page, "Restore the draft").click();
   await expect.poll(() => textOf(page)).toBe(`${saved}\n`);
   await button(page, "Home").click();
   await expect(page.locator(".first-page .entry", { hasText: "mine.json" })).toHaveCount(1);
+});
+
+test("a browser that has no room left is told so, and nothing goes without a question", async ({ page }) => {
+  await begun(page);
+  await page.evaluate(() => { for (let size = 1 << 20; size >= 1; size >>= 1) try { for (let k = 0; ; k++) localStorage.setItem(`full ${size} ${k}`, "x".repeat(size)); } catch { /* Smaller pieces still fit. */ } });
+  await view(page, "Text");
+  await page.getByLabel("text of the scene").click();
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type(" ".repeat(20));
+  await button(page, "Save").click();
+  await expect(page.locator(".notices")).toContainText("keeps nothing more");
+  let asked = "";
+  page.once("dialog", (dialog) => { asked = dialog.type(); void dialog.accept(); });
+  await page.reload();
+  expect(asked).toBe("beforeunload");
+});
+
+test("what another window has saved is not written over", async ({ page, context }) => {
+  await begun(page);
+  const other = await context.newPage();
+  await other.goto(address);
+  await other.locator(".first-page .entry", { hasText: "mine.json" }).click();
+  const typed = async (page, text) => {
+    await view(page, "Text");
+    await page.getByLabel("text of the scene").click();
+    await page.keyboard.press("Control+End");
+    await page.keyboard.type(text);
+    await expect(page.locator(".unsaved")).toHaveCount(1);
+  };
+  await typed(other, "\n\n");
+  await typed(page, "\n");
+  await button(other, "Save").click();
+  await expect(other.locator(".unsaved")).toHaveCount(0);
+  await expect(page.locator(".notices")).toContainText("changed by another");
+  await button(page, "Save").click();
+  await expect(page.locator(".notices")).toContainText("another window");
+  await button(page, "Reload it").click();
+  expect(await textOf(page)).toBe(await textOf(other));
+  page.once("dialog", (dialog) => void dialog.accept("a/b"));
+  await button(page, "New…").click();
+  await expect(page.locator(".notices")).toContainText("no slash");
 });
 
 test("a scene is passed on in an address and as a file", async ({ page, context }) => {

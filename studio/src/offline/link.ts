@@ -32,6 +32,8 @@ export class Tab implements Link {
   private document: Document | null = null;
   private saved = "";
   private isAsking = false;
+  // Another window of this browser has saved another text, or has taken the scene away.
+  private disk: "same" | "changed" | "gone" = "same";
   private status = "";
   private kept = 0;
   private replyNumber = 0;
@@ -48,6 +50,9 @@ export class Tab implements Link {
 
   constructor() {
     const module = kernel();
+    addEventListener("storage", () => this.look());
+    // What is not kept yet is, or the browser asks before it goes.
+    addEventListener("beforeunload", (event) => { if (!this.keep() || !this.shelf.isLasting) event.preventDefault(); });
     const hear = (found: { text: string } | { answer: ArrayBuffer }) => { if ("answer" in found) this.answer(found.answer); else this.told(JSON.parse(found.text)); };
     const failed = (words: string) => this.tell({ type: "failed", version: this.document?.version ?? 0, message: words });
     this.runs = new Desk(module, hear, failed, true);
@@ -83,6 +88,24 @@ export class Tab implements Link {
       setTimeout(() => this.tell({ type: "error", message: words }));
       return null;
     }
+  }
+
+  // Looks whether the kept text is still that which was opened or saved here.
+  private look(): void {
+    if (!this.document) return;
+    const kept = this.shelf.text(this.name)?.replaceAll("\r\n", "\n");
+    this.disk = kept === undefined ? "gone" : kept === this.saved ? "same" : "changed";
+    this.tellStatus();
+  }
+
+  // Takes what another window has saved, or stays with the own text, which may then be saved over it.
+  private settle(document: Document, reload: boolean): void {
+    const kept = this.shelf.text(this.name)?.replaceAll("\r\n", "\n");
+    if (kept === undefined) return;
+    this.saved = kept;
+    this.disk = "same";
+    if (reload) this.updated(document, document.version, [document.replace(kept)], "0");
+    queueMicrotask(() => this.tellStatus());
   }
 
   // Keeps a text under a name that is free, or that it has already.
@@ -136,6 +159,7 @@ export class Tab implements Link {
       case "undo": case "redo": this.updated(document, document.version, [document.step(message.type === "undo")], "0"); return;
       case "save": this.save(document); return;
       case "save_as": this.saveAs(document, message.scene); return;
+      case "reload": case "keep_mine": this.settle(document, message.type === "reload"); return;
       case "draft": this.decide(document, message.restore); return;
       case "map": this.map = message.question; this.level = 0; this.chart(); return;
       case "question": this.question = message.question; this.inquire(); return;
@@ -158,6 +182,7 @@ export class Tab implements Link {
     this.over = this.run = this.map = this.question = null;
     const offered = draft && draft.text !== unix ? { time: draft.time, other_base: false } : null;
     this.isAsking = offered !== null;
+    this.disk = "same";
     this.status = "";
     queueMicrotask(() => {
       this.tell({ type: "opened", scene: name, epoch: `${Date.now()}`, version: 0, text: unix, draft: offered });
@@ -198,24 +223,33 @@ export class Tab implements Link {
 
   private tellStatus(): void {
     const document = this.document!, { undo, redo } = document;
-    const status = { type: "status", saved: document.text === this.saved, base: "", undo, redo, disk: "same", draft: this.isAsking };
+    const status = { type: "status", saved: document.text === this.saved, base: "", undo, redo, disk: this.disk, draft: this.isAsking };
     const written = JSON.stringify(status);
     if (written !== this.status) { this.status = written; this.tell(status); }
   }
 
   private keepSoon(): void {
-    if (this.kept) return;
-    this.kept = setTimeout(() => {
-      this.kept = 0;
-      const text = this.document!.text;
-      if (text === this.saved) this.shelf.forgetDraft(this.name); else this.shelf.keepDraft(this.name, text);
-    }, OFTEN);
+    this.kept ||= setTimeout(() => { this.kept = 0; this.keep(); }, OFTEN);
+  }
+
+  // Keeps a text that is not saved; false: this browser does not keep it.
+  private keep(): boolean {
+    const text = this.document?.text;
+    if (text === undefined || this.isAsking) return true;
+    if (text !== this.saved) return this.shelf.keepDraft(this.name, text);
+    this.shelf.forgetDraft(this.name);
+    return true;
   }
 
   private save(document: Document): void {
+    this.look();
+    if (this.disk === "changed") throw new Error("the scene was saved by another window of this browser: choose which text stays");
+    this.disk = "same";
     this.saved = document.text;
-    if (!this.shelf.save(this.name, this.saved)) this.error("This browser keeps nothing of this page: save the scene as a file.");
+    const isKept = this.shelf.save(this.name, this.saved);
     queueMicrotask(() => this.tellStatus());
+    // After the status, with which other notices go.
+    if (!isKept) this.error("This browser keeps nothing more of this page: ⤓ scene writes it to a file.");
   }
 
   private saveAs(document: Document, name: string): void {

@@ -15,6 +15,9 @@ export class Shelf {
   }
   private forget(key: string): void { this.own.delete(key); try { localStorage.removeItem(key); } catch { /* It was never there. */ } }
 
+  // Whether all lasts longer than this page.
+  get isLasting(): boolean { return this.own.size === 0; }
+
   names(): string[] {
     let keys = [...this.own.keys()];
     try { keys = keys.concat(Object.keys(localStorage)); } catch { /* Those of this page are all. */ }
@@ -26,7 +29,7 @@ export class Shelf {
     const kept = this.get(DRAFT + name);
     try { return kept === null ? null : JSON.parse(kept) as Draft; } catch { return null; }
   }
-  keepDraft(name: string, text: string): void { this.set(DRAFT + name, JSON.stringify({ text, time: Date.now() / 1000 } satisfies Draft)); }
+  keepDraft(name: string, text: string): boolean { return this.set(DRAFT + name, JSON.stringify({ text, time: Date.now() / 1000 } satisfies Draft)); }
   forgetDraft(name: string): void { this.forget(DRAFT + name); }
 
   // Why a new scene cannot have this name; null: it can.
