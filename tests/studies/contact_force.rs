@@ -242,3 +242,44 @@ fn cam_states_on_which_object_the_closing_spring_acts() {
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(text.contains("act on several objects"), "{text}");
 }
+
+/// A harmonic law with little damping: the start dies away over hundreds of turns, and a contact
+/// that opens meanwhile has the least force zero in turn after turn.
+fn lightly_damped(start: &str, preload: f64, capacity: f64) -> String {
+    format!(
+        r#"{{ "dam": 1, "name": "Follower", "objects": {{
+            "camshaft": {{ "kind": "drive", "motion": {{ "speed": "800 rpm" }} }},
+            "follower": {{ "kind": "cam_follower", "input": "camshaft", "motion": "sliding",
+                "position": {{ "cam": {{ "lift": "12 mm", "rise": "120 deg", "dwell": "30 deg",
+                    "return": "120 deg", "law": "harmonic" }} }},
+                "inertia": "0.4 kg", "stiffness": "3 kN/mm", "masses": 1, "damping_capacity": {capacity},
+                "loads": {{ "spring": {{ "spring": {{ "rate": "10 N/mm", "preload": "{preload} N" }} }} }} }} }},
+            "run": {{ "duration": "0.48 s", "start": "{start}", "tolerance": 1e-8 }} }}"#
+    )
+}
+
+#[test]
+fn the_preload_that_keeps_contact_and_the_margin_do_not_follow_from_the_start() {
+    let of = |start, preload, capacity, name: &str| {
+        result(
+            &lightly_damped(start, preload, capacity),
+            &format!("cam.follower.{name}"),
+        )
+        .unwrap()
+    };
+    // Both would be those of the first turns: the contact opens in many of them.
+    for (preload, capacity) in [(60.0, 0.02), (100.0, 0.02), (60.0, 0.002)] {
+        let [one, other] =
+            ["static", "on_law"].map(|start| of(start, preload, capacity, "preload_needed"));
+        assert!(
+            (one - other).abs() < 1e-3 * one,
+            "{preload} {capacity}: {one} and {other}"
+        );
+        assert!(one > 60.0 && one < 100.0, "{one}");
+    }
+    let [one, other] = ["static", "on_law"].map(|start| of(start, 100.0, 0.02, "margin"));
+    assert!(
+        one > 5.0 && (one - other).abs() < 1e-3 * one,
+        "{one} and {other}"
+    );
+}

@@ -7,7 +7,7 @@ use super::force::{ElasticFigures, LiftOff, lift_off};
 use super::speed_search::SpeedSearch;
 use crate::dynamics::integrate::Stop;
 use crate::dynamics::model::{Closure, Model, Span, SpanAxis, SpanFigure};
-use crate::dynamics::record::{SpanExtreme, drive_cycle};
+use crate::dynamics::record::drive_cycle;
 use crate::dynamics::system::System;
 use crate::dynamics::trajectory::Trajectory;
 use crate::exact::RequestedFigures;
@@ -24,8 +24,8 @@ use std::f64::consts::TAU;
 const CYCLES: f64 = 4.0;
 /// Most cycles.
 const MOST_CYCLES: f64 = 1000.0;
-/// Share of the greatest contact force by which its least value may differ between the last two
-/// cycles of a steady motion.
+/// Share of the greatest contact force by which its least and greatest value may differ between
+/// the last two cycles of a steady motion.
 const STEADY: f64 = 1e-6;
 /// Most times that a preload is raised to close the contact.
 const MOST_RAISES: usize = 8;
@@ -156,7 +156,7 @@ impl ElasticContact<'_> {
     }
 
     /// The contact force in the steady motion: in the last cycle of a run that is prolonged until
-    /// its last two cycles agree.
+    /// its last two cycles agree, or that opens in both after the most cycles.
     ///
     /// # Errors
     /// The run was ended from outside, has no start or no cycle, stops, or comes to no steady
@@ -166,10 +166,22 @@ impl ElasticContact<'_> {
         let mut cycles = self.cycles(cycle);
         loop {
             let (before, last) = self.last_cycles(cycle, cycles)?;
-            if (before.value - last.least.value).abs() <= STEADY * last.greatest.abs() {
+            let within = STEADY * last.greatest.abs();
+            let now = [last.least.value, last.greatest];
+            // Both: while the start dies away a follower may open in turn after turn, its least
+            // force being zero in all of them.
+            if before
+                .iter()
+                .zip(now)
+                .all(|(before, now)| (before - now).abs() <= within)
+            {
                 return Ok(last);
             }
             if cycles >= MOST_CYCLES {
+                // It bounces to the end, though never twice alike.
+                if before[0] == 0.0 && now[0] == 0.0 {
+                    return Ok(last);
+                }
                 return Err(self.refused(format!(
                     "its contact force does not repeat from turn to turn after {cycles} turns: it \
                      has no steady margin"
@@ -179,8 +191,8 @@ impl ElasticContact<'_> {
         }
     }
 
-    /// The least force of the cycle before the last, and the forces of the last.
-    fn last_cycles(&self, cycle: f64, cycles: f64) -> Result<(SpanExtreme, SteadyForce), Missing> {
+    /// The least and greatest force of the cycle before the last, and the forces of the last.
+    fn last_cycles(&self, cycle: f64, cycles: f64) -> Result<([f64; 2], SteadyForce), Missing> {
         let mut settings = self.run_of(cycle, cycles);
         let end = settings.duration;
         let span = |figure: &str, from: f64, to: f64| SpanFigure {
@@ -195,6 +207,7 @@ impl ElasticContact<'_> {
         settings.spans = vec![
             span("pair.margin", end - 2.0 * cycle, end - cycle),
             span("pair.margin", end - cycle, end),
+            span("pair.max_contact_force", end - 2.0 * cycle, end - cycle),
             span("pair.max_contact_force", end - cycle, end),
         ];
         let found = self.motion(&settings)?;
@@ -210,9 +223,9 @@ impl ElasticContact<'_> {
                 value: 0.0 + least.value,
                 phi,
             },
-            greatest: value(2)?.value,
+            greatest: value(3)?.value,
         };
-        Ok((value(0)?, force))
+        Ok(([value(0)?.value, value(2)?.value], force))
     }
 
     fn motion(&self, settings: &RunSettings) -> Result<Motion, Missing> {
@@ -290,6 +303,15 @@ impl ElasticContact<'_> {
                 .map(|force| margin.insert(force.least).value),
         )?;
         let preload = take(contact.preload_needed())?;
+        let has = ClosingLoads::of(self.model(), self.object).map(|spring| spring.preload);
+        if let (Some(At { value: 0.0, .. }), Some(needed), Ok(has)) = (&margin, preload, has)
+            && has > needed
+        {
+            found.missing.push(
+                "closed contact is a steady motion with the preload that it has, and so is the                  bouncing that follows from the start of the run: damping, or a softer start,                  decides between them"
+                    .to_owned(),
+            );
+        }
         found.margin = margin;
         found.preload = preload;
         Some(found)
@@ -317,8 +339,9 @@ impl ElasticContact<'_> {
         })
     }
 
-    /// The least preload of the closing spring (N or N·m) with which the contact stays closed in
-    /// the steady motion, at the speed of the scene.
+    /// The least preload of the closing spring (N or N·m) with which closed contact is a steady
+    /// motion, at the speed of the scene. With little damping another one, that bounces, may stand
+    /// beside it.
     ///
     /// While the contact is closed its least force is linear in the preload: two runs give the
     /// line, and a third one between them and its zero confirms it.
