@@ -308,7 +308,8 @@ impl ElasticContact<'_> {
             && has > needed
         {
             found.missing.push(
-                "closed contact is a steady motion with the preload that it has, and so is the                  bouncing that follows from the start of the run: damping, or a softer start,                  decides between them"
+                "whether the contact closes from another start: with this preload closed contact \
+                 is a steady motion, and so is the bouncing of this run"
                     .to_owned(),
             );
         }
