@@ -154,6 +154,40 @@ pub(in crate::report) fn parameter_words(path: &str) -> String {
     }
 }
 
+/// A parameter in words where its object is named beside it: `rocker.pair.contact.stiffness` as
+/// contact stiffness, a place in a list counted from 1, of a point as x or y.
+pub(crate) fn property_words(path: &str) -> String {
+    let (_, inner) = path.split_once('.').unwrap_or(("", path));
+    let parts: Vec<&str> = inner.split('.').collect();
+    let is_point = parts.len() > 1 && parts[parts.len() - 2] == "points";
+    let told = parts
+        .iter()
+        .filter(|part| !SILENT.contains(part) && **part != "points");
+    let words: Vec<String> = told.map(|part| listed(part, is_point)).collect();
+    match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["loads", load, "constant"] => format!("load {load}"),
+        ["loads", load, .., last] => format!("{last} of {load}"),
+        [] => path.to_owned(),
+        _ => words.join(" "),
+    }
+}
+
+/// A part of an address in words, with its places in lists.
+fn listed(part: &str, is_point: bool) -> String {
+    let (name, places) = match part.find('[') {
+        Some(at) => part.split_at(at),
+        None => (part, ""),
+    };
+    let places = places.split(['[', ']']).filter(|place| !place.is_empty());
+    let told = places.map(|place| match (place.parse::<usize>(), is_point) {
+        (Ok(0), true) => " x".to_owned(),
+        (Ok(1), true) => " y".to_owned(),
+        (Ok(place), _) => format!(" {}", place + 1),
+        (Err(_), _) => format!(" {place}"),
+    });
+    name.replace('_', " ") + &told.collect::<String>()
+}
+
 /// Settings as a label has them, `rocker.masses = 2`, their parameters in words.
 pub(in crate::report) fn setting_words(label: &str) -> String {
     let one = |setting: &str| match setting.split_once(" = ") {
@@ -176,7 +210,9 @@ pub(in crate::report) fn condition_words(text: &str, figure: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{condition_words, in_words, parameter_words, result_words, setting_words};
+    use super::{
+        condition_words, in_words, parameter_words, property_words, result_words, setting_words,
+    };
 
     #[test]
     fn results_and_parameters_are_named() {
@@ -217,6 +253,25 @@ mod tests {
             ("rocker.damping_capacity", "damping capacity of rocker"),
         ] {
             assert_eq!(parameter_words(path), words);
+        }
+    }
+
+    #[test]
+    fn properties_are_named_without_their_object() {
+        for (path, words) in [
+            ("shaft.motion.speed", "speed"),
+            ("rocker.damping_capacity", "damping capacity"),
+            ("rocker.pair.contact.stiffness", "contact stiffness"),
+            ("rocker.position.sine.amplitude", "sine amplitude"),
+            ("rocker.loads.closing.constant", "load closing"),
+            ("ram.loads.guide.friction.force", "force of guide"),
+            ("bar.links.rod.points.C[1]", "rod C y"),
+            ("cam.position.table.points[3][0]", "table points 4 1"),
+            ("parameters.n", "n"),
+            ("run.duration", "duration"),
+            ("run", "run"),
+        ] {
+            assert_eq!(property_words(path), words);
         }
     }
 

@@ -6,12 +6,13 @@
 //! anew (`live.update`, `machine.player`).
 
 use super::abscissa::Abscissa;
+pub(crate) use super::addresses::property_words;
 use super::compare;
 use super::diagram::Diagram;
 use super::findings::{Findings, Layout, Section, WIDE};
 use super::html::runs::{ObjectCharts, RunSeries};
 use super::html::{STYLE, verdict_banner, warnings};
-use super::machine::Machine;
+use super::machine::{Machine, Room};
 use super::map::picture;
 use super::mechanism;
 use super::plot::{Axis, Plot, Plots, Series, page, palette};
@@ -129,7 +130,7 @@ pub(crate) fn run(
     let mut charts = charts(&shown.collect::<Vec<_>>(), over, before);
     let machine = Machine { model, cams };
     let moving = match boxes.len() <= MOVED {
-        true => machine.moving(figures, &merged, &mut charts.plots),
+        true => machine.moving(figures, &merged, &mut charts.plots, Room::Canvas),
         false => None,
     };
     let tables = super::run::objects(figures, [merged.times.len(); 2]);

@@ -18,7 +18,7 @@ use crate::frontend::diagnostics::{Diagnostic, Diagnostics, Severity};
 use crate::frontend::scene::{
     BuiltIn, Catalogue, Document, LayeredCatalogue, Overrides, Reading, TypedScene, edit,
 };
-use crate::report::live::{self, Charts};
+use crate::report::live::{self, Charts, property_words};
 use crate::report::sentence::Sentence;
 use crate::report::verdict::Sort;
 use crate::studies::cam::disc_cams;
@@ -99,6 +99,7 @@ impl<C: Catalogue + Sync> TextRequest<'_, C> {
                 let [a, b, c, d] = ends.map(|byte| counter.units(byte));
                 value["value_at"] = json!([a, d]);
                 value["number_at"] = json!([b, c]);
+                value["label"] = json!(property_words(&number.address));
                 value
             };
             numbers.into_iter().map(one).collect::<Vec<Value>>()

@@ -80,6 +80,9 @@ function retell(parent: Element, html: string): void {
 // How long nothing is changed before the charts out of sight get their numbers too.
 const REST = 1000;
 
+// Quantities that tell the most of an object, whose charts come first.
+const FIRST = ["N", "δ"];
+
 // Where a chart stands among those of the answer.
 const placeOf = (chart: PlotChart): number => Number(chart.group.dataset["plot"]);
 
@@ -166,6 +169,7 @@ export class Board {
       this.parts.charts.innerHTML = head.charts;
       this.separate();
       this.made = live.make(this.parts.charts, source);
+      for (const { svg, data } of this.made) if (svg.closest("[id^=object-]")) svg.parentElement!.style.order = String(-1 - FIRST.findIndex((symbol) => data.y.name.split(" ").includes(symbol)));
       offer(this.made);
       for (const chart of this.made) { this.seen.add(chart.svg); this.watch.observe(chart.svg); }
     } else {

@@ -176,6 +176,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
           return <button type="button" role="tab" key={name} class={why ? "unfit" : ""} aria-selected={tab === name} title={why} onClick={() => choose(name)}>{name}</button>;
         })}
       </div>
+      <div key="asked" class="asked" hidden={!open}>
       {open && own.length > 1 && <div key="parts" class="parts" role="radiogroup" aria-label="which question">{own.map((one) =>
         <label key={one.command} title={one.why ?? ""}><input type="radio" name="part" checked={chosen === one} disabled={!!one.why} onChange={() => setPart((all) => ({ ...all, [tab]: one.command }))} /> {one.command}</label>)}</div>}
       {open && chosen && <p key="about" class="soft about">{chosen.about}</p>}
@@ -195,6 +196,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
       {open && files.length > 0 && <p key="files" class="files"><span class="soft">Files of the command:</span> {files.map((name) =>
         <button type="button" key={name} onClick={() => void fetched(name)}>{name}</button>)}</p>}
       {open && told && <p key="told" class="soft" role="status">{told}</p>}
+      </div>
     </section>
   );
 }

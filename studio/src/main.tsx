@@ -363,35 +363,32 @@ function Studio() {
             <button type="button" role="tab" aria-selected={side === "numbers"} onClick={() => setSide("numbers")}>Numbers</button>
             <button type="button" role="tab" aria-selected={side === "properties"} onClick={() => setSide("properties")}>Properties{chosen.length === 1 ? ` of ${chosen[0]}` : ""}</button>
           </div>
-          <div class="side">{editor.current && (side === "numbers" ? <Sliders editor={editor.current} fields={fields} spans={spans.current} /> : properties())}</div>
+          <div class="side">{editor.current && (side === "numbers" ? <Sliders key={scene} editor={editor.current} link={link} scene={scene} fields={fields} spans={spans.current} /> : properties())}</div>
         </div>
         <Splitter name="side" label="width of the numbers" upright layout={layout} set={setLayout} />
-        <main class={`answers${stale ? " stale" : ""}${tab === BENCH || tab === RESULTS ? "" : " asks"}`} ref={answers} aria-label="answers">
+        <main class={`answers${stale ? " stale" : ""}${tab === BENCH ? "" : " asks"}`} ref={answers} aria-label="answers"
+          style={{ gridTemplateColumns: `minmax(0, ${layout.graph}fr) 5px minmax(0, ${1 - layout.graph}fr)`, gridTemplateRows: `auto minmax(0, ${layout.canvas}fr) 5px minmax(0, ${1 - layout.canvas}fr) auto` }}>
           <header key="print" class="print-head"><h1>{latest.current?.title || scene}</h1><p>{folder}/{scene}, dam {program.current}{isSaved ? "" : ", changes not saved"}</p></header>
           <StatusLine key="status" answer={answer} stale={stale ? stalenessOf(errors.length, answer !== null) : null} results={() => setTab(RESULTS)} />
-          <Asking key="asking" link={link} scene={scene} tab={tab} choose={setTab} hearing={hearing.current} opened={opened} faulty={wrong.current} />
-          <div key="bench" class={`bench${view === "drawing" ? " draws" : ""}`} hidden={tab !== BENCH} style={{ gridTemplateRows: `minmax(0, ${layout.canvas}fr) 5px minmax(0, ${1 - layout.canvas}fr)` }}>
-            <div class="stand" style={{ gridTemplateColumns: `minmax(0, ${layout.graph}fr) 5px minmax(0, ${1 - layout.graph}fr)` }}>
-              <div class={`pane-left shows-${view}`}>
-                <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.map(([name, words]) =>
-                  <button type="button" role="tab" key={name} aria-selected={view === name} onClick={() => look(name)}>{words}</button>)}</div>
-                {graph}
-                {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} root={() => tree().root} isAt={(one) => editor.current!.isAt(one)} edit={edit} drag={() => editor.current!.drag()} />}
-                {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => lookAt.current(id)} />}
-                <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
-                <div key="faults" class="faults" aria-label="faults" role="region">
-                  {faults.slice(0, MOST).map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
-                    <b>{fault.severity}</b> {fault.path && <code>{fault.path}</code>} {fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</button>)}
-                  {faults.length > MOST && <p class="soft">{faults.length - MOST} more.</p>}
-                </div>
-              </div>
-              <Splitter name="graph" label="width of the graph" upright layout={layout} set={setLayout} />
-              <Host key="machine" kind="section" class="machine" label="machine moving" of={(element) => { moving.current = element; }} />
+          <div key="left" class={`pane-left shows-${view}${view === "drawing" ? " draws" : ""}`}>
+            <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.map(([name, words]) =>
+              <button type="button" role="tab" key={name} aria-selected={view === name} onClick={() => look(name)}>{words}</button>)}</div>
+            {graph}
+            {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} root={() => tree().root} isAt={(one) => editor.current!.isAt(one)} edit={edit} drag={() => editor.current!.drag()} />}
+            {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => lookAt.current(id)} />}
+            <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
+            <div key="faults" class="faults" aria-label="faults" role="region">
+              {faults.slice(0, MOST).map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
+                <b>{fault.severity}</b> {fault.path && <code>{fault.path}</code>} {fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</button>)}
+              {faults.length > MOST && <p class="soft">{faults.length - MOST} more.</p>}
             </div>
-            <Splitter name="canvas" label="height of the canvas" upright={false} layout={layout} set={setLayout} />
-            <Dock link={link} editor={editor.current} answer={answer} opened={opened} stale={stale} scene={scene} fields={fields} figures={figures} spans={spans.current}
-              object={shown} all={objectsOf} choose={(id) => setLoaded(id)} compare={() => setTab(RESULTS)} hosts={{ dock, charts }} />
           </div>
+          <Splitter key="graph" name="graph" label="width of the graph" upright layout={layout} set={setLayout} />
+          <Asking key="asking" link={link} scene={scene} tab={tab} choose={setTab} hearing={hearing.current} opened={opened} faulty={wrong.current} />
+          <Host key="machine" kind="section" class="machine" label="machine moving" of={(element) => { moving.current = element; }} />
+          <Splitter key="canvas" name="canvas" label="height of the canvas" upright={false} layout={layout} set={setLayout} />
+          <Dock key="dock" link={link} editor={editor.current} answer={answer} opened={opened} stale={stale} scene={scene} fields={fields} figures={figures} spans={spans.current}
+            object={shown} all={objectsOf} choose={(id) => setLoaded(id)} compare={() => setTab(RESULTS)} hosts={{ dock, charts }} />
           <div key="results" class="results" hidden={tab !== RESULTS}>
             {scene && <Expectations key={`expectations ${scene}`} link={link} scene={scene} feed={judged} latest={latest} isAt={(one) => editor.current!.isAt(one)} edit={edit} program={program.current} />}
             <Host key="figures" kind="section" class="figures" label="figures" of={(element) => { tables.current = element; }} />

@@ -6,6 +6,8 @@ import { typedNumber } from "./entry";
 // A number as the server tells of it; places are those of the text as it is at present.
 export interface Field {
   address: string;
+  // What it is in words, where its object is named beside it.
+  label: string;
   value_at: [number, number];
   number_at: [number, number];
   value: number;

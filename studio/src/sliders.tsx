@@ -1,44 +1,87 @@
-// Every number of the scene as a field with its unit and a slider.
+// Every number of the scene as a row with its name, value, unit and a slider; those with a star come
+// first, and a search leaves those that it names.
 
 import type { VNode } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
 import type { Editor } from "./editor";
+import { Kept, type Link } from "./link";
 import { choice, fieldIn } from "./units";
 import { fieldOf, shareOf, spanOf, typed, valueAt, written, type Field, type Span } from "./numbers";
+import "./sliders.css";
 
 const STEPS = 1000;
 // Of more objects than these the numbers are shown one object at a time.
 const MANY = 40;
+// Characters of all stars.
+const MOST_KEPT = 1900;
+// Rows that a search shows.
+const FOUND = 100;
 // Width of the knob that the browser draws (pixels).
 const KNOB = 16;
 // A key that rests this long begins a new step of undo.
 const PAUSE = 600;
 
-interface Props { editor: Editor; fields: Field[]; spans: Map<string, Span> }
+// Addresses with a star, of every scene.
+const kept = new Kept("stars");
+type Stars = Record<string, string[]>;
+function storedStars(): Stars {
+  try { return JSON.parse(kept.get() ?? "{}") ?? {}; } catch { return {}; }
+}
 
-export function Sliders({ editor, fields, spans }: Props) {
+interface Props { editor: Editor; link: Link; scene: string; fields: Field[]; spans: Map<string, Span> }
+
+const ownerOf = (field: Field): string => field.address.split(/[.[]/)[0]!;
+// Every word of a search is in the name of a number, its address or what it measures.
+export function isMeant(field: Field, search: string): boolean {
+  const all = `${field.address} ${field.label} ${field.quantity}`.toLowerCase();
+  return search.toLowerCase().split(/\s+/).every((word) => all.includes(word));
+}
+
+export function Sliders({ editor, link, scene, fields, spans }: Props) {
+  const [search, setSearch] = useState(""), [stars, setStars] = useState(storedStars);
+  const own = stars[scene] ?? [];
+  const star = (address: string) => {
+    const now = storedStars(), before = now[scene] ?? [];
+    now[scene] = before.includes(address) ? before.filter((one) => one !== address) : [...before, address];
+    if (!now[scene]!.length) delete now[scene];
+    // What is kept is small: scenes of long ago lose theirs.
+    while (JSON.stringify(now).length > MOST_KEPT && Object.keys(now).length > 1) delete now[Object.keys(now)[0]!];
+    kept.set(JSON.stringify(now), link);
+    setStars(now);
+  };
   // What looks as before is not drawn anew.
   const drawn = useRef(new Map<string, { look: string; of: VNode }>());
-  const slider = (field: Field): VNode => {
-    const { address, value, unit, units, si, bounds } = field, text = editor.state.sliceDoc(...field.number_at);
-    const look = JSON.stringify([text, value, unit, units, si, bounds, spans.get(address), choice.number]), before = drawn.current.get(address);
+  const slider = (field: Field, owned = true): VNode => {
+    const { address, value, unit, units, si, bounds, label } = field, text = editor.state.sliceDoc(...field.number_at), isStarred = own.includes(address), key = `${address} ${owned}`;
+    const name = owned ? label : `${label} of ${ownerOf(field)}`;
+    const look = JSON.stringify([text, value, unit, units, si, bounds, spans.get(address), choice.number, isStarred, name]), before = drawn.current.get(key);
     if (before?.look === look) return before.of;
-    const of = <Slider key={address} editor={editor} field={field} text={text} spans={spans} />;
-    drawn.current.set(address, { look, of });
+    const of = <Slider key={address} editor={editor} field={field} text={text} spans={spans} name={name} starred={isStarred} star={() => star(address)} />;
+    drawn.current.set(key, { look, of });
     return of;
   };
-  const groups = new Map<string, Field[]>();
-  for (const field of fields) {
-    const id = field.address.split(/[.[]/)[0]!;
-    const own = groups.get(id) ?? [];
-    own.push(field);
-    groups.set(id, own);
+  const first = fields.filter((field) => own.includes(field.address)), groups = new Map<string, Field[]>();
+  // A number stands in one place: with a star above, else with its object.
+  for (const field of fields) if (!own.includes(field.address)) {
+    const id = ownerOf(field), all = groups.get(id) ?? [];
+    all.push(field);
+    groups.set(id, all);
   }
+  const meant = search.trim() ? fields.filter((field) => isMeant(field, search.trim())) : null;
   return (
     <div class="sliders" role="group" aria-label="numbers of the scene">
-      {[...groups].map(([id, own]) => (
-        <Group key={id} id={id} count={own.length} open={id !== "run" && own.length <= 60 && groups.size <= MANY}>{() => own.map(slider)}</Group>
-      ))}
+      {fields.length > 0 && <input type="search" aria-label="search numbers" placeholder="Search numbers" value={search} onInput={(event) => setSearch(event.currentTarget.value)}
+        onKeyDown={(event) => { if (event.key === "Escape" && search) { event.stopPropagation(); setSearch(""); } }} />}
+      {meant ? <>
+        {meant.length === 0 && <p class="soft" role="status">No number is called “{search.trim()}”.</p>}
+        {meant.slice(0, FOUND).map((field) => slider(field, false))}
+        {meant.length > FOUND && <p class="soft" role="status">{meant.length - FOUND} more: search for more words.</p>}
+      </> : <>
+        {first.length > 0 && <Group key="with a star" id="with a star" count={first.length} open>{() => first.map((field) => slider(field, false))}</Group>}
+        {[...groups].map(([id, all]) => (
+          <Group key={id} id={id} count={all.length} open={id !== "run" && all.length <= 60 && groups.size <= MANY}>{() => all.map((field) => slider(field))}</Group>
+        ))}
+      </>}
       {fields.length === 0 && <p class="soft">No numbers can be read from the text yet.</p>}
     </div>
   );
@@ -55,7 +98,9 @@ function Group({ id, count, open, children }: { id: string; count: number; open:
   );
 }
 
-function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; text: string; spans: Map<string, Span> }) {
+interface Row { editor: Editor; field: Field; text: string; spans: Map<string, Span>; name: string; starred: boolean; star: () => void }
+
+function Slider({ editor, field, text, spans, name, starred, star }: Row) {
   const drag = useRef(0), last = useRef(0), held = useRef(false), raw = useRef(false);
   const bar = useRef<HTMLInputElement>(null);
   // Where it is held: asked of the page once, which would be laid out anew at every move.
@@ -70,7 +115,6 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
     span = spanOf(field);
     spans.set(address, span);
   }
-  const name = address.replace(/^[^.[]+\.?/, "") || address;
   const shownUnit = unit || si, other = fieldIn(field), words = other ? `${other.text} ${other.unit}` : `${text}${shownUnit ? ` ${shownUnit}` : ""}`;
 
   const move = (share: number) => {
@@ -112,6 +156,7 @@ function Slider({ editor, field, text, spans }: { editor: Editor; field: Field; 
   const forget = () => { setWrong(""); setTyping(null); };
   return (
     <div class="slider" data-address={address}>
+      <button type="button" class="star" aria-pressed={starred} aria-label={`star of ${address}`} title={starred ? "take the star off" : "keep this number on top"} onClick={star}>{starred ? "★" : "☆"}</button>
       <label for={`number ${address}`} title={`${address}${field.quantity ? `: ${field.quantity}` : ""}`}>{name}</label>
       <input type="range" ref={bar} min={0} max={STEPS} step={1} value={Math.round(STEPS * shareOf(span, value))} aria-label={`${address}, slider`}
         aria-valuetext={words}

@@ -42,10 +42,12 @@ interface Props { name: keyof Layout; label: string; upright: boolean; layout: L
 
 export function Splitter({ name, label, upright, layout, set }: Props) {
   const value = layout[name], [low, high] = LIMITS[name], share = Math.round(100 * (value - low) / (high - low));
-  // The room that is divided begins and ends with the parent.
+  // The parent is divided from left to right; from top to bottom what stands before the bar and behind it.
   const at = (event: PointerEvent, bar: HTMLElement) => {
-    const room = bar.parentElement!.getBoundingClientRect(), pixels = upright ? event.clientX - room.left : event.clientY - room.top;
-    return name === "side" ? pixels : pixels / (upright ? room.width : room.height);
+    const room = bar.parentElement!.getBoundingClientRect();
+    if (upright) return (event.clientX - room.left) / (name === "side" ? 1 : room.width);
+    const { top } = bar.previousElementSibling!.getBoundingClientRect(), { bottom } = bar.nextElementSibling!.getBoundingClientRect();
+    return (event.clientY - top) / (bottom - top);
   };
   const keys = (event: KeyboardEvent) => {
     const back = upright ? "ArrowLeft" : "ArrowUp", on = upright ? "ArrowRight" : "ArrowDown";
@@ -55,7 +57,7 @@ export function Splitter({ name, label, upright, layout, set }: Props) {
     event.preventDefault();
   };
   return (
-    <div class={`splitter ${upright ? "upright" : "level"}`} role="separator" tabindex={0} aria-label={label} aria-orientation={upright ? "vertical" : "horizontal"} aria-valuenow={share} aria-valuemin={0} aria-valuemax={100}
+    <div class={`splitter ${name}-bar ${upright ? "upright" : "level"}`} role="separator" tabindex={0} aria-label={label} aria-orientation={upright ? "vertical" : "horizontal"} aria-valuenow={share} aria-valuemin={0} aria-valuemax={100}
       title={`${label}: drag, or arrow keys; a double click sets it back`} onKeyDown={keys} onDblClick={() => set(name, DEFAULT[name], true)}
       onPointerDown={(event) => { event.preventDefault(); event.currentTarget.focus(); event.currentTarget.setPointerCapture(event.pointerId); }}
       onPointerMove={(event) => { if (event.currentTarget.hasPointerCapture(event.pointerId)) set(name, at(event, event.currentTarget), false); }}

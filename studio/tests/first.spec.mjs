@@ -233,10 +233,10 @@ test("units are those that were chosen, and the text stays as it is", async ({ p
   await expect(page.locator(".charts svg.dam-plot").filter({ hasText: /, deg/ }).first()).toBeVisible();
   await expect(page.locator(".charts")).not.toContainText("mrad");
   // The answer's sentence too, to as many digits as it has.
-  await expect(page.locator(".answers > .verdict")).toContainText(/separates .*, [\d.]+ m?s in all/);
+  await expect(page.locator(".status-line .verdict")).toContainText(/separates .*, [\d.]+ m?s in all/);
   await choose("times", "ms");
-  await expect(page.locator(".answers > .verdict")).toContainText(/separates .*, [\d.]+ ms in all, the longest [\d.]+ ms/);
-  const told = /, ([\d.]+) ms in all/.exec(await page.locator(".answers > .verdict").textContent());
+  await expect(page.locator(".status-line .verdict")).toContainText(/separates .*, [\d.]+ ms in all, the longest [\d.]+ ms/);
+  const told = /, ([\d.]+) ms in all/.exec(await page.locator(".status-line .verdict").textContent());
   const { separated_time: whole } = server.run(before).objects.rocker.pair;
   expect(Number(told[1])).toBeCloseTo(Number((1000 * whole).toPrecision(4)), 9);
   await expect(field).toHaveValue("600 rpm");

@@ -32,7 +32,7 @@ async function begun(page, scenario = "rocker/two_masses", name = "mine.json") {
   await search(page).waitFor();
   page.once("dialog", (dialog) => void dialog.accept(name));
   await page.locator(".first-page .entry", { has: page.getByText(scenario, { exact: true }) }).click();
-  await expect(page.locator("main > .verdict")).toHaveCount(1);
+  await expect(page.locator(".status-line .verdict")).toHaveCount(1);
 }
 // The answer on the screen is that of the program to the same text, to the last digits.
 const agrees = (page, id = "rocker") => expect(async () => {
@@ -127,7 +127,7 @@ test("a scene is passed on in an address and as a file", async ({ page, context 
   await expect.poll(async () => shared ||= await page.evaluate(() => navigator.clipboard.readText().catch(() => ""))).toContain("#scene=");
   const other = await context.newPage();
   await other.goto(shared);
-  await expect(other.locator("main > .verdict")).toHaveCount(1);
+  await expect(other.locator(".status-line .verdict")).toHaveCount(1);
   await view(other, "Text");
   expect(await textOf(other)).toBe(text);
   await other.goto(`${address}#scene=AAAA`);

@@ -31,7 +31,7 @@ async function opened(page, scene) {
   await openedAt(page, server.address);
   await page.locator(".top select").selectOption(scene);
   await expect(page.locator(".top select")).toHaveValue(scene);
-  await expect(page.locator("main > .verdict")).toHaveCount(1);
+  await expect(page.locator(".status-line .verdict")).toHaveCount(1);
 }
 const done = (page) => expect(asking(page)).toHaveAttribute("aria-busy", "false", { timeout: 60_000 });
 async function tab(page, name) {
@@ -207,14 +207,14 @@ test("a tab follows the text, is stale while the scene has faults, and says why 
   writeFileSync(server.path("changed.json"), await textOf(page));
   await same(page, "changed.json", "forces");
   await page.keyboard.type("x");
-  await expect(page.locator("main > .stale-mark")).toBeVisible();
+  await expect(page.locator(".status-line .stale-mark")).toBeVisible();
   await expect(page.locator(".found .dam-plot").first()).toBeVisible();
   await page.keyboard.press("Backspace");
   await expect(page.locator(".stale-mark")).toHaveCount(0);
   await done(page);
   await cam.click();
   await expect(asking(page).locator(".why")).toContainText("describes its cam");
-  await asking(page).getByRole("tab", { name: "Motion", exact: true }).click();
+  await asking(page).getByRole("tab", { name: "Workbench", exact: true }).click();
   await expect(page.locator(".charts svg.dam-plot").first()).toBeVisible();
 });
 

@@ -21,6 +21,7 @@ use crate::dynamics::record::{Figures, Record, drive_cycle};
 use crate::kinematics::cam::DiscCam;
 use magnify::magnify;
 use station::Station;
+pub(in crate::report) use whole::Room;
 use whole::Whole;
 
 /// Most objects that are drawn; more would fill no screen.
@@ -49,7 +50,7 @@ impl Machine<'_> {
         record: &Record,
         plots: &mut Plots,
     ) -> String {
-        let Some(moving) = self.moving(figures, record, plots) else {
+        let Some(moving) = self.moving(figures, record, plots, Room::Page) else {
             return String::new();
         };
         let style = match self.cams.is_empty() {
@@ -69,6 +70,7 @@ impl Machine<'_> {
         figures: &Figures,
         record: &Record,
         plots: &mut Plots,
+        room: Room,
     ) -> Option<MovingMachine> {
         let all = self.drivers_first();
         let plotted = all
@@ -104,7 +106,7 @@ impl Machine<'_> {
             parts - one.picture.bodies.len()
         });
         let firsts: Vec<usize> = firsts.collect();
-        let whole = Whole::of(self.model, &drawn, &stations, &firsts);
+        let whole = Whole::of(self.model, &drawn, &stations, &firsts, room);
         let loads = loads::arrows(self.model, &whole, record, plots);
         let arrows = loads.as_ref().map_or(String::new(), loads::layer);
         let pictures = whole.html(delta, &arrows);

@@ -11,8 +11,10 @@ use crate::report::quantity::escape;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// Widest picture; a longer chain goes on below (pixels).
+/// Widest picture of a page; a longer chain goes on below (pixels).
 const WIDEST: f64 = 1120.0;
+/// Width of a canvas over its height.
+const CANVAS: f64 = 1.9;
 /// Distance of columns, of stations above each other, and of rows of columns (pixels).
 const GUTTER: f64 = 44.0;
 const GAP: f64 = 22.0;
@@ -57,7 +59,17 @@ pub(super) fn scales(stations: &[Station], objects: usize) -> Vec<f64> {
     most
 }
 
+/// Where a picture is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::report) enum Room {
+    /// On a page, as high as it needs.
+    Page,
+    /// On a canvas that shows all of it at once.
+    Canvas,
+}
+
 /// A station with its place.
+#[derive(Clone)]
 struct Cell<'a> {
     station: &'a Station,
     /// Number of its first part.
@@ -148,10 +160,29 @@ impl<'a> Whole<'a> {
         drawn: &[&ObjectPart],
         stations: &'a [Station],
         firsts: &[usize],
+        room: Room,
     ) -> Self {
-        let mut cells = cells((stations, firsts), &drivers(model, drawn));
-        let size = place(&mut cells);
-        Self { cells, size }
+        let cells = cells((stations, firsts), &drivers(model, drawn));
+        let placed = |widest: f64| {
+            let mut cells = cells.clone();
+            let size = place(&mut cells, widest);
+            Self { cells, size }
+        };
+        if room == Room::Page {
+            return placed(WIDEST);
+        }
+        // Of all ways to break the columns into rows the one that a canvas shows largest.
+        let columns = cells.iter().map(|cell| cell.column + 1).max().unwrap_or(0);
+        let scale = |one: &Self| (CANVAS / one.size[0]).min(1.0 / one.size[1]);
+        let ways = (1..=columns).map(|count| placed(width_of(&cells, count)));
+        ways.reduce(|best, one| {
+            if scale(&one) > scale(&best) {
+                one
+            } else {
+                best
+            }
+        })
+        .unwrap_or_else(|| placed(WIDEST))
     }
 
     /// Every station that is drawn, with the number of its first part and its place.
@@ -242,21 +273,31 @@ fn cells<'a>(
     cells
 }
 
-/// Gives every cell its place, columns from left to right in rows that are not too wide; the size
-/// of all.
-fn place(cells: &mut [Cell<'_>]) -> [f64; 2] {
+/// The room that each column takes.
+fn column_sizes(cells: &[Cell<'_>]) -> Vec<[f64; 2]> {
     let columns = cells.iter().map(|cell| cell.column + 1).max().unwrap_or(0);
-    let sizes: Vec<[f64; 2]> = (0..columns)
-        .map(|column| {
-            let own = cells
-                .iter()
-                .filter(|cell| cell.column == column)
-                .map(Cell::size);
-            own.fold([0.0, -GAP], |[wide, high], [w, h]| {
+    let size = |column: usize| {
+        let own = cells.iter().filter(|cell| cell.column == column);
+        own.map(Cell::size)
+            .fold([0.0, -GAP], |[wide, high], [w, h]| {
                 [wide.max(w), high + h + GAP]
             })
-        })
-        .collect();
+    };
+    (0..columns).map(size).collect()
+}
+
+/// Width of a picture whose first row has so many columns (pixels).
+fn width_of(cells: &[Cell<'_>], count: usize) -> f64 {
+    let sizes = column_sizes(cells);
+    let wide = sizes.iter().take(count).map(|[wide, _]| wide + GUTTER);
+    wide.sum::<f64>() - GUTTER + 2.0 * MARGIN
+}
+
+/// Gives every cell its place, columns from left to right in rows that are not wider than
+/// `widest_row` where a single column is not (pixels); the size of all.
+fn place(cells: &mut [Cell<'_>], widest_row: f64) -> [f64; 2] {
+    let sizes = column_sizes(cells);
+    let columns = sizes.len();
     let (mut begin, mut top, mut widest) = (0, MARGIN, 0.0_f64);
     while begin < columns {
         let mut end = begin + 1;
@@ -264,7 +305,7 @@ fn place(cells: &mut [Cell<'_>]) -> [f64; 2] {
             let all = sizes[begin..end].iter().map(|[w, _]| w + GUTTER);
             all.sum::<f64>() - GUTTER
         };
-        while end < columns && wide(end + 1) + 2.0 * MARGIN <= WIDEST {
+        while end < columns && wide(end + 1) + 2.0 * MARGIN <= widest_row {
             end += 1;
         }
         let high = sizes[begin..end]

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// What may be kept, and how much of it (bytes).
-const NAMES: [&str; 2] = ["units", "tour"];
+const NAMES: [&str; 4] = ["units", "tour", "layout", "stars"];
 const MOST: usize = 2000;
 
 /// The settings; `None`: there is no place for them.
