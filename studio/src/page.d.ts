@@ -22,6 +22,7 @@ declare const machine: { player(figure: Element, moving: Moving, source: PlotSou
 declare const numbers: {
   withUnit(value: number, unit: string, digits: number): string;
   significant(value: number, digits: number): string;
+  scaleFor(magnitude: number, unit: string): { unit: string; factor: number };
   prefer(scales: (unit: string) => { unit: string; factor: number } | undefined): void;
 };
 declare module "*.css";
