@@ -13,17 +13,15 @@ use crate::studies::cam::disc_cams;
 use crate::studies::run::RunResult;
 use serde_json::Value;
 
-/// The machine of a scene to begin with, moving.
+/// The machine of a scene to begin with, moving; null: nothing of it can be drawn.
 ///
 /// # Errors
-/// There is no such scene, or nothing of it can be drawn.
+/// There is no such scene.
 pub(super) fn preview(of: &Beginning) -> Result<Value, String> {
     let text = beginning(of)?;
     let shorter = [true, false].into_iter();
     let mut found = shorter.filter_map(|short| drawn(&text, short));
-    found
-        .next()
-        .ok_or_else(|| "there is no picture of this scene".to_owned())
+    Ok(found.next().unwrap_or_default())
 }
 
 /// Its run, drawn; `short`: of a few turns alone, which not every scene allows.
@@ -91,6 +89,9 @@ mod tests {
                 });
             assert!(moves, "{of:?}");
         }
+        // It is stuck from the first instant on.
+        let stuck = Beginning::Scenario("joint_friction/jamming_block".to_owned());
+        assert!(preview(&stuck).unwrap().is_null());
         assert!(preview(&Beginning::Scenario("rocker".to_owned())).is_err());
     }
 }

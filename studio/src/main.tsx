@@ -35,6 +35,7 @@ import "./expect.css";
 import "./units.css";
 import "./print.css";
 import "./motion/motion.css";
+import "./gallery/gallery.css";
 
 const link = connection();
 
