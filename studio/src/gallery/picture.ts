@@ -64,6 +64,8 @@ export async function begun(svg: SVGSVGElement): Promise<void> {
   for (let frames = 0; frames < 2; frames++) await new Promise((done) => requestAnimationFrame(done));
   svg.pauseAnimations();
   svg.setCurrentTime(0);
+  // To measure it brings it to that instant.
+  svg.getBBox();
 }
 
 // Instants at which it is measured how far a machine reaches, and the room around it (pixels).
