@@ -108,7 +108,7 @@ for (const scheme of ["light", "dark"]) test(`cards have the colours of the page
   expect(await page.evaluate(() => document.querySelector(".first-page").scrollWidth <= innerWidth)).toBe(true);
   // Machines are as large as their cards let them be, and have no ground of their own.
   const shares = await page.locator(".card[data-picture=drawn] .card-picture").evaluateAll((all) => all.map((one) => {
-    const place = one.getBoundingClientRect(), parts = [...one.querySelectorAll("path, circle, line")].filter((part) => part.checkVisibility({ visibilityProperty: true })).map((part) => part.getBoundingClientRect());
+    const place = one.getBoundingClientRect(), parts = [...one.querySelectorAll("path, circle, line")].filter((part) => part.checkVisibility({ visibilityProperty: true })).map((part) => part.getBoundingClientRect()).filter((box) => box.width + box.height > 0);
     const [left, right] = [Math.min(...parts.map((part) => part.left)), Math.max(...parts.map((part) => part.right))], [top, bottom] = [Math.min(...parts.map((part) => part.top)), Math.max(...parts.map((part) => part.bottom))];
     return Math.max((right - left) / place.width, (bottom - top) / place.height);
   }));
