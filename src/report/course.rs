@@ -42,7 +42,7 @@ impl CourseAxis {
 
 /// Samples of a function of pieces: both ends of every piece and, between them, the ends of
 /// `count` equal steps over the whole, which has this start and length.
-pub(in crate::report) fn samples<T>(
+pub(crate) fn samples<T>(
     pieces: impl IntoIterator<Item = [f64; 2]>,
     [start, length]: [f64; 2],
     count: usize,

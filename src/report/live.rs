@@ -5,6 +5,8 @@
 //! go to the window, as bytes; `plot.js` and `player.js`, the scripts of the pages, draw them
 //! anew (`live.update`, `machine.player`).
 
+pub(crate) use super::course::samples;
+
 use super::abscissa::Abscissa;
 pub(crate) use super::addresses::property_words;
 use super::compare;
@@ -166,6 +168,19 @@ pub(crate) fn run(
         moves,
         pictures,
     }
+}
+
+/// The machine of a run alone: what moves, its pictures, and the columns that it moves by; `None`:
+/// nothing of it can be drawn.
+pub(crate) fn moving(
+    model: &Model,
+    cams: &[(String, DiscCam)],
+    (figures, record): (&Figures, &Record),
+) -> Option<Value> {
+    let mut plots = Plots::live(0);
+    let moving = Machine { model, cams }.moving(figures, &record.merged(), &mut plots)?;
+    let (columns, _) = plots.parts();
+    Some(json!({ "moving": moving.player, "pictures": moving.pictures, "columns": columns }))
 }
 
 /// The columns that a chart shows.

@@ -1,5 +1,6 @@
 //! A cycle of a position function: its joints, extremes and shocks.
 
+use crate::kinematics::breaks::Breaks;
 use crate::kinematics::motion::law::{Jump, Peak};
 use crate::kinematics::position::Position;
 use crate::math::jet::{JUMP_ROUNDING, Jet};
@@ -51,14 +52,29 @@ pub struct FormulaChange {
 /// The function is not given by pieces that repeat, in words.
 pub fn cycle(position: &Position, lever: f64) -> Result<CycleFigures, String> {
     let breaks = position.breaks();
-    let (Some(period), count) = (breaks.period, breaks.points.len()) else {
+    if breaks.period.is_none() || breaks.is_empty() {
         return Err("the position function has no cycle made of pieces".to_owned());
+    }
+    Ok(over_pieces(&breaks, &|segment, phi| {
+        position.jet(segment, phi).scaled(lever)
+    }))
+}
+
+/// The figures of what is given by pieces that repeat, or that are gone through once between rests.
+pub(crate) fn over_pieces(breaks: &Breaks, jet: &dyn Fn(i64, f64) -> Jet) -> CycleFigures {
+    // Without a period the segments before the first and after the last point are rests.
+    let first = i64::from(breaks.period.is_none());
+    let count = breaks.points.len();
+    let inner = count as i64 - first;
+    let length = match (breaks.period, breaks.points.first(), breaks.points.last()) {
+        (Some(period), ..) => period,
+        (None, Some(from), Some(to)) => to - from,
+        (None, ..) => 0.0,
     };
-    let jet = |segment: i64, phi: f64| position.jet(segment, phi).scaled(lever);
-    let pieces = || (0..count).map(|piece| (piece, breaks.edges(piece as i64)));
+    let pieces = || (first..first + inner).map(|segment| (segment, breaks.edges(segment)));
     let peak = |f: &dyn Fn(&Jet) -> f64| {
-        let mut ends = pieces().map(|(piece, (from, to))| (piece, from, to));
-        greatest(&mut ends, &|piece, phi| f(&jet(piece as i64, phi)))
+        let mut ends = pieces().map(|(segment, (from, to))| (segment as usize, from, to));
+        greatest(&mut ends, &|segment, phi| f(&jet(segment as i64, phi)))
     };
     let least = |f: &dyn Fn(&Jet) -> f64| {
         let found = peak(&|jet| -f(jet));
@@ -69,8 +85,8 @@ pub fn cycle(position: &Position, lever: f64) -> Result<CycleFigures, String> {
     };
     let joints: Vec<FormulaChange> = (0..count)
         .map(|index| {
-            let at = breaks.points[index];
-            let sides = [jet(index as i64 - 1, at), jet(index as i64, at)];
+            let (at, after) = (breaks.points[index], index as i64 + first);
+            let sides = [jet(after - 1, at), jet(after, at)];
             FormulaChange {
                 at,
                 value: sides.map(|side| side.value),
@@ -88,8 +104,8 @@ pub fn cycle(position: &Position, lever: f64) -> Result<CycleFigures, String> {
         acceleration.value.max(-deceleration.value),
         jerk.value,
     ];
-    Ok(CycleFigures {
-        period,
+    CycleFigures {
+        period: length,
         jumps: jumps(&joints, sizes),
         joints,
         speed,
@@ -98,7 +114,7 @@ pub fn cycle(position: &Position, lever: f64) -> Result<CycleFigures, String> {
         deceleration,
         jerk,
         product: peak(&|j| (j.first * j.second).abs()),
-    })
+    }
 }
 
 fn jumps(joints: &[FormulaChange], sizes: [f64; 3]) -> Vec<Jump> {

@@ -3,6 +3,7 @@
 use super::answer::is_judged;
 use super::gallery;
 use super::limits::{FIGURES, JUDGED, RUN};
+use super::motion;
 use crate::ask::{Mechanism, ModelAssessment};
 use crate::budget::Budget;
 use crate::frontend::object::{Inputs, Registry};
@@ -91,6 +92,24 @@ impl<'a> Aside<'a> {
             ModelAssessment::Never,
             |mechanism| json!({ "linkages": live::sketches(&mechanism.system, &at) }),
         )
+    }
+
+    /// The motion of the object `id` with its curves, where it is made of segments; `faulty`: the
+    /// text is no scene.
+    pub(super) fn motion(&self, id: &str) -> Value {
+        let found = self.motion_of(id);
+        let (faulty, motion) = (found.is_none(), found.flatten());
+        json!({ "version": self.version, "faulty": faulty, "motion": motion })
+    }
+
+    fn motion_of(&self, id: &str) -> Option<Option<Value>> {
+        let document = Document::parse(self.name, self.text.as_bytes()).ok()?;
+        let reading = document.scene(&self.layered(), &Overrides::none()).ok()?;
+        let object = &reading.canonical["objects"][id];
+        let by_arm = object.get("lever_arm").is_some();
+        let budget = Budget::FREE.within(RUN);
+        let mechanism = Mechanism::of_within(reading, ModelAssessment::Never, &budget).ok()?;
+        Some(motion::motion(&mechanism, id, by_arm))
     }
 
     /// The figures of its run that it may expect, with how closely. `None` as above.

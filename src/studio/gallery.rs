@@ -5,7 +5,7 @@ use super::messages::Beginning;
 use crate::frontend::diagnostics::Diagnostic;
 use crate::frontend::read::file_names;
 use crate::frontend::scene::{BuiltIn, Catalogue, Document, NamedBytes, Overrides, Template};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 
 include!(concat!(env!("OUT_DIR"), "/scenarios.rs"));
@@ -19,6 +19,8 @@ const TABLES: &str = include_str!("../../scenarios/README.md");
 pub(super) struct Scenario {
     /// `rocker/two_masses`.
     name: &'static str,
+    /// The name that it gives itself.
+    title: String,
     /// What it asks.
     question: String,
     /// What those of its folder ask.
@@ -46,6 +48,7 @@ pub(super) fn scenarios() -> Vec<Scenario> {
             let group = group(name)?;
             Some(Scenario {
                 name,
+                title: title(name)?,
                 question,
                 group,
             })
@@ -75,6 +78,17 @@ pub(super) fn beginning(of: &Beginning) -> Result<String, String> {
         }),
     };
     found.ok_or_else(|| "there is no such scene to begin with".to_owned())
+}
+
+/// The name that a scenario gives itself.
+fn title(name: &str) -> Option<String> {
+    /// The name alone: all else is passed over.
+    #[derive(Deserialize)]
+    struct Head {
+        name: String,
+    }
+    let head: Head = serde_json::from_str(scenario(name)?).ok()?;
+    Some(head.name)
 }
 
 fn scenario(name: &str) -> Option<&'static str> {
@@ -146,6 +160,8 @@ mod tests {
         let all: Vec<&str> = SCENARIOS.iter().map(|(name, _)| *name).collect();
         assert_eq!(named, all);
         assert!(all.len() > 60 && scenarios().iter().all(|one| one.question.len() > 10));
+        let titled = |one: &super::Scenario| one.title.len() > 5;
+        assert!(scenarios().iter().all(titled));
         // Those of a group stand together.
         let mut groups: Vec<&str> = scenarios().iter().map(|one| one.group).collect();
         groups.dedup();

@@ -26,3 +26,8 @@ pub(super) const ROWS: usize = 20_000;
 pub(super) const MASSES: usize = 200;
 /// Cells along and up the live map, first coarse, then fine.
 pub(super) const CELLS: [usize; 3] = [5, 10, 20];
+/// How long the run of a moving picture on the first page may last, its samples a turn of the drive
+/// and in all, and the turns that are run.
+pub(super) const PREVIEW: Duration = Duration::from_secs(8);
+pub(super) const PREVIEW_ROWS: [f64; 2] = [120.0, 300.0];
+pub(super) const PREVIEW_TURNS: f64 = 2.0;

@@ -3,7 +3,8 @@
 //! * `answer`, `chart`, `asides`: from a text to its answer, the live map, what is asked besides;
 //!   `commands`: the questions that the program's commands answer;
 //! * `messages`, `view`, `pins`: what a window says, what it sees besides the run;
-//!   `gallery`: scenes that are built in;
+//!   `gallery`, `preview`: scenes that are built in, and their machines moving; `motion`: a motion
+//!   made of segments, as it is drawn and edited;
 //! * `server`: `dam studio`, a server on the loopback with the windows of one folder;
 //! * `tab`: the same answers in a browser tab, without a server.
 
@@ -14,7 +15,9 @@ pub(crate) mod commands;
 mod gallery;
 mod limits;
 mod messages;
+mod motion;
 mod pins;
+mod preview;
 #[cfg(feature = "studio")]
 mod server;
 pub mod tab;

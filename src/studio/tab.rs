@@ -15,6 +15,7 @@ use super::gallery;
 use super::limits::{CELLS, QUICK};
 use super::messages::{Beginning, MapRequest};
 use super::pins::{KeptPin, Source};
+use super::preview;
 use super::view::{View, merged};
 use crate::ask::ModelAssessment;
 use crate::budget::Instant;
@@ -293,6 +294,12 @@ impl Tab {
             "/api/parts" => aside.parts(),
             "/api/model" => json!(aside.model()),
             "/api/linkages" => json!(aside.linkages(query.get("at").map(String::as_str))),
+            "/api/motion" => aside.motion(query.get("object").map_or("", String::as_str)),
+            "/api/preview" => {
+                let from = query.get("from");
+                let from = from.and_then(|text| serde_json::from_str::<Beginning>(text).ok());
+                preview::preview(&from.ok_or("this is no scene to begin with")?)?
+            }
             "/api/figures" => json!(aside.figures()),
             "/api/text" => of.text.clone().into(),
             "/api/questions" => {

@@ -1,14 +1,15 @@
-// The first page: scenes that were opened last, those of the folder, what a new one may begin
-// with; one search over all of it.
+// The first page: scenes that were opened last, those of the folder, the gallery of what a new one
+// may begin with; one search over all of it.
 
 import type { ComponentChildren } from "preact";
 import { useEffect, useRef, useState } from "preact/hooks";
+import { fitting, Gallery, type Scenario, type Template } from "./gallery/gallery";
+import type { From } from "./gallery/picture";
 import type { Link } from "./link";
 
+export type { From };
 interface Scene { name: string; title: string | null }
-interface Scenario { name: string; question: string; group: string }
-interface Told { recent: string[]; scenes: Scene[]; templates: { name: string; meaning: string }[]; scenarios: Scenario[] }
-export type From = { template: string } | { scenario: string };
+interface Told { recent: string[]; scenes: Scene[]; templates: Template[]; scenarios: Scenario[] }
 
 interface Props {
   link: Link;
@@ -43,9 +44,7 @@ export function First({ link, folder, scene, saved, open, make, back, tour, tour
   const titleOf = (name: string) => told.scenes.find((one) => one.name === name)?.title ?? null;
   const recent = told.recent.filter((name) => fits(name, titleOf(name)));
   const scenes = told.scenes.filter((one) => fits(one.name, one.title));
-  const templates = told.templates.filter((one) => fits(one.name, one.meaning, "template"));
-  const scenarios = told.scenarios.filter((one) => fits(one.name, one.question, one.group));
-  const groups = [...new Set(scenarios.map((one) => one.group))];
+  const { templates, scenarios } = fitting({ ...told, fits });
   const none = !recent.length && !scenes.length && !templates.length && !scenarios.length;
   const begin = (stem: string, from: From | null) => {
     const name = prompt(`Name of the new scene in ${folder}/`, freeFile(stem, told.scenes.map((one) => one.name)));
@@ -70,22 +69,18 @@ export function First({ link, folder, scene, saved, open, make, back, tour, tour
           </List>
         </div>
         <div>
-          <List title="Begin with a template" of={templates} one={({ name, meaning }) => <Entry key={name} name={meaning} words={name} act={() => begin(name, { template: name })} />}>
-            {fits("empty scene template") && <Entry name="An empty scene" words="drawn or built of objects" act={() => begin("scene", null)} />}
-          </List>
-          {groups.length > 0 && <h2>Scenarios <small>machines with a question and its answer; a copy of them comes into the folder</small></h2>}
-          {groups.map((group) => <List key={group} title={group} of={scenarios.filter((one) => one.group === group)} small
-            one={({ name, question }) => <Entry key={name} name={question} words={name} act={() => begin(name.split("/").at(-1)!, { scenario: name })} />} />)}
+          {fits("empty scene template") && <Entry name="An empty scene" words="drawn or built of objects" act={() => begin("scene", null)} />}
+          {templates.length + scenarios.length > 0 && <Gallery link={link} templates={told.templates} scenarios={told.scenarios} fits={fits} begin={begin} />}
         </div>
       </div>
     </section>
   );
 }
 
-function List<T>({ title, of, one, small, children }: { title: string; of: T[]; one: (item: T) => ComponentChildren; small?: boolean; children?: ComponentChildren }) {
+function List<T>({ title, of, one, children }: { title: string; of: T[]; one: (item: T) => ComponentChildren; children?: ComponentChildren }) {
   const own = [children].flat().filter(Boolean);
   if (!of.length && !own.length) return null;
-  return <section aria-label={title}>{small ? <h3>{title}</h3> : <h2>{title}</h2>}{of.map(one)}{children}</section>;
+  return <section aria-label={title}><h2>{title}</h2>{of.map(one)}{children}</section>;
 }
 
 function Entry({ name, words, act }: { name: string; words: string | null; act: () => void }) {

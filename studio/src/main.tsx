@@ -18,6 +18,7 @@ import type { Parts } from "./kinds";
 import { isUnfinished, take } from "./keys";
 import { shownScene, type Message } from "./link";
 import { Models } from "./models";
+import { MotionPanel } from "./motion/panel";
 import { fields as fieldsOf, type Field, type Span } from "./numbers";
 import { Objects } from "./objects";
 import { printing } from "./print";
@@ -35,6 +36,8 @@ import "./tour.css";
 import "./expect.css";
 import "./units.css";
 import "./print.css";
+import "./motion/motion.css";
+import "./gallery/gallery.css";
 
 const link = connection();
 
@@ -310,7 +313,11 @@ function Studio() {
     const id = there[0];
     if (id === undefined) return <SceneForm desk={desk} />;
     const kind = member(find(good, ["objects", id]), "kind")?.value.text ?? objects.find((one) => one.id === id)?.kind ?? "";
-    return <ObjectForm key={id} desk={desk} id={id} kind={kind} rename={(other) => rename(id, other)} />;
+    const coordinates = new Map(objects.flatMap((one) => one.outputs.map((output) => [output.address, output.coordinate] as const)));
+    return <>
+      <MotionPanel key={`motion ${scene} ${id}`} {...{ link, scene, id, kind, desk, edit, coordinates }} isAt={(one) => editor.current!.isAt(one)} drag={() => editor.current!.drag()} />
+      <ObjectForm key={id} desk={desk} id={id} kind={kind} rename={(other) => rename(id, other)} />
+    </>;
   };
   // Drawn anew where something of it is another: not while numbers move.
   const graph = useMemo(() => view === "objects" ? <Objects key="objects" objects={objects} faults={faults} parts={parts} selected={chosen} select={select} edit={edit} /> : null, [view, objects, faults, parts, chosen]);

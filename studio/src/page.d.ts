@@ -15,13 +15,15 @@ declare const live: {
   draw(): void;
 };
 interface Moving { magnify: { choices: number[] } | null; columns: unknown[]; sets: unknown[] }
-interface Playing { update(moving: Moving, source: PlotSource, pictures?: string): void; stop(): void }
+// `running`: the drawing as an SVG that runs by itself.
+interface Playing { update(moving: Moving, source: PlotSource, pictures?: string): void; stop(): void; running(): string }
 // Pictures as files: a copy with all colours in it, as text, and what the browser saves.
 declare const picture: { alone(svg: SVGElement): SVGElement; written(svg: SVGElement): string; save(name: string, content: BlobPart): void };
 declare const machine: { player(figure: Element, moving: Moving, source: PlotSource): Playing | null };
 declare const numbers: {
   withUnit(value: number, unit: string, digits: number): string;
   significant(value: number, digits: number): string;
+  scaleFor(magnitude: number, unit: string): { unit: string; factor: number };
   prefer(scales: (unit: string) => { unit: string; factor: number } | undefined): void;
 };
 declare module "*.css";

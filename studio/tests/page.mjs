@@ -1,6 +1,8 @@
 // What the tests do with a page of the studio.
 
 import { expect } from "@playwright/test";
+import { join } from "node:path";
+import { root } from "./server.mjs";
 
 export async function opened(page, address, view = "Text") {
   await page.goto(address);
@@ -10,6 +12,8 @@ export async function opened(page, address, view = "Text") {
 // Nothing may be thrown, and nothing may break the content security policy.
 export function watched(page) {
   const wrong = [];
+  // With DIST=1 the interface is the one that `npm run build` made, and not that of the program.
+  if (process.env.DIST) for (const name of ["studio.js", "studio.css"]) void page.route(`**/${name}`, (route) => route.fulfill({ path: join(root, "studio/dist", name) }));
   page.on("pageerror", (error) => wrong.push(error.message));
   page.on("console", (message) => { if (message.type() === "error" && !/WebSocket|ERR_CONNECTION/.test(message.text())) wrong.push(message.text()); });
   return wrong;

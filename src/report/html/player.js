@@ -385,7 +385,7 @@ const machine = (() => {
       playing = false;
       document.removeEventListener("instant", follow);
     }
-    return { update, stop };
+    return { update, stop, running };
   }
   for (const figure of document.querySelectorAll("figure.moving")) player(figure, JSON.parse(document.getElementById(`${figure.id}-data`).textContent), page);
   return { player };

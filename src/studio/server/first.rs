@@ -5,12 +5,15 @@
 //! is made by `Folder::place`, which replaces none.
 
 use super::folder::Folder;
+use super::questions::refused;
 use super::served::Studio;
-use crate::studio::asides;
+use crate::studio::messages::Beginning;
+use crate::studio::{asides, preview};
 use axum::Json;
-use axum::extract::State;
+use axum::extract::{Query, State};
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
+use serde::Deserialize;
 use serde::de::{Deserializer, IgnoredAny, MapAccess, Visitor};
 use serde_json::{Value, json};
 use std::cell::RefCell;
@@ -26,6 +29,25 @@ const HEAD: u64 = 64 << 10;
 pub(super) async fn page(State(studio): State<Arc<Studio>>) -> Response {
     match tokio::task::spawn_blocking(move || opening_message(&studio)).await {
         Ok(told) => Json(told).into_response(),
+        Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+    }
+}
+
+/// A scene to begin with in the query: as JSON.
+#[derive(Deserialize)]
+pub(super) struct From {
+    from: String,
+}
+
+/// The machine of a template or a scenario, moving. One is worked out at a time.
+pub(super) async fn preview(State(studio): State<Arc<Studio>>, Query(of): Query<From>) -> Response {
+    let Ok(from) = serde_json::from_str::<Beginning>(&of.from) else {
+        return refused(StatusCode::BAD_REQUEST, "this is no scene to begin with");
+    };
+    let _one = studio.previewing.lock().await;
+    match tokio::task::spawn_blocking(move || preview::preview(&from)).await {
+        Ok(Ok(found)) => Json(found).into_response(),
+        Ok(Err(words)) => refused(StatusCode::NOT_FOUND, &words),
         Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
     }
 }

@@ -64,6 +64,17 @@ pub(super) async fn linkages(opened: Opened, Query(place): Query<Place>) -> Resp
     respond(opened, move |aside| aside.linkages(place.at.as_deref())).await
 }
 
+/// An object in the query.
+#[derive(Deserialize)]
+pub(super) struct ObjectQuery {
+    object: String,
+}
+
+/// The motion of an object with its curves.
+pub(super) async fn motion(opened: Opened, Query(of): Query<ObjectQuery>) -> Response {
+    respond(opened, move |aside| Some(aside.motion(&of.object))).await
+}
+
 /// The figures of its run that it may expect, with how closely.
 pub(super) async fn figures(opened: Opened) -> Response {
     respond(opened, |aside| aside.figures()).await

@@ -61,6 +61,8 @@ fn router(studio: Arc<Studio>) -> Router {
         .route("/api/model", get(questions::model))
         .route("/api/figures", get(questions::figures))
         .route("/api/linkages", get(questions::linkages))
+        .route("/api/motion", get(questions::motion))
+        .route("/api/preview", get(first::preview))
         .route("/api/questions", get(files::forms))
         .route(FILE, get(files::file))
         .route("/api/text", get(files::text))

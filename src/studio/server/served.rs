@@ -34,6 +34,8 @@ pub(super) struct Studio {
     pub(super) commands: &'static dyn Commands,
     /// Files that are made one after the other.
     pub(super) making: tokio::sync::Mutex<()>,
+    /// Moving pictures of the first page too.
+    pub(super) previewing: tokio::sync::Mutex<()>,
     /// Tokens that windows come back with.
     pub(super) earlier: Earlier,
     token: Token,
@@ -62,6 +64,7 @@ impl Studio {
             windows: Arc::default(),
             commands,
             making: tokio::sync::Mutex::default(),
+            previewing: tokio::sync::Mutex::default(),
             earlier: Earlier::none(&token),
             token,
             host: format!("127.0.0.1:{port}"),

@@ -86,6 +86,7 @@ fn faults_maps_questions_and_pages_are_answered_and_no_request_is_told() {
         "parts",
         "model",
         "linkages",
+        "motion",
         "figures",
         "text",
         "questions",
@@ -96,6 +97,17 @@ fn faults_maps_questions_and_pages_are_answered_and_no_request_is_told() {
         assert!(messages[0]["value"].is_object() || path == "text", "{path}");
         assert_eq!(messages[0]["number"], 9);
     }
+    let mut query = |path: &str, query: Value| {
+        let request = json!({ "ask": "get", "number": 9, "path": path, "of": of, "query": query });
+        asked(&mut tab, &request).0.remove(0)
+    };
+    let found = query("/api/motion", json!({ "object": "rocker" }));
+    let expected = json!({ "version": 4, "faulty": false, "motion": null });
+    assert_eq!(found["value"], expected);
+    let from = json!({ "scenario": "rocker/two_masses" }).to_string();
+    let found = query("/api/preview", json!({ "from": from }));
+    assert!(found["value"]["pictures"].is_string());
+    assert!(query("/api/preview", json!({ "from": "{}" }))["error"].is_string());
     for wrong in ["", "{}", r#"{ "ask": "end" }"#] {
         assert!(tab.ask(wrong, &|_| panic!("an answer")).is_err());
     }
