@@ -385,6 +385,9 @@ pub enum Start {
     /// Explicit absolute displacements and speeds of every mass, per object
     /// (index into [`Model::objects`]); objects left out start on their law.
     Explicit(Vec<ExplicitStart>),
+    /// The coordinates u and u̇ of the system, as [`crate::dynamics::system::System`] has them: a
+    /// state that a study has found.
+    State(Vec<f64>),
 }
 
 /// Explicit start of one object.

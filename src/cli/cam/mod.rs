@@ -60,7 +60,8 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
     let mut status = Status::Answered;
     let _keeping = args.lift_off.then(|| asker.guard_from_interrupt());
     if args.lift_off {
-        match lift_off::search((args, asker), &input, &ready, &id, force.as_ref().ok())? {
+        let search = lift_off::search_of(&ready, &id, force.as_ref().ok())?;
+        match lift_off::search((args, asker), &ready, &search)? {
             Some(speed) => {
                 if let Some(force) = &mut found.force {
                     force.elastic = Some(speed);
@@ -73,6 +74,10 @@ pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failu
                     let is_elastic = force.rigid.is_some();
                     let elastic = is_elastic.then(|| contact.figures_at(force.speed));
                     force.elastic_contact = elastic.flatten();
+                    if is_elastic {
+                        let note = lift_off::note_on_start(&contact, &search, speed);
+                        force.notes.extend(note);
+                    }
                 }
             }
             None => {

@@ -51,6 +51,7 @@ impl System {
         let mut y = match &self.model.start {
             Start::OnLaw => self.explicit_state(&[], &mut modes)?,
             Start::Explicit(starts) => self.explicit_state(starts, &mut modes)?,
+            Start::State(state) => state.clone(),
             Start::Static => {
                 let balanced = self.balanced(Side::After, Balance::Static, &mut modes)?;
                 self.warn_of_inertia(&balanced, &modes, &mut warnings);

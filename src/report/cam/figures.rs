@@ -198,7 +198,7 @@ fn ranges(answer: &Answer<Vec<BaseRange>>) -> String {
     }
 }
 
-fn rpm(speed: f64) -> String {
+pub(super) fn rpm(speed: f64) -> String {
     format!("{} rpm", result(speed * 60.0 / TAU, DIGITS))
 }
 
@@ -264,7 +264,7 @@ fn force_rows(rows: &mut Rows, force: &ForceFigures) {
         LiftOff::Below(speed) => format!("even at {}", rpm(speed)),
     });
     rows.extend(rigid.map(|text| Figure::new("lift-off, rigid", text)));
-    rows.extend(elastic.map(|text| Figure::new("lift-off, elastic (runs, to 0.1 %)", text)));
+    rows.extend(elastic.map(|text| Figure::new("lift-off, elastic", text)));
     if let Some(elastic) = &force.elastic_contact {
         elastic_rows(rows, force, elastic);
     }

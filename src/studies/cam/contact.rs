@@ -6,6 +6,7 @@
 use super::disc_cam;
 use super::elastic::{ElasticContact, Missing};
 use super::force::{CamForce, LiftOff, Reserve};
+use super::speed_search::SpeedSearch;
 use crate::dynamics::model::Closure;
 use crate::fault::Fault;
 use crate::frontend::scene::TypedScene;
@@ -71,11 +72,17 @@ fn of_closed_form(force: &CamForce<'_>, name: &str) -> Result<f64, String> {
     }
 }
 
+fn lift_off(contact: ElasticContact<'_>) -> Result<LiftOff, Missing> {
+    let search = SpeedSearch::of_scene(contact.system.model(), contact.object);
+    let search = search.map_err(|why| contact.refused(why))?;
+    contact.lift_off(&search, &mut |_| ())
+}
+
 fn by_runs(contact: ElasticContact<'_>, name: &str) -> Result<f64, Missing> {
     let id = &contact.system.model().objects[contact.object].id;
     let refused = |why: String| Err(Missing::Refused(vec![Fault::new(id, why, "")]));
     match name {
-        "lift_off_speed" => match contact.lift_off()? {
+        "lift_off_speed" => match lift_off(contact)? {
             LiftOff::At(speed) => Ok(speed),
             LiftOff::Above(speed) => refused(format!(
                 "it stays in contact at all speeds of the cam that were tried, up to {speed} rad/s"

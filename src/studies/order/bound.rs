@@ -97,7 +97,7 @@ impl BaseMotion {
                 let [gravity, force] = constant_loads(chain)?;
                 (self.acceleration.abs() + gravity, force)
             }
-            Start::Explicit(_) => return None,
+            Start::Explicit(_) | Start::State(_) => return None,
         };
         let [greatest, last] = self.changes(left_out.fading);
         let worst = Excitation {

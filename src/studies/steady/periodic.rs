@@ -5,9 +5,9 @@ use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
 use super::multipliers::{self, Multiplier, Stability};
 use super::over_period::{OverPeriod, RETURN};
-use super::shooting::{CLOSED, FixedPoint, distance, shoot_near};
+use super::shooting::{self, CLOSED, FixedPoint, distance, shoot_near};
 use crate::dynamics::integrate::{Dynamics, Method};
-use crate::dynamics::model::Coordinate;
+use crate::dynamics::model::{Coordinate, Model};
 use crate::dynamics::record::drive_cycle;
 use crate::dynamics::system::System;
 use crate::exact::Parts;
@@ -355,6 +355,50 @@ fn refuse_unused(spec: &SteadySpec) -> Result<(), Vec<Fault>> {
     }
 }
 
+/// The angle of the drive after which everything repeats, a multiple of `least` (rad), and the
+/// time for it (s).
+pub(super) fn whole_cycle(model: &Model, least: f64) -> Result<(f64, f64), Vec<Fault>> {
+    let once = drive_cycle(model).map_err(|why| {
+        let message = format!("the motion of the drives does not repeat: {why}");
+        let hint = "a drive with a constant `speed`";
+        vec![Fault::new("steady", message, hint)]
+    })?;
+    let cycle = Rhythms::of_all(model, TAU / once).whole_cycle(least)?;
+    Ok((cycle, once * cycle / TAU))
+}
+
+/// A state y = [u, u̇] at t = 0 that comes back after the cycle of prescribed drives, and the time
+/// of that cycle (s): where the motion is linear the only one, whatever the scene's start.
+///
+/// # Errors
+/// The drives do not repeat, there is no start, or no such state was found.
+pub(super) fn recurring_state(
+    system: &System,
+    settings: &RunSettings,
+    control: &Control<'_>,
+) -> Result<(Vec<f64>, f64), Vec<Fault>> {
+    let (_, turn) = whole_cycle(system.model(), TAU)?;
+    let mut state = system.initial_state()?.y;
+    let parts = Parts::of(system);
+    let of_map = |map: &dyn Map, start: &[f64]| {
+        let found = shooting::near(map, start, turn).map_err(|why| none(&why))?;
+        found.ok_or_else(|| none("Newton's method comes to none"))
+    };
+    if parts.is_whole() {
+        for tree in &parts.trees {
+            let (q, v) = tree.own_state(&state);
+            let (masses, start) = (q.len(), [q, v].concat());
+            let map = TreeMap::new(tree, &start, turn, *control).map_err(|why| none(&why))?;
+            let found = of_map(&map, &start)?;
+            tree.put_state(&found[..masses], &found[masses..], &mut state);
+        }
+    } else if !state.is_empty() {
+        let method = choose_general(system, settings, "").method;
+        state = of_map(&SystemMap::new(system, method, *control), &state)?;
+    }
+    Ok((state, turn))
+}
+
 /// The periodic motion of an elastic scene behind prescribed drives.
 ///
 /// # Errors
@@ -366,18 +410,8 @@ pub(super) fn answer(
     control: &Control<'_>,
 ) -> Result<PeriodicAnswer, Vec<Fault>> {
     let none = |why: String| none(&why);
-    let once = drive_cycle(system.model()).map_err(|why| {
-        let message = format!("the motion of the drives does not repeat: {why}");
-        vec![Fault::new(
-            "steady",
-            message,
-            "a drive with a constant `speed`",
-        )]
-    })?;
     refuse_unused(spec)?;
-    let rhythms = Rhythms::of_all(system.model(), TAU / once);
-    let cycle = rhythms.whole_cycle(spec.cycle)?;
-    let turn = once * cycle / TAU;
+    let (cycle, turn) = whole_cycle(system.model(), spec.cycle)?;
     let initial = system.initial_state()?;
     let parts = Parts::of(system);
     let mut state = initial.y.clone();
