@@ -4,6 +4,7 @@
 import type { Verdict } from "./expect";
 import { offer } from "./export";
 import { patch } from "./patch";
+import { Sheet } from "./sheet";
 import { remeasure, reshow, type Sentence } from "./units";
 
 export interface Answer {
@@ -95,12 +96,25 @@ export class Board {
   private last: [Moving, PlotSource] | null = null;
   private rest = 0;
   private all = false;
+  private readonly sheet = new Sheet("the machine moving");
+  // The object whose charts are shown; null: those of all.
+  private object: string | null = null;
 
-  constructor(private readonly parts: { tables: Element; compared: Element; charts: Element; machine: Element }, scroller: Element, private readonly told: (sight: number[]) => void) {
+  constructor(private readonly parts: { tables: Element; compared: Element; charts: Element; machine: Element }, scroller: Element, private readonly told: (sight: number[]) => void, choose: (id: string) => void) {
     for (const part of [parts.tables, parts.compared]) part.addEventListener("click", ({ target }) => {
       if (!(target as Element).matches(".all-rows")) return;
       whole.add(part);
       this.again();
+    });
+    parts.tables.addEventListener("click", (event) => {
+      const link = (event.target as Element).closest<HTMLAnchorElement>('a[href^="#object-"]');
+      if (!link) return;
+      event.preventDefault();
+      choose(decodeURIComponent(link.hash.slice("#object-".length)));
+    });
+    parts.machine.addEventListener("click", (event) => {
+      const id = (event.target as Element).closest<SVGElement>("[data-object]")?.dataset["object"];
+      if (id) choose(id);
     });
     this.watch = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
@@ -124,6 +138,22 @@ export class Board {
     else if (this.all) { this.all = false; this.look(); }
   }
 
+  // Shows the charts of one object, or of all, and what belongs to none.
+  only(object: string | null): void {
+    this.object = object;
+    this.separate();
+  }
+  private separate(): void {
+    const sections = [...this.parts.charts.querySelectorAll<HTMLElement>("section.object")];
+    const isThere = sections.some((one) => one.id === `object-${this.object}`);
+    for (const one of sections) one.hidden = isThere && one.id.startsWith("object-") && one.id !== `object-${this.object}`;
+    this.mark();
+  }
+  // The object that was chosen, in the picture of the machine.
+  private mark(): void {
+    for (const one of this.parts.machine.querySelectorAll<SVGElement>("[data-object]")) one.classList.toggle("chosen", one.dataset["object"] === this.object);
+  }
+
   show(frame: ArrayBuffer): Answer {
     const { head, columns } = read(frame);
     if (head.charts !== undefined) this.plots = [];
@@ -134,6 +164,7 @@ export class Board {
       this.watch.disconnect();
       this.seen.clear();
       this.parts.charts.innerHTML = head.charts;
+      this.separate();
       this.made = live.make(this.parts.charts, source);
       offer(this.made);
       for (const chart of this.made) { this.seen.add(chart.svg); this.watch.observe(chart.svg); }
@@ -170,7 +201,7 @@ export class Board {
     if (this.playing && moving && choices === this.choices) {
       this.playing.update(moving, source, pictures);
       // Other pictures, in the units that they were drawn with.
-      if (pictures !== undefined) { remeasure(place); this.playing.update(moving, source); }
+      if (pictures !== undefined) { remeasure(place); this.playing.update(moving, source); this.mark(); }
       return;
     }
     this.playing?.stop();
@@ -182,8 +213,10 @@ export class Board {
     if (!moving || !drawn) return;
     const figure = document.createElement("figure");
     figure.className = "moving";
-    figure.innerHTML = `${drawn}<div class="bar controls"></div>`;
+    this.sheet.content.innerHTML = drawn;
+    figure.append(this.sheet.room, Object.assign(document.createElement("div"), { className: "bar controls" }));
     place.appendChild(figure);
+    this.mark();
     remeasure(place);
     this.playing = machine.player(figure, moving, source);
   }
@@ -196,6 +229,8 @@ export class Board {
     this.made = [];
     this.plots = [];
     this.tables = this.compared = "";
+    this.object = null;
+    this.sheet.fit();
     for (const part of Object.values(this.parts)) { part.replaceChildren(); whole.delete(part); }
   }
 }

@@ -11,7 +11,9 @@ import { choice, reshow } from "./units";
 export interface Question { command: string; tab: string; about: string; fields: Option[]; why: string | null; choices: Record<string, string[]> | null }
 type Values = Record<string, string[]>;
 
-export const MOTION = "Motion";
+// The workbench, and what the run found in tables: they are no questions.
+export const BENCH = "Workbench", RESULTS = "Results";
+const FIRST = [BENCH, RESULTS];
 
 // What came of a version: told while the tab is closed too, at little cost.
 export interface Hearing { checked: (version: number) => void }
@@ -57,7 +59,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   const given = chosen ? filled(chosen, values[chosen.command] ?? {}) : {};
   const needs = chosen ? lacks(chosen, given) : [];
   const options = Object.fromEntries(Object.entries(given).filter(([, list]) => list.length));
-  const open = tab !== MOTION;
+  const open = !FIRST.includes(tab);
   const question = !open || forms.of !== scene || !chosen || chosen.why || needs.length ? null : JSON.stringify({ command: chosen.command, options });
 
   const clear = () => {
@@ -169,7 +171,7 @@ export function Asking({ link, scene, tab, choose, hearing, opened, faulty }: Pr
   return (
     <section class="asking" aria-label="questions" aria-busy={waiting && !faulty && question !== null}>
       <div key="tabs" class="tabs" role="tablist" aria-label="questions">
-        {[MOTION, ...names].map((name) => {
+        {[...FIRST, ...names].map((name) => {
           const all = questions.filter((one) => one.tab === name), why = all.length && all.every((one) => one.why) ? all[0]!.why! : "";
           return <button type="button" role="tab" key={name} class={why ? "unfit" : ""} aria-selected={tab === name} title={why} onClick={() => choose(name)}>{name}</button>;
         })}

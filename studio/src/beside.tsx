@@ -1,13 +1,14 @@
 // What is shown beside the run: earlier runs that are pinned, and a signal over another.
 
+import type { ComponentChildren } from "preact";
 import { useLayoutEffect, useState } from "preact/hooks";
 import type { Answer } from "./answer";
 import type { Link } from "./link";
 import { useTyping } from "./typing";
 
-interface Props { link: Link; answer: Answer; opened: number; stale: boolean }
+interface Props { link: Link; answer: Answer; opened: number; stale: boolean; before: ComponentChildren; compare: () => void }
 
-export function Beside({ link, answer: { pins, signals }, opened, stale }: Props) {
+export function Beside({ link, answer: { pins, signals }, opened, stale, before, compare }: Props) {
   const [along, setAlong] = useState("t"), [up, setUp] = useState("");
   const names = signals.map(([name]) => name);
   useLayoutEffect(() => { setAlong("t"); setUp(""); }, [opened]);
@@ -18,12 +19,13 @@ export function Beside({ link, answer: { pins, signals }, opened, stale }: Props
   const choice = (label: string, value: string, all: string[], set: (value: string) => void) => <Choice label={label} value={value} all={all} set={set} />;
   return (
     <div class="tools seen-beside" role="group" aria-label="beside the run">
+      {before}
       <button type="button" disabled={stale || pins.length >= 3} title="keep this run: later ones are drawn over it, and their figures stand beside its own" onClick={() => link.send({ type: "pin", name: "" })}>Pin this run</button>
       {pins.map((name, pin) => <span key={pin} class="pin">
         <Name text={name} label={`name of pinned run ${pin + 1}`} take={(name) => link.send({ type: "rename", pin, name })} />
         <button type="button" class="drop" aria-label={`unpin ${name}`} title="unpin" onClick={() => link.send({ type: "unpin", pin })}>×</button>
       </span>)}
-      {pins.length > 0 && <button type="button" onClick={() => document.querySelector(".compared")?.scrollIntoView({ block: "start" })}>Figures beside each other</button>}
+      {pins.length > 0 && <button type="button" onClick={compare}>Figures beside each other</button>}
       <span class="space" />
       {choice("Chart of", up, ["", ...names], (y) => over(along, y))}
       {choice("over", along, names, (x) => over(x, up))}

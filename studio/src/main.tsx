@@ -3,9 +3,9 @@
 import { render } from "preact";
 import { useEffect, useMemo, useReducer, useRef, useState } from "preact/hooks";
 import { Board, type Answer } from "./answer";
-import { Asking, MOTION, type Hearing } from "./asking";
-import { Beside } from "./beside";
+import { Asking, BENCH, RESULTS, type Hearing } from "./asking";
 import { Besides, connection } from "./connection";
+import { ALL, Dock } from "./dock";
 import { Drawing } from "./drawing";
 import { Editor } from "./editor";
 import { Expectations } from "./expect";
@@ -17,17 +17,19 @@ import { Host } from "./host";
 import type { Parts } from "./kinds";
 import { isUnfinished, take } from "./keys";
 import { shownScene, type Message } from "./link";
-import { MapView } from "./map";
 import { Models } from "./models";
 import { fields as fieldsOf, type Field, type Span } from "./numbers";
 import { Objects } from "./objects";
 import { printing } from "./print";
 import type { Guide } from "./schema";
 import { Sliders } from "./sliders";
+import { Splitter, useLayout } from "./splitter";
+import { StatusLine } from "./status";
 import { seen, Tour, type Show } from "./tour";
 import { Edits, member, find, parse, type Change, type Value } from "./tree";
-import { offered, said, Units } from "./units";
+import { offered, Units } from "./units";
 import "./style.css";
+import "./bench.css";
 import "./first.css";
 import "./tour.css";
 import "./expect.css";
@@ -68,8 +70,16 @@ function figuresOf(objects: Record<string, any>): string[] {
   return found;
 }
 
+// The object whose charts are looked at first: the one that is separated longest, else the last elastic one.
+function mostLoaded(objects: Record<string, any>): string | null {
+  const apart = (one: any): number => one?.pair?.separated_time ?? 0, ids = Object.keys(objects);
+  const longest = ids.reduce<string | null>((best, id) => apart(objects[id]) > (best === null ? 0 : apart(objects[best])) ? id : best, null);
+  return longest ?? ids.filter((id) => objects[id]?.delta_abs > 0).at(-1) ?? ids.at(-1) ?? null;
+}
+
 function Studio() {
-  const place = useRef<HTMLElement>(null!), answers = useRef<HTMLElement>(null);
+  const { layout, set: setLayout, offered: layoutOffered } = useLayout(link);
+  const place = useRef<HTMLElement>(null!), dock = useRef<HTMLDivElement>(null), answers = useRef<HTMLElement>(null);
   const [tables, charts, moving, compared] = [useRef<HTMLElement>(null!), useRef<HTMLElement>(null!), useRef<HTMLElement>(null!), useRef<HTMLElement>(null!)];
   const editor = useRef<Editor | null>(null), board = useRef<Board | null>(null);
   const self = useRef("0"), spans = useRef(new Map<string, Span>());
@@ -97,8 +107,10 @@ function Studio() {
   const [parts, setParts] = useState<Parts>({ kinds: [], objects: [] });
   const [guide, setGuide] = useState<Guide | null>(null);
   const [chosen, setChosen] = useState<string[]>([]);
+  // The object whose charts are shown: as chosen, or the one that is loaded most.
+  const [loaded, setLoaded] = useState<string | null>(null), lookAt = useRef<(id: string) => void>(() => {});
   const [version, setVersion] = useState(0);
-  const [tab, setTab] = useState<string>(MOTION), [opened, setOpened] = useState(0);
+  const [tab, setTab] = useState<string>(BENCH), [opened, setOpened] = useState(0);
   const hearing = useRef<Hearing>({ checked: () => {} });
   // What is told of versions matters where the model is looked at.
   const newest = useRef(0), models = useRef(false);
@@ -108,8 +120,8 @@ function Studio() {
 
   useEffect(() => {
     const own = editor.current = new Editor(place.current!, link, () => self.current);
-    const shown = board.current = new Board({ tables: tables.current!, compared: compared.current!, charts: charts.current!, machine: moving.current! }, answers.current!,
-      (sight) => link.send({ type: "sight", charts: sight }));
+    const shown = board.current = new Board({ tables: tables.current!, compared: compared.current!, charts: charts.current!, machine: moving.current! }, dock.current!,
+      (sight) => link.send({ type: "sight", charts: sight }), (id) => lookAt.current(id));
     printing(answers.current!);
     // Everything is drawn once a frame, however often the text and its answer change: the first
     // answer since a frame as it comes, so that the next frame has less to do.
@@ -139,6 +151,7 @@ function Studio() {
       setFolder(message.folder);
       program.current = message.program;
       seen.offer(message.settings);
+      layoutOffered(message.settings);
       if (offered(message.settings)) { shown.again(); redraw(0); }
       void link.get("/api/scenes").then(({ scenes }) => {
         setScenes(scenes);
@@ -158,7 +171,7 @@ function Studio() {
       // The server was started again: what it does not have is here.
       const left = again.current && message.scene === current.current ? own.left(stood.current.saved) : null;
       if (message.scene !== current.current) {
-        setObjects([]); setChosen([]); setFaults([]);
+        setObjects([]); setChosen([]); setFaults([]); setLoaded(null);
         void link.get(`/api/parts?scene=${encodeURIComponent(message.scene)}`).then(setParts, () => {});
         setScenes((known) => known.includes(message.scene) ? known : [...known, message.scene].sort());
         spans.current.clear(); shown.clear(); latest.current = null; setAnswer(null); }
@@ -245,7 +258,8 @@ function Studio() {
   const show: Show = (part) => {
     if (part === "home") { leave(); return; }
     enter();
-    if (part === "numbers") setSide("numbers"); else if (part !== "scene") look(part);
+    setTab(part === "results" ? RESULTS : BENCH);
+    if (part === "numbers") setSide("numbers"); else if (part === "objects" || part === "equations" || part === "text") look(part);
   };
   const act = (type: string, more = {}) => {
     cleared("deed");
@@ -277,7 +291,9 @@ function Studio() {
     const changes = make(new Edits(text, root));
     return changes.length > 0 && own.change(changes, drag ?? own.drag());
   };
-  const select = (ids: string[]) => { setChosen(ids); if (ids.length || side !== "properties") setSide("properties"); };
+  const select = (ids: string[]) => { setChosen(ids); if (ids.length === 1) setLoaded(ids[0]!); if (ids.length || side !== "properties") setSide("properties"); };
+  // The object that was clicked in the machine or in a table: its charts, and the graph shows it.
+  lookAt.current = (id) => { setTab(BENCH); setLoaded(id); if (objects.some((one) => one.id === id)) setChosen([id]); };
   const rename = (id: string, other: string) => {
     if (!/^[A-Za-z_][A-Za-z0-9_-]*$/.test(other)) { tell(`“${other}” is no name: letters, digits, _ and - are, and a letter comes first.`); redraw(0); return; }
     if (objects.some((one) => one.id === other)) { tell(`There is an object ${other} already.`); redraw(0); return; }
@@ -301,6 +317,8 @@ function Studio() {
   const fields: Field[] = editor.current?.state.field(fieldsOf) ?? [];
   const errors = faults.filter((fault) => fault.severity === "error");
   const found = latest.current?.figures, figures = useMemo(() => found ? figuresOf(found) : [], [found]);
+  const objectsOf = found ? Object.keys(found) : [], shown = loaded !== null && (loaded === ALL || objectsOf.includes(loaded)) ? loaded : mostLoaded(found ?? {});
+  useEffect(() => { board.current?.only(shown === ALL ? null : shown); }, [shown]);
   const isSaved = status.saved && (editor.current?.isSettled ?? true);
   return (
     <div class="studio">
@@ -339,20 +357,7 @@ function Studio() {
         {told && <p role="alert">{told.words} <button type="button" onClick={() => tell("")}>Close</button></p>}
       </div>}
       <div key="stage" class={home ? "stage home" : "stage"}>
-      <div key="panes" class={view === "drawing" ? "panes draws" : "panes"}>
-        <div class={`pane-left shows-${view}`}>
-          <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.map(([name, words]) =>
-            <button type="button" role="tab" key={name} aria-selected={view === name} onClick={() => look(name)}>{words}</button>)}</div>
-          {graph}
-          {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} root={() => tree().root} isAt={(one) => editor.current!.isAt(one)} edit={edit} drag={() => editor.current!.drag()} />}
-          {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => document.getElementById(`object-${id}`)?.scrollIntoView({ block: "start" })} />}
-          <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
-          <div key="faults" class="faults" aria-label="faults" role="region">
-            {faults.slice(0, MOST).map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
-              <b>{fault.severity}</b> {fault.path && <code>{fault.path}</code>} {fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</button>)}
-            {faults.length > MOST && <p class="soft">{faults.length - MOST} more.</p>}
-          </div>
-        </div>
+      <div key="panes" class="panes" style={{ gridTemplateColumns: `${layout.side}px 5px minmax(0, 1fr)` }}>
         <div class="pane-middle">
           <div class="tabs" role="tablist" aria-label="numbers and properties">
             <button type="button" role="tab" aria-selected={side === "numbers"} onClick={() => setSide("numbers")}>Numbers</button>
@@ -360,22 +365,38 @@ function Studio() {
           </div>
           <div class="side">{editor.current && (side === "numbers" ? <Sliders editor={editor.current} fields={fields} spans={spans.current} /> : properties())}</div>
         </div>
-        <main class={`answers${stale ? " stale" : ""}${tab === MOTION ? "" : " asks"}`} ref={answers} aria-label="answers">
+        <Splitter name="side" label="width of the numbers" upright layout={layout} set={setLayout} />
+        <main class={`answers${stale ? " stale" : ""}${tab === BENCH || tab === RESULTS ? "" : " asks"}`} ref={answers} aria-label="answers">
           <header key="print" class="print-head"><h1>{latest.current?.title || scene}</h1><p>{folder}/{scene}, dam {program.current}{isSaved ? "" : ", changes not saved"}</p></header>
+          <StatusLine key="status" answer={answer} stale={stale ? stalenessOf(errors.length, answer !== null) : null} results={() => setTab(RESULTS)} />
           <Asking key="asking" link={link} scene={scene} tab={tab} choose={setTab} hearing={hearing.current} opened={opened} faulty={wrong.current} />
-          {stale && <p key="stale" class="stale-mark" role="status">{stalenessOf(errors.length, answer !== null)}</p>}
-          {answer && <p key="verdict" class={`verdict ${answer.verdict.sort}`}><span class="sort">{answer.coarse ? "First look, the model is still being judged" : "Answer"}</span>
-            <b>{said(answer.verdict.headline)}</b> {said(answer.verdict.text)}</p>}
-          {answer && answer.warnings.length > 0 && <ul key="warnings" class="warnings">{answer.warnings.map((one) => <li>{said(one)}</li>)}</ul>}
-          {scene && <Expectations key={`expectations ${scene}`} link={link} scene={scene} feed={judged} latest={latest} isAt={(one) => editor.current!.isAt(one)} edit={edit} program={program.current} />}
-          {answer && <Beside key="pins" link={link} answer={answer} opened={opened} stale={stale} />}
-          <div key="beside" class="beside">
-            {editor.current && <MapView key="map" editor={editor.current} link={link} fields={fields} figures={figures} spans={spans.current} scene={scene} opened={opened} />}
-            <Host key="machine" kind="section" class="machine" label="machine moving" of={(element) => { moving.current = element; }} />
+          <div key="bench" class={`bench${view === "drawing" ? " draws" : ""}`} hidden={tab !== BENCH} style={{ gridTemplateRows: `minmax(0, ${layout.canvas}fr) 5px minmax(0, ${1 - layout.canvas}fr)` }}>
+            <div class="stand" style={{ gridTemplateColumns: `minmax(0, ${layout.graph}fr) 5px minmax(0, ${1 - layout.graph}fr)` }}>
+              <div class={`pane-left shows-${view}`}>
+                <div class="tabs" role="tablist" aria-label="views of the scene">{VIEWS.map(([name, words]) =>
+                  <button type="button" role="tab" key={name} aria-selected={view === name} onClick={() => look(name)}>{words}</button>)}</div>
+                {graph}
+                {view === "drawing" && <Drawing key={`drawing ${scene}`} link={link} scene={scene} version={version} root={() => tree().root} isAt={(one) => editor.current!.isAt(one)} edit={edit} drag={() => editor.current!.drag()} />}
+                {(view === "model" || view === "equations") && <Models key={view} link={link} scene={scene} version={version} kind={view} choose={(id) => lookAt.current(id)} />}
+                <Host key="text" class="text-pane" of={(element) => { place.current = element; }} />
+                <div key="faults" class="faults" aria-label="faults" role="region">
+                  {faults.slice(0, MOST).map((fault) => <button type="button" class={fault.severity} onClick={() => { if (view === "text") { editor.current!.show(fault.from, fault.to); return; } const [id] = fault.path.split(/[.[]/); if (view === "objects") select(objects.some((one) => one.id === id) ? [id] : []); else { look("text"); requestAnimationFrame(() => editor.current!.show(fault.from, fault.to)); } }}>
+                    <b>{fault.severity}</b> {fault.path && <code>{fault.path}</code>} {fault.message}{fault.hints.length ? ` (${fault.hints.join("; ")})` : ""}</button>)}
+                  {faults.length > MOST && <p class="soft">{faults.length - MOST} more.</p>}
+                </div>
+              </div>
+              <Splitter name="graph" label="width of the graph" upright layout={layout} set={setLayout} />
+              <Host key="machine" kind="section" class="machine" label="machine moving" of={(element) => { moving.current = element; }} />
+            </div>
+            <Splitter name="canvas" label="height of the canvas" upright={false} layout={layout} set={setLayout} />
+            <Dock link={link} editor={editor.current} answer={answer} opened={opened} stale={stale} scene={scene} fields={fields} figures={figures} spans={spans.current}
+              object={shown} all={objectsOf} choose={(id) => setLoaded(id)} compare={() => setTab(RESULTS)} hosts={{ dock, charts }} />
           </div>
-          <Host key="figures" kind="section" class="figures" label="figures" of={(element) => { tables.current = element; }} />
-          <Host key="charts" kind="section" class="charts" label="charts" of={(element) => { charts.current = element; }} />
-          <Host key="compared" kind="section" class="compared" label="figures beside pinned runs" of={(element) => { compared.current = element; }} />
+          <div key="results" class="results" hidden={tab !== RESULTS}>
+            {scene && <Expectations key={`expectations ${scene}`} link={link} scene={scene} feed={judged} latest={latest} isAt={(one) => editor.current!.isAt(one)} edit={edit} program={program.current} />}
+            <Host key="figures" kind="section" class="figures" label="figures" of={(element) => { tables.current = element; }} />
+            <Host key="compared" kind="section" class="compared" label="figures beside pinned runs" of={(element) => { compared.current = element; }} />
+          </div>
         </main>
       </div>
       {home && <First key="first" link={link} folder={folder} scene={scene} saved={isSaved} toured={seen.get() !== null} back={enter} tour={() => setTouring(true)}

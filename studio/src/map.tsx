@@ -114,7 +114,7 @@ export function MapView({ editor, link, fields, figures, spans, scene, opened }:
     <label>{label} <select value={value} onChange={(event) => set(event.currentTarget.value)}>{all.map((one) => <option value={one}>{one || "greatest |δ| of the last elastic object"}</option>)}</select></label>
   );
   return (
-    <section class="map-view" aria-label="map">
+    <section class={on && known ? "map-view on" : "map-view"} aria-label="map">
       <div key="tools" class="tools">
         <button type="button" aria-pressed={on} disabled={!known} onClick={() => setOn(!on)}>Map over two numbers</button>
         {on && known && <>

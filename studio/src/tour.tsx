@@ -8,7 +8,7 @@ import { Kept, type Link } from "./link";
 export const seen = new Kept("tour");
 
 // Brings a part of the page into sight.
-export type Show = (part: "home" | "scene" | "numbers" | "objects" | "equations" | "text") => void;
+export type Show = (part: "home" | "scene" | "results" | "numbers" | "objects" | "equations" | "text") => void;
 
 interface Step { part: Parameters<Show>[0]; at: string; title: string; does: string; try: string }
 
@@ -17,7 +17,8 @@ const STEPS: Step[] = [
   { part: "numbers", at: ".pane-middle", title: "Move a number", does: "Every number of the scene has its unit and a slider. What you change is the text of the scene, nothing else.", try: "Drag a slider, or type a value with another unit." },
   { part: "scene", at: ".answers .verdict", title: "Read the verdict", does: "The answer in a sentence, worked out anew with every change: whether pairs stay closed, how exact the positions are, why a run stopped.", try: "Move the number further and see when the sentence changes." },
   { part: "scene", at: ".machine", title: "See it move", does: "The machine as it moves in this run, deviations magnified.", try: "Press play." },
-  { part: "scene", at: ".figures", title: "Figures and charts", does: "What the run found, of every object, with charts below.", try: "Point at a number: all of its digits show. Drag in a chart to zoom." },
+  { part: "scene", at: ".dock", title: "Charts of an object", does: "The charts of the object that is loaded most, below the machine; those of another once it is clicked in the machine.", try: "Drag in a chart to zoom; move the bar between machine and charts." },
+  { part: "results", at: ".figures", title: "Figures", does: "What the run found, of every object, in tables.", try: "Point at a number: all of its digits show." },
   { part: "scene", at: ".map-view", title: "Map two numbers", does: "A figure over two numbers of the scene at once: where does it work, where does it fail?", try: "Switch the map on and click in it: both numbers are set." },
   { part: "objects", at: ".canvas", title: "The mechanism as a graph", does: "Objects and what drives what. Ports are joined by dragging; what is chosen shows its properties beside.", try: "Click an object, then add another one." },
   { part: "equations", at: ".pane-left", title: "Its equations", does: "The equations of motion that are solved, with the meaning of every letter.", try: "Look for the letter of the number that you moved." },

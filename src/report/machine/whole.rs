@@ -7,6 +7,7 @@ use super::station::{LINE, Station};
 use crate::dynamics::model::{Model, OUTPUT, ObjectPart};
 use crate::report::mechanism::marks::scale_bar;
 use crate::report::plot::coordinate;
+use crate::report::quantity::escape;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
@@ -337,5 +338,13 @@ fn content(cell: &Cell<'_>, delta: impl Fn(&str) -> f64) -> String {
         out.push_str(&station.caption([x + 2.0, foot + LINE - 2.0], delta(&station.id)));
         foot += 2.0 * LINE;
     }
-    out
+    // What is clicked anywhere in its place is the object.
+    let [wide, high] = cell.size().map(coordinate);
+    format!(
+        "<g class=\"station\" data-object=\"{}\">\n<rect class=\"area\" x=\"{}\" y=\"{}\" \
+         width=\"{wide}\" height=\"{high}\" fill=\"none\" pointer-events=\"all\"/>\n{out}</g>\n",
+        escape(&cell.station.id),
+        coordinate(x),
+        coordinate(y)
+    )
 }

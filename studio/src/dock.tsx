@@ -1,0 +1,50 @@
+// The charts under the canvas: of one object or of all, pinned runs, a signal over another, and a map
+// beside them.
+
+import type { Answer } from "./answer";
+import { Beside } from "./beside";
+import type { Editor } from "./editor";
+import { Host } from "./host";
+import type { Link } from "./link";
+import { MapView } from "./map";
+import type { Field, Span } from "./numbers";
+
+// Charts of all objects are shown.
+export const ALL = "";
+
+interface Props {
+  link: Link;
+  editor: Editor | null;
+  answer: Answer | null;
+  opened: number;
+  stale: boolean;
+  scene: string;
+  fields: Field[];
+  figures: string[];
+  spans: Map<string, Span>;
+  // The object whose charts are shown, and all that have some.
+  object: string | null;
+  all: string[];
+  choose: (id: string) => void;
+  // Shows the figures of pinned runs.
+  compare: () => void;
+  hosts: { dock: { current: HTMLDivElement | null }; charts: { current: HTMLElement } };
+}
+
+export function Dock({ link, editor, answer, opened, stale, scene, fields, figures, spans, object, all, choose, compare, hosts }: Props) {
+  return (
+    <section class="dock" aria-label="dock">
+      {answer && <Beside link={link} answer={answer} opened={opened} stale={stale} compare={compare}
+        before={<label>Charts of <select value={object ?? ALL} onChange={(event) => choose(event.currentTarget.value)}>
+          {all.map((id) => <option key={id} value={id}>{id}</option>)}
+          {all.length > 1 && <option value={ALL}>all objects</option>}
+        </select></label>} />}
+      <div class="docked">
+        {editor && <MapView editor={editor} link={link} fields={fields} figures={figures} spans={spans} scene={scene} opened={opened} />}
+        <div class="chart-scroll" tabindex={0} role="region" aria-label="charts" ref={hosts.dock}>
+          <Host kind="section" class="charts" label="charts of the run" of={(element) => { hosts.charts.current = element; }} />
+        </div>
+      </div>
+    </section>
+  );
+}
