@@ -120,7 +120,7 @@ pub(crate) fn compare<E: From<Error>>(
     let mut compared = Vec::new();
     for (text, spec) in &laws {
         let law = Law::of_stroke(spec).map_err(Error::from)?;
-        let setting = format!("{}={}", question.at, quoted(text));
+        let setting = format!("{}={}", question.at, law_as_setting(text));
         match trial.response(&setting) {
             Ok(response) => compared.push(ComparedLaw {
                 name: spec.words(),
@@ -157,7 +157,7 @@ fn laws(given: &[String]) -> Result<Vec<(String, LawSpec)>, Error> {
 }
 
 /// A law as the value of a setting.
-fn quoted(law: &str) -> String {
+fn law_as_setting(law: &str) -> String {
     let text = law.trim();
     match (text.strip_prefix("scca:"), text.starts_with('{')) {
         (Some(numbers), _) => match numbers.split_once(',') {
@@ -185,7 +185,7 @@ impl<P, R> Trial<'_, P, R> {
         R: FnMut(&Mechanism, &RunSettings, bool) -> Result<RunResult, E>,
     {
         let ready = (self.prepare)(&[law.to_owned()]).map_err(NoResult::Failed)?;
-        let (object, drive, speed) = place(&self.question.at, ready.model())?;
+        let (object, drive, speed) = object_drive_and_speed(&self.question.at, ready.model())?;
         let result = self.motion(&ready, speed, SAMPLES)?;
         if !result.is_complete() {
             let why = result.figures.run.stopped_because.clone();
@@ -256,7 +256,7 @@ impl<P, R> Trial<'_, P, R> {
 }
 
 /// The object whose law is exchanged, the drive at its root, and its speed (rad/s).
-fn place(at: &str, model: &Model) -> Result<(usize, String, f64), Error> {
+fn object_drive_and_speed(at: &str, model: &Model) -> Result<(usize, String, f64), Error> {
     let id = at.split('.').next().unwrap_or("");
     let index = model.objects.iter().position(|part| part.id == id);
     let object =

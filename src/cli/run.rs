@@ -128,7 +128,7 @@ pub(crate) fn command(args: &RunArgs, asker: &dyn Asker) -> Result<Status, Failu
     // Another mechanism than the scene's has no expectations.
     let as_scene = args.scene.set.is_empty();
     let all = &ready.scene().expect;
-    let expected = Expectations::judged("run", all, as_scene, |all| check(all, &result));
+    let expected = Expectations::judge_scene("run", all, as_scene, |all| check(all, &result));
     let document = Document {
         judged: RunDocument::of(&result.figures),
         spread: spread.as_ref(),

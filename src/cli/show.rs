@@ -177,7 +177,7 @@ fn document(ready: &Ready) -> serde_json::Value {
         document["reduced"] = model
             .reduced
             .iter()
-            .map(|one| reduced(model, one))
+            .map(|one| reduction_json(model, one))
             .collect();
     }
     if let Some(found) = &ready.settings.of_accuracy {
@@ -188,7 +188,7 @@ fn document(ready: &Ready) -> serde_json::Value {
 
 /// Reduction of an object: modes with their shares of the output, and what the others
 /// give way by.
-fn reduced(model: &Model, reduced: &ModalReduction) -> serde_json::Value {
+fn reduction_json(model: &Model, reduced: &ModalReduction) -> serde_json::Value {
     let modes = modes(model, reduced).map(|mode| match mode.frequency {
         Some(frequency) => {
             json!({ "id": mode.id, "share": mode.share, "natural_frequency": frequency })

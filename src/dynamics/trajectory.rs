@@ -155,7 +155,7 @@ fn at(model: &Model, node: NodeIndex, time: f64) -> Jet {
         },
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
             let driver = at(model, law.driver, time);
-            transfer(model, law, driver.value, driver.first).after(driver)
+            transfer(model, law, driver.value, driver.first).composed_with(driver)
         }
         NodeMotion::Constrained {
             drivers,

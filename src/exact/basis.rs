@@ -22,7 +22,7 @@ use super::pencil::C;
 use super::problem::{PairState, TreeProblem};
 use super::resonance::Resonance;
 use crate::math::order::Total;
-use part::parts;
+use part::cut_at_open_pairs;
 use response::{law_force, response};
 
 const ZERO: C = C::new(0.0, 0.0);
@@ -137,7 +137,7 @@ impl Basis {
         let mut lanes = Vec::new();
         let mut rigid: Vec<Rigid> = Vec::new();
         let mut resonant = Vec::new();
-        for part in parts(problem, states) {
+        for part in cut_at_open_pairs(problem, states) {
             part.modes(n, &mut lanes)?;
             rigid.extend(part.rigid(n));
         }

@@ -89,7 +89,11 @@ impl Mode {
         } else {
             pencil.eigenvector(lambda)
         };
-        let damping = pencil.apply(&shape, |node| node.damping, |node| node.ground_damping);
+        let damping = pencil.apply_deformation_operator(
+            &shape,
+            |node| node.damping,
+            |node| node.ground_damping,
+        );
         let (mut norm, mut size) = (C::default(), 0.0);
         for (k, node) in pencil.nodes.iter().enumerate() {
             let term = shape[k] * shape[k] * (lambda * (2.0 * node.inertia));

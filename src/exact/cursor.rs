@@ -31,7 +31,7 @@ impl<'a> Cursor<'a> {
     /// # Errors
     /// The state at t = 0 has no answer; see [`Refusal`].
     pub fn new(tree: &'a ExactTree, end: f64) -> Result<Self, Refusal> {
-        Self::of(tree, &Request::new(end, 0), &workspace::always)
+        Self::of(tree, &Request::new(end, 0), &workspace::never_stop)
     }
 
     /// A run of `tree` for a request, for as long as `goes_on` says so.

@@ -122,7 +122,7 @@ impl Phase {
             .law
             .start::<A>(at.0, at.1, &mut self.span, &mut self.forcing);
         if let Some(resonance) = &basis.resonance {
-            resonance.take(&mut self.forcing);
+            resonance.make_polynomials(&mut self.forcing);
         }
         self.reach = f64::INFINITY;
         match steady {

@@ -54,7 +54,7 @@ impl Resonance {
 
     /// Turns the harmonics of a forcing into polynomials.
     #[inline(never)]
-    pub(super) fn take(&self, forcing: &mut Forcing) {
+    pub(super) fn make_polynomials(&self, forcing: &mut Forcing) {
         for &(j, omega) in &self.harmonics {
             let z = std::mem::take(&mut forcing.harmonics[j]);
             let mut power = 1.0;

@@ -263,13 +263,13 @@ impl Workspace<'_> {
 
     /// Lets modes leave that have died away.
     #[inline(always)]
-    fn fade<A: Arith>(&mut self, regime: usize) {
+    fn drop_faded_modes<A: Arith>(&mut self, regime: usize) {
         while self
             .phase
             .fades(&self.regimes[regime].basis, &self.search.e)
         {
             self.process_noted_steps::<A>(regime);
-            self.phase.fade(&mut self.search.e);
+            self.phase.drop_last_vector(&mut self.search.e);
         }
     }
 
@@ -349,7 +349,7 @@ impl Workspace<'_> {
                     }
                 }
                 Step::Free => {
-                    self.fade::<A>(regime);
+                    self.drop_faded_modes::<A>(regime);
                     anew = self.release_cleared_pairs::<A>(regime, None);
                 }
             }

@@ -164,7 +164,7 @@ impl Track {
             panel,
             phase,
         } = scene;
-        self.state.take::<A>(basis, panel, phase);
+        self.state.begin_phase::<A>(basis, panel, phase);
         self.engaged = engaged;
         self.start = phase.start;
         let f = &self.figures;
@@ -184,7 +184,7 @@ impl Track {
                 (self.high.0[k], self.low.0[k]) = (f64::INFINITY, f64::NEG_INFINITY);
             }
         }
-        self.whole = self.state.whole::<A>(panel, phase);
+        self.whole = self.state.bounds_of_all_lanes::<A>(panel, phase);
         self.seen = 0;
         self.calm = self.whole;
         // What flies is at rest at the start alone.

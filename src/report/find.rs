@@ -21,7 +21,7 @@ pub fn findings<'a>(scene: &str, answer: &FoundValue, source: Source<'a>) -> Fin
     let mut sections = Vec::new();
     if let Some(best) = &found.best {
         sections.push(Section::new("Conditions there").table(conditions_at(answer, &best.sample)));
-        sections.push(Section::new("Around it").table(around(answer, best)));
+        sections.push(Section::new("Around it").table(neighbours_table(answer, best)));
     }
     sections.push(Section::new("Ranges in which all conditions hold").table(ranges(answer)));
     let charts = charts(answer);
@@ -251,14 +251,14 @@ fn conditions_at(answer: &FoundValue, sample: &Sample) -> Table {
         vec![
             Cell::address(&one.text, condition_words(&one.text, &one.figure)),
             Cell::from(figure(answer, &one.figure, sample.figures[at])),
-            Cell::from(if holds { "holds" } else { "does not hold" }).judged(Some(holds)),
+            Cell::from(if holds { "holds" } else { "does not hold" }).with_outcome(Some(holds)),
         ]
     };
     Table::new(["condition", ">result", ""]).rows(answer.conditions.iter().enumerate().map(row))
 }
 
 /// The places about the answer.
-fn around(answer: &FoundValue, best: &Best) -> Table {
+fn neighbours_table(answer: &FoundValue, best: &Best) -> Table {
     let all = &answer.found.samples;
     let place = all
         .iter()
@@ -289,15 +289,15 @@ fn around(answer: &FoundValue, best: &Best) -> Table {
         cells.extend(
             figures.map(|(condition, value)| Cell::from(figure(answer, &condition.figure, *value))),
         );
-        cells.push(judged(answer, one));
+        cells.push(sample_cell(answer, one));
         cells
     };
     Table::new(heads.iter().map(String::as_str)).rows(shown.iter().map(row))
 }
 
-fn judged(answer: &FoundValue, one: &Sample) -> Cell {
+fn sample_cell(answer: &FoundValue, one: &Sample) -> Cell {
     if one.state != State::Computed {
-        return Cell::from(state_words(&one.state)).judged(Some(false));
+        return Cell::from(state_words(&one.state)).with_outcome(Some(false));
     }
     // Of an equality the ranges know where it is met.
     let within = answer
@@ -306,8 +306,8 @@ fn judged(answer: &FoundValue, one: &Sample) -> Cell {
         .iter()
         .any(|range| (range.from.sample.share..=range.to.sample.share).contains(&one.share));
     match within {
-        true => Cell::from("hold").judged(Some(true)),
-        false => Cell::from("do not hold").judged(Some(false)),
+        true => Cell::from("hold").with_outcome(Some(true)),
+        false => Cell::from("do not hold").with_outcome(Some(false)),
     }
 }
 
@@ -343,7 +343,7 @@ fn charts(answer: &FoundValue) -> Vec<Plot> {
 }
 
 /// A relation as it is written by hand.
-fn written(sign: &str) -> String {
+fn relation_sign(sign: &str) -> String {
     sign.replace(">=", "≥").replace("<=", "≤")
 }
 
@@ -366,7 +366,7 @@ fn chart(answer: &FoundValue, name: &str, unit: &str) -> Plot {
         let limit = figure(answer, name, Some(one.value));
         Rule::level(
             one.value,
-            format!("{} {limit}", written(one.relation.sign())),
+            format!("{} {limit}", relation_sign(one.relation.sign())),
         )
     });
     let best = answer.found.best.as_ref().map(|best| {

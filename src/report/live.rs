@@ -120,7 +120,9 @@ pub(crate) fn run(
             over: &Abscissa::Time,
         })
         .collect();
-    let over = beside.over.and_then(|signals| over(&series, signals));
+    let over = beside
+        .over
+        .and_then(|signals| signal_over_signal(&series, signals));
     let boxes = Diagram::of(model).boxes;
     let shown = boxes.iter().take(CHARTED).filter_map(|one| {
         let kind = format!("{}, {}", one.kind.replace('_', " "), one.detail);
@@ -214,7 +216,7 @@ fn compared<'a>(figures: &Figures, beside: &RunExtras<'_>) -> Vec<Section<'a>> {
     let runs: Vec<(&str, &Figures)> = std::iter::once((NOW, figures)).chain(pinned).collect();
     let table = FigureTable::of("pinned runs", &runs);
     let words = format!("In per cent: by how much each result differs from that of “{first}”.");
-    let head = Section::new("Beside pinned runs").words(words);
+    let head = Section::new("Beside pinned runs").with_paragraph(words);
     let ids = figures.objects.keys().map(String::as_str);
     let sections = ids.chain(["run"]).map(|id| compare::figures(&table, id));
     let sections = std::iter::once(head).chain(sections);
@@ -224,7 +226,7 @@ fn compared<'a>(figures: &Figures, beside: &RunExtras<'_>) -> Vec<Section<'a>> {
 /// The names of the columns of a record, each with its unit.
 pub(crate) fn signals(record: &Record) -> Vec<[String; 2]> {
     let columns = record.columns.iter();
-    let columns = columns.map(|one| [named(one), one.unit.to_owned()]);
+    let columns = columns.map(|one| [column_name(one), one.unit.to_owned()]);
     std::iter::once([TIME.to_owned(), "s".to_owned()])
         .chain(columns)
         .collect()
@@ -233,16 +235,16 @@ pub(crate) fn signals(record: &Record) -> Vec<[String; 2]> {
 /// Stands for the instants of a record among its columns.
 const TIME: &str = "t";
 
-fn named(column: &Column) -> String {
+fn column_name(column: &Column) -> String {
     format!("{}.{}", column.object, column.quantity.name())
 }
 
 /// A signal over another, a curve a run; `None` where no run has both.
-fn over(runs: &[RunSeries<'_>], [x, y]: &[String; 2]) -> Option<Plot> {
+fn signal_over_signal(runs: &[RunSeries<'_>], [x, y]: &[String; 2]) -> Option<Plot> {
     let signal = |record: &'_ Record, name: &str| match name {
         TIME => Some((record.times.clone(), "s")),
         name => {
-            let column = record.columns.iter().find(|one| named(one) == name)?;
+            let column = record.columns.iter().find(|one| column_name(one) == name)?;
             Some((column.values.clone(), column.unit))
         }
     };
@@ -281,15 +283,15 @@ fn charts(shown: &[ObjectCharts], over: Option<Plot>, before: &Charts) -> Charts
         format!("{} {labels:?}", plot.title)
     });
     let likeness: String = first
-        .chain(shown.iter().map(ObjectCharts::likeness))
+        .chain(shown.iter().map(ObjectCharts::text_without_numbers))
         .collect();
     if likeness == before.likeness {
         if let Some(plot) = &over {
-            plots.again(plot, [WIDE, OVER.0], OVER.1);
+            plots.chart_of_known_picture(plot, [WIDE, OVER.0], OVER.1);
         }
         for one in shown {
             for chart in &one.charts {
-                plots.again(chart, one.size(), &one.link());
+                plots.chart_of_known_picture(chart, one.chart_size(), &one.link());
             }
         }
         return Charts {
@@ -315,7 +317,7 @@ fn charts(shown: &[ObjectCharts], over: Option<Plot>, before: &Charts) -> Charts
 /// cell, row by row from the lowest.
 pub(crate) fn map(study: &Study<'_>, result: &MapResult) -> (String, Plots, Vec<String>) {
     let mut plots = Plots::live(OF_MAP);
-    let picture = picture::steered(study, result, &mut plots);
+    let picture = picture::interactive_map(study, result, &mut plots);
     let cells = result.panels.first().into_iter().flatten();
     let note = |cell: &Option<crate::studies::map::Cell>| match cell {
         None => String::new(),
@@ -342,7 +344,7 @@ pub(crate) fn described_map(plots: &Plots) -> Value {
 }
 
 fn described(plots: &Plots, first: usize) -> Value {
-    let all = plots.parts().1.iter().enumerate();
+    let all = plots.columns_and_charts().1.iter().enumerate();
     let all = all.map(|(index, plot)| ((first + index).to_string(), plot.clone()));
     Value::Object(all.collect())
 }
@@ -360,6 +362,6 @@ pub(crate) fn findings(found: &Findings<'_>) -> Value {
         "warnings": warnings(&found.warnings),
         "html": html,
         "plots": described(&plots, OF_QUESTION),
-        "columns": plots.parts().0,
+        "columns": plots.columns_and_charts().0,
     })
 }

@@ -211,7 +211,7 @@ fn a_greatest_value_that_its_state_does_not_show_is_found() {
     assert!(count >= 5, "{count}");
     for one in 0..count {
         let mut recorded = found.recorded.clone();
-        recorded.confirmed[one] = recorded.confirmed[one].off(1e-4);
+        recorded.confirmed[one] = recorded.confirmed[one].with_share_of_error(1e-4);
         let mut check = found.equations.clone();
         check_confirmed_peaks(&mut check, &recorded, system.model(), 1e-6);
         assert!(!check.is_kept(), "{one}");

@@ -199,7 +199,7 @@ pub enum RunEnd {
 
 impl RunEnd {
     /// How a run ended that stopped for a reason of this short name.
-    pub(in crate::studies) fn named(stopped: &str) -> Self {
+    pub(in crate::studies) fn end_of_stopped_run(stopped: &str) -> Self {
         match stopped {
             "complete" => Self::Complete,
             // A budget that is spent says nothing of what was computed until then.
@@ -218,7 +218,7 @@ impl RunEnd {
 pub fn ending(figures: &Figures) -> RunEnd {
     match figures.run.complete {
         true => RunEnd::Complete,
-        false => RunEnd::named(figures.run.stopped.as_deref().unwrap_or("")),
+        false => RunEnd::end_of_stopped_run(figures.run.stopped.as_deref().unwrap_or("")),
     }
 }
 
@@ -301,9 +301,16 @@ mod tests {
 
     #[test]
     fn a_stop_of_an_unknown_name_certifies_nothing() {
-        assert_eq!(RunEnd::named("dead_position"), RunEnd::OfMechanism);
+        assert_eq!(
+            RunEnd::end_of_stopped_run("dead_position"),
+            RunEnd::OfMechanism
+        );
         for unknown in ["", "method", "something_new"] {
-            assert_eq!(RunEnd::named(unknown), RunEnd::OfComputation, "{unknown}");
+            assert_eq!(
+                RunEnd::end_of_stopped_run(unknown),
+                RunEnd::OfComputation,
+                "{unknown}"
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What a scene expects, judged by every study that it takes.
 
 use super::condition::Condition;
-use super::expectations::{self, Requirement, Verdict, judged as judged_figure};
+use super::expectations::{self, Requirement, Verdict, verdict_on as judged_figure};
 use super::forces::ForceStudy;
 use super::judgement::Judgement;
 use super::kinematics::Kinematics;
@@ -14,7 +14,7 @@ use crate::frontend::scene::{Expectation, Expected, StudyAddress};
 use std::collections::BTreeMap;
 
 /// Judges everything that a scene expects, in its order, by the run and the studies that it takes.
-pub fn judged(subject: Subject<'_>) -> Vec<Requirement> {
+pub fn judge_requirements(subject: Subject<'_>) -> Vec<Requirement> {
     let mut studies = Studies {
         subject,
         run: None,
@@ -50,7 +50,7 @@ impl Studies<'_> {
             Some(StudyAddress::Linkage { object, .. }) => ("forces", self.forces(object, one)),
             Some(StudyAddress::Steady { .. }) => ("steady", self.steady(one)),
             Some(StudyAddress::Within(within)) => match StudyAddress::of(within.figure) {
-                Some(StudyAddress::Linkage { study, .. }) => (study, self.within(one)),
+                Some(StudyAddress::Linkage { study, .. }) => (study, self.verdict_over_part(one)),
                 _ => ("run", self.run(one)),
             },
             Some(StudyAddress::Cam { .. } | StudyAddress::Frequency { .. }) | None => {
@@ -87,7 +87,7 @@ impl Studies<'_> {
             return Err(format!("the run ends early, at t = {time} s: {why}"));
         }
         let verdict = expectations::check(std::slice::from_ref(one), result).pop();
-        verdict.ok_or_else(nobody)
+        verdict.ok_or_else(not_required)
     }
 
     fn steady(&mut self, one: &Expectation) -> Result<Verdict, String> {
@@ -95,7 +95,7 @@ impl Studies<'_> {
         let found = self.steady.get_or_insert_with(|| steady_of(subject));
         let answer = found.as_ref().map_err(Clone::clone)?;
         let verdict = steady::check(std::slice::from_ref(one), answer).pop();
-        verdict.ok_or_else(nobody)
+        verdict.ok_or_else(not_required)
     }
 
     fn kinematics(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
@@ -109,7 +109,7 @@ impl Studies<'_> {
         let found = found.as_ref().map_err(Clone::clone)?;
         check_kinematics(std::slice::from_ref(one), found)
             .pop()
-            .ok_or_else(nobody)
+            .ok_or_else(not_required)
     }
 
     fn forces(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
@@ -123,13 +123,13 @@ impl Studies<'_> {
         let found = found.as_ref().map_err(Clone::clone)?;
         check_forces(std::slice::from_ref(one), object, found)
             .pop()
-            .ok_or_else(nobody)
+            .ok_or_else(not_required)
     }
 
     /// A figure of kinematics or forces over a part of the course.
-    fn within(&self, one: &Expectation) -> Result<Verdict, String> {
+    fn verdict_over_part(&self, one: &Expectation) -> Result<Verdict, String> {
         let Expected::Figure { figure, allowed } = &one.what else {
-            return Err(nobody());
+            return Err(not_required());
         };
         let found = lookup::figure(figure, self.subject).map_err(|faults| in_words(&faults))?;
         Ok(Verdict {
@@ -149,7 +149,7 @@ fn trusted(judgement: Judgement, study: &str) -> Result<(), String> {
     }
 }
 
-fn nobody() -> String {
+fn not_required() -> String {
     "no study judges it".to_owned()
 }
 

@@ -268,7 +268,7 @@ fn ending_at(settings: &RunSettings, time: f64) -> RunSettings {
 ///
 /// # Errors
 /// Those of [`run`].
-pub(super) fn ended(
+pub(super) fn settings_until_condition(
     system: &System,
     settings: &RunSettings,
     control: &Control<'_>,
@@ -385,7 +385,7 @@ fn attempt(
         }
         (Some(parts), None) => {
             let sink = &mut Tee(sinks);
-            exact::follow(system, parts, &initial, recording, &limits, figures, sink)
+            exact::run_whole_system(system, parts, &initial, recording, &limits, figures, sink)
         }
         (None, _) => {
             let mut recorder = Recorder::new(system, recording);

@@ -46,7 +46,7 @@ impl<'a> Aside<'a> {
     }
 
     /// What a scene may be made of: kinds, and objects of the catalogue.
-    pub(super) fn parts(&self) -> Value {
+    pub(super) fn available_parts(&self) -> Value {
         let registry = Registry::standard();
         let kinds = registry.kinds().iter().map(|kind| {
             let inputs = match kind.inputs {

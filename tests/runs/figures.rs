@@ -49,7 +49,7 @@ fn one_object(position: Position, motion: fn(Law) -> NodeMotion, load: f64) -> M
         kind,
         coordinate: Coordinate::Turning,
         nodes: vec![node],
-        inputs: PartInput::only(driver),
+        inputs: PartInput::behind_one_driver(driver),
         links: Vec::new(),
         combination: None,
         contact: None,

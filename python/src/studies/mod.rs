@@ -65,7 +65,13 @@ pub(crate) fn columns(rows: &Rows) -> Columns {
         };
         Some((name.to_owned(), unit.to_owned(), rows.numbers(index)?))
     };
-    Columns(rows.head().iter().enumerate().filter_map(column).collect())
+    Columns(
+        rows.column_names()
+            .iter()
+            .enumerate()
+            .filter_map(column)
+            .collect(),
+    )
 }
 
 /// The figures of a run, with what was judged of their errors.

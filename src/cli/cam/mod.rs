@@ -147,7 +147,7 @@ fn expectations<'r>(
 ) -> Expectations<'r> {
     let as_scene = args.scene.set.is_empty() && args.speed.is_none();
     let all = &ready.scene().expect;
-    Expectations::judged("cam", all, as_scene, |all| {
+    Expectations::judge_scene("cam", all, as_scene, |all| {
         let subject = Subject {
             scene: ready.scene(),
             system: &ready.system,

@@ -111,7 +111,7 @@ fn position(name: &str, names: &[&str], what: &str) -> Result<usize, String> {
 }
 
 /// The course asked for, and in words how the input moves.
-pub(super) fn course(
+pub(super) fn read_course(
     args: &ForcesArgs,
     ready: &Ready,
     body: &LinkageBody,

@@ -82,12 +82,12 @@ fn list(args: &ListArgs) -> Result<(), Failure> {
     }
     if args.json {
         let strokes = strokes.iter().map(|(row, vdi)| {
-            let mut entry = entry(row);
+            let mut entry = law_entry(row);
             entry["vdi_2143"] = json!(vdi);
             entry
         });
         let strokes: Vec<Value> = strokes.collect();
-        let run_ups: Vec<Value> = run_ups.iter().map(entry).collect();
+        let run_ups: Vec<Value> = run_ups.iter().map(law_entry).collect();
         return console::json(&json!({ "dam": 1, "strokes": strokes, "run_ups": run_ups }));
     }
     if args.csv {
@@ -97,7 +97,7 @@ fn list(args: &ListArgs) -> Result<(), Failure> {
     console::findings(&list_findings(&strokes, &run_ups))
 }
 
-fn entry(row: &LawRow) -> Value {
+fn law_entry(row: &LawRow) -> Value {
     json!({ "name": row.name, "what": row.words, "constants": row.constants })
 }
 

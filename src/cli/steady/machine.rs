@@ -148,7 +148,7 @@ fn formulas(
         })
         .and_then(|profile| by_energy(&profile, question, spec.fluctuation))
         .map_err(|refusal| refused(&refusal))?
-        .judged();
+        .with_check_warnings();
     let folder = folder(args, &title)?;
     let rows = answer.motion.rows(ROWS);
     let document = machine_document(&title, &answer, &answer.checks());

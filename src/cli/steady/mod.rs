@@ -175,7 +175,7 @@ fn expectations<'r>(args: &SteadyArgs, ready: &'r Ready, answer: &Answer) -> Exp
             .iter()
             .all(|text| text.is_none());
     let all = &ready.scene().expect;
-    Expectations::judged("steady", all, same, |all| check(all, answer))
+    Expectations::judge_scene("steady", all, same, |all| check(all, answer))
 }
 
 /// The JSON document of a scene's steady motion.

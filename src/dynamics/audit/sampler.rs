@@ -183,7 +183,7 @@ impl InstantSampler {
     }
 
     /// One that draws nothing.
-    pub(crate) fn idle() -> Self {
+    pub(crate) fn drawing_nothing() -> Self {
         Self {
             instants: 0,
             due: f64::INFINITY,

@@ -50,7 +50,7 @@ impl ModelBuilder {
     }
 
     /// Displacement at t = 0 of a node that follows a law.
-    pub(super) fn following(&self, law: &Law) -> f64 {
+    pub(super) fn displacement_at_start(&self, law: &Law) -> f64 {
         transfer(&self.model, law, self.start_of(law.driver), 1.0).value
     }
 
@@ -65,7 +65,7 @@ impl ModelBuilder {
         let (input, coordinate) = self.owner(driver);
         let message = format!(
             "it cannot be assembled at the start, with `{input}` at {}",
-            place(self.start_of(driver), coordinate)
+            displacement_text(self.start_of(driver), coordinate)
         );
         let within: Vec<_> = outside
             .intervals
@@ -114,13 +114,16 @@ impl ModelBuilder {
 /// Digits of a place: edges are told closely.
 const DIGITS: usize = 9;
 
-pub(super) fn place(displacement: f64, coordinate: Coordinate) -> String {
-    let (value, unit) = coordinate.shown(displacement);
+pub(super) fn displacement_text(displacement: f64, coordinate: Coordinate) -> String {
+    let (value, unit) = coordinate.displacement_for_reading(displacement);
     format!("{} {unit}", shown(value, DIGITS))
 }
 
 pub(super) fn range((from, to): (f64, f64), coordinate: Coordinate) -> String {
-    let (from, to) = (coordinate.shown(from), coordinate.shown(to));
+    let (from, to) = (
+        coordinate.displacement_for_reading(from),
+        coordinate.displacement_for_reading(to),
+    );
     let (from, to, unit) = (shown(from.0, DIGITS), shown(to.0, DIGITS), to.1);
     format!("between {from} and {to} {unit}")
 }

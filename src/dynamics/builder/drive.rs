@@ -8,7 +8,7 @@ use crate::kinematics::motion::DriveMotion;
 
 impl ModelBuilder {
     /// Lowers a drive to its node.
-    pub fn drive(&mut self, at: &Place, spec: &DriveSpec) {
+    pub fn add_drive(&mut self, at: &Place, spec: &DriveSpec) {
         match spec {
             DriveSpec::Prescribed(motion) => self.prescribe(at, motion),
             DriveSpec::Motor(motor) => self.motor(at, motor),

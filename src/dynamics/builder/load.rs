@@ -153,7 +153,9 @@ impl ModelBuilder {
                 let pieces = pieces::window([*from, *to], *force, *period);
                 (over_position, pieces, "window")
             }
-            LoadLawSpec::Written(written) => return self.written(path, written, node, driver),
+            LoadLawSpec::Written(written) => {
+                return self.expression_law(path, written, node, driver);
+            }
             _ => return self.smooth_law(path, spec, object, node),
         };
         match pieces {

@@ -267,7 +267,7 @@ pub trait Dynamics: Sync {
     /// Size of a state entry that errors are measured by. Default: its scale and
     /// its value together. The angle of a rotor, which grows with every turn, is not
     /// known less well for that.
-    fn size(&self, index: usize, value: f64) -> f64 {
+    fn error_size(&self, index: usize, value: f64) -> f64 {
         self.scales()[index] + value.abs()
     }
 

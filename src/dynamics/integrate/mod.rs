@@ -130,7 +130,7 @@ pub fn integrate_changing<D: Dynamics>(
             end
         };
         run.narrow_down();
-        run.aim();
+        run.end_leg_before_edge();
         let rest = run.target - run.from.time;
         // Over less before the very end a polynomial would tell no speeds.
         let roundings = if run.target == end { 4096.0 } else { 16.0 };

@@ -243,7 +243,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         edge: Option<Singularity>,
     ) -> Verdict {
         if let Some(index) = self.to.not_finite() {
-            return self.fail(self.not_finite(index));
+            return self.give_up_step(self.not_finite(index));
         }
         self.steps += 1;
         self.forget_failures();
@@ -393,7 +393,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     /// which direction a guard that is zero sets out.
     fn earliest_of_stiff(&mut self, middle: &[f64]) -> Option<LocatedEvent> {
         self.output.quintic(&self.from, &self.to);
-        if self.zero_at_start.is_empty() && !self.agrees(middle) {
+        if self.zero_at_start.is_empty() && !self.agrees_in_middle(middle) {
             self.output
                 .through_middle(self.evaluator, &self.from, middle, &self.to);
         }
@@ -402,7 +402,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
 
     /// The output's state in the middle of the step is the given one, within
     /// the tolerance of the run.
-    fn agrees(&mut self, middle: &[f64]) -> bool {
+    fn agrees_in_middle(&mut self, middle: &[f64]) -> bool {
         let step = self.output.step(1.0);
         step.state(0.5, &mut self.middle);
         let scales = self.evaluator.dynamics.scales();

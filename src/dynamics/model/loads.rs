@@ -83,7 +83,7 @@ impl LoadLaw {
     }
 
     /// The expression that it is.
-    pub fn written(&self) -> Option<&WrittenLoad> {
+    pub fn expression_load(&self) -> Option<&WrittenLoad> {
         match self {
             Self::Written(written) => Some(written),
             Self::Linear(_) | Self::Pieces { .. } | Self::Stop(_) | Self::Function { .. } => None,

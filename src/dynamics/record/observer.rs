@@ -59,13 +59,13 @@ impl<'s> Observer<'s> {
     /// States of all objects at the place s of a step.
     pub(crate) fn at(&mut self, step: &Step<'_>, s: f64, modes: &Modes) -> &[ObjectState] {
         let mut states = std::mem::take(&mut self.states);
-        self.put(step, s, modes, &mut states);
+        self.observe_into(step, s, modes, &mut states);
         self.states = states;
         &self.states
     }
 
     /// States of all objects at s, into `states`.
-    pub(crate) fn put(
+    pub(crate) fn observe_into(
         &mut self,
         step: &Step<'_>,
         s: f64,

@@ -203,7 +203,7 @@ impl Tally {
     }
 
     /// Takes a segment into account, of which the object is number `number`.
-    pub(crate) fn take(&mut self, number: usize, segment: &mut dyn Segment) {
+    pub(crate) fn add_segment(&mut self, number: usize, segment: &mut dyn Segment) {
         let asked = |signal, sign| SegmentSignal {
             object: number,
             signal,

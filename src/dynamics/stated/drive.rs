@@ -128,14 +128,16 @@ impl Form {
                 unit.scale(way).shift(*angle)
             }
             Self::Plan(plan) => plan.at(time),
-            Self::Written { expression, factor } => written(expression, time).scale(*factor),
+            Self::Written { expression, factor } => {
+                evaluate_expression(expression, time).scale(*factor)
+            }
             Self::Curve(curve) => curve.at(time),
         }
     }
 }
 
 /// An expression of time, evaluated as it stands: every condition is looked at anew.
-fn written(expression: &Expression, time: f64) -> Local {
+fn evaluate_expression(expression: &Expression, time: f64) -> Local {
     let at = Third::variable(time);
     let jet = expression.program().value.evaluate(&[at], &|_| OPEN).0;
     Local::new(jet.value, jet.first, jet.second)

@@ -132,7 +132,7 @@ impl StatedPosition {
 
     /// A position function that no text states: its formula where that is plain, else its
     /// values.
-    pub(crate) fn own(position: &Position) -> Self {
+    pub(crate) fn of_unstated_position(position: &Position) -> Self {
         match position {
             Position::Ratio { ratio, offset } => {
                 Self::Formula(Formula(Form::Polynomial(vec![*offset, *ratio])))

@@ -68,7 +68,7 @@ impl Table {
     fn solve(&self, question: &Question) -> Result<TableMotion, Refusal> {
         question.check()?;
         let balance = question.balance(self.surplus, [self.range(), 0.0], self.cycle)?;
-        let table = self.with(balance.unwrap_or(0.0), 0.0);
+        let table = self.with_moment_and_inertia(balance.unwrap_or(0.0), 0.0);
         // Near stalling the figures amplify what the mean is off, and another mean of
         // samples costs next to nothing.
         let finest = Question {

@@ -150,7 +150,10 @@ impl Dynamics for System {
         let timed = |step: &Pass| matches!(step, Pass::Prescribed(_));
         !self.frozen.steps.iter().any(timed)
             && self.frozen.tracks.iter().all(|t| t.node.is_some())
-            && !self.frozen.written().any(FrozenExpression::needs_time)
+            && !self
+                .frozen
+                .expression_loads()
+                .any(FrozenExpression::needs_time)
     }
 
     fn time_tangent(
@@ -241,7 +244,7 @@ impl Dynamics for System {
         self.scales_of_state()
     }
 
-    fn size(&self, index: usize, value: f64) -> f64 {
+    fn error_size(&self, index: usize, value: f64) -> f64 {
         // The angle of a rotor stays well above its rounding.
         let turns = index < self.frozen.coordinates && self.frozen.is_rotor(index);
         let share = if turns { TURNED } else { 1.0 };
@@ -338,7 +341,7 @@ impl Dynamics for System {
     }
 
     fn has_edges(&self) -> bool {
-        self.frozen.written().next().is_some()
+        self.frozen.expression_loads().next().is_some()
     }
 
     fn pole_near(

@@ -51,7 +51,7 @@ struct Response {
 
 impl Response {
     /// Work of all prescribed drives (J).
-    fn work(&self) -> f64 {
+    fn work_of_drives(&self) -> f64 {
         self.drives.iter().map(|(_, work)| work).sum()
     }
 }
@@ -169,7 +169,7 @@ impl Frozen {
         work: &Work<f64>,
     ) -> Option<f64> {
         let mode = modes[component];
-        if !self.contact_of(component).holds(mode) {
+        if !self.contact_of(component).contact_holds(mode) {
             return None;
         }
         Some(match self.pairs.get(component) {
@@ -270,13 +270,14 @@ impl Frozen {
 
     /// True where a rigid contact is held.
     pub(super) fn holds_any(&self, modes: &[i64]) -> bool {
-        (0..self.contacts()).any(|component| self.contact_of(component).holds(modes[component]))
+        (0..self.contacts())
+            .any(|component| self.contact_of(component).contact_holds(modes[component]))
     }
 
     /// Probes of the rigid contacts that are held: whether one would pull.
     pub(super) fn probe_held(&self, modes: &[i64], out: &mut Vec<Probe>) {
         for component in 0..self.contacts() {
-            if self.contact_of(component).holds(modes[component]) {
+            if self.contact_of(component).contact_holds(modes[component]) {
                 out.push(Probe {
                     index: self.friction_group_count() + component,
                     component,

@@ -328,7 +328,7 @@ impl Frozen {
             let slides = linkage.inputs()[place]
                 .coordinate
                 .slides(&linkage.spec().linkage);
-            slides.then(|| linkage.size())
+            slides.then(|| linkage.typical_length())
         })
     }
 

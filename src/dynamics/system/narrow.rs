@@ -21,7 +21,9 @@ impl Frozen {
             }
             Step::Rotor(_) | Step::Rigid(_) | Step::Chain(_) | Step::Constrained(_) => None,
         });
-        let loads = self.written().filter(|written| written.needs_time());
+        let loads = self
+            .expression_loads()
+            .filter(|written| written.needs_time());
         let loads = loads.map(|written| written.narrow_stretches(from, to, modes));
         merged(motions.chain(loads).flatten().collect())
     }

@@ -126,7 +126,7 @@ impl Contact {
 
     /// True in a mode in which a rigid contact holds.
     #[inline(always)]
-    pub(super) fn holds(&self, mode: i64) -> bool {
+    pub(super) fn contact_holds(&self, mode: i64) -> bool {
         self.restitution.is_some() && mode != OPEN
     }
 
@@ -198,7 +198,7 @@ impl Contact {
     /// The two quantities that are both positive exactly while a flank is
     /// engaged: p, and N in units that keep it of the size of p (N/c), or
     /// 1 + κ·ṗ of a force with that factor.
-    pub(super) fn presses<N: Number>(&self, side: i64, x: N, v: N) -> [N; 2] {
+    pub(super) fn engagement_conditions<N: Number>(&self, side: i64, x: N, v: N) -> [N; 2] {
         let (p, rate) = self.penetration(side, x, v);
         match self.kappa {
             None if self.restitution.is_some() => [p, p],
@@ -240,7 +240,7 @@ impl Contact {
         component: usize,
         out: &mut Vec<EventFunction>,
     ) {
-        if self.holds(mode) {
+        if self.contact_holds(mode) {
             // Whether it comes apart only its force tells.
             return;
         }
@@ -270,7 +270,7 @@ impl Contact {
         if self.closure != Closure::Form || self.half_gap > 0.0 {
             return OPEN;
         }
-        let [depth, pressing] = self.presses(side, x, v);
+        let [depth, pressing] = self.engagement_conditions(side, x, v);
         let passes = match self.kappa {
             None => self.damping == 0.0,
             Some(_) => depth.abs() < pressing.abs() * scale,

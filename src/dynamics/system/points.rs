@@ -53,7 +53,7 @@ impl Frozen {
 
     fn balanced_rate<N: Quantity>(&self, chain: &Chain, mode: i64, u: &[N], v: &[N]) -> N {
         let (c, b) = self.link_behind(chain);
-        let felt = felt(chain, mode, u[0]);
+        let felt = contact_force_at(chain, mode, u[0]);
         if b == 0.0 && felt.damping[0].value() == 0.0 {
             // Nothing but link 1, undamped: it is not stretched, and goes with mass 1.
             return v[1];
@@ -71,7 +71,7 @@ impl Frozen {
         next: N,
     ) -> N {
         let (c, b) = self.link_behind(chain);
-        let felt = felt(chain, mode, u[0]);
+        let felt = contact_force_at(chain, mode, u[0]);
         if b == 0.0 && felt.damping[0].value() == 0.0 {
             return next;
         }
@@ -113,7 +113,7 @@ impl Frozen {
         let contact = &chain.contact;
         let share = |depth: f64| match contact.power() {
             None => depth * c / (c + contact.stiffness()),
-            Some(power) => power.before(1.0 / c).indentation(depth),
+            Some(power) => power.in_series_with_compliance(1.0 / c).indentation(depth),
         };
         if contact.closure == Closure::Bilateral {
             return share(next);
@@ -135,7 +135,7 @@ impl Frozen {
 }
 
 /// The contact of a chain at z.
-fn felt<N: Quantity>(chain: &Chain, mode: i64, z: N) -> Felt<N> {
+fn contact_force_at<N: Quantity>(chain: &Chain, mode: i64, z: N) -> Felt<N> {
     let zero = N::from(0.0);
     let contact = &chain.contact;
     let (damping, kappa) = contact.losses();

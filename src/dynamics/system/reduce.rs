@@ -40,7 +40,7 @@ impl System {
 
     /// Reduces what hangs rigidly on the rotor of an object to it, in a state and
     /// its modes; zero for an object that has none. Allocates nothing.
-    pub fn reduced(
+    pub fn reduced_to_rotor(
         &self,
         rotor: usize,
         y: &[f64],

@@ -19,7 +19,7 @@ impl System {
     /// No static balance, a start outside the reach of a position function, an
     /// explicit state that does not fit its objects or is not finite.
     pub fn initial_state(&self) -> Result<InitialState, Vec<Fault>> {
-        let mut state = self.place()?;
+        let mut state = self.place_at_start()?;
         let (y, modes) = (&state.y, &mut state.modes.0);
         let noise = self.start_noise(y, modes);
         self.settle_pairs(y, &noise, modes);
@@ -39,13 +39,13 @@ impl System {
     /// # Errors
     /// Those of [`Self::initial_state`].
     pub fn initial_place(&self) -> Result<InitialState, Vec<Fault>> {
-        let mut state = self.place()?;
+        let mut state = self.place_at_start()?;
         self.frozen.locate_tracks(&state.y, &mut state.modes.0);
         self.frozen.settle_points(&mut state.y, &state.modes.0);
         Ok(state)
     }
 
-    fn place(&self) -> Result<InitialState, Vec<Fault>> {
+    fn place_at_start(&self) -> Result<InitialState, Vec<Fault>> {
         let mut warnings = Vec::new();
         let mut modes = self.frozen.no_modes();
         let mut y = match &self.model.start {
@@ -187,7 +187,7 @@ impl System {
         let mut faults = Vec::new();
         for (index, chain) in frozen.chains.iter().enumerate() {
             let reaction = balanced.reactions[index];
-            if frozen.rests(index, modes) {
+            if frozen.lies_on_stop(index, modes) {
                 continue;
             }
             let open = frozen.pair_mode(chain, modes) == super::pairs::OPEN;
@@ -361,7 +361,7 @@ impl System {
         };
         let mut loads = self.model.loads.iter();
         let without = loads.find_map(|load| {
-            let written = load.law.written()?;
+            let written = load.law.expression_load()?;
             let force = written.force(0.0, motion);
             (!force.is_finite()).then_some((load, written))
         });

@@ -41,7 +41,7 @@ pub(super) struct PhaseEnds {
 impl PhaseEnds {
     /// Those of the phase up to the instant of `e`.
     #[inline(always)]
-    pub(super) fn take<A: Arith>(
+    pub(super) fn collect_until<A: Arith>(
         phase: &Phase,
         e: &Exponentials,
         blocks: usize,

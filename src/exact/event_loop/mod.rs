@@ -63,7 +63,7 @@ impl Motion<'_, '_> {
     pub(crate) fn state(&mut self, time: f64, y: &mut [f64]) {
         use crate::dynamics::segment::Segment;
         if let Some(given) = self.given {
-            given.put(time, y);
+            given.write_state(time, y);
         }
         for branch in self.branches.iter_mut() {
             branch.state(time, y);
@@ -208,7 +208,7 @@ impl<'a> EventLoop<'a> {
                 ..self.requests[number].clone()
             };
             // It has got as far before.
-            let Ok(mut branch) = Branch::new(part, tree, &request, &super::workspace::always)
+            let Ok(mut branch) = Branch::new(part, tree, &request, &super::workspace::never_stop)
             else {
                 continue;
             };
@@ -276,7 +276,8 @@ impl<'a> EventLoop<'a> {
                 self.take_switch(index, given, listener);
                 self.check_switches();
                 if let Some(halt) = self.branches[index].cursor.halt() {
-                    self.stop.get_or_insert_with(|| self.clock.why(halt));
+                    self.stop
+                        .get_or_insert_with(|| self.clock.stop_of_halt(halt));
                 }
                 if self.stop.is_some() || !self.advance_branch(index, listener) {
                     break;

@@ -150,7 +150,7 @@ impl<'m> Builder<'m> {
     }
 
     /// Where a node stands whose driver moves with a mass.
-    fn behind(
+    fn node_behind_mass(
         &mut self,
         object: usize,
         law: &ModelLaw,
@@ -170,7 +170,7 @@ impl<'m> Builder<'m> {
         let role = self.driver(law);
         self.roles[node] = match &role {
             Role::Unfit => Role::Unfit,
-            Role::Prescribed(course, laws) => follow(course, laws, law),
+            Role::Prescribed(course, laws) => role_of_follower(course, laws, law),
             Role::Moved(_) if self.model.linkages.iter().any(|body| body.node == node) => {
                 let reason = "it is a linkage, whose reduced inertia changes as it moves, behind \
                               an elastic object";
@@ -178,7 +178,7 @@ impl<'m> Builder<'m> {
                 return;
             }
             Role::Moved(moved) => {
-                let Some(on) = self.behind(object, law, &role, *moved) else {
+                let Some(on) = self.node_behind_mass(object, law, &role, *moved) else {
                     return;
                 };
                 let mass = &mut self.trees[on.tree].problem.masses[on.mass];
@@ -193,7 +193,7 @@ impl<'m> Builder<'m> {
         let (tree, base) = match &role {
             Role::Unfit => return,
             Role::Prescribed(course, laws) => {
-                let Role::Prescribed(course, laws) = follow(course, laws, law) else {
+                let Role::Prescribed(course, laws) = role_of_follower(course, laws, law) else {
                     return;
                 };
                 let law = self.laws.law(object, || law::law(&course, &laws));
@@ -214,7 +214,7 @@ impl<'m> Builder<'m> {
                 (self.trees.len() - 1, None)
             }
             Role::Moved(moved) => {
-                let Some(on) = self.behind(object, law, &role, *moved) else {
+                let Some(on) = self.node_behind_mass(object, law, &role, *moved) else {
                     return;
                 };
                 (moved.tree, Some(on))
@@ -332,10 +332,14 @@ impl<'m> Builder<'m> {
     }
 }
 
-fn follow<'m>(course: &PrescribedMotion, laws: &[&'m ModelLaw], law: &'m ModelLaw) -> Role<'m> {
+fn role_of_follower<'m>(
+    course: &PrescribedMotion,
+    laws: &[&'m ModelLaw],
+    law: &'m ModelLaw,
+) -> Role<'m> {
     let mut all = laws.to_vec();
     all.push(law);
-    Role::Prescribed(course.through(&law.position, law.lever), all)
+    Role::Prescribed(course.through_position(&law.position, law.lever), all)
 }
 
 /// The pair, and whether its force is linear while it is engaged.

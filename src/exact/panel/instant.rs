@@ -74,7 +74,7 @@ impl PanelPhase {
 
     /// Bounds of all lanes together over the phase.
     #[inline(always)]
-    pub(crate) fn whole<A: Arith>(&self, panel: &Panel, phase: &Phase) -> V {
+    pub(crate) fn bounds_of_all_lanes<A: Arith>(&self, panel: &Panel, phase: &Phase) -> V {
         let mut sum = V::ZERO;
         let seen = &panel.lanes[..phase.active];
         for (b, size) in self.size[..phase.active].iter().enumerate() {

@@ -38,7 +38,7 @@ impl Track {
     pub(super) fn process_step<A: Arith>(&mut self, scene: Scene, a: &Point, b: &Point) {
         if scene.followed_lanes(b.s - a.s) == scene.lanes() {
             self.span::<A>(scene, LanesAhead::Followed(a.fourth), a, b);
-        } else if !self.settled::<A>(scene, a, b) {
+        } else if !self.nothing_happens_between::<A>(scene, a, b) {
             A::run_out_of_line(TrackWalk {
                 track: self,
                 scene,
@@ -51,7 +51,7 @@ impl Track {
     /// the first one, or at the start of the phase: the fast ones are most often
     /// small.
     #[inline(always)]
-    fn settled<A: Arith>(&self, scene: Scene, a: &Point, b: &Point) -> bool {
+    fn nothing_happens_between<A: Arith>(&self, scene: Scene, a: &Point, b: &Point) -> bool {
         let start = (self.before.s == a.s).then_some(&self.before);
         let lanes = (start, scene.lanes());
         let loss = self

@@ -31,7 +31,7 @@ impl Task for TrackWalk<'_> {
         let Self { track, scene, ends } = self;
         let mut from = std::mem::take(&mut track.from);
         let mut to = std::mem::take(&mut track.to);
-        track.walk::<A>(scene, (&mut from, &mut to), ends);
+        track.walk_through_step::<A>(scene, (&mut from, &mut to), ends);
         (track.from, track.to) = (from, to);
     }
 }
@@ -41,7 +41,7 @@ impl Track {
     /// their envelopes rule everything out, and parts short enough to follow
     /// every lane that matters.
     #[inline(always)]
-    fn walk<A: Arith>(
+    fn walk_through_step<A: Arith>(
         &mut self,
         scene: Scene,
         (from, to): (&mut Amplitudes, &mut Amplitudes),

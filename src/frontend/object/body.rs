@@ -11,9 +11,9 @@ use super::measures::Measures;
 use super::spec::{BodySpec, InertiaSplit, Level, Uniform};
 use crate::frontend::read::Fields;
 use serde_json::json;
-use sound::sound;
+use sound::check_overflow;
 use std::f64::consts::TAU;
-use written::{BodyFields, written};
+use written::{BodyFields, read_body_fields};
 
 /// Most masses of one object.
 pub(super) const MOST_MASSES: u64 = 10_000;
@@ -50,7 +50,7 @@ pub(super) fn read(
     beam: Beam,
     default_split: InertiaSplit,
 ) -> Option<BodySpec> {
-    let written = written(fields, own, beam);
+    let written = read_body_fields(fields, own, beam);
     let mut clash = false;
     for (one, other) in CLASHES {
         clash |= fields.clash(one, other, "they give the same parameter in two ways");
@@ -60,7 +60,7 @@ pub(super) fn read(
         return modal(fields, written, modes, default_split);
     }
     if written.masses == Some(Masses::Auto) {
-        return open(fields, written, default_split);
+        return body_of_open_level(fields, written, default_split);
     }
     let masses = number_of_masses(fields, &written)?;
     fields.fill_in("masses", json!(masses));
@@ -119,7 +119,7 @@ fn rigid(fields: &mut Fields<'_>, written: &BodyFields) -> Option<BodySpec> {
     match written.inertia() {
         Some(inertia) => Some(BodySpec::Rigid { inertia }),
         None => {
-            fields.lack(
+            fields.note_missing(
                 "inertia",
                 Some("give `inertia` (0 for a massless object) or `geometry`".to_owned()),
             );
@@ -140,11 +140,11 @@ fn modal(
         count => Level::Modes { count },
     };
     let uniform = continuum(fields, &written, default_split)?;
-    sound(fields, uniform.at(level))
+    check_overflow(fields, uniform.at(level))
 }
 
 /// An object of which the run chooses how much is modelled.
-fn open(
+fn body_of_open_level(
     fields: &mut Fields<'_>,
     written: BodyFields,
     default_split: InertiaSplit,
@@ -166,7 +166,7 @@ fn open(
         return None;
     }
     let uniform = continuum(fields, &written, default_split)?;
-    sound(fields, BodySpec::Open(uniform))
+    check_overflow(fields, BodySpec::Open(uniform))
 }
 
 /// The uniform object that totals describe.
@@ -226,7 +226,7 @@ fn elastic(
             split,
             lumping,
         };
-        return sound(fields, body);
+        return check_overflow(fields, body);
     }
     let split_up = |inertia: f64| {
         shares(&split, masses)
@@ -245,7 +245,7 @@ fn elastic(
         stiffnesses,
         dampings,
     };
-    sound(fields, body)
+    check_overflow(fields, body)
 }
 
 /// Why what is written is no continuum, cut into cells.
@@ -274,7 +274,7 @@ fn check_elastic(
     let no_inertia = inertia.is_none() && written.inertias.is_none();
     let no_stiffness = stiffness.is_none() && written.stiffnesses.is_none();
     if no_inertia {
-        fields.lack(
+        fields.note_missing(
             "inertia",
             Some("give `inertia`, `inertias` or `geometry`".to_owned()),
         );
@@ -282,7 +282,7 @@ fn check_elastic(
     if no_stiffness {
         let hint =
             "give `stiffness`, `stiffnesses` or `geometry`, or `masses`: 0 for a rigid object";
-        fields.lack("stiffness", Some(hint.to_owned()));
+        fields.note_missing("stiffness", Some(hint.to_owned()));
     }
     if inertia == Some(0.0) {
         let message = "`inertia` must be greater than 0 for an elastic object";

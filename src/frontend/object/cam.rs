@@ -1,7 +1,7 @@
 //! The position function of a cam.
 
 use super::law::law;
-use super::measures::{Measures, any};
+use super::measures::{Measures, read_quantity};
 
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::motion::LawSpec;
@@ -107,6 +107,6 @@ pub(super) fn phase(fields: &mut Fields<'_>) -> Option<f64> {
         "phase",
         "Added to the driver's angle",
         json!(0.0),
-        any(q::ANGLE),
+        read_quantity(q::ANGLE),
     )
 }

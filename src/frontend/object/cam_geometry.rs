@@ -286,11 +286,11 @@ fn swinging(fields: &mut Fields<'_>, contact: Option<Contact>) -> Option<Guide> 
         return None;
     }
     if centre_distance == Some(None) {
-        fields.lack("centre_distance", None);
+        fields.note_missing("centre_distance", None);
     }
     let flat = matches!(contact, Some(Contact::Flat { .. }));
     if arm == Some(None) && contact.is_some() && !flat {
-        fields.lack("arm", None);
+        fields.note_missing("arm", None);
     }
     let (centre_distance, arm) = (centre_distance?, arm?);
     Some(Guide::Turning {

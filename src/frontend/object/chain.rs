@@ -50,7 +50,7 @@ impl Object for ChainObject {
     }
 
     fn ports(&self) -> Ports {
-        Ports::driven(self.chain.coordinate)
+        Ports::with_one_driver(self.chain.coordinate)
     }
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {

@@ -109,7 +109,7 @@ fn stiffness_of(
     let Some(from) = from else {
         if stiffness.is_none() {
             let hint = "give it, or the geometry that it follows from, `from`";
-            fields.lack("stiffness", Some(hint.to_owned()));
+            fields.note_missing("stiffness", Some(hint.to_owned()));
         }
         let given = |value: f64| Stiffness {
             value,
@@ -178,7 +178,7 @@ fn with_numbers(
     for own in law.parameters {
         let given = numbers.iter().find(|(key, _)| *key == own.key);
         let Some(value) = given.and_then(|(_, value)| *value).or(own.usual) else {
-            fields.lack(own.key, Some(format!("the law `{}` needs it", law.key)));
+            fields.note_missing(own.key, Some(format!("the law `{}` needs it", law.key)));
             return None;
         };
         values.push(value);

@@ -227,7 +227,7 @@ fn backing(
             let hint = format!(
                 "the approach of a flat or hollow body is counted from a depth; or give a `{radius_name}` greater than 0"
             );
-            fields.lack(depth_name, Some(hint));
+            fields.note_missing(depth_name, Some(hint));
             None
         }
     }

@@ -63,7 +63,7 @@ impl Object for Drive {
     }
 
     fn lower(&self, at: &Place, into: &mut ModelBuilder) {
-        into.drive(at, &self.spec);
+        into.add_drive(at, &self.spec);
     }
 
     fn masses(&self) -> usize {
@@ -169,7 +169,7 @@ fn motion(slot: Slot<'_>, own: Measures) -> Option<DriveMotionSpec> {
         if let DriveMotionSpec::Written { factor, .. } = &mut motion {
             *factor = unit?.unwrap_or(1.0);
         }
-        place(fields, motion, start, start_speed)
+        apply_start(fields, motion, start, start_speed)
     })
 }
 
@@ -198,7 +198,7 @@ fn start(fields: &mut Fields<'_>, own: Measures) -> Option<(&'static str, Option
 }
 
 /// Puts the start into the motions that it belongs to.
-fn place(
+fn apply_start(
     fields: &mut Fields<'_>,
     mut motion: DriveMotionSpec,
     (name, start): (&'static str, Option<f64>),

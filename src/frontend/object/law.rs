@@ -48,7 +48,7 @@ fn refuse<T>(mut slot: Slot<'_>, faults: Vec<Fault>) -> Option<T> {
     None
 }
 
-fn share(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> {
+fn read_share(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<f64> {
     fields.need(name, doc, |slot| slot.number(Bounds::between(0.0, 1.0)))
 }
 
@@ -61,8 +61,8 @@ pub(super) fn composed(slot: Slot<'_>) -> Option<LawSpec> {
             "Sine, constant and cosine acceleration, symmetric.",
             |slot| {
                 slot.record(|fields| {
-                    let b = share(fields, "b", "Share of the sines at both ends together.");
-                    let d = share(fields, "d", "Share of the cosine about the middle.");
+                    let b = read_share(fields, "b", "Share of the sines at both ends together.");
+                    let d = read_share(fields, "d", "Share of the cosine about the middle.");
                     Some(LawSpec::Scca { b: b?, d: d? })
                 })
             },
@@ -118,8 +118,8 @@ fn run_up(slot: Slot<'_>) -> Option<RunLawSpec> {
              together at most 1.",
             |slot| {
                 slot.record(|fields| {
-                    let s1 = share(fields, "s1", "Share of the rise, a quarter sine.");
-                    let s2 = share(fields, "s2", "Share of the fall, a quarter cosine.");
+                    let s1 = read_share(fields, "s1", "Share of the rise, a quarter sine.");
+                    let s2 = read_share(fields, "s2", "Share of the fall, a quarter cosine.");
                     Some(RunLawSpec::Trapezoid { s1: s1?, s2: s2? })
                 })
             },

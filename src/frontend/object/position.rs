@@ -6,7 +6,7 @@ mod table_roughness;
 use super::cam;
 use super::measures::Measures;
 use super::measures::PositionMeasures;
-use super::measures::any;
+use super::measures::read_quantity;
 use super::{plan, table_period};
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
 use crate::frontend::read::{Bounds, Fields, Slot, points};
@@ -206,7 +206,7 @@ fn ratio(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
                     "offset",
                     "U at φ = 0",
                     json!(0.0),
-                    any(ends.output.displacement()),
+                    read_quantity(ends.output.displacement()),
                 );
                 Some(PositionSpec::Ratio {
                     ratio: ratio?,
@@ -226,7 +226,7 @@ fn sine(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
         let amplitude = fields.need(
             "amplitude",
             "Half the stroke",
-            any(ends.output.displacement()),
+            read_quantity(ends.output.displacement()),
         );
         let turning = Measures(Some(Turning));
         let harmonic = fields.or(
@@ -235,12 +235,17 @@ fn sine(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
             json!(1.0),
             |slot| slot.quantity(turning.per(ends.driver), Bounds::NOT_ZERO),
         );
-        let phase = fields.or("phase", "Phase at φ = 0", json!(0.0), any(q::ANGLE));
+        let phase = fields.or(
+            "phase",
+            "Phase at φ = 0",
+            json!(0.0),
+            read_quantity(q::ANGLE),
+        );
         let offset = fields.or(
             "offset",
             "Middle of the stroke",
             json!(0.0),
-            any(ends.output.displacement()),
+            read_quantity(ends.output.displacement()),
         );
         Some(PositionSpec::Sine {
             amplitude: amplitude?,
@@ -289,7 +294,7 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
         let period = fields.maybe("period", doc, |slot| {
             slot.quantity(ends.driver.displacement(), Bounds::POSITIVE)
         });
-        let slope = any(ends.output.per(ends.driver));
+        let slope = read_quantity(ends.output.per(ends.driver));
         let slopes = fields.or("end_slopes", "Slopes U′ at both ends of a table that is not periodic", json!([0.0, 0.0]), |slot| {
             slot.pair(&slope, &slope)
         });

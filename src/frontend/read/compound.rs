@@ -291,11 +291,11 @@ impl Slot<'_> {
     pub fn defined<T>(self, name: &str, read: impl FnOnce(Slot<'_>) -> Option<T>) -> Option<T> {
         let describing = self.describing();
         let mut value = None;
-        self.once(name, &mut store_into(&mut value, read));
+        self.read_alternative(name, &mut store_into(&mut value, read));
         value.filter(|_| !describing)
     }
 
-    fn once(mut self, name: &str, read: Reading<'_>) {
+    fn read_alternative(mut self, name: &str, read: Reading<'_>) {
         if !self.describing() {
             return read(self);
         }

@@ -296,11 +296,11 @@ impl<'f> Csv<'f> {
         for (at, letter) in line.char_indices() {
             quoted ^= letter == '"';
             if letter == self.separator && !quoted {
-                cells.push(bare(line, from..at));
+                cells.push(trimmed_cell(line, from..at));
                 from = at + letter.len_utf8();
             }
         }
-        cells.push(bare(line, from..line.len()));
+        cells.push(trimmed_cell(line, from..line.len()));
         let moved = |cell: Range<usize>| cell.start + start..cell.end + start;
         cells.into_iter().map(moved).collect()
     }
@@ -373,7 +373,7 @@ fn lines(text: &str, from: usize) -> impl Iterator<Item = (usize, &str)> {
 }
 
 /// A cell without space and quotes.
-fn bare(line: &str, range: Range<usize>) -> Range<usize> {
+fn trimmed_cell(line: &str, range: Range<usize>) -> Range<usize> {
     let text = &line[range.clone()];
     let start = range.start + text.len() - text.trim_start().len();
     let text = text.trim();

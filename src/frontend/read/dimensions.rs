@@ -69,7 +69,7 @@ impl Fields<'_> {
         // What referred to it may have been set to another value from the command line.
         let overrides = self.reader.overrides.clone();
         let is_set = |node: &Node| overrides.contains(&node.place.source);
-        let set = node.is_some_and(|node| holds(node, &is_set));
+        let set = node.is_some_and(|node| any_below(node, &is_set));
         let replaced = |entry: &Entry| set && !overrides.contains(&entry.place.source);
         for entry in entries
             .iter()
@@ -101,11 +101,11 @@ impl Fields<'_> {
 }
 
 /// True where a node or one under it is as asked.
-fn holds(node: &Node, asked: &dyn Fn(&Node) -> bool) -> bool {
+fn any_below(node: &Node, asked: &dyn Fn(&Node) -> bool) -> bool {
     asked(node)
         || match &node.value {
-            Value::Object(members) => members.iter().any(|member| holds(&member.value, asked)),
-            Value::List(items) => items.iter().any(|item| holds(item, asked)),
+            Value::Object(members) => members.iter().any(|member| any_below(&member.value, asked)),
+            Value::List(items) => items.iter().any(|item| any_below(item, asked)),
             _ => false,
         }
 }
@@ -120,7 +120,7 @@ fn dimension(mut slot: Slot<'_>) -> Option<Measure> {
         return None;
     }
     let found = match &slot.node()?.value {
-        Value::Number(value) if value.is_finite() => Some(Measure::bare(*value)),
+        Value::Number(value) if value.is_finite() => Some(Measure::unitless(*value)),
         Value::Text(text) => slot.stated(text, &QuantityChoice::anything()),
         _ => {
             slot.wrong_type("a number");

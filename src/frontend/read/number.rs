@@ -113,7 +113,7 @@ impl Slot<'_> {
                 return None;
             }
         };
-        self.within(value, bounds, wanted.first.si())
+        self.check_bounds(value, bounds, wanted.first.si())
     }
 
     /// Reads a number without a unit.
@@ -212,7 +212,7 @@ impl Slot<'_> {
         self.reader.diagnostics.push(warning);
     }
 
-    fn within(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
+    fn check_bounds(&mut self, value: f64, bounds: Bounds, unit: &str) -> Option<f64> {
         let name = last_name(&self.path);
         if !value.is_finite() {
             let (message, hint) = match value.is_nan() {

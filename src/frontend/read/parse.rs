@@ -215,7 +215,7 @@ impl Builder<'_> {
                     Diagnostic::error("duplicate", format!("`{name}` is given twice"))
                         .at(name_place)
                         .label("given again here")
-                        .also(earlier.clone(), "first given here"),
+                        .with_place(earlier.clone(), "first given here"),
                 );
                 continue;
             }

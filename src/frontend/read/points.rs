@@ -97,7 +97,7 @@ fn of_file(mut slot: Slot<'_>, wanted: [QuantityChoice; 2], least: usize) -> Opt
 /// Notes a fault in a file, with the place where the scene names the file.
 fn refuse(slot: &mut Slot<'_>, fault: Diagnostic, at: &Place) {
     let fault = match fault.place {
-        Some(_) => fault.also(at.clone(), "named here"),
+        Some(_) => fault.with_place(at.clone(), "named here"),
         None => fault.at(at.clone()),
     };
     let path = slot.path.clone();

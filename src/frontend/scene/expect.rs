@@ -157,7 +157,7 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
             }
         }
         About::Figure(figure, _) => {
-            let value = given(fields, value, "value", time.is_some().then_some("time"));
+            let value = required_value(fields, value, "value", time.is_some().then_some("time"));
             let within = needed(fields, within);
             let (value, within) = (value?, within?);
             let within = absolute(fields, within, value)?;
@@ -168,7 +168,7 @@ fn expectation(fields: &mut Fields<'_>, known: &ObjectTable) -> Option<Expectati
         }
         About::Stop(reason) => {
             let stray = bounded.or(value.is_some().then_some("value"));
-            let time = given(fields, time, "time", stray);
+            let time = required_value(fields, time, "time", stray);
             let within = needed(fields, within);
             let (time, within) = (time?, within?);
             let within = absolute(fields, within, time)?;
@@ -260,7 +260,7 @@ fn within_span(
 }
 
 /// The property that belongs to what is expected, without the other one.
-fn given(
+fn required_value(
     fields: &mut Fields<'_>,
     value: Option<f64>,
     name: &str,
@@ -331,7 +331,7 @@ fn absolute(fields: &mut Fields<'_>, within: Within, value: f64) -> Option<f64> 
 /// The address of a figure, with what it measures.
 fn figure(mut slot: Slot<'_>, known: &ObjectTable) -> Option<About> {
     let address = slot.read_in_place(|slot| slot.text())?;
-    about(&mut slot, address, known)
+    read_subject(&mut slot, address, known)
 }
 
 /// What a figure of a run or of a study measures, whose address is the name of a property.
@@ -340,19 +340,19 @@ pub(super) fn figure_of_run(
     address: &str,
     known: &ObjectTable,
 ) -> Option<QuantityChoice> {
-    match about(slot, address.to_owned(), known)? {
+    match read_subject(slot, address.to_owned(), known)? {
         About::Figure(_, wanted) => Some(wanted),
         About::Stop(_) => None,
     }
 }
 
-fn about(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<About> {
+fn read_subject(slot: &mut Slot<'_>, address: String, known: &ObjectTable) -> Option<About> {
     if let Some(within) = SpanAddress::of(&address) {
         if let Err((message, hint)) = within.span() {
             slot.refuse("out-of-range", message).hints.push(hint);
             return None;
         }
-        return match about(slot, within.figure.to_owned(), known)? {
+        return match read_subject(slot, within.figure.to_owned(), known)? {
             About::Figure(_, wanted) => Some(About::Figure(address, wanted)),
             About::Stop(_) => None,
         };

@@ -45,7 +45,7 @@ impl TypedScene {
 
 impl Elastic {
     /// Ids of the objects whose level is open.
-    pub fn open(&self) -> impl Iterator<Item = &String> {
+    pub fn open_levels(&self) -> impl Iterator<Item = &String> {
         let open = self.objects.iter().filter(|(_, one)| one.1.is_none());
         open.map(|(id, _)| id)
     }

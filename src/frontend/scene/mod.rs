@@ -257,7 +257,7 @@ impl AllowedValues {
     }
 
     /// Whether a value is one of them; what is no number is none.
-    pub fn holds(&self, found: f64) -> bool {
+    pub fn contains_value(&self, found: f64) -> bool {
         match *self {
             Self::Near { value, within } => (found - value).abs() <= within,
             Self::Between { least, most } => {

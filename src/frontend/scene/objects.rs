@@ -74,7 +74,7 @@ impl ObjectTable {
     }
 
     /// What the catalogue has of a kind.
-    fn offered(&self, kind: &Kind) -> Vec<&str> {
+    fn catalogue_entries(&self, kind: &Kind) -> Vec<&str> {
         let fitting = self.offered.iter().filter(|one| one.1 == kind.name);
         fitting.map(|one| one.0.as_str()).collect()
     }
@@ -333,7 +333,7 @@ fn describe(mut slot: Slot<'_>, known: &ObjectTable) {
             "if": { "anyOf": [
                 { "properties": { "kind": { "const": kind.name } }, "required": ["kind"] },
                 {
-                    "properties": { "from": { "enum": known.offered(kind) } },
+                    "properties": { "from": { "enum": known.catalogue_entries(kind) } },
                     "required": ["from"], "not": { "required": ["kind"] },
                 },
             ] },
@@ -366,7 +366,7 @@ fn describe_kind(slot: Slot<'_>, kind: &Kind, known: &ObjectTable) -> Option<()>
         fields.maybe(
             "from",
             "Catalogue object to copy, as in `rocker/steel-lever-205mm`; properties given here replace its own.",
-            |slot| slot.text_like(known.offered(kind).into_iter()),
+            |slot| slot.text_like(known.catalogue_entries(kind).into_iter()),
         );
         let mut context = Context::among(&known.objects);
         if kind.inputs == Inputs::One {

@@ -110,7 +110,7 @@ impl FollowerMotion {
     fn check(&self, faults: &mut Faults) {
         for piece in &self.pieces {
             for step in 0..=piece.intervals {
-                let phi = piece.place(step);
+                let phi = piece.search_place(step);
                 if !self.raw(piece, phi).is_finite() {
                     let message = format!("the position function has no value at φ = {phi} rad");
                     let hint = "give the cam a `range` in which it has";
@@ -144,7 +144,7 @@ impl FollowerMotion {
             let mut before = self.raw(piece, piece.from);
             take(before.value);
             for step in 1..=piece.intervals {
-                let (from, to) = (piece.place(step - 1), piece.place(step));
+                let (from, to) = (piece.search_place(step - 1), piece.search_place(step));
                 let after = self.raw(piece, to);
                 take(after.value);
                 if before.first * after.first < 0.0 {
@@ -216,7 +216,7 @@ impl FollowerMotion {
         let mut sizes = [0.0f64; 2];
         for piece in &self.pieces {
             for step in 0..=piece.intervals {
-                let jet = self.raw(piece, piece.place(step));
+                let jet = self.raw(piece, piece.search_place(step));
                 sizes = [
                     sizes[0].max(jet.first.abs()),
                     sizes[1].max(jet.second.abs()),
@@ -240,7 +240,7 @@ impl FollowerMotion {
 
 impl Piece {
     /// The place of a point of the search, 0 … `intervals`.
-    pub fn place(&self, step: usize) -> f64 {
+    pub fn search_place(&self, step: usize) -> f64 {
         if step == 0 {
             self.from
         } else if step >= self.intervals {

@@ -90,7 +90,7 @@ pub(crate) fn evenly_spaced([from, to]: [f64; 2], count: usize) -> impl Iterator
 pub(crate) fn greatest(motion: &FollowerMotion, f: &dyn Fn(&Piece, f64) -> f64) -> At {
     let pieces = motion.pieces();
     let sampled = |piece: &Piece| {
-        let places = (0..=piece.intervals).map(|step| piece.place(step));
+        let places = (0..=piece.intervals).map(|step| piece.search_place(step));
         places.map(|phi| (phi, f(piece, phi))).collect()
     };
     let samples: Vec<Vec<(f64, f64)>> = pieces.iter().map(sampled).collect();
@@ -164,7 +164,7 @@ fn nodes(motion: &FollowerMotion, f: &dyn Fn(&Piece, Dual) -> Dual) -> Vec<Node>
         let mut before = at(piece.from);
         put(piece.from, before.value());
         for step in 1..=piece.intervals {
-            let (low, high) = (piece.place(step - 1), piece.place(step));
+            let (low, high) = (piece.search_place(step - 1), piece.search_place(step));
             let after = at(high);
             if before.derivative * after.derivative < 0.0 {
                 let phi = root(&|phi| at(phi).derivative, low, high);

@@ -7,7 +7,7 @@ use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
 use super::guesses;
 use super::plan::{Plan, Step};
-use super::solve::{around, drive};
+use super::solve::{place_driven_link, surroundings_of_dyad};
 use super::spec::{AssemblyChoice, AssemblySpec, LinkageSpec};
 use super::state::State;
 use super::structure::Group;
@@ -51,7 +51,7 @@ pub(super) fn assemble(
 /// What the driver places, at the start.
 pub(super) fn at_start(plan: &Plan, start: f64) -> State {
     let mut state = plan.state();
-    drive::<1>(plan, &mut state, start);
+    place_driven_link::<1>(plan, &mut state, start);
     state.reduced = start;
     driven_angle(plan, &mut state);
     state
@@ -78,7 +78,7 @@ pub(super) fn groups(
             .assembly
             .iter()
             .enumerate()
-            .filter(|(_, choice)| step.bodies().iter().any(|body| body.has(choice.link)))
+            .filter(|(_, choice)| step.bodies().iter().any(|body| body.has_link(choice.link)))
             .unzip();
         let sign = match step {
             Step::Dyad(dyad) => {
@@ -185,7 +185,7 @@ fn placed_by_the_driver(spec: &LinkageSpec, plan: &Plan, state: &State) -> Resul
         let remark =
             !spec.redundant.is_empty() && matches!(choice.choice, AssemblyChoice::Near { .. });
         let far = !remark && mismatch(choice, state, plan.size) > FAR;
-        if (branch || far) && !bodies.clone().any(|body| body.has(choice.link)) {
+        if (branch || far) && !bodies.clone().any(|body| body.has_link(choice.link)) {
             let name = &spec.links[choice.link].name;
             faults.add(
                 format!("assembly.{name}"),
@@ -216,8 +216,8 @@ fn dyad_at_start(
     state: &mut State,
     index: usize,
 ) -> Result<(f64, Vec<f64>), Wrong> {
-    let around = around::<1>(dyad, state);
-    let side = dyad.side(&around);
+    let around = surroundings_of_dyad::<1>(dyad, state);
+    let side = dyad.side_of_second_guide(&around);
     let margin = dyad.directions(&around, side, plan.size).margin;
     let names = names(spec, &dyad.bodies);
     if !(margin.value > tolerance(&margin)) {
@@ -226,8 +226,8 @@ fn dyad_at_start(
     state.margins[index] = margin;
     let mut place = |sign: f64| -> Vec<f64> {
         let of = dyad.directions(&around, sign, plan.size).of;
-        for (body, frame) in dyad.bodies.iter().zip(dyad.place(&around, of)) {
-            state.put::<1>(body, &frame);
+        for (body, frame) in dyad.bodies.iter().zip(dyad.frames_of_bodies(&around, of)) {
+            state.place_body::<1>(body, &frame);
         }
         choices
             .iter()
@@ -302,7 +302,7 @@ fn not_assemblable(
     names: &str,
     margin: &Margin,
 ) -> Wrong {
-    let around = around::<1>(dyad, state);
+    let around = surroundings_of_dyad::<1>(dyad, state);
     let [one, other] = [0, 1].map(|k| dyad.arm(&around, k).length().value());
     let apart = dyad.separation(&around).square().value().sqrt();
     let start = start_in_words(spec);
@@ -345,7 +345,7 @@ fn not_assemblable(
 }
 
 /// The course before anything is known of it but its start.
-pub(super) fn course(spec: &LinkageSpec, branches: Vec<Branch>) -> Course {
+pub(super) fn start_of_course(spec: &LinkageSpec, branches: Vec<Branch>) -> Course {
     Course {
         start: spec.start,
         ends: [f64::NEG_INFINITY, f64::INFINITY],

@@ -7,7 +7,7 @@ use super::decompose::{Decomposition, Tie, decompose};
 use super::dyad::{Dyad, Form};
 use super::elements::{Body, Element, PairElement, elements, slides};
 use super::newton::{NewtonGroup, PreparedJoint, Side};
-use super::plan::{Driver, Plan, Step, size};
+use super::plan::{Driver, Plan, Step, typical_length};
 use super::skeleton::Skeleton;
 use super::spec::LinkageSpec;
 use super::structure::{Group, GroupKind};
@@ -66,7 +66,7 @@ pub(super) fn compile(
         steps,
         attached: skeleton.attached.clone(),
         links: spec.links.len(),
-        size: size(spec),
+        size: typical_length(spec),
     };
     Ok((plan, listed))
 }
@@ -152,7 +152,7 @@ fn bodies(skeleton: &Skeleton, driver: &Driver) -> Bodies {
     for link in 0..spec.links.len() {
         match assembly {
             _ if on_ground(link) || attached(link) => {}
-            Some(body) if body.has(link) => {
+            Some(body) if body.has_link(link) => {
                 let index = list.iter().position(|known| *known == body);
                 of_link[link] = Some(index.unwrap_or(list.len()));
                 if index.is_none() {
@@ -307,19 +307,19 @@ fn dyad(
             1.0
         },
     };
-    coinciding(spec, &dyad, inner, outer, faults);
+    refuse_coinciding_pins(spec, &dyad, inner, outer, faults);
     (Some(Step::Dyad(dyad)), kind)
 }
 
 /// Pins of one link that lie in the same place do not fix its direction.
-fn coinciding(
+fn refuse_coinciding_pins(
     spec: &LinkageSpec,
     dyad: &Dyad,
     inner: usize,
     outer: [usize; 2],
     faults: &mut Faults,
 ) {
-    let size = size(spec);
+    let size = typical_length(spec);
     let arms: &[usize] = match dyad.form {
         Form::Rrr => &[0, 1],
         Form::Rrp => &[0],

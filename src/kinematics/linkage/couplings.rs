@@ -29,15 +29,15 @@ pub(super) fn check(spec: &LinkageSpec, found: &mut Faults) {
         let mut links = coupling.links().into_iter().flatten();
         if let Some(link) = links.find(|link| *link >= spec.links.len()) {
             found.add(path, format!("there is no link number {link}"), "");
-        } else if let Err(wrong) = kind.fits(coupling, &spec.pairs) {
-            let [message, hint] = wrong.in_words(coupling, |link| named(spec, link));
+        } else if let Err(wrong) = kind.check_links(coupling, &spec.pairs) {
+            let [message, hint] = wrong.in_words(coupling, |link| link_name(spec, link));
             found.add(path, message, &hint);
         }
     }
 }
 
 /// Name of a link or of the ground.
-fn named(spec: &LinkageSpec, link: Option<usize>) -> String {
+fn link_name(spec: &LinkageSpec, link: Option<usize>) -> String {
     match link {
         Some(link) => format!("`{}`", spec.links[link].name),
         None => "the ground".to_owned(),

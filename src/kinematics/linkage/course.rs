@@ -63,7 +63,7 @@ impl Course {
         let mut near = None;
         for change in &branch.changes {
             let distance = self.distance(reduced, change.at);
-            if change.holds(distance) {
+            if change.is_in_force_at(distance) {
                 near = Some((change, distance));
             }
             let passed = (self.start < change.at) == (change.at < reduced);

@@ -90,7 +90,7 @@ pub(super) type Held = (Vec<usize>, Vec<usize>);
 pub(super) fn decompose(bodies: usize, ties: &[Tie]) -> Decomposition {
     let mut handing = TieAssignment::new(ties, vec![NEEDED; bodies]);
     let mut held = handing.hand_out();
-    let free = handing.free();
+    let free = handing.underdetermined_bodies();
     if held.is_empty() && free.is_empty() {
         held.extend(overconstrained_part(bodies, ties));
     }
@@ -193,7 +193,7 @@ impl TieAssignment<'_> {
     }
 
     /// Bodies with too few equations, and those from which they could take one.
-    fn free(&self) -> Vec<usize> {
+    fn underdetermined_bodies(&self) -> Vec<usize> {
         let counts = self.count.iter().zip(&self.needed);
         let mut free: Vec<bool> = counts.map(|(count, needed)| count < needed).collect();
         let mut grew = true;

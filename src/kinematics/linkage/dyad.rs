@@ -111,7 +111,7 @@ impl Dyad {
 
     /// Frames of the bodies turned as `of`.
     #[inline]
-    pub(super) fn place<const N: usize>(
+    pub(super) fn frames_of_bodies<const N: usize>(
         &self,
         around: &DyadSurroundings<N>,
         of: [Vector<N>; 2],
@@ -119,21 +119,24 @@ impl Dyad {
         let relative = &around.relative;
         let known = |k: usize| around.known[k].place(self.known[k].point);
         match self.form {
-            Form::Rrr | Form::Rpr => {
-                [0, 1].map(|k| Frame::through(of[k], self.outer[k].place(relative), known(k)))
-            }
+            Form::Rrr | Form::Rpr => [0, 1].map(|k| {
+                Frame::frame_through_point(of[k], self.outer[k].place(relative), known(k))
+            }),
             Form::Rrp => {
-                let first = Frame::through(of[0], self.outer[0].place(relative), known(0));
-                let pin = first.at + self.inner[0].place(relative).seen(of[0]);
-                let second = Frame::through(of[1], self.inner[1].place(relative), pin);
+                let first =
+                    Frame::frame_through_point(of[0], self.outer[0].place(relative), known(0));
+                let pin = first.at + self.inner[0].place(relative).turned_to_ground(of[0]);
+                let second = Frame::frame_through_point(of[1], self.inner[1].place(relative), pin);
                 [first, second]
             }
             Form::Prp => {
                 let pin = self.crossing(around);
-                [0, 1].map(|k| Frame::through(of[k], self.inner[k].place(relative), pin))
+                [0, 1]
+                    .map(|k| Frame::frame_through_point(of[k], self.inner[k].place(relative), pin))
             }
             Form::Rpp => {
-                let first = Frame::through(of[0], self.outer[0].place(relative), known(0));
+                let first =
+                    Frame::frame_through_point(of[0], self.outer[0].place(relative), known(0));
                 let second = self.slider(around, &first, of[1]);
                 [first, second]
             }
@@ -307,7 +310,7 @@ impl Dyad {
     }
 
     /// The side to which the second guide of PRP or RPP points; + for all others.
-    pub(super) fn side(&self, around: &DyadSurroundings<1>) -> f64 {
+    pub(super) fn side_of_second_guide(&self, around: &DyadSurroundings<1>) -> f64 {
         let sine = match self.form {
             Form::Prp => {
                 let [(first, _), (second, _)] = [0, 1].map(|k| self.guided(around, k));
@@ -337,7 +340,7 @@ impl Dyad {
     fn rpp<const N: usize>(&self, around: &DyadSurroundings<N>, sign: f64) -> Directions<N> {
         let relative = &around.relative;
         let (_, second) = self.guided(around, 1);
-        let inner = self.inner[1].guide(relative).seen(second);
+        let inner = self.inner[1].guide(relative).turned_to_ground(second);
         let first = self.inner[0].guide(relative).frame(inner);
         let crossing = self.crossing_guides(relative).scale(sign);
         Directions {
@@ -356,13 +359,16 @@ impl Dyad {
     ) -> Frame<N> {
         let relative = &around.relative;
         let (out, _) = self.guided(around, 1);
-        let inner = self.inner[1].guide(relative).seen(direction);
-        let on_first = first.at + self.inner[0].place(relative).seen(first.direction);
+        let inner = self.inner[1].guide(relative).turned_to_ground(direction);
+        let on_first = first.at
+            + self.inner[0]
+                .place(relative)
+                .turned_to_ground(first.direction);
         let outer = around.known[1].place(self.known[1].point);
         // The inner element is moved along the inner guide until the outer one
         // lies on the outer guide.
         let missing = self.aside(around, 1) + out.cross(outer - on_first);
         let point = on_first + inner.times(missing * out.cross(inner).reciprocal());
-        Frame::through(direction, self.inner[1].place(relative), point)
+        Frame::frame_through_point(direction, self.inner[1].place(relative), point)
     }
 }

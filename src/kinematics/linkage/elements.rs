@@ -61,7 +61,7 @@ pub(super) struct Body {
 
 impl Body {
     /// True when the link is part of the body.
-    pub(super) fn has(&self, link: usize) -> bool {
+    pub(super) fn has_link(&self, link: usize) -> bool {
         self.base == link || self.driven == Some(link)
     }
 
@@ -150,9 +150,13 @@ impl<const N: usize> Frame<N> {
 
     /// The frame turned as `direction` that has `point` at `world`.
     #[inline(always)]
-    pub(super) fn through(direction: Vector<N>, point: Local<N>, world: Vector<N>) -> Self {
+    pub(super) fn frame_through_point(
+        direction: Vector<N>,
+        point: Local<N>,
+        world: Vector<N>,
+    ) -> Self {
         Self {
-            at: world - point.seen(direction),
+            at: world - point.turned_to_ground(direction),
             direction,
         }
     }

@@ -192,7 +192,7 @@ impl Walker<'_> {
         let (way, widest) = (self.way, 0.6 * self.unit);
         let (plan, course) = (self.plan, &*self.course);
         let (probe, guess) = (&mut self.probe, Guess::Near(&self.anchor));
-        Change::fit(at, (way, sign), widest, |input, sign| {
+        Change::fit_directions(at, (way, sign), widest, |input, sign| {
             directions(plan, course, guess, probe, (group, sign), input)
         })
     }

@@ -53,7 +53,7 @@ impl NewtonGroup {
     ///
     /// # Errors
     /// The iteration does not converge: not assemblable, or too bad a guess.
-    pub(super) fn place<const N: usize>(
+    pub(super) fn place_by_newton<const N: usize>(
         &self,
         state: &State,
         scratch: &mut Scratch,

@@ -66,7 +66,7 @@ impl Linkage {
 
     /// Links of which all pins lie in one place.
     fn links_without_length(&self) -> Vec<String> {
-        let (spec, size) = (self.spec(), self.size());
+        let (spec, size) = (self.spec(), self.typical_length());
         let links = 0..spec.links.len();
         links
             .filter_map(|link| {
@@ -111,8 +111,8 @@ impl Linkage {
             }
         }
         let outputs = self.spec().outputs.iter().zip(greatest);
-        let still =
-            outputs.filter(|(output, greatest)| *greatest <= STILL * self.ordinary(&output.kind));
+        let still = outputs
+            .filter(|(output, greatest)| *greatest <= STILL * self.ordinary_transfer(&output.kind));
         still
             .map(|(output, _)| {
                 let why = match output.kind {
@@ -126,10 +126,10 @@ impl Linkage {
     }
 
     /// Transfer function of an output that moves as the linkage is large.
-    fn ordinary(&self, output: &OutputKind) -> f64 {
+    fn ordinary_transfer(&self, output: &OutputKind) -> f64 {
         let spec = self.spec();
         let sliding = |pair: usize| slides(&spec.pairs[pair]);
-        let unit = |sliding: bool| if sliding { self.size() } else { 1.0 };
+        let unit = |sliding: bool| if sliding { self.typical_length() } else { 1.0 };
         let own = match output {
             OutputKind::Angle { .. } => false,
             OutputKind::Point { .. } => true,

@@ -13,7 +13,7 @@ use super::course::Course;
 use super::dyad::Form;
 use super::plan::{Plan, Step};
 use super::skeleton::Skeleton;
-use super::solve::{Guess, Stuck, around, solve};
+use super::solve::{Guess, Stuck, solve, surroundings_of_dyad};
 use super::spec::{LinkageSpec, PairKind};
 use super::state::State;
 use super::{Core, Linkage, Workspace};
@@ -156,7 +156,7 @@ pub(super) fn directions(
         Ok(()) => {}
         Err(Stuck(_)) => return None,
     }
-    let found = dyad.directions(&around::<1>(dyad, state), sign, plan.size);
+    let found = dyad.directions(&surroundings_of_dyad::<1>(dyad, state), sign, plan.size);
     let [one, other] = found.of.map(|direction| direction.value());
     Some([one[0], one[1], other[0], other[1]])
 }

@@ -238,7 +238,7 @@ impl<const N: usize> Local<N> {
 
     /// The vector as seen from the ground, `direction` being that of the frame.
     #[inline(always)]
-    pub(crate) fn seen(self, direction: Vector<N>) -> Vector<N> {
+    pub(crate) fn turned_to_ground(self, direction: Vector<N>) -> Vector<N> {
         match self {
             Self::Fixed(at) | Self::Arm(Arm { at, .. }) => direction.turn_constant(at),
             Self::Moving(vector) => direction.turn(vector),

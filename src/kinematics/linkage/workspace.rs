@@ -36,7 +36,7 @@ pub struct Pose {
 
 impl Pose {
     /// A point given in this frame (m).
-    pub fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    pub fn to_ground(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
             self.x + self.cos * x - self.sin * y,
             self.y + self.sin * x + self.cos * y,

@@ -55,12 +55,12 @@ fn crank_end(length: f64, phase: f64) -> [f64; 2] {
 fn link(name: &str, points: &[(&str, [f64; 2])]) -> LinkSpec {
     LinkSpec {
         name: name.to_owned(),
-        points: named(points),
+        points: named_points(points),
         ..LinkSpec::default()
     }
 }
 
-fn named(points: &[(&str, [f64; 2])]) -> Vec<NamedPoint> {
+fn named_points(points: &[(&str, [f64; 2])]) -> Vec<NamedPoint> {
     let one = |(name, at): &(&str, [f64; 2])| NamedPoint {
         name: (*name).to_owned(),
         at: *at,
@@ -123,7 +123,7 @@ fn slider_crank(short: &SliderCrank, phi: f64) -> LinkageSpec {
             link("rod", &[("B", [short.rod, 0.0])]),
             link("slide", &[]),
         ],
-        ground: named(&[("G", g), ("O", o)]),
+        ground: named_points(&[("G", g), ("O", o)]),
         pairs: vec![
             pin("A", of(0, end), of(1, ORIGIN)),
             pin("B", of(1, [short.rod, 0.0]), of(2, ORIGIN)),
@@ -153,7 +153,7 @@ fn four_bar(short: &FourBar, phi: f64) -> LinkageSpec {
             link("crank", &[("A", end)]),
             link("rocker", &[("B", [short.rocker, 0.0])]),
         ],
-        ground: named(&[("C", c), ("O", o)]),
+        ground: named_points(&[("C", c), ("O", o)]),
         pairs: vec![
             pin("A", of(1, end), of(0, ORIGIN)),
             pin("B", of(0, [short.coupler, 0.0]), of(2, [short.rocker, 0.0])),
@@ -187,7 +187,7 @@ fn slotted_link(short: &SlottedLink, phi: f64) -> LinkageSpec {
             link("crank", &[("A", end)]),
             link("slot", &[]),
         ],
-        ground: named(&[("O1", o1), ("O2", o2)]),
+        ground: named_points(&[("O1", o1), ("O2", o2)]),
         pairs: vec![
             pin("A", of(1, end), of(0, ORIGIN)),
             pin("O1", ground(o1), of(1, ORIGIN)),

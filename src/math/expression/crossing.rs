@@ -131,7 +131,7 @@ const JUMPS: f64 = 1e-9;
 /// Changes the mode of a guard, and puts those that jump with it or come to stand still,
 /// and those that had no value, into the modes in which they go on. `at`: value and rate
 /// of a guard in given modes. Returns those of the guard before and behind the change.
-pub(crate) fn follow(
+pub(crate) fn change_mode(
     guards: &[Guard],
     changed: usize,
     target: i64,
@@ -223,7 +223,7 @@ impl<M: Fn(u16) -> i64, S: Stretch> Search<'_, M, S> {
             let middle = from + 0.5 * (to - from);
             // The mean value theorem: closer than the expression itself where it is short.
             let reach = Interval::between(-0.5 * (to - from), 0.5 * (to - from));
-            let tight = value.meet(Interval::of(self.value(middle)) + rate * reach);
+            let tight = value.intersection(Interval::of(self.value(middle)) + rate * reach);
             if tight.low > 0.0 || value.low >= 0.0 {
                 continue;
             }

@@ -252,7 +252,7 @@ fn pick<N: Scalar>(op: &Op, at: impl Fn(Register) -> N, modes: &impl Fn(u16) -> 
         },
         Op::Whole { x, to, guard } => N::number(match mode_of(guard, modes) {
             OPEN => to.of(at(x).central()),
-            mode => to.between(mode),
+            mode => to.guard_between(mode),
         }),
         Op::Min { a, b, guard } => match mode_of(guard, modes) {
             OPEN if at(b).central() < at(a).central() || at(a).central().is_nan() => at(b),
@@ -341,7 +341,7 @@ impl Rounding {
     }
 
     /// Where the guard lies between n and n + 1.
-    fn between(self, n: i64) -> f64 {
+    fn guard_between(self, n: i64) -> f64 {
         match self {
             Self::Floor | Self::Round => n as f64,
             Self::Ceil => (n + 1) as f64,

@@ -3,7 +3,7 @@
 //! A function of time alone is cut into its pieces beforehand, with the period at which they
 //! repeat. So motions of drives, and the loads of `exact`, know their breaks.
 
-use super::crossing::{Stretch, follow};
+use super::crossing::{Stretch, change_mode};
 use super::evaluate::Scalar;
 use super::function::Function;
 use super::interval::Interval;
@@ -77,7 +77,7 @@ impl Repetition {
 
     /// How the value of a program repeats while its variables do; `None`: it does not, or its
     /// operations do not prove that it does.
-    pub(crate) fn through(
+    pub(crate) fn repetition_of_program(
         program: &Program,
         variables: &dyn Fn(usize) -> Option<Self>,
     ) -> Option<Self> {
@@ -138,7 +138,7 @@ impl OfOne {
                 let mode = |one: u16| modes[usize::from(one)];
                 program.guards[own].code.evaluate(&[x], &mode)
             };
-            follow(&program.guards, guard, target, &mut modes, value);
+            change_mode(&program.guards, guard, target, &mut modes, value);
             let last = found.points.last().copied();
             let same = last.is_some_and(|last| place - last <= ONE_PLACE * place.abs());
             match same {
@@ -470,7 +470,7 @@ mod tests {
         };
         let of = |text: &str| {
             let expression = Expression::new(text, &["t", "x", "y"]).unwrap();
-            Repetition::through(expression.program(), &variables)
+            Repetition::repetition_of_program(expression.program(), &variables)
         };
         for (text, wanted) in [
             ("sin(t)", Some(2.0)),
@@ -496,7 +496,10 @@ mod tests {
         }
         let unknown = |index: usize| (index == 0).then_some(Line(1.0));
         let expression = Expression::new("sin(t) + x", &["t", "x"]).unwrap();
-        assert_eq!(Repetition::through(expression.program(), &unknown), None);
+        assert_eq!(
+            Repetition::repetition_of_program(expression.program(), &unknown),
+            None
+        );
     }
 
     #[test]

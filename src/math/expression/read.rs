@@ -137,7 +137,7 @@ impl Reader<'_, '_> {
     }
 
     fn conditional(&mut self, condition: Register, place: Range<usize>) -> Result<Register, Error> {
-        self.truth(condition, &place);
+        self.require_truth_value(condition, &place);
         let a = self.expression(0)?;
         match self.token {
             Token::Symbol(":") => self.advance()?,
@@ -168,7 +168,7 @@ impl Reader<'_, '_> {
             },
             Token::Quantity(symbol) => Ok(self.register(symbol)),
             Token::Name(name) if self.token == Token::Symbol("(") => self.call(name, place),
-            Token::Name(name) => match self.named(name) {
+            Token::Name(name) => match self.read_name(name) {
                 Some(register) => Ok(register),
                 None => Ok(self.not_known((Wrong::Variable, place))),
             },
@@ -184,8 +184,8 @@ impl Reader<'_, '_> {
             Token::Symbol("+") => self.expression(SIGN),
             Token::Symbol("!") => {
                 let x = self.expression(SIGN)?;
-                self.truth(x, &(place.end..self.end));
-                Ok(self.builder.plain(Op::Not(x)))
+                self.require_truth_value(x, &(place.end..self.end));
+                Ok(self.builder.operation_on_operands(Op::Not(x)))
             }
             Token::End => Err((Wrong::End, place)),
             Token::Symbol(_) => Err((Wrong::Token, place)),
@@ -197,7 +197,7 @@ impl Reader<'_, '_> {
         self.builder.number(0.0)
     }
 
-    fn named(&mut self, name: &str) -> Option<Register> {
+    fn read_name(&mut self, name: &str) -> Option<Register> {
         if let Some(symbol) = self.symbols.symbol(name) {
             return Some(self.register(symbol));
         }
@@ -293,9 +293,9 @@ impl Reader<'_, '_> {
             ">" => builder.less(b, a, false),
             ">=" => builder.less(b, a, true),
             "&&" | "||" => {
-                self.truth(a, &place);
-                self.truth(b, &place);
-                self.builder.plain(match symbol {
+                self.require_truth_value(a, &place);
+                self.require_truth_value(b, &place);
+                self.builder.operation_on_operands(match symbol {
                     "&&" => Op::And(a, b),
                     _ => Op::Or(a, b),
                 })
@@ -304,17 +304,17 @@ impl Reader<'_, '_> {
                 if !(builder.steps(a) && builder.steps(b)) {
                     self.note(place);
                 }
-                let equal = self.builder.plain(Op::Equal(a, b));
+                let equal = self.builder.operation_on_operands(Op::Equal(a, b));
                 match symbol {
                     "==" => equal,
-                    _ => self.builder.plain(Op::Not(equal)),
+                    _ => self.builder.operation_on_operands(Op::Not(equal)),
                 }
             }
         }
     }
 
     /// A value that counts as true or false.
-    fn truth(&mut self, x: Register, place: &Range<usize>) {
+    fn require_truth_value(&mut self, x: Register, place: &Range<usize>) {
         if !self.builder.steps(x) {
             self.note(place.clone());
         }

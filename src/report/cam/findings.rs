@@ -136,17 +136,21 @@ fn verdict(report: &CamReport<'_>) -> Verdict {
             _ => String::new(),
         };
         let text = format!("{shape} {why}");
-        return Verdict::judged(judgement, sound(report.figures), text.trim_end());
+        return Verdict::of_judgement(
+            judgement,
+            headline_of_sound_cam(report.figures),
+            text.trim_end(),
+        );
     };
     let text = match grave.len() {
         1 => Sentence::default(),
         count => format!("And {} more, listed below.", count - 1).into(),
     };
-    Verdict::judged(judgement, Sentence::read(&(capitalised(first) + ".")), text)
+    Verdict::of_judgement(judgement, Sentence::read(&(capitalised(first) + ".")), text)
 }
 
 /// What a sound cam comes to: its greatest pressure angle, and up to which speed it keeps contact.
-fn sound(figures: &CamFigures) -> Sentence {
+fn headline_of_sound_cam(figures: &CamFigures) -> Sentence {
     let sizes = figures.pressure.map(|at| at.value.abs());
     let angle = sizes[0].max(sizes[1]);
     let flat = figures.face.is_some();

@@ -22,15 +22,15 @@ pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         let (index, by) = greatest(column).filter(|(_, by)| *by != 0.0)?;
         let mut endless = study.unbounded.iter();
         if let Some((_, at)) = endless.find(|(known, _)| *known == column.name) {
-            let place = format!("→ {}", report.place(*at));
-            let unbounded = Cell::with("unbounded", place);
+            let place = format!("→ {}", report.place_text(*at));
+            let unbounded = Cell::with_note("unbounded", place);
             return Some(vec![cause(name), unbounded, "unbounded".into()]);
         }
-        let place = report.place(study.course.parameter(index));
+        let place = report.place_text(study.course.parameter(index));
         let chi = format!("chi_by.{name}");
         let chi = all.iter().find(|other| other.name == chi);
         let chi = chi.and_then(|chi| Some(value(greatest(chi)?.1, &chi.unit)));
-        let by = Cell::with(value(by, &column.unit), format!("at {place}"));
+        let by = Cell::with_note(value(by, &column.unit), format!("at {place}"));
         Some(vec![cause(name), by, chi.unwrap_or("".into()).into()])
     };
     let drive = format!(">of the {}", driving(study.drive_unit()));
@@ -67,7 +67,7 @@ pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         .figures(figures)
         .charts(WIDE, "", vec![chart])
         .table(table)
-        .words(verdict(found))
+        .with_paragraph(verdict(found))
 }
 
 /// m·ω²/P with its unit, kg·(rad/s)²/N = 1/m for an input that turns.

@@ -48,7 +48,7 @@ fn table(report: &ForcesReport<'_>, joints: &[Joint]) -> Table {
             let [size, direction] = own.map(|column| columns[column].value(row));
             force(size, direction)
         });
-        let place = Cell::from(report.place(row.motion.coordinate));
+        let place = Cell::from(report.place_text(row.motion.coordinate));
         std::iter::once(place).chain(cells).collect::<Vec<Cell>>()
     });
     Table::new(heads.iter().map(String::as_str)).rows(rows)
@@ -59,7 +59,7 @@ fn force(size: Option<f64>, direction: Option<f64>) -> Cell {
     match (size, direction) {
         (Some(force), Some(angle)) => {
             let degrees = significant(angle.to_degrees(), 4);
-            Cell::with(value(force, "N"), format!("{degrees} deg"))
+            Cell::with_note(value(force, "N"), format!("{degrees} deg"))
         }
         (Some(force), None) => Cell::from(value(force, "N")),
         (None, _) => Cell::from("–"),

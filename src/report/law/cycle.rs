@@ -29,7 +29,7 @@ pub fn cycle_findings<'a>(
     let headline = format!("Greatest acceleration |U″| = {greatest}.");
     let peak = |name: &str, peak: Peak, unit: String| {
         let at = Value::angle_or(peak.at, driver, 8).words();
-        Figure::number(name, peak.value, &unit, 8).with(format!("at {at}"))
+        Figure::number(name, peak.value, &unit, 8).with_note(format!("at {at}"))
     };
     let per = |power: &str| format!("{unit}/{driver}{power}");
     let extremes = vec![

@@ -46,7 +46,8 @@ pub(super) fn picture(
         Some(start).filter(|_| elastic),
     );
     let [inlet, outlet, tip] = ends(cam, &view);
-    let follower = grip(&all[1], [outlet, tip]).map(|grip| (part.id.clone(), grip));
+    let follower =
+        load_points_of_follower(&all[1], [outlet, tip]).map(|grip| (part.id.clone(), grip));
     let radius = view.scale * cam.geometry().base_radius;
     let turned = on_cam(&all[0], radius).map(|grip| (driver_id.to_owned(), grip));
     Some(Picture {
@@ -65,7 +66,7 @@ pub(super) fn picture(
 
 /// Where loads act on the follower, its second part: on a sliding one at its far end, on a turning
 /// one at its tip, square to its arm.
-fn grip(follower: &Body, [end, tip]: [[f64; 2]; 2]) -> Option<Grip> {
+fn load_points_of_follower(follower: &Body, [end, tip]: [[f64; 2]; 2]) -> Option<Grip> {
     let (at, along) = match *follower {
         Body::Slide { by, .. } => (end, by),
         Body::Turn { at, sense, .. } => {

@@ -150,12 +150,14 @@ impl<'a> Whole<'a> {
         firsts: &[usize],
     ) -> Self {
         let mut cells = cells((stations, firsts), &drivers(model, drawn));
-        let size = place(&mut cells);
+        let size = place_cells(&mut cells);
         Self { cells, size }
     }
 
     /// Every station that is drawn, with the number of its first part and its place.
-    pub(super) fn placed(&self) -> impl Iterator<Item = (&'a Station, usize, [f64; 2])> + '_ {
+    pub(super) fn placed_stations(
+        &self,
+    ) -> impl Iterator<Item = (&'a Station, usize, [f64; 2])> + '_ {
         let cells = self.cells.iter();
         cells.map(|cell| (cell.station, cell.first, cell.at))
     }
@@ -244,7 +246,7 @@ fn cells<'a>(
 
 /// Gives every cell its place, columns from left to right in rows that are not too wide; the size
 /// of all.
-fn place(cells: &mut [Cell<'_>]) -> [f64; 2] {
+fn place_cells(cells: &mut [Cell<'_>]) -> [f64; 2] {
     let columns = cells.iter().map(|cell| cell.column + 1).max().unwrap_or(0);
     let sizes: Vec<[f64; 2]> = (0..columns)
         .map(|column| {

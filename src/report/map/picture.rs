@@ -79,7 +79,7 @@ fn legend(study: &Study<'_>, result: &MapResult, [left, top, width]: [f64; 3]) -
 
 /// The map of one panel where it is looked at and steered, no larger than needed.
 #[cfg(feature = "live")]
-pub(in crate::report) fn steered(
+pub(in crate::report) fn interactive_map(
     study: &Study<'_>,
     result: &MapResult,
     plots: &mut Plots,

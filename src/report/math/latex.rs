@@ -13,7 +13,7 @@ pub(super) fn write(expr: &Expr) -> String {
         Expr::Negative(inner) => format!("-{}", write(inner)),
         Expr::Product(factors) => product(factors),
         Expr::Quotient(top, bottom) => format!(r"\frac{{{}}}{{{}}}", write(top), write(bottom)),
-        Expr::Power(base, power) => raised(base, *power),
+        Expr::Power(base, power) => power_of(base, *power),
         Expr::Root(inner) => format!(r"\sqrt{{{}}}", write(inner)),
         Expr::Function(name, argument) => called(name, argument),
         Expr::At(symbol, argument) => format!("{}{}", letter(symbol), bracketed(argument)),
@@ -72,13 +72,13 @@ pub fn escape(text: &str) -> String {
             '<' => out.push_str(r"\textless{}"),
             '>' => out.push_str(r"\textgreater{}"),
             c if c.is_ascii() && !c.is_ascii_control() => out.push(c),
-            c => out.push_str(&named(c)),
+            c => out.push_str(&character_command(c)),
         }
     }
     out
 }
 
-fn named(c: char) -> String {
+fn character_command(c: char) -> String {
     if let Some(command) = greek(c) {
         return format!("${command}$");
     }
@@ -192,7 +192,7 @@ fn bracketed(expr: &Expr) -> String {
     format!(r"\left({}\right)", write(expr))
 }
 
-fn raised(base: &Expr, power: u32) -> String {
+fn power_of(base: &Expr, power: u32) -> String {
     match base {
         Expr::Symbol(symbol) if symbol.primes == 0 => format!("{}^{{{power}}}", write(base)),
         Expr::Number(value) if *value >= 0.0 => format!("{}^{{{power}}}", write(base)),

@@ -11,7 +11,7 @@ pub(super) fn write(expr: &Expr) -> String {
         Expr::Symbol(symbol) => letter(symbol),
         Expr::Product(factors) => product(factors),
         Expr::Quotient(top, bottom) => format!("<mfrac>{}{}</mfrac>", one(top), one(bottom)),
-        Expr::Power(base, power) => raised(base, *power),
+        Expr::Power(base, power) => power_of(base, *power),
         Expr::Root(inner) => format!("<msqrt>{}</msqrt>", write(inner)),
         Expr::Function(name, argument) => called(name, argument),
         Expr::At(symbol, argument) => format!("{}{}", letter(symbol), bracketed(argument)),
@@ -26,14 +26,14 @@ pub(super) fn write(expr: &Expr) -> String {
         }
         Expr::All(conditions) => {
             let all: Vec<_> = conditions.iter().map(write).collect();
-            all.join(&words(" and "))
+            all.join(&preserve_blanks(" and "))
         }
         Expr::Absolute(inner) => format!("<mrow><mo>|</mo>{}<mo>|</mo></mrow>", write(inner)),
         Expr::Greater(left, right) => {
             let arguments = format!("{}{}{}", write(left), operator(","), write(right));
             format!("<mi>max</mi><mrow><mo>(</mo>{arguments}<mo>)</mo></mrow>")
         }
-        Expr::Words(text) => words(text),
+        Expr::Words(text) => preserve_blanks(text),
     }
 }
 
@@ -47,7 +47,7 @@ fn operator(text: &str) -> String {
 }
 
 /// Blanks at the ends of a text element count for nothing unless they do not break.
-fn words(text: &str) -> String {
+fn preserve_blanks(text: &str) -> String {
     format!("<mtext>{}</mtext>", escape(&text.replace(' ', "\u{a0}")))
 }
 
@@ -102,7 +102,7 @@ fn bracketed(expr: &Expr) -> String {
     format!("<mrow><mo>(</mo>{}<mo>)</mo></mrow>", write(expr))
 }
 
-fn raised(base: &Expr, power: u32) -> String {
+fn power_of(base: &Expr, power: u32) -> String {
     let base = match base {
         Expr::Symbol(symbol) if symbol.primes == 0 => write(base),
         Expr::Number(value) if *value >= 0.0 => one(base),
@@ -123,8 +123,8 @@ fn called(name: &str, argument: &Expr) -> String {
 fn table(cases: &[(Expr, Expr)]) -> String {
     let row = |(value, condition): &(Expr, Expr)| {
         let condition = match condition {
-            Expr::Words(text) => words(text),
-            other => format!("{}{}", words("while "), write(other)),
+            Expr::Words(text) => preserve_blanks(text),
+            other => format!("{}{}", preserve_blanks("while "), write(other)),
         };
         format!(
             "<mtr><mtd>{}</mtd><mtd>{condition}</mtd></mtr>",
@@ -183,7 +183,7 @@ fn letter(symbol: &Symbol) -> String {
 /// A number to six significant digits: 1.2·10⁻⁷.
 fn number(value: f64) -> String {
     if value.is_nan() {
-        return words("not a number");
+        return preserve_blanks("not a number");
     }
     let text = significant(value, 6);
     let digit = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c);

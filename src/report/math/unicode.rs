@@ -14,7 +14,7 @@ pub(super) fn write(expr: &Expr) -> String {
         Expr::Negative(inner) => format!("−{}", write(inner)),
         Expr::Product(factors) => product(factors),
         Expr::Quotient(top, bottom) => format!("{}/{}", operand(top), denominator(bottom)),
-        Expr::Power(base, power) => raised(base, *power),
+        Expr::Power(base, power) => power_of(base, *power),
         Expr::Root(inner) => format!("√({})", write(inner)),
         Expr::Function(name, argument) => called(name, argument),
         Expr::At(symbol, argument) => format!("{}({})", letter(symbol), write(argument)),
@@ -113,7 +113,7 @@ fn denominator(expr: &Expr) -> String {
     }
 }
 
-fn raised(base: &Expr, power: u32) -> String {
+fn power_of(base: &Expr, power: u32) -> String {
     let simple = |symbol: &Symbol| {
         symbol.primes == 0 && !matches!(symbol.index, Index::Word(_) | Index::WordMass(..))
     };

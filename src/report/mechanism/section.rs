@@ -88,7 +88,7 @@ impl Drawing<'_> {
     /// it turns by less than an angle (rad).
     pub(in crate::report) fn sense_mark(&self, view: &View, forward: bool, least: f64) -> String {
         marks::driving_turn(self, view, least).map_or(String::new(), |(pin, counterclockwise)| {
-            marks::sense(pin, marks::ARC, counterclockwise == forward)
+            marks::turning_arrow(pin, marks::ARC, counterclockwise == forward)
         })
     }
 
@@ -105,7 +105,7 @@ impl Drawing<'_> {
     }
 
     /// The parts at a position, without arrows.
-    pub(in crate::report) fn parts(&self, view: &View, frame: usize) -> String {
+    pub(in crate::report) fn draw_parts(&self, view: &View, frame: usize) -> String {
         parts::picture(self, view, frame)
     }
 

@@ -200,7 +200,7 @@ pub(super) fn methods(sweep: &Sweep) -> Vec<Method> {
 
 /// What became of a method at a value of the parameter.
 fn standing_note(sweep: &Sweep, x: f64, method: Method, standing: &MethodStanding) -> String {
-    let (place, verdict) = (sweep.axis.written(x), standing.verdict.words());
+    let (place, verdict) = (sweep.axis.value_with_unit(x), standing.verdict.words());
     format!("{method} at {place}: {verdict}: {}", standing.cause)
 }
 
@@ -246,7 +246,7 @@ pub fn stable_steps(sweep: &Sweep) -> Option<Plot> {
             slices.filter_map(move |slice| Some((slice.x, slice.standing(method)?)))
         };
         let point = |x: f64, y: f64| {
-            let place = sweep.axis.written(x);
+            let place = sweep.axis.value_with_unit(x);
             let note = format!("{method} at {place}: {} s", shown(y, 4));
             ((x, y), Mark::new(Shape::Good, note))
         };

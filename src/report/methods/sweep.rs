@@ -62,7 +62,13 @@ fn warnings(sweep: &Sweep) -> Vec<String> {
     let doubts = sweep.slices.iter();
     let doubts = doubts.filter_map(|slice| Some((slice.x, slice.study.doubt.as_ref()?)));
     doubts
-        .map(|(x, doubt)| format!("At {}: {}.", sweep.axis.written(x), doubt.sentence()))
+        .map(|(x, doubt)| {
+            format!(
+                "At {}: {}.",
+                sweep.axis.value_with_unit(x),
+                doubt.sentence()
+            )
+        })
         .collect()
 }
 
@@ -142,7 +148,7 @@ fn standings(sweep: &Sweep) -> Section<'static> {
     let parameter = parameter_words(&sweep.axis.path);
     let table = Table::new(std::iter::once(parameter.as_str()).chain(heads));
     Section::new("Values")
-        .words(format!(
+        .with_paragraph(format!(
             "The verdict at the required tolerance{fixed}, and the least time to an error of δ \
              within {} of max|δ|.",
             significant(accuracy, 1)
@@ -161,9 +167,9 @@ fn causes(sweep: &Sweep) -> Section<'static> {
             rows.push(vec![
                 method.name().into(),
                 value(sweep, slice.x).into(),
-                Cell::known(standing.measured_seconds, "s", 3),
-                Cell::known(standing.stable_step, "s", 3),
-                Cell::known(standing.stable_step_by_theory, "s", 3),
+                Cell::known_number(standing.measured_seconds, "s", 3),
+                Cell::known_number(standing.stable_step, "s", 3),
+                Cell::known_number(standing.stable_step_by_theory, "s", 3),
                 verdict(standing.verdict, standing.cause),
             ]);
         }

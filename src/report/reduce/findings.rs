@@ -1,7 +1,7 @@
 //! What looking for the smallest scene found, as data.
 
 use super::chart::chart;
-use super::{answer, counted, greatest, why};
+use super::{answer, counted, greatest, refusal_in_words};
 use crate::frontend::scene::in_words;
 use crate::report::accuracy;
 use crate::report::diagram::Diagram;
@@ -66,7 +66,7 @@ fn steps(reduction: &Reduction) -> Table {
     let row = |step: &Step| {
         let (left_out, says) = match &step.refused {
             None => (true, greatest(reduction, step)),
-            Some(refused) => (false, why(reduction, refused)),
+            Some(refused) => (false, refusal_in_words(reduction, refused)),
         };
         let verdict = Cell {
             good: Some(left_out),

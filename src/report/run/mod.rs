@@ -231,7 +231,7 @@ fn unit_of(address: &str, figures: &Figures) -> String {
 fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
     let moved = |by: Option<f64>, unit: &str| match by {
         None => Cell::from("gone"),
-        Some(_) => Cell::known(by, unit, 2),
+        Some(_) => Cell::known_number(by, unit, 2),
     };
     let row = |figure: &FigureSpread| {
         let unit = unit_of(&figure.figure, figures);
@@ -245,7 +245,7 @@ fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
             Value::new(figure.value, &unit, 7).into(),
             moved(figure.by_loads, &unit),
             moved(figure.by_tolerance, &unit),
-            Cell::from(mark).judged((!figure.determined).then_some(false)),
+            Cell::from(mark).with_outcome((!figure.determined).then_some(false)),
         ]
     };
     let heads = [
@@ -256,7 +256,7 @@ fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
         "~verdict",
     ];
     Section::new("Spread")
-        .words(format!(
+        .with_paragraph(format!(
             "How far each result changes if loads and gaps change by a share of {}, and if the \
              tolerance is multiplied by {}.",
             significant(spread.change, 7),

@@ -4,7 +4,7 @@ use crate::dynamics::model::UNTIL;
 use crate::dynamics::record::{
     EquationCheck, Figures, ObjectFigures, PairFigures, RunSummary, SwitchRow, Units,
 };
-use crate::report::findings::table::judged;
+use crate::report::findings::table::check_outcome;
 use crate::report::findings::{Cell, Figure, Table, Value};
 use crate::report::quantity::{DIGITS, significant, units, with_unit};
 use crate::studies::judgement::{Judgement, checks};
@@ -106,9 +106,9 @@ fn order(judgement: Judgement, pair: &PairFigures, units: Units) -> Cell {
     match pair.margin {
         Some(margin) => {
             let least = with_unit(margin, units.force, DIGITS);
-            Cell::with(word, format!("least force {least}")).judged(good)
+            Cell::with_note(word, format!("least force {least}")).with_outcome(good)
         }
-        None => Cell::from(word).judged(good),
+        None => Cell::from(word).with_outcome(good),
     }
 }
 
@@ -250,7 +250,7 @@ fn checked(figures: &Figures) -> impl Iterator<Item = Figure> {
     let equations = equations(&figures.run.equations);
     checks(figures).into_iter().filter_map(move |check| {
         let figure = match check.name {
-            "energy balance" => Figure::new("energy error", judged(&check)).checked(&check),
+            "energy balance" => Figure::new("energy error", check_outcome(&check)).checked(&check),
             "equations of motion" => Figure::new(check.name, equations.clone()).checked(&check),
             _ => Figure::check(&check),
         };

@@ -19,13 +19,13 @@ pub(super) fn sections<'a>(answer: &PeriodicAnswer) -> Vec<Section<'a>> {
     let Some(found) = &answer.over_period else {
         let missing = answer.over_period_missing.as_deref();
         let words = |why| format!("Works, extremes and events are not known: {why}.");
-        let section = |why| Section::new(heading).words(words(why));
+        let section = |why| Section::new(heading).with_paragraph(words(why));
         let sections = missing.map(section).into_iter();
         return sections.chain([checks(answer)]).collect();
     };
     let mut sections = vec![
         Section::new(heading).figures(works(found)),
-        Section::new("Work of each drive over a period").table(drives(&found.drives)),
+        Section::new("Work of each drive over a period").table(drives_table(&found.drives)),
         Section::new("Extremes over a period").table(extremes(&found.objects)),
     ];
     sections.push(events(&found.events));
@@ -53,7 +53,7 @@ fn works(found: &OverPeriod) -> Vec<Figure> {
     ]
 }
 
-fn drives(drives: &[DriveWork]) -> Table {
+fn drives_table(drives: &[DriveWork]) -> Table {
     let row = |own: &DriveWork| {
         vec![
             Cell::object(&own.id),
@@ -91,7 +91,7 @@ fn extremes(objects: &[Extremes]) -> Table {
 fn events<'a>(events: &[Event]) -> Section<'a> {
     let section = Section::new("Events over a period");
     if events.is_empty() {
-        return section.words("No separation, closure or impact over the period.");
+        return section.with_paragraph("No separation, closure or impact over the period.");
     }
     let row = |event: &Event| {
         vec![

@@ -3,8 +3,8 @@
 use super::over_period;
 use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
 use crate::dynamics::steady::Extreme;
-use crate::report::csv::{Field, Rows, head};
-use crate::report::findings::table::judged;
+use crate::report::csv::{Field, Rows, column_heading};
+use crate::report::findings::table::check_outcome;
 use crate::report::findings::{Figure, Findings, Item, Layout, Section, Source, Table, Value};
 use crate::report::plot::{Axis, Mark, Plot, Series, Shape};
 use crate::report::quantity::{significant, with_unit};
@@ -68,7 +68,7 @@ fn figures(part: &PartMotion, cycle: f64) -> Vec<Figure> {
         );
     }
     vec![
-        value("period", part.period, "s").with(turns),
+        value("period", part.period, "s").with_note(turns),
         Figure::new("stability", stability),
         Figure::new("Floquet multipliers", multipliers),
         Figure::new("derivative by", part.how.as_str()),
@@ -131,7 +131,7 @@ pub fn periodic_rows(answer: &PeriodicAnswer) -> Rows {
     let header = ["phi [rad]", "t [s]", "omega [rad/s]", "epsilon [rad/s^2]"];
     let deviations = answer.parts.iter().flat_map(|part| {
         let names = part.orbit.iter();
-        names.map(|(name, _)| head(&format!("{name}: deviation"), &part.unit))
+        names.map(|(name, _)| column_heading(&format!("{name}: deviation"), &part.unit))
     });
     let rows = drive.rows.iter().map(|row| {
         let own = [row.position, row.time, row.speed, row.acceleration];
@@ -214,10 +214,10 @@ fn verdict(answer: &PeriodicAnswer) -> Verdict {
     };
     let checks = answer.checks();
     let text = match checks.iter().find(|check| !check.passed()) {
-        Some(failed) => format!("{}: {}.", capitalised(failed.name), judged(failed)),
+        Some(failed) => format!("{}: {}.", capitalised(failed.name), check_outcome(failed)),
         None => format!("{} checks are within their bounds.", checks.len()),
     };
-    Verdict::judged(judgement, headline.to_owned(), text)
+    Verdict::of_judgement(judgement, headline.to_owned(), text)
 }
 
 /// The multipliers in the unit circle.

@@ -20,17 +20,17 @@ pub(super) fn value(name: &str, value: f64, unit: &str) -> Figure {
 /// A quantity and the angle of the drive at which it is met.
 pub(super) fn at(name: &str, [amount, place]: [f64; 2], unit: &str) -> Figure {
     let place = Value::angle_or(place, "rad", 7).words();
-    value(name, amount, unit).with(format!("at φ = {place}"))
+    value(name, amount, unit).with_note(format!("at φ = {place}"))
 }
 
 /// A speed, in turns a minute as well.
 pub(super) fn mean_speed(speed: f64, why: &str) -> Figure {
     let shown = value("mean speed", speed, "rad/s");
     if shown.value.words().ends_with("rpm") {
-        return shown.with(format!("({why})"));
+        return shown.with_note(format!("({why})"));
     }
     let turns = result(speed * 60.0 / std::f64::consts::TAU, 8);
-    shown.with(format!("= {turns} rpm ({why})"))
+    shown.with_note(format!("= {turns} rpm ({why})"))
 }
 
 /// The motion over a cycle, its flywheel, how independent ways agree.
@@ -87,7 +87,7 @@ pub fn rigid_findings<'a>(shown: &SteadyReport<'_>, source: Source<'a>) -> Findi
     Findings {
         title: shown.title.to_owned(),
         subtitle: "steady motion".to_owned(),
-        answer: Some(Verdict::judged(judgement, headline, text)),
+        answer: Some(Verdict::of_judgement(judgement, headline, text)),
         warnings: f.warnings.clone(),
         sections: vec![
             Section::new("Results").figures(figures(shown)),
@@ -135,7 +135,7 @@ fn figures(shown: &SteadyReport<'_>) -> Vec<Figure> {
             true => "(others settle on it)",
             false => "(others leave it)",
         };
-        figures.push(value("multiplier of a cycle", regime.multiplier, "").with(attracts));
+        figures.push(value("multiplier of a cycle", regime.multiplier, "").with_note(attracts));
         let others = regime.others.iter();
         figures.extend(others.map(|&other| value("another steady mean speed", other, "rad/s")));
     }
@@ -197,7 +197,7 @@ pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
         vec![
             Cell::from(one.words),
             Value::new(one.inertia, "kg m²", 7).into(),
-            Cell::known(one.error.map(|error| 100.0 * error), "%", 3),
+            Cell::known_number(one.error.map(|error| 100.0 * error), "%", 3),
             match one.fluctuation {
                 Some(found) => Value::new(found, "", 5).into(),
                 None => STOPS.into(),

@@ -2,7 +2,7 @@
 
 use crate::dynamics::model::{Closure, Coordinate};
 use crate::report::diagram::{Diagram, ObjectBox, Place};
-use crate::report::plot::{Plots, coordinate, document, fits};
+use crate::report::plot::{Plots, characters_per_line, coordinate, document};
 use crate::report::quantity::{escape, shortened, with_unit};
 
 const BOX_WIDTH: f64 = 156.0;
@@ -107,7 +107,10 @@ fn object_box(one: &ObjectBox, (x, y): Corner, links: bool) -> String {
         format!(
             "<text class=\"{class}\" x=\"{middle}\" y=\"{}\" text-anchor=\"middle\">{}</text>",
             coordinate(words + dy),
-            escape(&shortened(text, fits(BOX_WIDTH - 12.0, size)))
+            escape(&shortened(
+                text,
+                characters_per_line(BOX_WIDTH - 12.0, size)
+            ))
         )
     };
     let detail = match one.is_drive() {
@@ -208,7 +211,7 @@ fn edge(
         )
     };
     let label_x = (bend + 26.0 + end) / 2.0;
-    let room = fits(COLUMN - BOX_WIDTH - 14.0, 12.0);
+    let room = characters_per_line(COLUMN - BOX_WIDTH - 14.0, 12.0);
     // Between the arrows of several inputs there is no room for it.
     let ports = match name.is_empty() {
         true => format!(

@@ -6,7 +6,7 @@ use crate::dynamics::model::{
 };
 use crate::report::diagram::pair;
 use crate::report::order::drivers_first;
-use crate::report::plot::{coordinate, fits};
+use crate::report::plot::{characters_per_line, coordinate};
 use crate::report::quantity::{escape, shortened, with_unit};
 use crate::report::show::{motion, units};
 
@@ -96,7 +96,7 @@ impl<'m> Row<'m> {
 
     fn text(&mut self, class: &str, x: f64, y: f64, room: f64, words: &str) {
         let size = if class.contains("id") { 13.5 } else { 11.0 };
-        let shown = escape(&shortened(words, fits(room, size)));
+        let shown = escape(&shortened(words, characters_per_line(room, size)));
         let (x, y) = (coordinate(x), coordinate(y));
         self.out.push_str(&format!(
             "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"><title>{}</title>{shown}</text>",

@@ -349,7 +349,7 @@ impl<'m> Reduction<'m> {
                         Some(place) => {
                             let driver = found[place];
                             let sense = sense * driver.first;
-                            transfer(self.model, law, driver.value, sense).after(driver)
+                            transfer(self.model, law, driver.value, sense).composed_with(driver)
                         }
                         // Another mass of the follower itself.
                         None => own,
@@ -391,12 +391,12 @@ impl<'m> Reduction<'m> {
                 }
                 LoadLaw::Pieces { track, pieces } => {
                     let track = &self.model.tracks[*track];
-                    let x = self.along(track, phi, q, &ratios);
+                    let x = self.table_argument(track, phi, q, &ratios);
                     // (Of what the angle of the cam gives, the piece is known beyond rounding.)
                     let at = match track.source {
                         TrackSource::Node(node) if !self.nodes.contains(&node) => {
                             let middle = 0.5 * (self.pieces[piece][0] + self.pieces[piece][1]);
-                            self.along(track, middle, q, &ratios)
+                            self.table_argument(track, middle, q, &ratios)
                         }
                         _ => x,
                     };
@@ -413,7 +413,7 @@ impl<'m> Reduction<'m> {
     }
 
     /// The argument of a load's table.
-    fn along(&self, track: &Track, phi: f64, q: f64, ratios: &[Jet]) -> f64 {
+    fn table_argument(&self, track: &Track, phi: f64, q: f64, ratios: &[Jet]) -> f64 {
         match track.source {
             TrackSource::Node(node) => match self.nodes.iter().position(|&other| other == node) {
                 Some(place) => ratios[place].value,

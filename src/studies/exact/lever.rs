@@ -56,7 +56,7 @@ impl Drivetrain {
         let model = system.model();
         let way = |object: usize| {
             let mut way = Self::default();
-            way.follow(model, model.objects[object].nodes[0], None);
+            way.add_drivers(model, model.objects[object].nodes[0], None);
             way
         };
         let trees = parts.trees.iter();
@@ -64,7 +64,7 @@ impl Drivetrain {
     }
 
     /// Adds what a node follows, up to the drives.
-    fn follow(&mut self, model: &Model, node: NodeIndex, above: Option<usize>) {
+    fn add_drivers(&mut self, model: &Model, node: NodeIndex, above: Option<usize>) {
         match &model.nodes[node].motion {
             NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
                 let lever = Lever::Law {
@@ -101,7 +101,7 @@ impl Drivetrain {
             node,
             lever,
         });
-        self.follow(model, node, Some(self.steps.len() - 1));
+        self.add_drivers(model, node, Some(self.steps.len() - 1));
     }
 
     /// Slopes between the tree and where each step of the way leads, into `slopes`.
@@ -110,7 +110,7 @@ impl Drivetrain {
         for step in &self.steps {
             // (The step above comes before it.)
             let above = step.above.map_or(1.0, |above| slopes[above]);
-            slopes.push(self.single(step, states) * above);
+            slopes.push(self.ratio_of_step(step, states) * above);
         }
     }
 
@@ -123,7 +123,7 @@ impl Drivetrain {
     }
 
     /// ∂φ_above/∂φ where the node of a step stands.
-    fn single(&self, step: &Step, states: &[ObjectState]) -> f64 {
+    fn ratio_of_step(&self, step: &Step, states: &[ObjectState]) -> f64 {
         match &step.lever {
             Lever::Law {
                 position,

@@ -31,7 +31,7 @@ use combined_record::CombinedRecord;
 ///
 /// # Errors
 /// A fault for every object that stands against it, naming the reason.
-pub fn whole(system: &System) -> Result<Parts, Vec<Fault>> {
+pub fn exact_parts(system: &System) -> Result<Parts, Vec<Fault>> {
     whole_with(system, &mut KeptLaws::default())
 }
 
@@ -74,8 +74,8 @@ pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fau
 ///
 /// # Errors
 /// As [`whole`]; or the modes of a tree cannot be separated.
-pub(super) fn tried(system: &System) -> Result<Parts, Vec<Fault>> {
-    let mut parts = whole(system)?;
+pub(super) fn parts_with_tried_modes(system: &System) -> Result<Parts, Vec<Fault>> {
+    let mut parts = exact_parts(system)?;
     let still = vec![0.0; 2 * system.coordinates()];
     for part in &mut parts.trees {
         if let Err(refusal) = part.try_modes(&still) {
@@ -131,7 +131,7 @@ pub(super) type Wanted<'w> = Option<&'w dyn Fn(usize) -> RequestedFigures>;
 fn request(part: &Part, limits: &Limits<'_>, end: f64, wanted: Wanted<'_>) -> Request {
     let asked = wanted.and_then(|wanted| {
         let each = part.objects.iter().map(|&object| wanted(object));
-        each.reduce(RequestedFigures::with)
+        each.reduce(RequestedFigures::union)
     });
     Request {
         switches: limits.switches,
@@ -150,7 +150,7 @@ fn trees(parts: &Parts, initial: &InitialState) -> Vec<ExactTree> {
 }
 
 /// Follows a whole system to the end that `settings` name.
-pub(super) fn follow(
+pub(super) fn run_whole_system(
     system: &System,
     parts: &Parts,
     initial: &InitialState,

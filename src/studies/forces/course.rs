@@ -37,7 +37,7 @@ pub trait PositionSource {
     }
 
     /// Names of the loads that they come from.
-    fn acting(&self) -> Vec<String> {
+    fn load_names(&self) -> Vec<String> {
         Vec::new()
     }
 }
@@ -132,7 +132,7 @@ impl Course {
     /// Instant at a position.
     pub fn instant(&self, index: usize) -> Instant {
         match self {
-            Self::Even { .. } => self.between(self.parameter(index)),
+            Self::Even { .. } => self.instant_at(self.parameter(index)),
             Self::Instants { instants, .. } => {
                 let moves = |index: Option<usize>| instants.get(index?).and_then(sign);
                 let next = moves(index.checked_add(1));
@@ -146,7 +146,7 @@ impl Course {
 
     /// Instant anywhere on the course: between instants the coordinate is cubic,
     /// accelerations and loads are linear.
-    pub fn between(&self, parameter: f64) -> Instant {
+    pub fn instant_at(&self, parameter: f64) -> Instant {
         match self {
             Self::Even {
                 speed,
@@ -314,8 +314,8 @@ mod tests {
             closed: false,
         };
         for t in [0.0, 0.2, 0.5, 1.3, 2.0] {
-            assert!((course.between(t).loads[0] - (1.0 + 2.0 * t)).abs() < 1e-14);
-            let (found, wanted) = (course.between(t).motion, motion(t));
+            assert!((course.instant_at(t).loads[0] - (1.0 + 2.0 * t)).abs() < 1e-14);
+            let (found, wanted) = (course.instant_at(t).motion, motion(t));
             assert!((found.coordinate - wanted.coordinate).abs() < 1e-14, "{t}");
             assert!((found.speed - wanted.speed).abs() < 1e-13);
             assert!((found.acceleration - wanted.acceleration).abs() < 1e-13);

@@ -122,7 +122,8 @@ pub fn study<S: PositionSource>(
     let columns = columns(linkage, settings.output);
     let mut study = solved(&kinetostatics, source, course, settings, columns);
     // The end of a turn counts once.
-    study.counterweight = counterweight::fit(linkage, &study.rows[..study.course.len()]);
+    study.counterweight =
+        counterweight::fit_counterweight(linkage, &study.rows[..study.course.len()]);
     Ok(study)
 }
 
@@ -135,7 +136,7 @@ fn solved<S: PositionSource>(
     mut columns: Vec<Column>,
 ) -> ForceStudy {
     let mut solver = Solver::new(kinetostatics, source, &settings);
-    let acting = solver.acting();
+    let acting = solver.load_names();
     let mut rows: Vec<Row> = (0..course.rows())
         .map(|index| {
             let mut row = solver.row(&course.instant(index), true);
@@ -147,7 +148,7 @@ fn solved<S: PositionSource>(
     ends::remove_unbounded_forces(&mut solver, &course, &mut rows);
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
-    let indeterminate = open::joined(&rows);
+    let indeterminate = open::indeterminate_anywhere(&rows);
     open::mark(&mut columns, &indeterminate);
     let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones, &columns);
     let cycle = match indeterminate.drive {

@@ -30,7 +30,7 @@ impl Rests {
 }
 
 /// What is left open at any position.
-pub(super) fn joined(rows: &[Row]) -> Indeterminate {
+pub(super) fn indeterminate_anywhere(rows: &[Row]) -> Indeterminate {
     let mut all = Indeterminate::default();
     for forces in rows.iter().filter_map(|row| row.forces.as_ref().ok()) {
         all.join(&forces.indeterminate);

@@ -120,7 +120,7 @@ struct Mark {
 pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Course) -> Vec<Zone> {
     let mut scanner = Scanner { solver, course };
     let Some(marks) = scanner.marks() else {
-        return single(solver, course).into_iter().collect();
+        return zone_of_position(solver, course).into_iter().collect();
     };
     let mut zones: Vec<Zone> = Vec::new();
     let mut open = marks[0].state.map(|kind| (kind, marks[0].place));
@@ -156,11 +156,16 @@ pub(super) fn find<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Cours
 }
 
 /// The zone of a single position at a dead-centre position that ends the reach.
-fn single<S: PositionSource>(solver: &mut Solver<'_, S>, course: &Course) -> Option<Zone> {
+fn zone_of_position<S: PositionSource>(
+    solver: &mut Solver<'_, S>,
+    course: &Course,
+) -> Option<Zone> {
     let at = course.instant(0).motion.coordinate;
     let end = solver.limits().into_iter().find(|end| end.is_at(at))?;
     let place = course.place_of(0, &end);
-    let grows = unbounded(&ends::sizes(&ends::towards(solver, course, place)?));
+    let grows = unbounded(&ends::sizes(&ends::rows_towards_end(
+        solver, course, place,
+    )?));
     Some(Zone {
         kind: ZoneKind::Dead,
         from: place,
@@ -195,7 +200,7 @@ struct Scanner<'s, 'k, S> {
 
 impl<S: PositionSource> Scanner<'_, '_, S> {
     fn row(&mut self, place: f64) -> Row {
-        self.solver.row(&self.course.between(place), false)
+        self.solver.row(&self.course.instant_at(place), false)
     }
 
     fn mark(&mut self, place: f64) -> Mark {
@@ -247,7 +252,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
             for side in [-ASIDE, ASIDE] {
                 let near = reversal + side * step;
                 let near = match self.course.is_closed() {
-                    true => around(near, ends),
+                    true => wrap_into_course(near, ends),
                     false => near,
                 };
                 if (ends[0]..=ends[1]).contains(&near) {
@@ -301,14 +306,14 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
             let level = here.ease == before.ease && here.ease == after.ease;
             let free = three.iter().all(|mark| mark.state.is_none());
             if free && lowest && !level {
-                found.extend(self.beyond(before.place, after.place));
+                found.extend(self.mark_of_least_ease(before.place, after.place));
             }
         }
         found
     }
 
     /// The place of least ease, once it is not free.
-    fn beyond(&mut self, low: f64, high: f64) -> Option<Mark> {
+    fn mark_of_least_ease(&mut self, low: f64, high: f64) -> Option<Mark> {
         let mut found = None;
         let mut lack = |place: f64| {
             // Once there is one, the search may end.
@@ -367,8 +372,8 @@ pub(super) fn rows_towards<S: PositionSource>(
     [end, free]: [f64; 2],
     full: bool,
 ) -> [Row; 4] {
-    let dead = ends::towards(solver, course, end);
-    let along = |place| solver.row(&course.between(place), full);
+    let dead = ends::rows_towards_end(solver, course, end);
+    let along = |place| solver.row(&course.instant_at(place), full);
     dead.unwrap_or_else(|| approach(end, free).map(along))
 }
 
@@ -401,7 +406,7 @@ fn ratio(row: &Row) -> Option<f64> {
 }
 
 /// A place beyond an end of a closed course comes in at the other.
-fn around(place: f64, [first, last]: [f64; 2]) -> f64 {
+fn wrap_into_course(place: f64, [first, last]: [f64; 2]) -> f64 {
     if place < first {
         place + (last - first)
     } else if place > last {

@@ -168,7 +168,7 @@ impl Quantity {
 
     /// Ordinary size of a quantity of something of size `own` (1 rad, or the size of the
     /// linkage) behind an input of size `input` with the motion `q`.
-    pub(super) fn scale(self, own: f64, input: f64, q: Jet) -> f64 {
+    pub(super) fn ordinary_size(self, own: f64, input: f64, q: Jet) -> f64 {
         let rate = q.first.abs() / input;
         match self.shape() {
             Unit::Time(0) => own,

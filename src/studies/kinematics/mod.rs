@@ -29,7 +29,7 @@ pub use request::{
     whole_travel,
 };
 pub use study::{even_motion, kinematics};
-pub use subject::{Subject, assembly_modes, linkage_of, reaches, several_of};
+pub use subject::{Subject, assembly_modes, limited_inputs, linkage_of, several_of};
 
 use crate::dynamics::model::{Coordinate, Model};
 use crate::kinematics::linkage::multi::{MultiLinkage, SingularCurve};

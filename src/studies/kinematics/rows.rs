@@ -24,7 +24,7 @@ pub(super) trait Course {
     fn errors(&mut self, place: f64, values: &[f64], errors: &mut Vec<f64>);
 
     /// Size that is ordinary for a column at a place.
-    fn ordinary(&self, place: f64, heading: &ColumnHeading) -> f64;
+    fn ordinary_size(&self, place: f64, heading: &ColumnHeading) -> f64;
 
     /// Notes the place gone to last as a row; the frames of all links: x, y, cos, sin.
     fn note(&mut self) -> Vec<[f64; 4]>;
@@ -40,7 +40,11 @@ pub(super) trait Course {
 
 /// Places at equal distances, and one more where it is asked for; a single one where both ends
 /// are the same.
-pub(super) fn evenly([from, to]: [f64; 2], count: usize, also: Option<f64>) -> Vec<f64> {
+pub(super) fn equally_spaced_places(
+    [from, to]: [f64; 2],
+    count: usize,
+    also: Option<f64>,
+) -> Vec<f64> {
     if from == to {
         return vec![from];
     }
@@ -58,7 +62,7 @@ pub(super) fn evenly([from, to]: [f64; 2], count: usize, also: Option<f64>) -> V
 }
 
 /// Times of places that are passed at this rate, from the first one on; at rest as if it were 1.
-pub(super) fn times(places: &[f64], rate: f64) -> Vec<f64> {
+pub(super) fn times_of_places(places: &[f64], rate: f64) -> Vec<f64> {
     let rate = rate.abs();
     let rate = if rate > 0.0 { rate } else { 1.0 };
     let from = places.first().copied().unwrap_or(0.0);
@@ -119,7 +123,7 @@ impl<C: Course> Rows<C> {
         let found = values.iter().zip(&self.errors);
         let columns = self.columns.iter_mut().zip(&self.headings);
         for ((column, heading), (value, error)) in columns.zip(found) {
-            let ordinary = self.course.ordinary(place, heading).max(value.abs());
+            let ordinary = self.course.ordinary_size(place, heading).max(value.abs());
             if *error > DETERMINED * ordinary {
                 let counts = value.is_finite() && !column.quantity.passes_infinity();
                 column.undetermined += usize::from(counts);
@@ -200,7 +204,7 @@ impl<C: Course> Rows<C> {
 pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
     let mut warnings = Vec::new();
     let doubtful = columns.iter().filter(|column| column.undetermined > 0);
-    if let Some(names) = named(doubtful.clone()) {
+    if let Some(names) = first_and_others(doubtful.clone()) {
         let most = doubtful.map(|column| column.undetermined).max();
         warnings.push(format!(
             "{names} are not determined at up to {} of {rows} positions: so near to a singular \
@@ -209,7 +213,7 @@ pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
             shown(DETERMINED, 1)
         ));
     }
-    if let Some(names) = named(columns.iter().filter(|column| column.is_lost())) {
+    if let Some(names) = first_and_others(columns.iter().filter(|column| column.is_lost())) {
         warnings.push(format!(
             "{names} grow beyond all numbers: the speed is too great"
         ));
@@ -218,7 +222,7 @@ pub(super) fn warnings(columns: &[Column], rows: usize) -> Vec<String> {
 }
 
 /// The first of several columns by its name, and how many others there are.
-fn named<'c>(mut columns: impl Iterator<Item = &'c Column>) -> Option<String> {
+fn first_and_others<'c>(mut columns: impl Iterator<Item = &'c Column>) -> Option<String> {
     let first = columns.next()?.name();
     Some(match columns.count() {
         0 => format!("`{first}`"),

@@ -114,7 +114,7 @@ pub fn several_of<'m>(model: &'m Model, id: Option<&str>) -> Option<&'m MultiLin
 
 /// Linkages, and objects that move by the short form of one, whose input cannot
 /// go everywhere: how far it can, in words; and the redundant constraints of linkages.
-pub fn reaches(model: &Model) -> Vec<String> {
+pub fn limited_inputs(model: &Model) -> Vec<String> {
     let limited = |part: &&ObjectPart| match short_form_law(model, part) {
         Some(law) => {
             let reach = law.position.reach_from(start_of(model, law.driver));

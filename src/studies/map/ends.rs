@@ -20,7 +20,7 @@ pub(super) fn failure_verdict(
     found: &Motion,
 ) -> Option<(Verdict, String)> {
     let (name, because) = stop_in_words(&found.outcome.stop);
-    let ending = RunEnd::named(name);
+    let ending = RunEnd::end_of_stopped_run(name);
     let time = shown(found.outcome.time, 7);
     let method = &found.choice.name;
     let trusted = judgement(model, settings, found) != Judgement::NotToBeTrusted;
@@ -46,7 +46,7 @@ pub(super) fn failure_verdict(
 /// The verdict that `dam run` gives on this run.
 fn judgement(model: &Model, settings: &RunSettings, found: &Motion) -> Judgement {
     let figures: Vec<&ObjectFigures> = found.recorded.figures.iter().collect();
-    let ending = RunEnd::named(stop_in_words(&found.outcome.stop).0);
+    let ending = RunEnd::end_of_stopped_run(stop_in_words(&found.outcome.stop).0);
     let errors = Errors {
         energy: found.recorded.audit.error(),
         tolerance: settings.tolerance,

@@ -77,7 +77,7 @@ impl Point {
     fn new(reading: Reading, figure: &str) -> Option<Self> {
         let mut scene = reading.scene;
         let elastic = scene.elastic();
-        elastic.open().next()?;
+        elastic.open_levels().next()?;
         let asked = AccuracySpec::Figures(vec![(figure.to_owned(), USUAL)]);
         scene.run.accuracy.get_or_insert(asked);
         // Its cells are integrated as the scene says.

@@ -108,7 +108,7 @@ impl Path {
     }
 
     /// Numbers that it holds.
-    pub(super) fn size(&self) -> usize {
+    pub(super) fn count_of_numbers(&self) -> usize {
         4 * self.motions.len() * self.times.len()
     }
 
@@ -129,7 +129,7 @@ impl Path {
                     ..Jet::default()
                 };
                 let slope = transfer(model, law, driver.value, driver.first);
-                let jet = slope.after(driver);
+                let jet = slope.composed_with(driver);
                 [jet.value, jet.first, jet.second, slope.first]
             }
         };

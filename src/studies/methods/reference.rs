@@ -133,7 +133,7 @@ pub(super) fn find(
     let guess = finest[guess];
     let moved = PerturbedRun::of(problem, &attempts[guess], effort);
     let last = last_sample(trace(&attempts[guess]));
-    let (until, share) = moved.horizon(trace(&attempts[guess]), last);
+    let (until, share) = moved.determined_until(trace(&attempts[guess]), last);
     let pair = nearest(attempts, &finest, &scales, Some(until));
     let (index, agreement) = match (exact, pair) {
         (Some(exact), _) => (finest[exact], None),
@@ -230,12 +230,12 @@ fn scales(problem: &Problem<'_>) -> Vec<f64> {
 fn sizes(scales: &[f64], trace: &Trace, until: usize) -> Vec<f64> {
     let tracks = scales.iter().enumerate();
     tracks
-        .map(|(index, scale)| size(greatest(trace, index, until), *scale))
+        .map(|(index, scale)| reference_size(greatest(trace, index, until), *scale))
         .collect()
 }
 
 /// What a difference of a deviation is taken relative to.
-fn size(greatest: f64, scale: f64) -> f64 {
+fn reference_size(greatest: f64, scale: f64) -> f64 {
     match greatest <= NO_DEVIATION * scale {
         true => scale,
         false => greatest,
@@ -258,7 +258,7 @@ fn common_sizes(a: &Trace, b: &Trace, scales: &[f64], until: usize) -> Vec<f64> 
     tracks
         .map(|(k, scale)| {
             let greatest = greatest(a, k, until).max(greatest(b, k, until));
-            size(greatest, *scale)
+            reference_size(greatest, *scale)
         })
         .collect()
 }

@@ -124,7 +124,7 @@ pub(super) fn judge(
                 Verdict::NotJudged,
                 "no reference is known: no two methods agree".to_owned(),
             ),
-            Some(truth) => ended(attempt, timed, truth, error, growth, accuracy, bound),
+            Some(truth) => verdict_on_run(attempt, timed, truth, error, growth, accuracy, bound),
         },
     };
     Judgement {
@@ -195,7 +195,7 @@ fn stopped(
             ),
         ),
         Stop::NotFinite { what } => {
-            let beyond = beyond(timed, bound);
+            let beyond = stability_excess(timed, bound);
             match growth.is_some_and(|growth| growth > GROWN) || beyond.is_some() {
                 true => (Verdict::Unstable, grown(timed, growth, bound)),
                 false => (
@@ -220,7 +220,7 @@ fn has_accumulated_events(trace: &Trace) -> bool {
 }
 
 /// The verdict on a run that reached its end.
-fn ended(
+fn verdict_on_run(
     attempt: &Attempt,
     timed: &TimedRun,
     truth: &ReferenceInUse,
@@ -257,14 +257,14 @@ fn ended(
     }
     let mut cause = format!(
         "the error is {} times the {name} of {asked}, although it reported success",
-        times(error / asked),
+        factor_in_words(error / asked),
         asked = shown(asked, 1)
     );
     let multiplied = truth.public.moved / CHANGE;
     if multiplied > MULTIPLIES && error <= 10.0 * multiplied * asked {
         cause.push_str(&format!(
             "; the scene itself multiplies small differences {}-fold",
-            times(multiplied)
+            factor_in_words(multiplied)
         ));
     }
     if let Some(bound) = bound.filter(|_| attempt.setting.step().is_some()) {
@@ -277,7 +277,7 @@ fn ended(
     (Verdict::Inaccurate, cause)
 }
 
-fn times(factor: f64) -> String {
+fn factor_in_words(factor: f64) -> String {
     match factor {
         ..100.0 => format!("{factor:.1}"),
         ..1e4 => format!("{factor:.0}"),
@@ -330,7 +330,7 @@ fn growth(timed: &TimedRun, truth: &ReferenceInUse) -> Option<f64> {
 }
 
 /// |λ|h where it exceeds the method's limit of stability.
-fn beyond(timed: &TimedRun, bound: Option<&Bound>) -> Option<f64> {
+fn stability_excess(timed: &TimedRun, bound: Option<&Bound>) -> Option<f64> {
     let bound = bound?;
     let product = bound.rate() * timed.trace.longest_step;
     (product > bound.limit).then_some(product)
@@ -338,7 +338,7 @@ fn beyond(timed: &TimedRun, bound: Option<&Bound>) -> Option<f64> {
 
 /// A cause, with the limit of stability where the step exceeds it.
 fn with_limit(cause: String, timed: &TimedRun, bound: Option<&Bound>) -> String {
-    let beyond = beyond(timed, bound).zip(bound);
+    let beyond = stability_excess(timed, bound).zip(bound);
     beyond.map_or(cause.clone(), |(product, bound)| {
         let place = axis(bound.eigenvalue);
         format!(

@@ -2,7 +2,7 @@
 
 use super::certificate::{Certainty, Certificate};
 use super::figure_limits::{FigureLimits, first_accurate_trial};
-use super::integration::coarsest;
+use super::integration::coarsest_tolerance;
 use super::lessen::lessened;
 use super::requested_figures::no_limit;
 use super::row::{Families, Family};
@@ -50,10 +50,10 @@ fn chosen(trials: &mut Trials<'_>) -> Result<LevelChoice, Vec<Fault>> {
     if judge.accepts(trials, found) {
         found = lessened(trials, &families, &judge, found, |trials, _| !spent(trials));
     }
-    let of_accuracy = coarsest(trials, &judge, found)?;
+    let of_accuracy = coarsest_tolerance(trials, &judge, found)?;
     let levels = trials.made[found].levels.clone();
     let mut certificate = judge.certificate(trials, &families, found);
-    let open: Vec<String> = trials.elastic.open().cloned().collect();
+    let open: Vec<String> = trials.elastic.open_levels().cloned().collect();
     trials.elastic.clone().set(trials.scene, &levels);
     note_divergence(trials, found, &mut certificate)?;
     let levels = levels.into_iter().filter(|(id, _)| open.contains(id));

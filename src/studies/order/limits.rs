@@ -29,13 +29,14 @@ pub fn limits(
 ) -> Result<Limits, Vec<Fault>> {
     let mut trials = Trials::new(scene, settings, control);
     let mut families = families(&trials);
-    let row = Row::walk(&mut trials, &mut families, |_, row| row.runs.len() == RUNS)?;
+    let row =
+        Row::refine_until_enough(&mut trials, &mut families, |_, row| row.runs.len() == RUNS)?;
     let asked = |figure| RequestedFigure {
         figure,
         accuracy: Accuracy::Share(0.0),
     };
     let limit = |asked: RequestedFigure| {
-        let limit = limit(row.course(&trials, &asked));
+        let limit = limit(row.course_of_figure(&trials, &asked));
         (asked.figure, limit)
     };
     Ok(figures.map(asked).map(limit).collect())

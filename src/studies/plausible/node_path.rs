@@ -198,7 +198,7 @@ impl NodePath {
         };
         let mut count = 0.0;
         for jet in motion.iter().filter(numbers) {
-            take(&mut way.displacement, jet.value);
+            widen_range(&mut way.displacement, jet.value);
             way.fastest = way.fastest.max(jet.first.abs());
             way.mean_square_speed += jet.first * jet.first;
             way.mean_square_acceleration += jet.second * jet.second;
@@ -211,6 +211,6 @@ impl NodePath {
 }
 
 /// Widens a range so that it holds a value; what is no number is not taken.
-pub(super) fn take(range: &mut [f64; 2], value: f64) {
+pub(super) fn widen_range(range: &mut [f64; 2], value: f64) {
     *range = [range[0].min(value), range[1].max(value)];
 }

@@ -4,7 +4,7 @@ use super::cost::measured;
 use super::description::describe;
 use super::findings::{Change, ModelTried, Reduction, Refusal, Role, Step};
 use super::removal::{Part, Removal, candidates};
-use super::variant::{at_levels, without, words};
+use super::variant::{at_levels, scene_without, words};
 use crate::fault::Fault;
 use crate::frontend::diagnostics::Diagnostics;
 use crate::frontend::scene::{Document, Levels, Reading};
@@ -122,7 +122,7 @@ impl Search<'_> {
             if self.control.is_spent() {
                 return end;
             }
-            let tried = self.with(std::slice::from_ref(&removal), &end.levels);
+            let tried = self.try_removals(std::slice::from_ref(&removal), &end.levels);
             alone.push((removal, tried));
         }
         // A whole before its parts, then what changes least first.
@@ -170,7 +170,7 @@ impl Search<'_> {
     fn on_top(&mut self, end: &mut SearchEnd, removal: Removal) {
         let mut removals = end.removals.clone();
         removals.push(removal.clone());
-        match self.with(&removals, &end.levels) {
+        match self.try_removals(&removals, &end.levels) {
             Ok((trial, None)) => {
                 self.steps.push(Step {
                     removal,
@@ -197,7 +197,7 @@ impl Search<'_> {
 
     /// Lowers levels once more: pairs that are bilateral now allow lower ones.
     fn lower_levels_again(&mut self, mut end: SearchEnd) -> SearchEnd {
-        let Ok(mut scene) = without(self.whole, &end.removals) else {
+        let Ok(mut scene) = scene_without(self.whole, &end.removals) else {
             return end;
         };
         let mut trials = Trials::all_open(&mut scene, self.settings, self.control);
@@ -224,11 +224,14 @@ impl Search<'_> {
     }
 
     /// The run of the scene without what is left out.
-    fn with(&mut self, removals: &[Removal], levels: &Levels) -> TriedRemoval {
-        let mut scene = without(self.whole, removals)?;
+    fn try_removals(&mut self, removals: &[Removal], levels: &Levels) -> TriedRemoval {
+        let mut scene = scene_without(self.whole, removals)?;
         let mut trials = Trials::all_open(&mut scene, self.settings, self.control);
         let made = trials.at(levels).map_err(|faults| words(&faults))?;
-        let refused = self.judge.objection(&trials, made).map(Refusal::from);
+        let refused = self
+            .judge
+            .reason_against_trial(&trials, made)
+            .map(Refusal::from);
         let trial = trials.made.swap_remove(made);
         self.note(removals, &trial, Role::Tried);
         Ok((trial, refused))
@@ -343,7 +346,7 @@ fn note_level(
     steps.retain(|step| !(is_level(step) && step.refused.is_some()));
     let refused = match tried.accepted {
         true => None,
-        false => (judge.objection(trials, tried.trials[1])).map(Refusal::from),
+        false => (judge.reason_against_trial(trials, tried.trials[1])).map(Refusal::from),
     };
     steps.push(Step {
         removal: Removal {

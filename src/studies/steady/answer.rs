@@ -122,7 +122,7 @@ impl RigidAnswer {
     }
 
     /// Adds a warning for each check beyond its bound.
-    pub fn judged(mut self) -> Self {
+    pub fn with_check_warnings(mut self) -> Self {
         let checks = self.checks();
         let failures = checks.iter().filter_map(Judged::failure);
         self.figures.warnings.extend(failures);

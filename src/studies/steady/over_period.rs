@@ -214,7 +214,7 @@ fn checks(audit: &EnergyAudit, works: &[Worked], [away, bound]: [f64; 2]) -> Vec
         .filter(|one| one.is_prescribed)
         .map(|one| one.of.work)
         .sum();
-    let scale = audit.scale();
+    let scale = audit.balance_scale();
     let apart = match (prescribed - audit.drives).abs() {
         0.0 => 0.0,
         apart => apart / scale,

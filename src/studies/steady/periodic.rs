@@ -270,7 +270,7 @@ impl About {
 }
 
 /// No periodic motion was found.
-pub(super) fn none(why: &str) -> Vec<Fault> {
+pub(super) fn no_periodic_motion(why: &str) -> Vec<Fault> {
     let message = format!("no periodic motion was found: {why}");
     let hint = "allow more turns of the drive in a period with `periods`; a drive that stalls \
                 needs a stronger motor, more inertia, a start at more speed, or less load";
@@ -278,7 +278,7 @@ pub(super) fn none(why: &str) -> Vec<Fault> {
 }
 
 /// The periodic motion of a part, of as few cycles as possible.
-pub(super) fn part(
+pub(super) fn periodic_motion_of_part(
     map: &dyn Map,
     start: &[f64],
     turn: f64,
@@ -381,14 +381,15 @@ pub(super) fn recurring_state(
     let mut state = system.initial_state()?.y;
     let parts = Parts::of(system);
     let of_map = |map: &dyn Map, start: &[f64]| {
-        let found = shooting::near(map, start, turn).map_err(|why| none(&why))?;
-        found.ok_or_else(|| none("Newton's method comes to none"))
+        let found = shooting::near(map, start, turn).map_err(|why| no_periodic_motion(&why))?;
+        found.ok_or_else(|| no_periodic_motion("Newton's method comes to none"))
     };
     if parts.is_whole() {
         for tree in &parts.trees {
             let (q, v) = tree.own_state(&state);
             let (masses, start) = (q.len(), [q, v].concat());
-            let map = TreeMap::new(tree, &start, turn, *control).map_err(|why| none(&why))?;
+            let map = TreeMap::new(tree, &start, turn, *control)
+                .map_err(|why| no_periodic_motion(&why))?;
             let found = of_map(&map, &start)?;
             tree.put_state(&found[..masses], &found[masses..], &mut state);
         }
@@ -409,7 +410,7 @@ pub(super) fn answer(
     spec: &SteadySpec,
     control: &Control<'_>,
 ) -> Result<PeriodicAnswer, Vec<Fault>> {
-    let none = |why: String| none(&why);
+    let none = |why: String| no_periodic_motion(&why);
     refuse_unused(spec)?;
     let (cycle, turn) = whole_cycle(system.model(), spec.cycle)?;
     let initial = system.initial_state()?;
@@ -423,7 +424,8 @@ pub(super) fn answer(
             let map = TreeMap::new(tree, &start, turn, *control).map_err(none)?;
             let coordinates: Vec<usize> = tree.coordinates().collect();
             let about = About::new(system, &tree.objects, &coordinates);
-            let (motion, found) = part(&map, &start, turn, spec.periods, &about).map_err(none)?;
+            let (motion, found) =
+                periodic_motion_of_part(&map, &start, turn, spec.periods, &about).map_err(none)?;
             motions.push(motion);
             tree.put_state(&found[..masses], &found[masses..], &mut state);
         }
@@ -431,7 +433,8 @@ pub(super) fn answer(
         let choice = choose_general(system, settings, "");
         let map = SystemMap::new(system, choice.method, *control);
         let about = About::of_all(system, None);
-        let (motion, found) = part(&map, &initial.y, turn, spec.periods, &about).map_err(none)?;
+        let (motion, found) =
+            periodic_motion_of_part(&map, &initial.y, turn, spec.periods, &about).map_err(none)?;
         motions.push(motion);
         state = found;
     }

@@ -23,8 +23,8 @@ pub(super) fn room(base: &std::path::Path) -> Arc<Room> {
     let folder = base.join("open");
     let (folder, _) = Folder::open(Some(&folder)).unwrap();
     let path = folder.file("scene.json").unwrap();
-    let drafts = Drafts::within(&base.join("drafts"));
-    let pins = Pins::within(&base.join("pins"));
+    let drafts = Drafts::in_folder(&base.join("drafts"));
+    let pins = Pins::in_folder(&base.join("pins"));
     Room::open(
         "scene.json",
         &path,
@@ -191,7 +191,7 @@ fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
         let plots = answer["plots"].as_array().unwrap();
         (0..plots.len()).filter(|&k| !plots[k].is_null()).collect()
     };
-    opened.room.sight(&opened.window, [2].into());
+    opened.room.set_visible_charts(&opened.window, [2].into());
     opened.replace(0, "\"inertia\": 0.1", "\"inertia\": 0.13", None);
     let second = opened.told("answer", |one| one["version"] == 1);
     assert_eq!(seen(&second), [2]);
@@ -215,10 +215,12 @@ fn charts_out_of_sight_come_without_numbers_until_they_are_seen() {
         assert_eq!(length.is_null(), !wanted.contains(&k), "column {k}");
     }
     // What comes into sight is sent at once; what goes out of it is no reason to send anything.
-    opened.room.sight(&opened.window, [2, 0].into());
+    opened
+        .room
+        .set_visible_charts(&opened.window, [2, 0].into());
     let third = opened.told("answer", |one| one["version"] == 1);
     assert_eq!(seen(&third), [0, 2]);
-    opened.room.sight(&opened.window, [0].into());
+    opened.room.set_visible_charts(&opened.window, [0].into());
     assert!(
         opened
             .window
@@ -351,10 +353,10 @@ fn a_file_that_others_changed_is_not_written_over() {
 fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
     let opened = Opened::new();
     let (saved, draft) = (opened.room.text(), opened.room.text().replace("0.1", "0.4"));
-    let drafts = Drafts::within(&opened.base.path().join("drafts"));
+    let drafts = Drafts::in_folder(&opened.base.path().join("drafts"));
     let path = opened.path().canonicalize().unwrap();
     for restore in [true, false] {
-        drafts.keep(&path, &saved, &draft).unwrap();
+        drafts.write_draft(&path, &saved, &draft).unwrap();
         let again = Opened {
             room: room(opened.base.path()),
             window: Arc::new(Window::new(8, "")),
@@ -370,7 +372,7 @@ fn a_draft_is_offered_and_the_text_waits_for_the_decision() {
         again.room.draft(restore);
         assert_eq!(again.room.text(), if restore { &*draft } else { &*saved });
         assert_eq!(drafts.find(&path).is_some(), restore);
-        drafts.forget(&path);
+        drafts.forget_draft(&path);
     }
 }
 

@@ -62,7 +62,7 @@ impl Studio {
             windows: Arc::default(),
             commands,
             making: tokio::sync::Mutex::default(),
-            earlier: Earlier::none(&token),
+            earlier: Earlier::own_token_only(&token),
             token,
             host: format!("127.0.0.1:{port}"),
             rooms: Mutex::default(),
@@ -100,7 +100,7 @@ impl Studio {
     ///
     /// # Errors
     /// There is no such scene, or it cannot be read; too many are open.
-    pub(super) fn room(&self, name: &str) -> Result<Arc<Room>, String> {
+    pub(super) fn document_of_file(&self, name: &str) -> Result<Arc<Room>, String> {
         let path = self.folder.file(name)?;
         let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(room) = rooms.get(&path) {
@@ -124,7 +124,7 @@ impl Studio {
     }
 
     /// All documents that are open.
-    pub(super) fn rooms(&self) -> Vec<Arc<Room>> {
+    pub(super) fn open_documents(&self) -> Vec<Arc<Room>> {
         let rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
         rooms.values().cloned().collect()
     }
@@ -137,7 +137,7 @@ pub(super) async fn keep(studio: Arc<Studio>) {
     for round in 0.. {
         interval.tick().await;
         let used = memory().saturating_sub(start);
-        for room in studio.rooms() {
+        for room in studio.open_documents() {
             if let Some(write) = room.supervise(used, round) {
                 tokio::task::spawn_blocking(write);
             }

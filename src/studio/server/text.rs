@@ -56,7 +56,7 @@ impl Text {
 
     /// Whether there is something to undo and to redo.
     pub(super) fn history(&self) -> [bool; 2] {
-        self.history.has()
+        self.history.can_undo_and_redo()
     }
 
     /// Applies a window's changes: the list `[kept, [removed, line, line …], …]` of its editor.

@@ -20,7 +20,7 @@ mod step;
 mod tableau;
 
 use super::Dynamics;
-use super::pace::{CAUTION, towards};
+use super::pace::{CAUTION, step_towards};
 use super::run::{Run, StepInterpolant, Verdict};
 use newton::Stages;
 use std::sync::OnceLock;
@@ -36,7 +36,7 @@ const RESOLVED: f64 = 1e-7;
 const UNRESOLVED: f64 = -1.0 / 3.0;
 
 /// The estimated error allowed.
-fn allowed(tolerance: f64) -> f64 {
+fn allowed_error(tolerance: f64) -> f64 {
     SAFETY * effective_tolerance(tolerance)
 }
 
@@ -161,7 +161,7 @@ impl<const S: usize, const L: usize> Radau<S, L> {
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
             let mut again = false;
             let (length, error) = loop {
-                let length = towards(target - time, wanted.min(longest));
+                let length = step_towards(target - time, wanted.min(longest));
                 if length <= floor {
                     run.end_at_floor(length);
                     return;

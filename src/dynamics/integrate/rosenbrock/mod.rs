@@ -11,7 +11,7 @@ mod tableau;
 
 use super::Dynamics;
 use super::jacobian::Jacobian;
-use super::pace::{CAUTION, towards};
+use super::pace::{CAUTION, step_towards};
 use super::run::{Run, Verdict};
 use crate::math::linear::SparseLu;
 use tableau::{COUPLINGS, GAMMA, OUTPUT, STAGES, STATES, TIME_RATES, TIMES};
@@ -90,7 +90,7 @@ impl Stepper {
             }
             let floor = 4.0 * f64::EPSILON * time.abs().max(target.abs());
             let (length, error) = loop {
-                let length = towards(target - time, wanted.min(longest));
+                let length = step_towards(target - time, wanted.min(longest));
                 if length <= floor {
                     run.end_at_floor(length);
                     return;
@@ -207,7 +207,7 @@ impl Stepper {
         let errors = &self.stages[(STAGES - 1) * width..];
         let dynamics = run.evaluator.dynamics;
         let squares = (0..width).map(|i| {
-            let size = dynamics.size(i, self.y[i].abs().max(run.from.y[i].abs()));
+            let size = dynamics.error_size(i, self.y[i].abs().max(run.from.y[i].abs()));
             (errors[i] / (tolerance * size)).powi(2)
         });
         (squares.sum::<f64>() / width as f64).sqrt()

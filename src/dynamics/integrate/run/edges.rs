@@ -62,7 +62,7 @@ impl<D: Dynamics> Run<'_, D> {
             let exact = (0..y.len()).all(|index| {
                 let change = length * (dy[index] - from.dy[index]);
                 y[index] += 0.5 * change;
-                change.abs() <= allowed * self.evaluator.dynamics.size(index, y[index])
+                change.abs() <= allowed * self.evaluator.dynamics.error_size(index, y[index])
             });
             if !exact {
                 break;

@@ -153,7 +153,7 @@ impl Frozen {
             return;
         }
         for member in &group.members {
-            let [ratio, _] = self.along(member, 0.0, work);
+            let [ratio, _] = self.member_ratio(member, 0.0, work);
             let direction = match member.direction {
                 Direction::OfRoot(sign) => sign * now.sense(),
                 Direction::Own { component, .. } => {
@@ -203,7 +203,7 @@ impl System {
         modes: &mut Modes,
     ) -> Result<(), PhysicalStop> {
         let several = self.frozen.several.as_ref();
-        if several.is_some_and(|several| several.has(component)) {
+        if several.is_some_and(|several| several.has_component(component)) {
             self.pass_pair(time, y, (component, target), &mut modes.0)?;
             self.frozen.settle_sides(time, y, &mut modes.0);
             return Ok(());
@@ -273,7 +273,7 @@ impl Frozen {
             let Direction::Own { component, .. } = member.direction else {
                 continue;
             };
-            let [_, acceleration] = self.along(member, work.acceleration[group.root], work);
+            let [_, acceleration] = self.member_ratio(member, work.acceleration[group.root], work);
             let direction = match work.speed[member.node] {
                 0.0 => sign_of(acceleration),
                 speed => speed.signum(),

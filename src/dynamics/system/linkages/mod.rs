@@ -101,7 +101,7 @@ impl LinkageState {
 
     /// The linkage at `q`, its derivatives up to `order`; `None` where it cannot be
     /// assembled.
-    pub(super) fn placed(&mut self, q: f64, order: usize) -> Option<&Workspace> {
+    pub(super) fn place_linkage(&mut self, q: f64, order: usize) -> Option<&Workspace> {
         self.solve_at(q, order);
         self.assembled.then_some(&self.workspace)
     }
@@ -124,7 +124,7 @@ impl LinkageState {
                 return 0.0;
             }
         }
-        let Some(reduced) = self.reduced(q, 2).filter(|_| q.is_finite()) else {
+        let Some(reduced) = self.reduced_linkage(q, 2).filter(|_| q.is_finite()) else {
             return 0.0;
         };
         let [inertia, slope, _] = reduced.inertia;
@@ -159,10 +159,10 @@ impl LinkageState {
     }
 
     /// `None` where it cannot be assembled.
-    fn reduced(&mut self, q: f64, order: usize) -> Option<ReducedLinkage> {
+    fn reduced_linkage(&mut self, q: f64, order: usize) -> Option<ReducedLinkage> {
         self.solve_at(q, order);
         if self.assembled && self.reduced.is_none() {
-            self.reduced = Some(self.linkage.reduced(&self.workspace));
+            self.reduced = Some(self.linkage.reduced_linkage(&self.workspace));
         }
         self.reduced
     }
@@ -248,7 +248,7 @@ impl Frozen {
         let cell = &work.linkages[index];
         let of = |pick: fn(&ReducedLinkage) -> [f64; 3]| {
             q.lift(|q| {
-                let reduced = cell.borrow_mut().reduced(q, N::DERIVATIVES);
+                let reduced = cell.borrow_mut().reduced_linkage(q, N::DERIVATIVES);
                 let [value, first, second] = reduced.as_ref().map_or([f64::NAN; 3], pick);
                 Jet {
                     value,
@@ -313,7 +313,7 @@ impl Frozen {
     /// V″ of a linkage.
     pub(super) fn potential_stiffness(&self, index: usize, work: &Work<f64>) -> f64 {
         let q = work.displacement[self.linkages[index].node];
-        let reduced = work.linkages[index].borrow_mut().reduced(q, 2);
+        let reduced = work.linkages[index].borrow_mut().reduced_linkage(q, 2);
         reduced.map_or(0.0, |reduced| reduced.potential[2])
     }
 

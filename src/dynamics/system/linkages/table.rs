@@ -15,7 +15,7 @@ mod build;
 
 use crate::kinematics::linkage::{Linkage, Reach};
 use crate::math::jet::Jet;
-use build::{Builder, period_of_outputs, repeats};
+use build::{Builder, forces_repeat, period_of_outputs};
 use std::cell::Cell;
 
 /// Coefficients of a polynomial, four of them together.
@@ -80,7 +80,7 @@ impl Table {
             (None, Reach::Interval { lower, upper }) => (lower.at, upper.at - lower.at, false),
             _ => return None,
         };
-        if !span.is_finite() || (periodic && !repeats(linkage, start, span)) {
+        if !span.is_finite() || (periodic && !forces_repeat(linkage, start, span)) {
             return None;
         }
         let mut places = vec![None; linkage.spec().outputs.len()];

@@ -92,7 +92,7 @@ fn compared(linkage: &Linkage, from: f64, to: f64) -> ([f64; 7], f64) {
     for step in 0..count {
         let q = from + (to - from) * (f64::from(step) + 0.5) / f64::from(count);
         linkage.solve(q, 3, &mut workspace).expect("within reach");
-        let reduced = linkage.reduced(&workspace);
+        let reduced = linkage.reduced_linkage(&workspace);
         let [j0, j1, j2] = reduced.inertia;
         let [w0, w1] = [0, 1].map(|k| reduced.force[k] - reduced.potential[k + 1]);
         let [d0, d1] = reduced.damping;

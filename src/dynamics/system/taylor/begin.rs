@@ -36,9 +36,9 @@ impl Frozen {
                     if own > taylor.excess || own.is_nan() {
                         taylor.excess = own;
                     }
-                    taylor.place(drive.node, 0, middle.value);
+                    taylor.set_coefficient(drive.node, 0, middle.value);
                     for (j, c) in speeds.iter().enumerate() {
-                        taylor.place(drive.node, j + 1, length * c / (j + 1) as f64);
+                        taylor.set_coefficient(drive.node, j + 1, length * c / (j + 1) as f64);
                     }
                     for order in 0..HIGHEST - 1 {
                         taylor.acceleration[drive.node][order] = (order + 1) as f64
@@ -47,14 +47,18 @@ impl Frozen {
                     }
                 }
                 Step::Rotor(rotor) => {
-                    taylor.place(rotor.node, 0, u[rotor.coordinate]);
-                    taylor.place(rotor.node, 1, v[rotor.coordinate] * taylor.length);
+                    taylor.set_coefficient(rotor.node, 0, u[rotor.coordinate]);
+                    taylor.set_coefficient(rotor.node, 1, v[rotor.coordinate] * taylor.length);
                 }
                 Step::Rigid(index) => {
                     let rigid = self.rigids[*index];
                     self.begin_law(rigid.law, modes, work, taylor);
                     for order in 0..2 {
-                        taylor.place(rigid.node, order, taylor.laws[rigid.law].value[order]);
+                        taylor.set_coefficient(
+                            rigid.node,
+                            order,
+                            taylor.laws[rigid.law].value[order],
+                        );
                     }
                 }
                 Step::Chain(index) => self.begin_chain(&self.chains[*index], modes, work, taylor),
@@ -63,7 +67,7 @@ impl Frozen {
                     for order in 0..2 {
                         let sum = own.sum(|driver| taylor.displacement[driver][order]);
                         let offset = if order == 0 { own.offset() } else { 0.0 };
-                        taylor.place(own.node, order, sum + offset);
+                        taylor.set_coefficient(own.node, order, sum + offset);
                     }
                 }
             }
@@ -75,7 +79,7 @@ impl Frozen {
         for (node, coordinate) in chain.nodes().zip(chain.coordinates()) {
             for order in 0..2 {
                 let law = taylor.laws[chain.law].value[order];
-                taylor.place(node, order, law + taylor.u[coordinate][order]);
+                taylor.set_coefficient(node, order, law + taylor.u[coordinate][order]);
             }
         }
     }

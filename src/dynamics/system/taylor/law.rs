@@ -7,7 +7,7 @@
 //! sine it misses less than 0.06·(r·k)⁹/9! of the amplitude of U′, k its harmonic.
 
 use crate::math::jet::Jet;
-use crate::math::polynomial::{Coefficients, MAX_DEGREE, against};
+use crate::math::polynomial::{Coefficients, MAX_DEGREE, convolution_term};
 
 /// Highest power of a series.
 pub(crate) const HIGHEST: usize = MAX_DEGREE;
@@ -213,7 +213,7 @@ impl LawSeries {
             // x^(j+1) = x^j·x begins with s^(j+1).
             let (known, rest) = self.powers.split_at_mut(j);
             let power = if order > j {
-                against(&known[j - 1][j..order], &known[0][1..=order - j])
+                convolution_term(&known[j - 1][j..order], &known[0][1..=order - j])
             } else {
                 0.0
             };

@@ -116,12 +116,12 @@ impl Taylor {
     }
 
     /// Factor from coefficient k of φ̈ to coefficient k + 2 of φ.
-    fn twice(&self, order: usize) -> f64 {
+    fn integration_factor(&self, order: usize) -> f64 {
         self.length * self.length / ((order + 1) * (order + 2)) as f64
     }
 
     /// Sets φ of a node at an order, and φ̇ at the one before.
-    fn place(&mut self, node: usize, order: usize, value: f64) {
+    fn set_coefficient(&mut self, node: usize, order: usize, value: f64) {
         self.displacement[node][order] = value;
         if order > 0 {
             self.speed[node][order - 1] = order as f64 * value / self.length;
@@ -350,7 +350,7 @@ impl Frozen {
                 Step::Rigid(index) => self.reduce_rigid_of(&self.rigids[index], order, taylor),
                 Step::Chain(index) => {
                     let chain = &self.chains[index];
-                    if chain.contact.holds(taylor.modes[index]) {
+                    if chain.contact.contact_holds(taylor.modes[index]) {
                         let (node, law) = (chain.first_node, chain.law);
                         self.reduce_rigid_of(&Rigid { node, law }, order, taylor);
                     }

@@ -7,7 +7,7 @@ use crate::dynamics::model::Load;
 use crate::dynamics::system::System;
 use crate::dynamics::system::frozen::Frozen;
 use crate::dynamics::system::passes::{Extent, Work};
-use crate::math::expression::{Interval, OPEN, RateBounds, Stretch, Third, VARIABLES, follow};
+use crate::math::expression::{Interval, OPEN, RateBounds, Stretch, Third, VARIABLES, change_mode};
 use crate::math::jet::Jet;
 use crate::math::number::Dual;
 use crate::math::polynomial::{MAX_DEGREE, Step, divide};
@@ -183,7 +183,9 @@ impl Frozen {
     }
 
     /// The loads by expressions.
-    pub(in crate::dynamics::system) fn written(&self) -> impl Iterator<Item = &FrozenExpression> {
+    pub(in crate::dynamics::system) fn expression_loads(
+        &self,
+    ) -> impl Iterator<Item = &FrozenExpression> {
         self.loads.iter().filter_map(|load| load.written.as_ref())
     }
 
@@ -201,7 +203,7 @@ impl Frozen {
         let mut work = Work::new(self);
         let mut out = vec![0.0; self.coordinates];
         self.evaluate(time, state, modes, Extent::Full, &mut work, &mut out);
-        for written in self.written() {
+        for written in self.expression_loads() {
             let guards = &written.expression.program().guards;
             for (index, component) in written.components().enumerate() {
                 let at = written.guard(index, time, modes, &work);
@@ -236,7 +238,7 @@ impl Frozen {
                     guards.map(|(guard, own)| (own, written.guard(guard, time, modes, &work)));
                 values.collect::<Vec<_>>()
             };
-            self.written().flat_map(of).collect()
+            self.expression_loads().flat_map(of).collect()
         };
         let now = values(state);
         let mut floors = vec![0.0; now.len()];
@@ -270,7 +272,7 @@ impl Frozen {
         resting: &[UndecidedGuard],
     ) -> Option<(f64, EventFunction)> {
         let mut first: Option<(f64, EventFunction)> = None;
-        for written in self.written() {
+        for written in self.expression_loads() {
             let along = Along { written, step };
             let of_guard = |own: u16| modes[written.component + usize::from(own)];
             let guards = &written.expression.program().guards;
@@ -343,7 +345,7 @@ impl System {
         let sense = (watch.target - modes[component]).signum() as f64;
         let guards = &written.expression.program().guards;
         let own = &mut modes[written.components()];
-        let [came, goes] = follow(guards, guard, watch.target, own, at);
+        let [came, goes] = change_mode(guards, guard, watch.target, own, at);
         let (came, goes) = (came.derivative, goes.derivative);
         if sense * came > 0.0 && sense * goes < -TURNED_BACK * came.abs() {
             return Err(self.held_at_jump(time, load));

@@ -70,7 +70,7 @@ impl Builder<'_> {
             let mass = part.nodes.iter().position(|&own| own == node)?;
             Some((first + mass, share))
         };
-        let output = match self.model.reduced(object) {
+        let output = match self.model.reduction_of(object) {
             Some(reduced) => reduced.modes.iter().filter_map(place).collect(),
             None => vec![(last, 1.0)],
         };

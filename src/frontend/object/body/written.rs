@@ -46,7 +46,11 @@ impl BodyFields {
 }
 
 /// Reads what is written.
-pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Option<BodyFields> {
+pub(super) fn read_body_fields(
+    fields: &mut Fields<'_>,
+    own: Measures,
+    beam: Beam,
+) -> Option<BodyFields> {
     let masses = fields.maybe(
         "masses",
         "Number of masses; 0: rigid; \"auto\": as many masses or modes as the accuracy of the \
@@ -71,7 +75,7 @@ pub(super) fn written(fields: &mut Fields<'_>, own: Measures, beam: Beam) -> Opt
     let split = fields.maybe(
         "split",
         "How the inertia is split: `cubes` (uniform lever), `equal`, or a list of shares.",
-        split,
+        read_inertia_split,
     );
     let lumping = level::read_lumping(fields);
     let modes = level::read_modes(fields);
@@ -147,7 +151,7 @@ fn doubt_damping(fields: &mut Fields<'_>, damping: f64, critical: f64, own: Meas
     ));
 }
 
-fn split(mut slot: Slot<'_>) -> Option<InertiaSplit> {
+fn read_inertia_split(mut slot: Slot<'_>) -> Option<InertiaSplit> {
     let names = [
         ("cubes", InertiaSplit::Cubes),
         ("equal", InertiaSplit::Equal),

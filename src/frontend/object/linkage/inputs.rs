@@ -182,7 +182,7 @@ fn input(
 }
 
 /// The linkage with its inputs.
-pub(super) fn driven(
+pub(super) fn linkage_with_inputs(
     fields: &mut Fields<'_>,
     written: Vec<InputStatement>,
     linkage: LinkageSpec,

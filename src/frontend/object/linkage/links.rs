@@ -7,7 +7,7 @@ use crate::units::quantities as q;
 use serde_json::json;
 
 /// Reads `[x, y]`.
-pub(super) fn place(slot: Slot<'_>) -> Option<[f64; 2]> {
+pub(super) fn read_point(slot: Slot<'_>) -> Option<[f64; 2]> {
     let length = |slot: Slot<'_>| slot.quantity(q::LENGTH, Bounds::ANY);
     let (x, y) = slot.pair(length, length)?;
     Some([x, y])
@@ -22,7 +22,7 @@ fn points(slot: Slot<'_>) -> Option<Vec<NamedPoint>> {
             return None;
         }
         let name = name.to_owned();
-        place(slot).map(|at| NamedPoint { name, at })
+        read_point(slot).map(|at| NamedPoint { name, at })
     })
 }
 
@@ -65,7 +65,7 @@ fn link(slot: Slot<'_>, name: &str) -> Option<LinkSpec> {
         });
         let doc = "Centre of mass: [x, y] in the frame of the link, or the name of a point; default its origin.";
         let centre = fields.maybe("centre", doc, |slot| {
-            slot.text_or(|slot| one_of(slot, name, known.as_deref()), place)
+            slot.text_or(|slot| one_of(slot, name, known.as_deref()), read_point)
         });
         let doc = "Moment of inertia about the centre of mass; default 0";
         fields.synonym("moment", "moment_of_inertia");

@@ -82,7 +82,7 @@ impl Object for Linkage {
 
     fn ports(&self) -> Ports {
         let (mut ports, linkage) = match &self.spec {
-            DriveMode::One(spec) => (Ports::driven(spec.coordinate), &spec.linkage),
+            DriveMode::One(spec) => (Ports::with_one_driver(spec.coordinate), &spec.linkage),
             DriveMode::Several(spec) => (inputs::ports(spec), &spec.linkage.linkage),
         };
         let further = linkage.outputs.iter().map(|output| {
@@ -202,7 +202,8 @@ fn read(fields: &mut Fields<'_>, context: &Context<'_>) -> Option<DriveMode> {
     };
     match way? {
         MovedBy::Inputs(written) => {
-            let spec = inputs::driven(fields, written, linkage, loads, joint_friction)?;
+            let spec =
+                inputs::linkage_with_inputs(fields, written, linkage, loads, joint_friction)?;
             Some(DriveMode::Several(spec))
         }
         MovedBy::Driver(_) => Some(DriveMode::One(DrivenLinkage {

@@ -197,7 +197,7 @@ fn sliding(slot: Slot<'_>, names: &Names) -> Option<(PointOf, PointOf, PairKind)
         let (guide, block, through, corners) = (guide?, block?, through?, corners?);
         let direction = match (direction?, through) {
             (given, None) => given.unwrap_or(0.0),
-            (_, Some(through)) => towards(fields, guide, through)?,
+            (_, Some(through)) => direction_between(fields, guide, through)?,
         };
         fields.fill_in("direction", json!(direction));
         fields.fill_in("corners", json!(corners.unwrap_or(CORNERS)));
@@ -224,7 +224,7 @@ fn in_order(fields: &mut Fields<'_>, corners: Option<(f64, f64)>) -> bool {
 }
 
 /// Direction from one point of a guide to another one.
-fn towards(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
+fn direction_between(fields: &mut Fields<'_>, from: PointOf, to: PointOf) -> Option<f64> {
     if from.link != to.link {
         let message = "`through` must be a point of the same link as `guide`";
         fields.refuse("through", "contradiction", message);
@@ -277,7 +277,7 @@ fn choice(slot: Slot<'_>, link: &str, names: &Names) -> Option<AssemblyChoice> {
             "near",
             "Its point is near this place at the start.",
             |slot| {
-                super::links::place(slot).map(|place| AssemblyChoice::Near {
+                super::links::read_point(slot).map(|place| AssemblyChoice::Near {
                     point: [0.0; 2],
                     place,
                 })

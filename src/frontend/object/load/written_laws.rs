@@ -91,7 +91,7 @@ fn harmonic(slot: Slot<'_>, own: Measures, axis: Axis) -> Option<Expression> {
             text = format!("{mean:?} + {text}");
         }
         let names = [("t", 0), (phi, variable)];
-        Expression::over(&text, &names).ok()
+        Expression::parse_over_names(&text, &names).ok()
     })
 }
 

@@ -3,7 +3,7 @@
 use crate::dynamics::model::Coordinate::{Sliding, Turning};
 use crate::frontend::object::cam::phase;
 use crate::frontend::object::measures::Measures;
-use crate::frontend::object::measures::any;
+use crate::frontend::object::measures::read_quantity;
 use crate::frontend::read::{Bounds, Fields, Slot};
 use crate::kinematics::position::{PositionSpec, SlottedDriver, SlottedLinkSpec, SlottedOutput};
 use crate::units::quantities as q;
@@ -27,7 +27,7 @@ pub(super) fn slider_crank(slot: Slot<'_>) -> Option<PositionSpec> {
             "offset",
             "Offset e of the guide from the crank's axis",
             json!(0.0),
-            any(q::LENGTH),
+            read_quantity(q::LENGTH),
         );
         let branch = branch(fields, "Side of the crank's axis on which the slide runs.");
         let phase = phase(fields);
@@ -88,7 +88,7 @@ pub(super) fn slotted_link(slot: Slot<'_>, output: Measures) -> Option<PositionS
             None => Measures(None),
         };
         let doc = "Added to the driver's displacement";
-        let phase = fields.or("phase", doc, json!(0.0), any(input.displacement()));
+        let phase = fields.or("phase", doc, json!(0.0), read_quantity(input.displacement()));
         let usual = match output.0 {
             Some(Sliding) => 2,
             _ => 0,

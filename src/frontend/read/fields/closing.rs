@@ -114,15 +114,15 @@ impl Fields<'_> {
         if !self.free {
             schema["additionalProperties"] = json!(false);
         }
-        let (several, required): (Vec<&str>, Vec<&str>) =
-            (self.required.iter().copied()).partition(|name| self.others(name).next().is_some());
+        let (several, required): (Vec<&str>, Vec<&str>) = (self.required.iter().copied())
+            .partition(|name| self.other_names(name).next().is_some());
         if !required.is_empty() {
             schema["required"] = json!(required);
         }
         let at_most_one = |name: &'static str| {
             let given = |one: &str| json!({ "required": [one] });
             let mut all = vec![given(name)];
-            all.extend(self.others(name).map(given));
+            all.extend(self.other_names(name).map(given));
             if !several.contains(&name) {
                 let any = all.clone();
                 all.push(json!({ "not": { "anyOf": any } }));

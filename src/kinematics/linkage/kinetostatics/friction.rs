@@ -159,7 +159,7 @@ pub(super) fn sign(x: f64) -> f64 {
 /// coordinate by the input coordinate; `scales` the size below which each of
 /// them is rounding; `direction` the sign of the input speed.
 #[inline]
-pub(super) fn sense(rates: [f64; 3], scales: [f64; 3], direction: f64) -> f64 {
+pub(super) fn sliding_sign(rates: [f64; 3], scales: [f64; 3], direction: f64) -> f64 {
     let [rate, slope, curvature] = rates;
     if rate.abs() > scales[0] {
         rate.signum() * direction

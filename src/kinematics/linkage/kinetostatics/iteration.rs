@@ -56,7 +56,7 @@ impl ForceWorkspace {
         self.next.clear();
         self.next.resize(self.columns, 0.0);
         self.react();
-        self.bare = self.scale();
+        self.bare = self.greatest_magnitude();
     }
 
     /// Rounding error of F.
@@ -104,7 +104,7 @@ impl ForceWorkspace {
                 *tau += part * (next - *tau);
             }
             let change = self.react();
-            let scale = self.scale();
+            let scale = self.greatest_magnitude();
             course.iterations += 1;
             course.change = if scale > 0.0 { change / scale } else { 0.0 };
             if !(change.is_finite() && scale < TOO_GREAT) {
@@ -119,16 +119,16 @@ impl ForceWorkspace {
                 f64::INFINITY
             };
             if change <= tolerance * scale + self.rounding() {
-                return ratio < 0.5 || self.polish(AT_STANDSTILL * scale, course);
+                return ratio < 0.5 || self.refine_by_newton(AT_STANDSTILL * scale, course);
             }
             before = [change, before[0]];
         }
-        let scale = self.scale();
-        rest <= NEARLY * scale && self.polish(3.0 * rest + AT_STANDSTILL * scale, course)
+        let scale = self.greatest_magnitude();
+        rest <= NEARLY * scale && self.refine_by_newton(3.0 * rest + AT_STANDSTILL * scale, course)
     }
 
     /// A few steps of Newton's method; false if they lead farther than `near`.
-    fn polish(&mut self, near: f64, course: &mut Convergence) -> bool {
+    fn refine_by_newton(&mut self, near: f64, course: &mut Convergence) -> bool {
         let [kept, _] = &mut self.scratch;
         kept.clear();
         kept.extend_from_slice(&self.friction);
@@ -145,7 +145,7 @@ impl ForceWorkspace {
         self.react();
         for _ in 0..NEWTON {
             self.update_friction();
-            let scale = self.scale();
+            let scale = self.greatest_magnitude();
             let mut residual = 0.0f64;
             for a in 0..self.columns {
                 self.next[a] -= self.friction[a];

@@ -78,7 +78,7 @@ impl ForceWorkspace {
     pub(super) fn search(&mut self, course: &mut Convergence) -> (Vec<Vec<f64>>, bool) {
         let mut found: Vec<Vec<f64>> = Vec::new();
         self.without_friction();
-        let scale = self.scale();
+        let scale = self.greatest_magnitude();
         let free = self.guides();
         let is_guide = |term: &Term| matches!(term.law, Law::Guide(_));
         let mut complete = free <= GUIDES && self.terms.iter().all(is_guide);
@@ -99,7 +99,7 @@ impl ForceWorkspace {
                 self.collect(course, &mut found);
             }
         }
-        found.sort_by_cached_key(|friction| Total(size(friction)));
+        found.sort_by_cached_key(|friction| Total(greatest_magnitude(friction)));
         (found, complete)
     }
 
@@ -115,7 +115,7 @@ impl ForceWorkspace {
         if !self.newton(course) {
             return;
         }
-        let near = SAME_SOLUTION * self.scale();
+        let near = SAME_SOLUTION * self.greatest_magnitude();
         let known = found.iter().any(|other| {
             let pairs = other.iter().zip(&self.friction);
             pairs.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) <= near
@@ -173,7 +173,7 @@ impl ForceWorkspace {
 }
 
 /// Greatest magnitude.
-fn size(tau: &[f64]) -> f64 {
+fn greatest_magnitude(tau: &[f64]) -> f64 {
     tau.iter()
         .fold(0.0, |most: f64, value| most.max(value.abs()))
 }

@@ -36,14 +36,14 @@ struct Strut<N> {
 }
 
 impl<N: Number> Surroundings<'_, N> {
-    fn body(&self, point: PointOf) -> usize {
-        self.plan.body(point.link)
+    fn body_of_point(&self, point: PointOf) -> usize {
+        self.plan.body_of_link(point.link)
     }
 
     /// A point from the reference point, and its velocity.
     pub(super) fn point(&self, point: PointOf) -> [[N; 2]; 2] {
-        let body = self.body(point);
-        let place = self.columns.poses[body].place(point.at);
+        let body = self.body_of_point(point);
+        let place = self.columns.poses[body].to_ground(point.at);
         [place, at(&self.columns.velocity[body], place)]
     }
 
@@ -74,7 +74,7 @@ impl<N: Number> Surroundings<'_, N> {
     fn turned(&self, pair: usize) -> [N; 2] {
         let pair = &self.spec.pairs[pair];
         let [i, j] = [pair.on.link, pair.link.link];
-        let rate = |link: Option<usize>| self.columns.velocity[self.plan.body(link)][0];
+        let rate = |link: Option<usize>| self.columns.velocity[self.plan.body_of_link(link)][0];
         [self.angle(j) - self.angle(i), rate(j) - rate(i)]
     }
 }
@@ -103,8 +103,8 @@ impl<N: Number> MultiReduced<N> {
                     let pull = tension / strut.length;
                     let pull = strut.apart.map(|part| part * pull);
                     let [p, q] = strut.ends;
-                    self.push(around.body(*from), p, pull);
-                    self.push(around.body(*to), q, pull.map(|part| -part));
+                    self.push(around.body_of_point(*from), p, pull);
+                    self.push(around.body_of_point(*to), q, pull.map(|part| -part));
                 }
                 ForceLaw::Torsion {
                     pair,
@@ -116,15 +116,15 @@ impl<N: Number> MultiReduced<N> {
                     let moment =
                         (angle - N::from(*free_angle)).scale(*rate) + speed.scale(damped(*damping));
                     let pair = &around.spec.pairs[*pair];
-                    self.wrenches[around.body(pair.on)][0] += moment;
-                    self.wrenches[around.body(pair.link)][0] -= moment;
+                    self.wrenches[around.body_of_point(pair.on)][0] += moment;
+                    self.wrenches[around.body_of_point(pair.link)][0] -= moment;
                 }
                 ForceLaw::Force {
                     point,
                     force,
                     follows,
                 } => {
-                    let body = around.body(*point);
+                    let body = around.body_of_point(*point);
                     let [place, _] = around.point(*point);
                     let force = match follows {
                         true => around.columns.poses[body].turn(*force),
@@ -151,7 +151,7 @@ impl<N: Number> Surroundings<'_, N> {
             if link.mass == 0.0 && link.moment == 0.0 {
                 continue;
             }
-            let [x, y] = self.columns.poses[body].place(link.centre);
+            let [x, y] = self.columns.poses[body].to_ground(link.centre);
             let velocity = &self.columns.velocity[body];
             let [vx, vy] = at(velocity, [x, y]);
             kinetic += (vx * vx + vy * vy).scale(0.5 * link.mass);
@@ -214,7 +214,7 @@ impl Surroundings<'_, f64> {
                 } => {
                     let [_, velocity] = self.point(*point);
                     let force = match follows {
-                        true => self.columns.poses[self.body(*point)].turn(*force),
+                        true => self.columns.poses[self.body_of_point(*point)].turn(*force),
                         false => *force,
                     };
                     sum.applied += force[0] * velocity[0] + force[1] * velocity[1];

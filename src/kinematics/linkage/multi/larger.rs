@@ -17,7 +17,7 @@ impl<N: Number> Columns<N> {
         let mut parts = self.rows[index].as_mut_slice();
         for tie in &group.ties {
             let (first, rest) = parts.split_at_mut(tie.rows());
-            tie.parts(&self.poses, plan.plan.size, first);
+            tie.write_equations(&self.poses, plan.plan.size, first);
             parts = rest;
         }
         self.closing(index, group, own);

@@ -125,14 +125,14 @@ impl MultiLinkage {
         // (No one number is the start.)
         let mut linkage = welded.spec.linkage;
         linkage.start = f64::NAN;
-        wrong::elsewhere(&spec, &plan, &state)?;
+        wrong::refuse_unneeded_guesses(&spec, &plan, &state)?;
         let branches = assemble::groups(
             &linkage,
             &plan.plan,
             &groups,
             &mut state,
             &mut |at, state| {
-                place::inside(&plan, at, &inputs, state);
+                place::place_moved_link(&plan, at, &inputs, state);
             },
         )?;
         redundant::holds_at_start(&spec.linkage, &state, plan.plan.size)?;
@@ -219,7 +219,7 @@ impl MultiLinkage {
     }
 
     /// A length typical of it (m).
-    pub fn size(&self) -> f64 {
+    pub fn typical_length(&self) -> f64 {
         self.core.plan.plan.size
     }
 

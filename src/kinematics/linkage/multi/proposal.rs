@@ -199,7 +199,7 @@ fn float(spec: &mut MultiSpec, wanted: usize) {
 fn pairs_outwards(spec: &MultiSpec) -> Vec<usize> {
     let linkage = &spec.linkage;
     let away = distances(spec);
-    let placed = compile::placed(&WeldedLinkage::of(spec));
+    let placed = compile::links_placed_by_inputs(&WeldedLinkage::of(spec));
     let taken = |pair: &usize| {
         let mut inputs = spec.inputs.iter();
         inputs.any(|input| input.coordinate == InputCoordinate::Pair(*pair))
@@ -273,12 +273,17 @@ fn better_conditioned_inputs(
             let mut first = vec![0.0; inputs.len()];
             motion.output_transfer(&OutputKind::Pair { pair }, &mut first);
             let unit = match spec.linkage.pairs[pair].slides() {
-                true => linkage.size(),
+                true => linkage.typical_length(),
                 false => 1.0,
             };
             let of = |&input: &usize| {
                 let slides = spec.inputs[input].coordinate.slides(&spec.linkage);
-                first[input] / unit * if slides { linkage.size() } else { 1.0 }
+                first[input] / unit
+                    * if slides {
+                        linkage.typical_length()
+                    } else {
+                        1.0
+                    }
             };
             exchanged.iter().map(of).collect()
         })

@@ -44,7 +44,7 @@ impl TiedBodies {
         ground: usize,
     ) -> Option<Self> {
         Some(Self {
-            joint: coupling.ready(pairs)?,
+            joint: coupling.to_joint(pairs)?,
             bodies: coupling.links().map(|link| link.unwrap_or(ground)),
         })
     }
@@ -60,7 +60,12 @@ impl TiedBodies {
     }
 
     /// Its equations at a position.
-    pub(super) fn parts<N: Number>(&self, poses: &[Pose<N>], size: f64, parts: &mut [Parts<N>]) {
+    pub(super) fn write_equations<N: Number>(
+        &self,
+        poses: &[Pose<N>],
+        size: f64,
+        parts: &mut [Parts<N>],
+    ) {
         let none = [N::from(0.0); 3];
         parts.fill([none; 3]);
         let still = |_| (none, none);
@@ -153,7 +158,7 @@ where
                 ];
             }
         }
-        let over = |k: usize, value: N| course([value, rate[k], twice[k]]);
+        let over = |k: usize, value: N| number_over_time([value, rate[k], twice[k]]);
         Frame {
             at: Vector::new(over(0, pose.x), over(1, pose.y)),
             direction: Vector::new(over(2, cos), over(3, sin)),
@@ -163,7 +168,7 @@ where
 
 /// A number over time, by its value and derivatives.
 #[inline(always)]
-fn course<const K: usize, N: Number>([value, rate, bend]: [N; 3]) -> Series<K, N> {
+fn number_over_time<const K: usize, N: Number>([value, rate, bend]: [N; 3]) -> Series<K, N> {
     let taylor = [value, rate, bend.scale(0.5)];
     let mut series = Series::fixed(0.0);
     series.0[..K].copy_from_slice(&taylor[..K]);

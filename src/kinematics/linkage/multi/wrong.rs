@@ -115,7 +115,7 @@ fn require_floating_coordinates(spec: &MultiSpec, link: usize, path: &str, fault
 
 /// Refuses what is said of a link that the inputs alone place, where it is a branch or
 /// another position than that of the start.
-pub(super) fn elsewhere(
+pub(super) fn refuse_unneeded_guesses(
     spec: &MultiSpec,
     plan: &MultiPlan,
     state: &State,

@@ -5,7 +5,7 @@
 //! inputs: what vanishes all around the start vanishes as far as nothing is singular.
 
 use super::search::{candidates, leave_out};
-use super::{MISSED, POSITIONS, missed};
+use super::{MISSED, POSITIONS, closure_error};
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiWorkspace};
 use crate::kinematics::linkage::skeleton::Skeleton;
@@ -64,7 +64,7 @@ fn holds_around_start(linkage: &MultiLinkage) -> bool {
                 break;
             }
             let spec = &linkage.spec().linkage;
-            if !(missed(spec, workspace.state(), linkage.size()) <= MISSED) {
+            if !(closure_error(spec, workspace.state(), linkage.typical_length()) <= MISSED) {
                 return false;
             }
             positions += 1;
@@ -81,7 +81,7 @@ fn inputs_along_path(linkage: &MultiLinkage, way: usize, share: f64) -> Vec<f64>
         // Multiples of roots of different numbers fill the cube evenly.
         let direction = 2.0 * ((way as f64 + 1.0) * (k as f64 + 1.25).sqrt()).fract() - 1.0;
         let unit = match input.coordinate.slides(spec) {
-            true => linkage.size(),
+            true => linkage.typical_length(),
             false => 1.0,
         };
         input.start + share * direction * FAR * unit

@@ -220,7 +220,7 @@ fn an_eccentric_circle_is_a_four_bar() {
         let q = -9.0 + 0.31 * f64::from(k);
         let workspace = solved(&linkage, q);
         assert!(closure_error(&linkage, &workspace) < 1e-14);
-        let [x, y] = workspace.pose(1).place(ROLLER);
+        let [x, y] = workspace.pose(1).to_ground(ROLLER);
         let (sin, cos) = q.sin_cos();
         let centre = [0.015 * cos - 0.004 * sin, 0.015 * sin + 0.004 * cos];
         // Circles about both centres: law of cosines at the lever's pin.

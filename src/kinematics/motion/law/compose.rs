@@ -72,14 +72,14 @@ impl Law {
     fn single(form: Form) -> Self {
         Self {
             joints: Vec::new(),
-            pieces: vec![Piece::plain(form)],
+            pieces: vec![Piece::of_form(form)],
             run_up: false,
         }
     }
 
     fn of_trapezoid(trapezoid: &Trapezoid) -> Self {
         let parts = trapezoid.parts();
-        let piece = |&(part, _)| Piece::plain(Form::Trapezoid(*trapezoid, part));
+        let piece = |&(part, _)| Piece::of_form(Form::Trapezoid(*trapezoid, part));
         Self {
             joints: parts.iter().skip(1).map(|part| part.1).collect(),
             pieces: parts.iter().map(piece).collect(),
@@ -106,7 +106,7 @@ impl Law {
         let cubics = spline.coefficients().iter().zip(points);
         let pieces = cubics.map(|(cubic, point)| Piece {
             origin: point.0,
-            ..Piece::plain(Form::Cubic(*cubic))
+            ..Piece::of_form(Form::Cubic(*cubic))
         });
         let inner = &points[1..points.len() - 1];
         Ok(Self {

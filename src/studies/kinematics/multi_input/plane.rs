@@ -43,7 +43,7 @@ impl AskedSeveral<'_> {
         let (least, most) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
         let half = match self.inputs[input] {
             Coordinate::Turning => PI,
-            Coordinate::Sliding => self.linkage.size(),
+            Coordinate::Sliding => self.linkage.typical_length(),
         };
         let middle = 0.5 * (least + most);
         [least.min(middle - half), most.max(middle + half)]

@@ -37,7 +37,7 @@ impl Room {
         let pins = self.pins.lock().unwrap_or_else(PoisonError::into_inner);
         let kept = self.lock().pins.clone();
         // Where nothing can be kept the runs are pinned as long as the program lasts.
-        let _ = pins.keep(&self.path, &kept);
+        let _ = pins.write_pins(&self.path, &kept);
     }
 
     /// A window wants to see something else.
@@ -67,7 +67,7 @@ impl Room {
         let mut any = false;
         while let Some(source) = self.waiting_pin() {
             if let Some(runs) = self.runs.get() {
-                runs.hurry();
+                runs.interrupt_for_newer();
             }
             match self.run_again(&source, stop) {
                 Again::Run(result) => self.worked_out(&source, Some(&result)),
@@ -83,7 +83,7 @@ impl Room {
 
     fn waiting_pin(&self) -> Option<Arc<Source>> {
         let state = self.lock();
-        state.views.values().find_map(View::waiting).cloned()
+        state.views.values().find_map(View::waiting_run).cloned()
     }
 
     fn run_again(&self, source: &Source, stop: &AtomicBool) -> Again {

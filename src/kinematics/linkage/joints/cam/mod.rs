@@ -143,7 +143,7 @@ impl Kind for Box<CamPairSpec> {
         check::check(self, &format!("{path}.cam"), faults);
     }
 
-    fn fits(&self, coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Result<(), Mismatch> {
+    fn check_links(&self, coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Result<(), Mismatch> {
         let [own, other] = coupling.wheels;
         match own == other {
             true => Err(Mismatch::Same(own, "name points of two different links")),
@@ -151,7 +151,7 @@ impl Kind for Box<CamPairSpec> {
         }
     }
 
-    fn ready(&self, _coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Option<Joint> {
+    fn to_joint(&self, _coupling: &CouplingSpec, _pairs: &[PairSpec]) -> Option<Joint> {
         Some(Joint::Cam(RollerOnCam {
             points: [self.centre, self.roller],
             hollow: self.surface == Surface::Hollow,
@@ -179,7 +179,7 @@ impl Kind for Box<CamPairSpec> {
         flanks.into_iter().map(flank).chain([roller]).collect()
     }
 
-    fn following(&self) -> (&'static str, Following) {
+    fn link_following(&self) -> (&'static str, Following) {
         let rule = "the centre of the roller lies on the pitch curve of the cam";
         ("cam", Following::InWords(rule))
     }
@@ -252,7 +252,7 @@ impl Constraint for RollerOnCam {
     }
 
     /// Away from a disc, into a hollow cam.
-    fn sense(&self) -> f64 {
+    fn sign_of_force(&self) -> f64 {
         if self.hollow { -1.0 } else { 1.0 }
     }
 }
