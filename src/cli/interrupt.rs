@@ -70,7 +70,7 @@ pub(crate) fn answering() {
 pub(crate) struct InterruptGuard(());
 
 /// Says that there is something to keep from now on.
-pub(crate) fn guard() -> InterruptGuard {
+pub(crate) fn hold_interrupt() -> InterruptGuard {
     *count_of_guards() += 1;
     InterruptGuard(())
 }

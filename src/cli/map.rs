@@ -51,13 +51,13 @@ pub(crate) fn command(args: &MapArgs) -> Result<Status, Failure> {
     };
     let known = match args.merge.as_slice() {
         [] => known,
-        files => merged(&study, files)?,
+        files => merge_parts(&study, files)?,
     };
     let begun = Instant::now();
     let kept: usize = known.values().map(Vec::len).sum();
     let watch = Watch::new(&study, kept, journal.as_ref(), args.scene.quiet);
     let threads = args.threads.map(usize::from);
-    let keeping = interrupt::guard();
+    let keeping = interrupt::hold_interrupt();
     let result = map(&study, known, threads, interrupt::budget(), &watch);
     watch.finish();
     let result = result?;
@@ -131,7 +131,7 @@ fn range(text: &str) -> Result<Range<usize>, String> {
 }
 
 /// The rows of all parts.
-fn merged(study: &Study<'_>, files: &[PathBuf]) -> Result<KnownCells, Failure> {
+fn merge_parts(study: &Study<'_>, files: &[PathBuf]) -> Result<KnownCells, Failure> {
     let read = |path: &PathBuf| {
         let name = path.display().to_string();
         let mut bytes = Vec::new();

@@ -21,7 +21,7 @@ use serde_json::json;
 
 /// Runs the command.
 pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
-    refuse(args.view, args.form)?;
+    refuse_form(args.view, args.form)?;
     let ready = Input::load(&args.scene)?.prepare_and_warn(args.scene.quiet)?;
     let model = ready.system.model();
     if args.scene.json {
@@ -38,7 +38,7 @@ pub(crate) fn command(args: &ShowArgs) -> Result<Status, Failure> {
     Ok(Status::Answered)
 }
 
-fn refuse(view: View, form: ShowForm) -> Result<(), Failure> {
+fn refuse_form(view: View, form: ShowForm) -> Result<(), Failure> {
     let fits = match form {
         ShowForm::Text => true,
         ShowForm::Dot | ShowForm::Svg => matches!(view, View::Graph | View::All),

@@ -24,7 +24,7 @@ const RADIANS: f64 = 0.6;
 const TERMS: usize = LAW_DEGREE + 3;
 
 /// True when a mode is too near to a harmonic for its answer to be a lane.
-pub(super) fn near(lambda: C, omega: f64) -> bool {
+pub(super) fn is_near_resonance(lambda: C, omega: f64) -> bool {
     (C::new(0.0, omega) - lambda).norm() < NEAR_RESONANCE * omega
 }
 

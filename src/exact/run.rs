@@ -60,7 +60,7 @@ impl Task for Pass<'_, '_> {
 impl Workspace<'_> {
     /// The next phase with the switch that ends it; what is said of the run in the end
     /// is up to date.
-    pub(super) fn advance(&mut self, request: &Request) -> Result<CompletedPhase, Refusal> {
+    pub(super) fn advance_phase(&mut self, request: &Request) -> Result<CompletedPhase, Refusal> {
         let passed = forward(self, request.end)?;
         self.take_switch(&passed)?;
         if passed.event.is_some() || self.phase.reach < self.regimes[passed.regime].basis.longest {
@@ -88,7 +88,7 @@ impl Workspace<'_> {
     /// All phases, one after the other.
     pub(super) fn run(mut self, request: &Request) -> Result<ExactRun, Refusal> {
         loop {
-            self.advance(request)?;
+            self.advance_phase(request)?;
             if self.has_ended(request) {
                 return Ok(self.finish(request));
             }
@@ -149,7 +149,7 @@ impl Workspace<'_> {
         let (basis, steady) = (&entry.basis, entry.steady.as_ref());
         let (q, v) = (&mut self.q, &mut self.v);
         self.phase
-            .begin::<A>(self.problem, basis, steady, self.at, q, v);
+            .begin_phase::<A>(self.problem, basis, steady, self.at, q, v);
         let passed = self.follow_phase::<A>(regime, end);
         if passed.is_err() {
             // The run stands where the phase began.

@@ -141,7 +141,7 @@ impl Sampler {
             q: vec![0.0; room],
             v: vec![0.0; room],
         };
-        sampler.advance(0);
+        sampler.skip_samples(0);
         sampler
     }
 
@@ -159,7 +159,7 @@ impl Sampler {
     }
 
     #[inline(always)]
-    fn advance(&mut self, by: usize) {
+    fn skip_samples(&mut self, by: usize) {
         self.next += by;
         self.due = if self.next <= self.count {
             self.time(self.next)
@@ -186,14 +186,14 @@ impl Sampler {
         if let Some(strides) = strides {
             let count = self.count_of_samples(phase, first, s);
             self.last_mass::<A>(basis, strides, phase, count, out);
-            self.advance(count);
+            self.skip_samples(count);
             return;
         }
         loop {
             phase.state::<A>(basis, &mut self.e, &mut self.q, &mut self.v);
             out.extend_from_slice(&self.q);
             out.extend_from_slice(&self.v);
-            self.advance(1);
+            self.skip_samples(1);
             let local = phase.local(self.due);
             if local > s {
                 return;

@@ -202,7 +202,7 @@ impl Scalar for Series {
         Self::from(value)
     }
 
-    fn central(self) -> f64 {
+    fn compared_value(self) -> f64 {
         self.coefficients[0]
     }
 

@@ -157,7 +157,7 @@ impl Abscissa {
                 let within = both.map(|[from, to]| [from.max(first), to.min(last)]);
                 within
                     .filter(|[from, to]| from < to)
-                    .flat_map(cut)
+                    .flat_map(intervals_within_turn)
                     .collect()
             }
         }
@@ -183,7 +183,7 @@ fn last_turn(angles: &[f64]) -> [f64; 2] {
 }
 
 /// An interval of angles (rad) within each turn (degrees).
-fn cut([from, to]: [f64; 2]) -> Vec<[f64; 2]> {
+fn intervals_within_turn([from, to]: [f64; 2]) -> Vec<[f64; 2]> {
     let first = (from / TAU).floor();
     let turns = (to / TAU).ceil() - first;
     let part = |turn: f64| {

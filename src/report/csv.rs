@@ -68,7 +68,7 @@ impl Rows {
 
     /// The numbers of a column, those that are no number as NaN; `None` where there are
     /// words in it. They are what the CSV holds: the shortest decimals read back.
-    pub fn numbers(&self, column: usize) -> Option<Vec<f64>> {
+    pub fn numbers_of_column(&self, column: usize) -> Option<Vec<f64>> {
         let number = |row: &Vec<Field>| match row.get(column)?.0.as_str() {
             "" => Some(f64::NAN),
             text => text.parse().ok(),
@@ -273,8 +273,8 @@ mod tests {
         let rows = rows.map(|(name, value)| [super::Field::from(name), value.into()]);
         let table = super::Rows::new(["name", "value"], rows);
         assert_eq!(table.column_names(), ["name", "value"]);
-        assert_eq!(table.numbers(0), None);
-        let numbers = table.numbers(1).unwrap();
+        assert_eq!(table.numbers_of_column(0), None);
+        let numbers = table.numbers_of_column(1).unwrap();
         assert_eq!(numbers[0], 0.1 + 0.2);
         assert!(numbers[1].is_nan());
     }

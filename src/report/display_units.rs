@@ -143,7 +143,7 @@ impl DisplayUnits {
     }
 
     /// The units of this thread, for scripts of pages: SI unit, unit, size.
-    pub(in crate::report) fn chosen() -> Vec<(&'static str, String, f64)> {
+    pub(in crate::report) fn units_of_thread() -> Vec<(&'static str, String, f64)> {
         CHOICE.with_borrow(|choice| choice.units.clone())
     }
 }

@@ -117,7 +117,7 @@ fn verdict(answer: &FoundValue) -> (Sort, String, String) {
             let ranges: Vec<String> = found
                 .ranges
                 .iter()
-                .map(|one| range(answer, [&one.from, &one.to]))
+                .map(|one| range_in_words(answer, [&one.from, &one.to]))
                 .collect();
             (
                 format!("All conditions hold for {path} {}.", ranges.join(" and ")),
@@ -170,7 +170,7 @@ fn first_refusal(answer: &FoundValue) -> String {
 }
 
 /// The two ends of a range in words.
-fn range(answer: &FoundValue, [from, to]: [&ConditionEnd; 2]) -> String {
+fn range_in_words(answer: &FoundValue, [from, to]: [&ConditionEnd; 2]) -> String {
     let [from, to] = [from, to].map(|end| end.sample.value);
     match from == to {
         true => format!("at {}", parameter(answer, from, DIGITS)),

@@ -108,7 +108,7 @@ pub(crate) fn run(
     beside: &RunExtras<'_>,
     before: &Charts,
 ) -> LiveRun {
-    let merged = record.merged();
+    let merged = record.with_closeups();
     let label = if beside.pins.is_empty() { "" } else { NOW };
     let pinned = beside.pins.iter();
     let pinned = pinned.map(|&(name, result)| (name, &result.record));
@@ -193,7 +193,7 @@ pub(crate) fn accuracy(certificate: &Certificate) -> String {
 }
 
 /// The dynamic model, and the equations, as parts of a page.
-pub(crate) fn model(system: &System) -> [String; 2] {
+pub(crate) fn model_and_equations(system: &System) -> [String; 2] {
     let model = system.model();
     let frequencies = Frequencies {
         engaged: system.natural_frequencies(Regime::Engaged),
@@ -224,7 +224,7 @@ fn compared<'a>(figures: &Figures, beside: &RunExtras<'_>) -> Vec<Section<'a>> {
 }
 
 /// The names of the columns of a record, each with its unit.
-pub(crate) fn signals(record: &Record) -> Vec<[String; 2]> {
+pub(crate) fn signal_names(record: &Record) -> Vec<[String; 2]> {
     let columns = record.columns.iter();
     let columns = columns.map(|one| [column_name(one), one.unit.to_owned()]);
     std::iter::once([TIME.to_owned(), "s".to_owned()])
@@ -340,10 +340,10 @@ pub(crate) fn map(study: &Study<'_>, result: &MapResult) -> (String, Plots, Vec<
 
 /// The charts of a map by their number.
 pub(crate) fn described_map(plots: &Plots) -> Value {
-    described(plots, OF_MAP)
+    describe_plots(plots, OF_MAP)
 }
 
-fn described(plots: &Plots, first: usize) -> Value {
+fn describe_plots(plots: &Plots, first: usize) -> Value {
     let all = plots.columns_and_charts().1.iter().enumerate();
     let all = all.map(|(index, plot)| ((first + index).to_string(), plot.clone()));
     Value::Object(all.collect())
@@ -361,7 +361,7 @@ pub(crate) fn findings(found: &Findings<'_>) -> Value {
         "answer": found.answer.as_ref().map(verdict_banner),
         "warnings": warnings(&found.warnings),
         "html": html,
-        "plots": described(&plots, OF_QUESTION),
+        "plots": describe_plots(&plots, OF_QUESTION),
         "columns": plots.columns_and_charts().0,
     })
 }

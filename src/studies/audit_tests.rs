@@ -42,7 +42,7 @@ fn reported(name: &str) -> (Model, RunSettings) {
 fn take_for_uniform(model: &mut Model) {
     for node in &mut model.nodes {
         if let NodeMotion::Prescribed { motion, track } = &mut node.motion {
-            let jet = motion.jet(motion.breaks().locate(0.0, 1.0), 0.0);
+            let jet = motion.jet(motion.breaks().segment_at(0.0, 1.0), 0.0);
             let (speed, angle) = (jet.first, jet.value);
             (*motion, *track) = (DriveMotion::Constant { speed, angle }, None);
         }

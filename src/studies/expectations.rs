@@ -167,7 +167,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
         Some(Fault::new(
             format!("expect.{index}.figure"),
             format!("there is no result `{figure}`"),
-            instead_of(figure, &close),
+            suggest_instead(figure, &close),
         ))
     };
     expectations
@@ -179,7 +179,7 @@ pub fn unknown_figures(expectations: &[Expectation], model: &Model) -> Vec<Fault
 
 /// What to write in place of a result that a run does not have: similar addresses, or what the
 /// result needs.
-pub(super) fn instead_of(figure: &str, close: &[String]) -> String {
+pub(super) fn suggest_instead(figure: &str, close: &[String]) -> String {
     match figure.strip_suffix(".pair.margin") {
         Some(object) => format!(
             "only a rigid object has it, with \"masses\": 0; an elastic one has the least contact \
@@ -262,12 +262,12 @@ fn judge(verdict: &mut Verdict, allowed: &AllowedValues, found: f64) {
     // A number that is none fails.
     verdict.holds = allowed.contains_value(found);
     verdict.message = match *allowed {
-        AllowedValues::Near { value, within } => near(verdict, found, value, within),
+        AllowedValues::Near { value, within } => verdict_near(verdict, found, value, within),
         AllowedValues::Between { least, most } => verdict_between(verdict, found, [least, most]),
     };
 }
 
-fn near(verdict: &Verdict, found: f64, expected: f64, within: f64) -> String {
+fn verdict_near(verdict: &Verdict, found: f64, expected: f64, within: f64) -> String {
     let what = &verdict.what;
     let off = (found - expected).abs();
     if verdict.holds {

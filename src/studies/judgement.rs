@@ -69,7 +69,7 @@ impl Judgement {
         // What stops at its very start, as by self-locking, leaves nothing to check.
         let at_start = made.ending == RunEnd::OfMechanism && made.time <= 0.0;
         let checks = if at_start { &[] } else { made.checks };
-        let judged = Self::decide(made.ending, checks, || Self::of_objects(objects));
+        let judged = Self::judge_result(made.ending, checks, || Self::of_objects(objects));
         match say_nothing(checks) {
             true => judged.uncertified(),
             false => judged,
@@ -78,7 +78,11 @@ impl Judgement {
 
     /// The one rule by which every result is judged: how its computation ended and its checks
     /// come before what it says of the mechanism.
-    pub fn decide(ending: RunEnd, checks: &[Check], mechanism: impl FnOnce() -> Self) -> Self {
+    pub fn judge_result(
+        ending: RunEnd,
+        checks: &[Check],
+        mechanism: impl FnOnce() -> Self,
+    ) -> Self {
         let checked = checks.iter().all(Check::passed);
         match ending {
             RunEnd::OfComputation => Self::NotToBeTrusted,

@@ -119,7 +119,7 @@ pub fn response(model: &Model, object: usize, result: &RunResult) -> Result<LawR
         .filter(|(_, time)| (window[0]..=window[1]).contains(*time))
         .filter_map(|(row, _)| {
             let phi = *angles.get(row)?;
-            let segment = breaks.locate(phi, 1.0);
+            let segment = breaks.segment_at(phi, 1.0);
             Some(Sample {
                 jet: law.position.jet(segment, phi).scaled(law.lever),
                 delta: *deltas.get(row)?,

@@ -215,7 +215,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
     let (fastest, eigenvalues) = rates(system);
     let modes = eigenvalues.unwrap_or_default();
     let duration = settings.duration;
-    let vibrations = vibration_frequencies(system).map(|frequency| nearest(frequency, &modes));
+    let vibrations = vibration_frequencies(system).map(|frequency| nearest_mode(frequency, &modes));
     let turning = driving_speeds(system, duration).fold(0.0, f64::max);
     Situation {
         fastest,
@@ -235,7 +235,7 @@ fn situation(system: &System, settings: &RunSettings) -> Situation {
 
 /// The mode that a base frequency (rad/s) has become in the whole mechanism; an
 /// undamped vibration where there is none near it.
-fn nearest(frequency: f64, eigenvalues: &[[f64; 2]]) -> Vibration {
+fn nearest_mode(frequency: f64, eigenvalues: &[[f64; 2]]) -> Vibration {
     let modes = eigenvalues.iter().filter(|[_, im]| *im > 0.0);
     let modes = modes.map(|[re, im]| Vibration {
         frequency: re.hypot(*im),
@@ -262,7 +262,7 @@ fn driving_speeds(system: &System, duration: f64) -> impl Iterator<Item = f64> {
                     let breaks = motion.breaks();
                     (0..=LOOKS)
                         .map(|look| duration * look as f64 / LOOKS as f64)
-                        .map(|time| motion.jet(breaks.locate(time, 1.0), time).first.abs())
+                        .map(|time| motion.jet(breaks.segment_at(time, 1.0), time).first.abs())
                         .fold(0.0, f64::max)
                 }
                 // The scale of a rotor's speed is its nominal speed.

@@ -47,8 +47,10 @@ impl Studies<'_> {
                 object,
                 ..
             }) => ("kinematics", self.kinematics(object, one)),
-            Some(StudyAddress::Linkage { object, .. }) => ("forces", self.forces(object, one)),
-            Some(StudyAddress::Steady { .. }) => ("steady", self.steady(one)),
+            Some(StudyAddress::Linkage { object, .. }) => {
+                ("forces", self.verdict_on_forces(object, one))
+            }
+            Some(StudyAddress::Steady { .. }) => ("steady", self.verdict_on_steady_motion(one)),
             Some(StudyAddress::Within(within)) => match StudyAddress::of(within.figure) {
                 Some(StudyAddress::Linkage { study, .. }) => (study, self.verdict_over_part(one)),
                 _ => ("run", self.run(one)),
@@ -90,7 +92,7 @@ impl Studies<'_> {
         verdict.ok_or_else(not_required)
     }
 
-    fn steady(&mut self, one: &Expectation) -> Result<Verdict, String> {
+    fn verdict_on_steady_motion(&mut self, one: &Expectation) -> Result<Verdict, String> {
         let subject = self.subject;
         let found = self.steady.get_or_insert_with(|| steady_of(subject));
         let answer = found.as_ref().map_err(Clone::clone)?;
@@ -112,7 +114,7 @@ impl Studies<'_> {
             .ok_or_else(not_required)
     }
 
-    fn forces(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
+    fn verdict_on_forces(&mut self, object: &str, one: &Expectation) -> Result<Verdict, String> {
         let (model, duration) = (self.subject.system.model(), self.subject.settings.duration);
         let known = self.forces.entry(object.to_owned());
         let found = known.or_insert_with(|| {

@@ -21,10 +21,10 @@ use crate::units::{Mismatch, Quantity, parse};
 pub use super::kinematics::{DescribedFigure, POSITIONS, ends};
 
 /// All results of linkages that a scene can expect, by study.
-pub fn described() -> [(&'static str, Vec<DescribedFigure>); 2] {
+pub fn described_results() -> [(&'static str, Vec<DescribedFigure>); 2] {
     [
-        ("kinematics", kinematics::described()),
-        ("forces", forces::described()),
+        ("kinematics", kinematics::described_results()),
+        ("forces", forces::described_results()),
     ]
 }
 

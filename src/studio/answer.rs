@@ -268,7 +268,7 @@ impl Ran {
             "compared": shown.compared,
             "figures": result.figures.objects,
             "moving": shown.moving,
-            "signals": live::signals(&result.record),
+            "signals": live::signal_names(&result.record),
             "pins": view.names(),
         });
         let answer = Answer {

@@ -11,7 +11,7 @@ use crate::frontend::scene::{
 };
 use crate::report::live;
 use crate::studies::offer::offers;
-use crate::studies::spread::spread;
+use crate::studies::spread::repeat_with_changes;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
@@ -75,7 +75,7 @@ impl<'a> Aside<'a> {
     /// be run.
     pub(super) fn model(&self) -> Option<Value> {
         self.of_mechanism(ModelAssessment::Asked, |mechanism| {
-            let [model, equations] = live::model(&mechanism.system);
+            let [model, equations] = live::model_and_equations(&mechanism.system);
             let accuracy = mechanism.certificate.as_ref().map(live::accuracy);
             json!({ "model": accuracy.unwrap_or_default() + &model, "equations": equations })
         })
@@ -103,7 +103,7 @@ impl<'a> Aside<'a> {
             if budget.is_spent() {
                 return json!({ "figures": [], "refused": "the run takes too long to be repeated here" });
             }
-            let moved = spread(&mechanism.system, &mechanism.settings, &result, &budget).ok();
+            let moved = repeat_with_changes(&mechanism.system, &mechanism.settings, &result, &budget).ok();
             // What was not run to its end says nothing of errors.
             let moved = moved.filter(|_| !budget.is_spent());
             json!({ "figures": offers(&result, mechanism.certificate.as_ref(), moved.as_ref()) })

@@ -15,7 +15,7 @@ use super::gallery;
 use super::limits::{CELLS, QUICK};
 use super::messages::{Beginning, MapRequest};
 use super::pins::{KeptPin, Source};
-use super::view::{View, merged};
+use super::view::{View, with_closeups};
 use crate::ask::ModelAssessment;
 use crate::budget::Instant;
 use crate::frontend::scene::{BuiltIn, Document};
@@ -211,7 +211,7 @@ impl Tab {
         if let Some(ran) = &self.ran
             && is_pinned(&ran.run.source)
         {
-            self.store_result((*ran.run.source).clone(), merged(&ran.run.result));
+            self.store_result((*ran.run.source).clone(), with_closeups(&ran.run.result));
         }
         self.known.retain(|(source, _)| is_pinned(source));
         self.view = View::from_records(pins);
@@ -357,7 +357,7 @@ fn run_again(source: &Source) -> Option<Arc<RunResult>> {
         .run(reading, judging, &GOES_ON)
         .ok()
         .filter(|_| is_same)?;
-    Some(merged(&ran?.run.result))
+    Some(with_closeups(&ran?.run.result))
 }
 
 /// Tells the page of its map.

@@ -102,14 +102,14 @@ impl View {
     ///
     /// # Errors
     /// There are as many as there may be.
-    pub(super) fn pin(&mut self, name: &str, run: &SourcedRun) -> Result<(), String> {
+    pub(super) fn keep_run(&mut self, name: &str, run: &SourcedRun) -> Result<(), String> {
         if self.pins.len() >= PINS {
             return Err(format!("{PINS} runs are pinned: unpin one of them first"));
         }
         self.pins.push(Pin {
             name: self.distinct_name(name, self.pins.len()),
             source: run.source.clone(),
-            result: Some(merged(&run.result)),
+            result: Some(with_closeups(&run.result)),
         });
         Ok(())
     }
@@ -150,8 +150,8 @@ impl View {
 }
 
 /// A run as it is shown beside others.
-pub(super) fn merged(result: &RunResult) -> Arc<RunResult> {
-    let record = result.record.merged();
+pub(super) fn with_closeups(result: &RunResult) -> Arc<RunResult> {
+    let record = result.record.with_closeups();
     Arc::new(RunResult {
         record,
         ..result.clone()

@@ -281,7 +281,7 @@ fn force_and_torque_are_those_of_the_motion() {
         }
     }
     assert!(work.abs() < 1e-6, "{work}");
-    let dwell = cam.motion().locate(1.5).0;
+    let dwell = cam.motion().piece_at(1.5).0;
     let [along, normal, torque] = force.at_within_piece(1.5, dwell.from, dwell.to);
     let expected = 3.0 + 8.0 * 10f64.to_radians();
     approx::assert_relative_eq!(along, expected, max_relative = 1e-13);
@@ -323,7 +323,7 @@ fn loads_and_followers_behind_the_cam_are_carried() {
         let cut = if (1.0..2.0).contains(&phi) { 25.0 } else { 0.0 };
         let expected =
             (0.5 + 4.0 * 0.25) * q2 * 400.0 + 5.0 * q1 * 20.0 + cut + 2.0 * 3.0 + 40.0 + 3000.0 * q;
-        let (piece, _) = cam.motion().locate(phi);
+        let (piece, _) = cam.motion().piece_at(phi);
         let found = force.at_within_piece(phi, piece.from, piece.to)[0];
         approx::assert_relative_eq!(found, expected, max_relative = 1e-12);
     }

@@ -63,7 +63,11 @@ pub(crate) fn columns(rows: &Rows) -> Columns {
             Some((name, unit)) => (name, unit),
             None => (head.as_str(), ""),
         };
-        Some((name.to_owned(), unit.to_owned(), rows.numbers(index)?))
+        Some((
+            name.to_owned(),
+            unit.to_owned(),
+            rows.numbers_of_column(index)?,
+        ))
     };
     Columns(
         rows.column_names()

@@ -37,7 +37,7 @@ const ROWS: usize = 720;
 pub(crate) fn command(args: &CamArgs, asker: &dyn Asker) -> Result<Status, Failure> {
     let input = asker.input(&args.scene)?;
     let ready = input.prepare_and_warn(args.scene.quiet)?;
-    let id = chosen(args, &ready)?;
+    let id = chosen_object(args, &ready)?;
     let folder = OutputFolder::from_args(&args.out, &ready.scene().name, &FILES)?;
     let model = ready.system.model();
     let diagnose = |faults: Vec<crate::fault::Fault>| ready.reading.places.diagnose(&faults);
@@ -159,7 +159,7 @@ fn expectations<'r>(
 }
 
 /// The object asked for, or the only one with a cam.
-fn chosen(args: &CamArgs, ready: &Ready) -> Result<String, Failure> {
+fn chosen_object(args: &CamArgs, ready: &Ready) -> Result<String, Failure> {
     if let Some(id) = &args.object {
         return Ok(id.clone());
     }

@@ -2,7 +2,7 @@
 
 mod question;
 
-use crate::cli::answer::{Answer, AnswerForm, Content, PAGE, ignores_until, picture, warn};
+use crate::cli::answer::{Answer, AnswerForm, Content, PAGE, add_warning, ignores_until, picture};
 use crate::cli::args::{ConventionName, ForcesArgs};
 use crate::cli::asker::Asker;
 use crate::cli::console;
@@ -79,7 +79,7 @@ pub(crate) fn command(args: &ForcesArgs, asker: &dyn Asker) -> Result<Status, Fa
     shown.label(label.as_ref(), "the forces are");
     let mut written = document(&report);
     shown.judge(&mut written, label.as_ref());
-    warn(&mut shown, &mut written, ignores_until(model));
+    add_warning(&mut shown, &mut written, ignores_until(model));
     let answer = Answer {
         command: "forces",
         findings: &shown,

@@ -3,7 +3,7 @@
 
 pub(super) mod multi_input;
 
-use super::answer::{Answer, AnswerForm, Content, PAGE, ignores_until, warn};
+use super::answer::{Answer, AnswerForm, Content, PAGE, add_warning, ignores_until};
 use super::args::{CourseArgs, KinematicsArgs};
 use super::asker::Asker;
 use super::expected::Expectations;
@@ -80,7 +80,7 @@ pub(crate) fn command(args: &KinematicsArgs, asker: &dyn Asker) -> Result<Status
     shown.label(label.as_ref(), "positions, speeds and accelerations are");
     let mut written = document(name, hash, &found);
     shown.judge(&mut written, label.as_ref());
-    warn(&mut shown, &mut written, ignores_until(model));
+    add_warning(&mut shown, &mut written, ignores_until(model));
     let answer = Answer {
         command: "kinematics",
         findings: &shown,

@@ -111,7 +111,7 @@ impl OutputFolder {
             ),
             LockError::System(error) => format!("cannot open the output folder `{shown}`: {error}"),
         })?;
-        let _keeping = interrupt::guard();
+        let _keeping = interrupt::hold_interrupt();
         try_writing(folder).map_err(|error| format!("cannot write into `{shown}`: {error}"))?;
         let known = Provenance::of(folder);
         // The results that lie there go as a whole, whatever command wrote them.
@@ -147,7 +147,7 @@ impl OutputFolder {
         hash: &str,
         files: &[ResultFile],
     ) -> Result<(), Failure> {
-        let _keeping = interrupt::guard();
+        let _keeping = interrupt::hold_interrupt();
         self.replace_all(command, hash, files)
             .map_err(Failure::Output)
     }

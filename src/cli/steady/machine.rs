@@ -89,7 +89,9 @@ fn table(
         .map_err(|error| format!("cannot read the table `{shown}`: {error}"))?;
     let table = csv::table(&text, spec.cycle).map_err(|refusal| refused(&refusal))?;
     let (flywheel, motion) = match spec.fluctuation {
-        None => table.steady(question).map(|motion| (None, motion)),
+        None => table
+            .find_steady_motion(question)
+            .map(|motion| (None, motion)),
         Some(wanted) => size_of_table(&table, question, wanted)
             .map(|(flywheel, motion)| (Some(flywheel), motion)),
     }

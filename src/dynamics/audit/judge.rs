@@ -240,7 +240,7 @@ impl<'s> Judge<'s> {
             self.take_state(time, y, &look.modes.0);
             for (balance, at) in found.iter_mut().zip(&self.mechanics.nodes) {
                 match k {
-                    0 => balance.begin(at),
+                    0 => balance.start_judging(at),
                     k if k == last => balance.end(at),
                     k => balance.add(at, WEIGHTS[k - 1]),
                 }
@@ -592,7 +592,7 @@ impl Window {
 }
 
 impl Balance {
-    fn begin(&mut self, at: &At) {
+    fn start_judging(&mut self, at: &At) {
         (self.gain, self.momentum) = (-at.momentum, at.momentum.abs());
         self.speeds[0] = at.motion[1];
     }

@@ -13,7 +13,7 @@ use super::contact::{Contact, ContactState};
 use crate::dynamics::builder::FREE_FALL;
 use crate::dynamics::model::{Law, LinkBase, LoadLaw, LoadVariable, Model, NodeMotion};
 use crate::dynamics::stated::{
-    LoadStatement, StatedDrive, StatedLoad, StatedPosition, differentiate, nearest,
+    LoadStatement, StatedDrive, StatedLoad, StatedPosition, differentiate, nearest_by_turns,
 };
 use crate::dynamics::system::System;
 use crate::kinematics::constraint::ConstraintJet;
@@ -194,11 +194,11 @@ impl<'s> Mechanics<'s> {
                     let stated = self.positions[index].as_ref();
                     let found = stated.and_then(|stated| stated.at(driver[0]));
                     if let (Some(stated), Some((mut found, unsure))) = (stated, found) {
-                        if let Some(turn) = stated.turn() {
+                        if let Some(turn) = stated.whole_turn() {
                             // (How often it has turned round, its formula does not tell.)
-                            let segment = law.position.breaks().locate(driver[0], driver[1]);
+                            let segment = law.position.breaks().segment_at(driver[0], driver[1]);
                             let known = law.position.jet(segment, driver[0]).value;
-                            found.value = nearest(found.value, turn, known);
+                            found.value = nearest_by_turns(found.value, turn, known);
                         }
                         (at.slope, at.bend) = (law.lever * found.first, law.lever * found.second);
                         let unsure = match **stated {

@@ -28,7 +28,7 @@ fn exit_time(way: &Trajectory<'_>, (from, to): (f64, f64), duration: f64) -> Opt
     let speed = (0..=1000)
         .map(|i| way.fastest_drive(duration * f64::from(i) / 1000.0))
         .fold(0.0, f64::max);
-    let most = (MOST_INSTANTS / (way.steps() + 1) as f64).max(1000.0);
+    let most = (MOST_INSTANTS / (way.count_of_laws() + 1) as f64).max(1000.0);
     let count = (speed * duration).to_degrees().clamp(1000.0, most) as u32;
     let time = |index: u32| duration * f64::from(index) / f64::from(count);
     // Beyond a dead-centre position upstream the displacement is not a number, nor
@@ -84,7 +84,13 @@ impl ModelBuilder {
 
     /// Ends the run where the driver leaves `reach`, and warns of it; `ends` says
     /// what is there.
-    pub(super) fn limit(&mut self, at: &Place, driver: NodeIndex, reach: (f64, f64), ends: &str) {
+    pub(super) fn limit_driver(
+        &mut self,
+        at: &Place,
+        driver: NodeIndex,
+        reach: (f64, f64),
+        ends: &str,
+    ) {
         let way = Trajectory::of(&self.model, driver);
         let left = way.and_then(|way| exit_time(&way, reach, self.duration));
         if let Some(time) = left {

@@ -18,7 +18,7 @@ impl ModelBuilder {
     fn prescribe(&mut self, at: &Place, spec: &DriveMotionSpec) {
         match DriveMotion::new(spec) {
             Ok(motion) => {
-                let node = self.prescribed(at, motion);
+                let node = self.add_prescribed_node(at, motion);
                 self.model
                     .stated
                     .drives

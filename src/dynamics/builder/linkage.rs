@@ -157,7 +157,7 @@ impl ModelBuilder {
         let jet = position.jet(0, 0.0);
         let ends = [reach.0, reach.1].map(|q| (q - jet.value) / jet.first);
         let of_driver = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        self.limit(at, input.node, of_driver, &ends_in_words(linkage));
+        self.limit_driver(at, input.node, of_driver, &ends_in_words(linkage));
     }
 }
 

@@ -113,7 +113,7 @@ pub(super) struct ModalLowering<'b> {
 
 impl ModalLowering<'_> {
     /// Lowers it behind its law.
-    pub(super) fn lower(mut self) {
+    pub(super) fn lower_to_nodes(mut self) {
         let Some(continuum) = self.check() else {
             return;
         };

@@ -13,7 +13,7 @@ use crate::kinematics::position::Position;
 
 impl ModelBuilder {
     /// A node whose motion is given over time.
-    pub fn prescribed(&mut self, at: &Place, motion: DriveMotion) -> NodeIndex {
+    pub fn add_prescribed_node(&mut self, at: &Place, motion: DriveMotion) -> NodeIndex {
         let track = self.track(
             TrackSource::Time,
             (motion.breaks(), motion.repeats()),
@@ -57,7 +57,7 @@ impl ModelBuilder {
         let track = self.track(source, (breaks, repeats), at.object);
         match position.reach_from(self.start_of(driver.node)) {
             Ok(None) => {}
-            Ok(Some(reach)) => self.limit(at, driver.node, reach, DEAD),
+            Ok(Some(reach)) => self.limit_driver(at, driver.node, reach, DEAD),
             Err(outside) => {
                 self.refuse_start(at, property, driver.node, &outside);
                 return None;

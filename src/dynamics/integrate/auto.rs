@@ -230,7 +230,7 @@ impl Behaviour {
     }
 
     /// Steps (s) that accuracy and stability allow.
-    fn steps(&self, situation: &Situation) -> [f64; 2] {
+    fn allowed_steps(&self, situation: &Situation) -> [f64; 2] {
         let aim = self.tolerance_for_run(situation);
         let kept = match self.method {
             Method::Radau => super::radau::effective_tolerance(aim),
@@ -248,7 +248,7 @@ impl Behaviour {
 
     /// Work of the whole run in evaluations.
     fn evaluations_of_run(&self, situation: &Situation) -> f64 {
-        let [accurate, stable] = self.steps(situation);
+        let [accurate, stable] = self.allowed_steps(situation);
         let columns = (situation.coordinates as f64).min(FULL);
         let digits = (-self.tolerance_for_run(situation).log10()).clamp(1.0, MOST_DIGITS);
         let cost = self.cost[0] + self.cost[1] * columns + self.digit * digits;
@@ -339,7 +339,7 @@ pub fn choose(situation: &Situation) -> MethodChoice {
 }
 
 fn why_implicit(situation: &Situation, explicit: &Behaviour, implicit: &Behaviour) -> String {
-    let [accurate, stable] = explicit.steps(situation);
+    let [accurate, stable] = explicit.allowed_steps(situation);
     let (fastest, seen) = (situation.fastest, situation.highest_frequency());
     let held = if stable < accurate {
         format!(
@@ -358,12 +358,15 @@ fn why_implicit(situation: &Situation, explicit: &Behaviour, implicit: &Behaviou
         explicit.method,
         shown(accurate.min(stable), 2),
         implicit.method,
-        shown(implicit.steps(situation)[0].min(situation.duration), 2)
+        shown(
+            implicit.allowed_steps(situation)[0].min(situation.duration),
+            2
+        )
     )
 }
 
 fn why_explicit(situation: &Situation, explicit: &Behaviour) -> String {
-    let [accurate, stable] = explicit.steps(situation);
+    let [accurate, stable] = explicit.allowed_steps(situation);
     let bound = if accurate <= stable {
         "the tolerance"
     } else {

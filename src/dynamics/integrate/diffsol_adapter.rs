@@ -130,7 +130,7 @@ where
         }
         let time = if landed { target } else { start + now };
         run.evaluator.derivatives(time, &y, &mut dy);
-        let verdict = run.accept(time, &y, &dy, Some(&middle));
+        let verdict = run.accept_step(time, &y, &dy, Some(&middle));
         if landed || verdict != Verdict::Continue {
             break Ok(());
         }

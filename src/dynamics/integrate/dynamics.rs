@@ -198,7 +198,7 @@ pub trait Dynamics: Sync {
     }
 
     /// Derivative of `derivatives` with respect to time at a fixed state.
-    fn time_tangent(
+    fn derivative_by_time(
         &self,
         time: f64,
         y: &[f64],
@@ -341,7 +341,7 @@ pub trait Dynamics: Sync {
     /// The first switch on a step, up to `end`, of what is no linear function of a
     /// signal and its rate: its place and what changes. `fresh`: something has switched
     /// at the step's start. Guards at rest change beyond their floors. Default: none.
-    fn crossing(
+    fn first_crossing(
         &self,
         _step: &Step<'_>,
         _modes: &Modes,

@@ -273,7 +273,7 @@ impl<D: Dynamics> Problem<'_, '_, D> {
         }
         let accepted = self.counters.accepted.get() + 1;
         self.counters.accepted.set(accepted);
-        self.run.accept(time, y, dy, None) != Verdict::Continue || accepted >= STEPS_PER_LEG
+        self.run.accept_step(time, y, dy, None) != Verdict::Continue || accepted >= STEPS_PER_LEG
     }
 }
 

@@ -184,7 +184,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     }
 
     /// Ends the run before it has begun.
-    pub(super) fn refuse(&mut self, time: f64, reason: String) {
+    pub(super) fn end_before_start(&mut self, time: f64, reason: String) {
         self.from.time = time;
         let method = self.settings.method;
         self.end(Stop::Method { method, reason });
@@ -195,7 +195,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
     ///
     /// An implicit method gives the state in the `middle` of the step as well,
     /// for steps that pass over fast modes.
-    pub(super) fn accept(
+    pub(super) fn accept_step(
         &mut self,
         time: f64,
         y: &[f64],
@@ -302,7 +302,7 @@ impl<'a, D: Dynamics> Run<'a, D> {
         }
         self.drawn_in = 0;
         match (found, edge) {
-            (Some(found), _) => self.cut(found),
+            (Some(found), _) => self.switch_within_step(found),
             (None, None) => match self.pass() {
                 Verdict::Continue if self.is_to_slow_down() => Verdict::Restart,
                 Verdict::Continue if self.is_to_change() => Verdict::Restart,

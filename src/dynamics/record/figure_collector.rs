@@ -152,7 +152,7 @@ impl<'s> FigureCollector<'s> {
         if step.end <= 0.0 || self.failure.is_some() {
             return;
         }
-        self.observer.begin(step.length);
+        self.observer.begin_step(step.length);
         let (length, most) = (step.end * step.length, pieces::max_pieces(step.degree));
         self.longest = self.longest.max(length);
         // What is short already needs no pieces.
@@ -164,7 +164,7 @@ impl<'s> FigureCollector<'s> {
         let parts = most.div_ceil(count);
         self.smooth = f64::INFINITY;
         let mut pieces = std::mem::take(&mut self.pieces);
-        pieces.each(step, count, |piece| self.long_step(piece, parts, modes));
+        pieces.for_each_piece(step, count, |piece| self.long_step(piece, parts, modes));
         self.pieces = pieces;
     }
 
@@ -239,7 +239,7 @@ impl<'s> FigureCollector<'s> {
         // The state at its start is that of its first part.
         self.continues = true;
         let mut parts = std::mem::take(&mut self.parts);
-        parts.each(step, count, |part| self.short_step(part, modes));
+        parts.for_each_piece(step, count, |part| self.short_step(part, modes));
         self.parts = parts;
     }
 

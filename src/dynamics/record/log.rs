@@ -134,7 +134,7 @@ impl<'s> Log<'s> {
     /// The samples that fall into a stretch, which may be a step.
     pub(crate) fn sample(&mut self, mut stretch: Stretch<'_>) {
         let [from, until] = stretch.span;
-        self.draw(&mut stretch);
+        self.draw_instants(&mut stretch);
         self.watch(&mut stretch);
         self.search_spans(&mut stretch);
         while let Some(time) = self.rows.next_sample_until(until) {
@@ -157,7 +157,7 @@ impl<'s> Log<'s> {
     }
 
     /// The instants that are drawn from a stretch.
-    fn draw(&mut self, stretch: &mut Stretch<'_>) {
+    fn draw_instants(&mut self, stretch: &mut Stretch<'_>) {
         let (span, modes) = (stretch.span, stretch.modes);
         match &mut stretch.course {
             Course::Step(step) => {
@@ -180,7 +180,7 @@ impl<'s> Log<'s> {
         }
         let whole = matches!(stretch.course, Course::Known(_));
         let (span, observer) = (stretch.span, &mut self.observer);
-        self.watch.follow(span, whole, &mut |time, object| {
+        self.watch.watch_stretch(span, whole, &mut |time, object| {
             stretch.view_at(time, observer, &mut []).states[object]
         });
     }
@@ -194,7 +194,7 @@ impl<'s> Log<'s> {
         let (span, observer) = (stretch.span, &mut self.observer);
         // (Several values are looked for at the same instants.)
         let mut seen: BTreeMap<u64, Vec<ObjectState>> = BTreeMap::new();
-        self.spans.follow(span, whole, &mut |time, object| {
+        self.spans.search_stretch(span, whole, &mut |time, object| {
             if seen.len() > MOST_SEEN {
                 seen.clear();
             }

@@ -45,9 +45,9 @@ impl<'s> Observer<'s> {
     }
 
     /// A step of a length (s) is looked at next, whole or in pieces.
-    pub(crate) fn begin(&mut self, length: f64) {
+    pub(crate) fn begin_step(&mut self, length: f64) {
         if let Some(bends) = &mut self.bends {
-            bends.begin(length);
+            bends.begin_step(length);
         }
     }
 
@@ -163,7 +163,7 @@ impl<'s> Observer<'s> {
     /// States of all objects at an instant of a step.
     pub(crate) fn state_in(&mut self, step: &Step<'_>, time: f64, modes: &Modes) {
         let s = ((time - step.start) / step.length).clamp(0.0, step.end);
-        self.begin(step.length);
+        self.begin_step(step.length);
         let mut states = std::mem::take(&mut self.states);
         self.states_at(step, (s, time), modes, &mut states);
         self.states = states;

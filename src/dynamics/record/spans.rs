@@ -140,7 +140,12 @@ impl SpanSearch {
 
     /// A stretch without switches; `look` gives the state of an object at an instant of it.
     /// `whole`: it may be many vibrations long, else it is a step.
-    pub(super) fn follow(&mut self, [from, to]: [f64; 2], whole: bool, look: &mut Look<'_>) {
+    pub(super) fn search_stretch(
+        &mut self,
+        [from, to]: [f64; 2],
+        whole: bool,
+        look: &mut Look<'_>,
+    ) {
         if !(to > from) {
             return;
         }
@@ -203,7 +208,7 @@ impl SpanExtremum {
                 ends.reverse();
             }
             for end in ends {
-                cuts.push(self.crossing([before, after], end, look));
+                cuts.push(self.time_of_passing([before, after], end, look));
             }
             before = after;
         }
@@ -220,7 +225,7 @@ impl SpanExtremum {
     }
 
     /// When the axis passes a place between two instants.
-    fn crossing(&self, ends: [(f64, f64); 2], place: f64, look: &mut Look<'_>) -> f64 {
+    fn time_of_passing(&self, ends: [(f64, f64); 2], place: f64, look: &mut Look<'_>) -> f64 {
         let mut off = |time: f64| self.place_on_axis(time, look) - place;
         bracketed(&mut off, ends.map(|(time, _)| time), 0.0).at
     }
@@ -247,7 +252,7 @@ impl SpanExtremum {
     }
 
     /// The greatest that a value within bounds can be.
-    fn most(&self, bounds: Interval) -> f64 {
+    fn greatest_possible(&self, bounds: Interval) -> f64 {
         match self.sense {
             Sense::Greatest => bounds.high,
             Sense::Least => -bounds.low,
@@ -267,7 +272,7 @@ impl SpanExtremum {
                 return;
             };
             let (bounds, changes) = fitted.bounds(low, high);
-            let most = self.most(bounds[1]);
+            let most = self.greatest_possible(bounds[1]);
             // (Written so that a bound that is no number is looked into.)
             if most <= self.best + CLOSE * self.best.abs() {
                 continue;
@@ -341,7 +346,7 @@ mod tests {
             nodes: Nodes::new(),
         };
         for ends in steps.windows(2) {
-            search.follow([ends[0], ends[1]], true, &mut look);
+            search.search_stretch([ends[0], ends[1]], true, &mut look);
         }
         search.finish()[""].unwrap().value
     }

@@ -94,7 +94,7 @@ impl Piece {
     }
 
     /// The part over [0, `end`].
-    fn cut(self, end: f64) -> Self {
+    fn part_until(self, end: f64) -> Self {
         if end >= 1.0 {
             return self;
         }
@@ -135,7 +135,7 @@ fn extreme(coefficients: &[f64], factor: f64, end: f64, floor: f64) -> Option<(f
     if greatest.fold(f64::MIN, f64::max) <= floor {
         return None;
     }
-    let whole = Piece::new(coefficients, factor).cut(end);
+    let whole = Piece::new(coefficients, factor).part_until(end);
     let rounding = 4.0 * f64::EPSILON * whole.magnitude();
     let (mut best, mut place) = (floor, None);
     let mut pieces = vec![whole];
@@ -166,7 +166,7 @@ pub(crate) fn integral_of_magnitude(coefficients: &[f64], end: f64) -> f64 {
     if end >= 1.0 && of_one_sign(coefficients) {
         return mean_of_coefficients(coefficients).abs() * end;
     }
-    let whole = Piece::new(coefficients, 1.0).cut(end);
+    let whole = Piece::new(coefficients, 1.0).part_until(end);
     if whole.has_one_sign() {
         return whole.mean().abs() * end;
     }

@@ -103,7 +103,7 @@ impl WatchedCondition {
     }
 
     /// A part of a stretch; `look` gives the variables at an instant.
-    fn follow(
+    fn watch_stretch(
         &mut self,
         [from, to]: [f64; 2],
         nodes: &Nodes<NODES>,
@@ -250,7 +250,7 @@ impl Watch {
 
     /// A stretch without switches; `look` gives the state of an object at an instant of it.
     /// `whole`: it may be many vibrations long, else it is a step.
-    pub(super) fn follow(
+    pub(super) fn watch_stretch(
         &mut self,
         [from, to]: [f64; 2],
         whole: bool,
@@ -267,7 +267,7 @@ impl Watch {
                 if own.met.is_some() {
                     break;
                 }
-                own.follow(part, &self.nodes, &mut values);
+                own.watch_stretch(part, &self.nodes, &mut values);
             }
         }
     }

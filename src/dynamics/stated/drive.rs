@@ -86,7 +86,7 @@ impl StatedDrive {
         match self {
             Self::Formula(formula) => Some(formula.0.at(time)),
             Self::Own(motion) => {
-                let jet = motion.jet(motion.breaks().locate(time, 1.0), time);
+                let jet = motion.jet(motion.breaks().segment_at(time, 1.0), time);
                 Some(Local::new(jet.value, jet.first, jet.second))
             }
             Self::Unknown(_) => None,
@@ -183,7 +183,7 @@ mod tests {
             for k in 0..60 {
                 let time = 0.0137 + 0.02 * f64::from(k);
                 let own = own.at(time).unwrap();
-                let other = other.jet(other.breaks().locate(time, 1.0), time);
+                let other = other.jet(other.breaks().segment_at(time, 1.0), time);
                 approx::assert_abs_diff_eq!(own.value, other.value, epsilon = 1e-12);
                 approx::assert_abs_diff_eq!(own.first, other.first, epsilon = 1e-11);
                 approx::assert_abs_diff_eq!(own.second, other.second, epsilon = 1e-9);

@@ -7,7 +7,7 @@
 
 mod regime;
 
-use super::extrapolation::{attempt, integrate_stretch};
+use super::extrapolation::{attempt_step, integrate_stretch};
 use super::given::FunctionKind;
 use super::motion::SteadyMotion;
 use super::profile::Profile;
@@ -125,7 +125,7 @@ impl Machine<'_> {
             // The first kink on the way: to its place, and on behind it.
             let kink = self.kinks[if after > before { before } else { before - 1 }];
             let mut miss =
-                |position: f64| match attempt(&mut f, at, position - at, state, TOLERANCE) {
+                |position: f64| match attempt_step(&mut f, at, position - at, state, TOLERANCE) {
                     Some((found, _)) => self.speed(piece, position, found[0]) - kink,
                     None => f64::NAN,
                 };
@@ -255,7 +255,7 @@ impl Machine<'_> {
     /// # Errors
     /// As [`Machine::profile`] and [`motion::steady`].
     pub fn motion(&self, regime: &Regime) -> Result<SteadyMotion, Refusal> {
-        motion::steady(&self.profile(regime)?, &Question::new(regime.mean_speed))
+        motion::find_steady_motion(&self.profile(regime)?, &Question::new(regime.mean_speed))
     }
 }
 

@@ -33,7 +33,7 @@ pub(super) fn integrate_stretch<const N: usize>(
         }
         let last = at + step >= to - 0.25 * least;
         let length = if last { to - at } else { step };
-        match attempt(f, at, length, state, tolerance) {
+        match attempt_step(f, at, length, state, tolerance) {
             Some((next, columns)) => {
                 *state = next;
                 at = if last { to } else { at + length };
@@ -56,7 +56,7 @@ pub(super) fn integrate_stretch<const N: usize>(
 
 /// One step, with the number of midpoint rules it took; `None` when they do
 /// not agree.
-pub(super) fn attempt<const N: usize>(
+pub(super) fn attempt_step<const N: usize>(
     f: Rates<'_, N>,
     at: f64,
     length: f64,

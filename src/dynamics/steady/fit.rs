@@ -41,13 +41,13 @@ pub(super) fn fit_panels(
     let mut open = first_panels(cycle, breaks);
     let mut sizes = [0.0f64; 2];
     for panel in &open {
-        for (sum, value) in sizes.iter_mut().zip(sampled(panel, at)?) {
+        for (sum, value) in sizes.iter_mut().zip(sample_panel(panel, at)?) {
             *sum = value.iter().fold(*sum, |size, v| size.max(v.abs()));
         }
     }
     let mut done = Vec::new();
     while let Some(panel) = open.pop() {
-        let values = sampled(&panel, at)?;
+        let values = sample_panel(&panel, at)?;
         let series = values.map(|values| NODES.polynomial_through(&values));
         let tails = [
             size_of_highest_terms(&series[0]),
@@ -122,7 +122,7 @@ fn halve_panel(panel: &Open, tails: [f64; 2], open: &mut Vec<Open>) {
 }
 
 /// Both functions at the nodes of a panel; refused where they are no numbers.
-fn sampled(panel: &Open, at: At<'_>) -> Result<[[f64; COUNT]; 2], Refusal> {
+fn sample_panel(panel: &Open, at: At<'_>) -> Result<[[f64; COUNT]; 2], Refusal> {
     let (centre, half) = (0.5 * (panel.from + panel.to), 0.5 * (panel.to - panel.from));
     let mut values = [[0.0; COUNT]; 2];
     for (k, x) in NODES.places.into_iter().enumerate() {

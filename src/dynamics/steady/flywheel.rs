@@ -1,7 +1,7 @@
 //! The flywheel for a required coefficient of fluctuation.
 
 use super::law::{Question, SteadyFigures};
-use super::motion::{SteadyMotion, steady};
+use super::motion::{SteadyMotion, find_steady_motion};
 use super::profile::Profile;
 use super::refusal::Refusal;
 use super::table::Table;
@@ -121,7 +121,7 @@ pub fn size_of_table(
     fluctuation: f64,
 ) -> Result<(Flywheel, TableMotion), Refusal> {
     question.check()?;
-    let with = |inertia: f64| match table.with_inertia(inertia).steady(question) {
+    let with = |inertia: f64| match table.with_inertia(inertia).find_steady_motion(question) {
         Ok(motion) => Ok(Some(motion)),
         Err(Refusal::TooSlow { .. }) => Ok(None),
         Err(refusal) => Err(refusal),
@@ -141,7 +141,7 @@ pub fn size_flywheel(
     fluctuation: f64,
 ) -> Result<(Flywheel, SteadyMotion), Refusal> {
     question.check()?;
-    let with = |inertia: f64| match steady(&profile.with_inertia(inertia)?, question) {
+    let with = |inertia: f64| match find_steady_motion(&profile.with_inertia(inertia)?, question) {
         Ok(motion) => Ok(Some(motion)),
         Err(Refusal::TooSlow { .. }) => Ok(None),
         Err(refusal) => Err(refusal),

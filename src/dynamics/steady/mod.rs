@@ -45,7 +45,7 @@ mod table_motion;
 pub use formula::Formula;
 pub use given::FunctionKind;
 pub use law::{Means, Question, SteadyFigures};
-pub use motion::{Check, Row, SteadyMotion, steady};
+pub use motion::{Check, Row, SteadyMotion, find_steady_motion};
 pub use panel::Point;
 pub use profile::{Extreme, MOST_TURNS, Profile};
 pub use refusal::{Field, Refusal};

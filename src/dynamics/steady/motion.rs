@@ -52,7 +52,7 @@ pub struct Check {
 ///
 /// # Errors
 /// There is none: see [`Refusal`].
-pub fn steady(profile: &Profile, question: &Question) -> Result<SteadyMotion, Refusal> {
+pub fn find_steady_motion(profile: &Profile, question: &Question) -> Result<SteadyMotion, Refusal> {
     question.check()?;
     let (surplus, range) = (profile.work_of_cycle(), profile.range());
     let balance = question.balance(surplus, [range, profile.rounding()], profile.cycle())?;
@@ -132,7 +132,7 @@ impl Family for Profile {
         }
     }
 
-    fn lowest(&self, mean: Mean) -> f64 {
+    fn mean_at_level_zero(&self, mean: Mean) -> f64 {
         if mean != Mean::Time {
             return Family::mean_speed(self, 0.0, mean);
         }

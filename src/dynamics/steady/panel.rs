@@ -86,7 +86,7 @@ impl Panel {
     }
 
     /// The panel's polynomials on a part of it.
-    pub(super) fn cut(&self, from: f64, to: f64) -> Self {
+    pub(super) fn part_between(&self, from: f64, to: f64) -> Self {
         let places = NODES
             .places
             .map(|x| 0.5 * (from + to) + 0.5 * (to - from) * x);

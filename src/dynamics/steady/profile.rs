@@ -148,13 +148,13 @@ impl Profile {
             let inside = cuts.iter().filter(|&&c| c > panel.from && c < panel.to);
             let mut from = panel.from;
             for &cut in inside {
-                panels.push(panel.cut(from, cut));
+                panels.push(panel.part_between(from, cut));
                 from = cut;
             }
             panels.push(if from == panel.from {
                 panel.clone()
             } else {
-                panel.cut(from, panel.to)
+                panel.part_between(from, panel.to)
             });
         }
         self.panels = panels;

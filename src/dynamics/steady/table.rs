@@ -229,7 +229,7 @@ impl Family for Table {
         }
     }
 
-    fn lowest(&self, mean: Mean) -> f64 {
+    fn mean_at_level_zero(&self, mean: Mean) -> f64 {
         Family::mean_speed(self, 0.0, mean)
     }
 

@@ -50,7 +50,7 @@ impl Table {
     ///
     /// # Errors
     /// There is none: see [`Refusal`].
-    pub fn steady(&self, question: &Question) -> Result<TableMotion, Refusal> {
+    pub fn find_steady_motion(&self, question: &Question) -> Result<TableMotion, Refusal> {
         let mut motion = self.solve(question)?;
         let half = self.halved().and_then(|half| half.solve(question).ok());
         motion.figures.halving = half.map(|half| {

@@ -44,7 +44,7 @@ impl Frozen {
                     let reaction = work.reaction[*index];
                     self.accelerate_chain(chain, state, ([base, reaction], mode), work, out);
                     if self.impacts {
-                        self.ground(*index, base, work, out);
+                        self.hold_by_stop(*index, base, work, out);
                     }
                 }
                 Step::Constrained(index) => {
@@ -72,7 +72,7 @@ impl Frozen {
     }
 
     /// Holds the last mass of a chain where a rigid stop does.
-    fn ground<N: Quantity>(&self, index: usize, base: N, work: &mut Work<N>, out: &mut [N]) {
+    fn hold_by_stop<N: Quantity>(&self, index: usize, base: N, work: &mut Work<N>, out: &mut [N]) {
         let chain = &self.chains[index];
         for (number, stop) in self.stops.iter().enumerate() {
             if stop.chain != index || !stop.contact.contact_holds(work.stop_modes[number]) {
@@ -156,11 +156,11 @@ impl Frozen {
         let other = &work.force[chain.nodes()][skip..];
         if chain.carries {
             let mass = &work.mass[chain.nodes()][skip..];
-            links.each(&mut out[skip..], |m, out, force| {
+            links.for_each_mass(&mut out[skip..], |m, out, force| {
                 *out = (other[m] + force) / mass[m] - base
             });
         } else {
-            links.each(&mut out[skip..], |m, out, force| {
+            links.for_each_mass(&mut out[skip..], |m, out, force| {
                 *out = (other[m] + force).scale(inverse[m]) - base;
             });
         }

@@ -36,7 +36,7 @@ pub(super) fn freeze(model: &Model) -> Result<Frozen, Vec<Fault>> {
     builder.refuse_passed_on_friction();
     builder.refuse_rigid_contacts();
     builder.frozen.mark_chains();
-    builder.frozen.separate();
+    builder.frozen.separate_driven_parts();
     if builder.faults.is_empty() {
         builder.refuse_massless();
     }

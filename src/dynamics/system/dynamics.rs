@@ -156,7 +156,7 @@ impl Dynamics for System {
                 .any(FrozenExpression::needs_time)
     }
 
-    fn time_tangent(
+    fn derivative_by_time(
         &self,
         time: f64,
         y: &[f64],
@@ -311,7 +311,7 @@ impl Dynamics for System {
         self.frozen.guards > 0
     }
 
-    fn crossing(
+    fn first_crossing(
         &self,
         step: &Step<'_>,
         modes: &Modes,
@@ -319,7 +319,8 @@ impl Dynamics for System {
         fresh: bool,
         resting: &[UndecidedGuard],
     ) -> Option<(f64, EventFunction)> {
-        self.frozen.crossing(step, &modes.0, end, fresh, resting)
+        self.frozen
+            .first_guard_crossing(step, &modes.0, end, fresh, resting)
     }
 
     fn undecided_guards(
@@ -406,7 +407,7 @@ impl Dynamics for System {
             Pass::Prescribed(drive) if drive.node == node => Some(&drive.motion),
             _ => None,
         })?;
-        let jet = motion.jet(motion.breaks().locate(time, 1.0), time);
+        let jet = motion.jet(motion.breaks().segment_at(time, 1.0), time);
         Some([jet.value, jet.first])
     }
 

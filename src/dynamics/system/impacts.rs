@@ -76,7 +76,7 @@ impl Frozen {
     }
 
     /// ṗ, p̈ of a contact on a side, from a complete evaluation at a state.
-    fn approach(
+    fn approach_rates(
         &self,
         (component, side): (usize, i64),
         state: &[f64],
@@ -134,14 +134,14 @@ impl Frozen {
         self.reduce_rigid(extent, work);
         let mut rates = vec![0.0; self.coordinates];
         self.accelerate(&still, extent, work, &mut rates);
-        if !self.heavy.is_empty() && self.couple(extent, Chains::Free, work) {
+        if !self.heavy.is_empty() && self.couple_inertia_forces(extent, Chains::Free, work) {
             self.accelerate(&still, extent, work, &mut rates);
         }
         // The rate of a massless point follows from the balance of its forces.
         for chain in self.chains.iter().filter(|chain| chain.point) {
             rates[chain.first_coordinate] = 0.0;
         }
-        let [_, own] = self.approach((component, side), &still, &rates, work);
+        let [_, own] = self.approach_rates((component, side), &still, &rates, work);
         let held = (0..self.contacts()).map(|other| match self.held_force(other, modes, work) {
             Some(force) if other != component => force,
             _ => 0.0,
@@ -304,7 +304,7 @@ impl Frozen {
         open[component] = OPEN;
         let mut accelerations = std::mem::take(&mut work.parting);
         self.evaluate(time, state, &open, Extent::Full, work, &mut accelerations);
-        let [_, acceleration] = self.approach((component, side), state, &accelerations, work);
+        let [_, acceleration] = self.approach_rates((component, side), state, &accelerations, work);
         work.opened = open;
         work.parting = accelerations;
         -acceleration

@@ -139,7 +139,7 @@ impl Contact {
 
     /// The elastic part of N at a penetration, and its derivative.
     #[inline(always)]
-    pub(super) fn elastic<N: Quantity>(&self, p: N) -> [N; 2] {
+    pub(super) fn elastic_force<N: Quantity>(&self, p: N) -> [N; 2] {
         match self.power {
             None => [p.scale(self.stiffness), N::from(self.stiffness)],
             Some(power) => {
@@ -190,7 +190,7 @@ impl Contact {
         let pressed = match (self.kappa, self.power) {
             (None, _) => p.scale(self.stiffness) + rate.scale(self.damping),
             (Some(kappa), None) => p.scale(self.stiffness) * (N::from(1.0) + rate.scale(kappa)),
-            (Some(kappa), Some(_)) => self.elastic(p)[0] * (N::from(1.0) + rate.scale(kappa)),
+            (Some(kappa), Some(_)) => self.elastic_force(p)[0] * (N::from(1.0) + rate.scale(kappa)),
         };
         pressed.scale(mode as f64)
     }
@@ -310,12 +310,12 @@ impl Contact {
             None => self.damping * rate * rate,
             Some(kappa) => match self.power {
                 None => self.stiffness * p * kappa * rate * rate,
-                Some(_) => self.elastic(p)[0] * kappa * rate * rate,
+                Some(_) => self.elastic_force(p)[0] * kappa * rate * rate,
             },
         };
         // Zero unless a method has gone beyond the switch: the smooth law then
         // works against an energy that is stored no more.
-        damped + self.elastic(p)[0] * rate - self.stored_rate(x, v)
+        damped + self.elastic_force(p)[0] * rate - self.stored_rate(x, v)
     }
 
     /// Clearance to the nearest flank, 0 when touching one.
@@ -333,7 +333,7 @@ impl Contact {
             .iter()
             .map(|&side| {
                 let (p, rate) = self.penetration(side, x, v);
-                self.elastic(p.max(0.0))[0] * rate
+                self.elastic_force(p.max(0.0))[0] * rate
             })
             .sum()
     }

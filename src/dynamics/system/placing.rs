@@ -158,7 +158,7 @@ impl Frozen {
                         (Side::Before, true) if sense != 0.0 => -sense,
                         (Side::Before | Side::After, _) => sense,
                     };
-                    let segment = track.breaks.locate(place, sense);
+                    let segment = track.breaks.segment_at(place, sense);
                     settled &= modes[component] == segment;
                     modes[component] = segment;
                 }

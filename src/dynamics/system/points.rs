@@ -45,7 +45,13 @@ impl Frozen {
 
     /// F of the link that holds a chain's pair.
     #[inline(always)]
-    pub(super) fn reaction<N: Quantity>(&self, chain: &Chain, mode: i64, u: &[N], v: &[N]) -> N {
+    pub(super) fn reaction_of_link<N: Quantity>(
+        &self,
+        chain: &Chain,
+        mode: i64,
+        u: &[N],
+        v: &[N],
+    ) -> N {
         chain
             .contact
             .force(mode, u[0], self.pair_rate(chain, mode, u, v))
@@ -149,7 +155,7 @@ fn contact_force_at<N: Quantity>(chain: &Chain, mode: i64, z: N) -> Felt<N> {
     // (A bilateral pair has no side: its force is c·z + b·ż.)
     let side = if bilateral { 1 } else { mode };
     let (p, _) = contact.penetration(side, z, zero);
-    let [force, slope] = contact.elastic(p);
+    let [force, slope] = contact.elastic_force(p);
     let damping = match kappa {
         None => [N::from(damping), zero],
         Some(kappa) => [force.scale(kappa), slope.scale(side as f64 * kappa)],

@@ -351,7 +351,7 @@ fn drive_sample(drive: &super::frozen::PrescribedNode, share: f64, horizon: f64)
     let last = breaks.points.last().map_or(0.0, |last| last.max(0.0));
     let last = last.min(horizon);
     let at = |time: f64| {
-        let jet = drive.motion.jet(breaks.locate(time, 1.0), time);
+        let jet = drive.motion.jet(breaks.segment_at(time, 1.0), time);
         [jet.value, jet.first, jet.second]
     };
     if last > 0.0 && share < 0.5 {
@@ -400,7 +400,7 @@ fn law_sample(frozen: &Frozen, law: &FrozenLaw, motion: &[[f64; 3]]) -> ([f64; 3
     if let Some(component) = law.component {
         modes.resize(frozen.contacts() + frozen.tracks.len(), 0);
         let track = &frozen.tracks[component - frozen.contacts()];
-        modes[component] = track.breaks.locate(displacement, speed);
+        modes[component] = track.breaks.segment_at(displacement, speed);
     }
     let jet = law.jet(&modes, displacement);
     let at = [

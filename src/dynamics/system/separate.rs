@@ -54,7 +54,7 @@ impl Frozen {
     }
 
     /// Takes apart what hangs on a prescribed drive alone.
-    pub(super) fn separate(&mut self) {
+    pub(super) fn separate_driven_parts(&mut self) {
         let idle = self.idle_outputs();
         let frozen = self;
         let needed = frozen

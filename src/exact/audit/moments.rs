@@ -42,7 +42,7 @@ pub(super) fn moments(z: C, out: &mut [C]) {
 }
 
 /// ∫₀ʰ e^{μs} ds.
-pub(super) fn integral(mu: C, h: f64) -> C {
+pub(super) fn integral_of_exponential(mu: C, h: f64) -> C {
     let mut out = [C::default()];
     moments(mu * h, &mut out);
     out[0] * h
@@ -130,6 +130,6 @@ mod tests {
         moments(lambda * h, &mut at);
         let expected = quadrature(|u| (lambda * (u * h)).exp() * (value(&r, u * h) * h));
         assert!((polynomial_moment(&r, &at, h) - expected).norm() < 1e-14);
-        assert!((integral(lambda, h) - (at[0] * h)).norm() < 1e-15);
+        assert!((integral_of_exponential(lambda, h) - (at[0] * h)).norm() < 1e-15);
     }
 }

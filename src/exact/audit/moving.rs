@@ -64,7 +64,7 @@ impl Task for PolynomialPart<'_> {
         self.loads(&law, &mut work);
         let mut at = [C::default(); POLY];
         for k in 0..self.basis.lanes.len() {
-            self.lane(k, (&law, &constant), &mut at, &mut work);
+            self.contribution_of_lane(k, (&law, &constant), &mut at, &mut work);
         }
         work
     }
@@ -102,7 +102,7 @@ impl PolynomialPart<'_> {
     }
 
     /// Common contribution of lane k and the polynomials.
-    fn lane(
+    fn contribution_of_lane(
         &self,
         k: usize,
         (law, constant): (&[f64; POLY], &[f64; POLY]),
@@ -165,12 +165,12 @@ impl Forms {
         PhaseEnds::collect_until::<A>(phase, e, basis.blocks, &mut room.ends);
         let ends = &room.ends;
         let mut work = Work {
-            drives: self.drive.integral::<A>(ends, phase, e),
+            drives: self.drive.integral_over_phase::<A>(ends, phase, e),
             loads: 0.0,
-            dissipated: self.links.integral::<A>(ends, phase, e),
+            dissipated: self.links.integral_over_phase::<A>(ends, phase, e),
         };
         if let Some(ground) = &self.ground {
-            work.loads -= ground.integral::<A>(ends, phase, e);
+            work.loads -= ground.integral_over_phase::<A>(ends, phase, e);
         }
         if self.plain && phase.forcing.degree == 0 {
             // The moment's constant part moves with the harmonics alone.

@@ -52,7 +52,7 @@ pub(super) fn cut_at_open_pairs(problem: &TreeProblem, states: &[PairState]) -> 
 }
 
 impl Part {
-    fn spread(&self, n: usize, local: impl Fn(usize) -> C) -> Vec<C> {
+    fn distribute(&self, n: usize, local: impl Fn(usize) -> C) -> Vec<C> {
         let mut out = vec![ZERO; n];
         for (k, &i) in self.members.iter().enumerate() {
             out[i] = local(k);
@@ -78,7 +78,7 @@ impl Part {
             return Ok(());
         }
         for lane in own {
-            let spread = |local: &[C]| self.spread(n, |k| local[k]);
+            let spread = |local: &[C]| self.distribute(n, |k| local[k]);
             lanes.push(Lane {
                 row_q: spread(&lane.row_q),
                 row_v: spread(&lane.row_v),

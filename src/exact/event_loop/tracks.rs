@@ -62,13 +62,13 @@ impl<'a> Tracks<'a> {
     /// Sets the segments in which the motion leaves the start (a drive that
     /// starts from rest on an edge shows only later which way it goes), and
     /// looks for the first changes.
-    pub(super) fn begin(&mut self, modes: &mut Modes) {
+    pub(super) fn set_first_segments(&mut self, modes: &mut Modes) {
         for follower in &mut self.followers {
             let formulas = follower.course.formulas(0.0);
             let limits = follower
                 .course
                 .interval_around(follower.breaks, &formulas, 0.0);
-            modes.0[follower.component] = follower.breaks.locate(place_inside(limits), 1.0);
+            modes.0[follower.component] = follower.breaks.segment_at(place_inside(limits), 1.0);
             follower.find_next_change(0.0, self.end);
         }
     }
@@ -87,7 +87,7 @@ impl<'a> Tracks<'a> {
     }
 
     /// The next change of any track after `time` (s).
-    pub(super) fn next(&self, system: &System, time: f64, modes: &Modes) -> f64 {
+    pub(super) fn next_change(&self, system: &System, time: f64, modes: &Modes) -> f64 {
         let followers = self.followers.iter().map(|follower| follower.next.0);
         let over_time = system.next_break(time, modes);
         followers.fold(over_time, f64::min)
@@ -132,7 +132,7 @@ impl Follower<'_> {
             if !(time < end) {
                 return;
             }
-            let turn = self.course.turn(time).min(end);
+            let turn = self.course.time_of_next_turn(time).min(end);
             let axis = Some(self.breaks);
             let found = fit_course(
                 self.course,
@@ -147,12 +147,12 @@ impl Follower<'_> {
             let (low, high) = self.course.interval_around(self.breaks, &formulas, time);
             if (low, high) != held {
                 let inside = place_inside((low, high));
-                self.next = (time, self.breaks.locate(inside, 1.0));
+                self.next = (time, self.breaks.segment_at(inside, 1.0));
                 return;
             }
         }
         if time < end {
-            self.next = (time, self.breaks.locate(place_inside(held), 1.0));
+            self.next = (time, self.breaks.segment_at(place_inside(held), 1.0));
         }
     }
 }

@@ -60,7 +60,7 @@ impl<P: Piece> Cycle<P> {
     }
 
     /// Longest piece that shows that the motion does not repeat within it (s).
-    pub(super) fn longest(&self) -> f64 {
+    pub(super) fn longest_piece(&self) -> f64 {
         0.5 * self.period
     }
 
@@ -98,7 +98,7 @@ impl<P: Piece> Cycle<P> {
         let (mut time, mut last) = (self.from, f64::INFINITY);
         while time < end {
             let rest = end - time;
-            let made = fresh(time, rest.min(self.longest()).min(4.0 * last));
+            let made = fresh(time, rest.min(self.longest_piece()).min(4.0 * last));
             if pieces.len() >= MOST || !made.is_made() {
                 return Vec::new();
             }

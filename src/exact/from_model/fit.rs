@@ -126,7 +126,7 @@ pub(crate) fn fit_course(
         // over something are too long, whatever the tail.
         let (mut tried, mut passed) = (0, 0);
         while tried < trials && passed < HALVINGS && time + length > time {
-            match attempt(course, &formulas, last, (time, length), target, tail) {
+            match attempt_fit(course, &formulas, last, (time, length), target, tail) {
                 Trial::Good(fit) => {
                     if course.is_resolved_by_samples(&formulas, (time, length), target) {
                         return Some(Fit { end, ..fit });
@@ -143,7 +143,7 @@ pub(crate) fn fit_course(
     None
 }
 
-fn attempt(
+fn attempt_fit(
     course: &PrescribedMotion,
     formulas: &Formulas,
     last: (f64, f64),

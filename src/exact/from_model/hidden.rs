@@ -89,7 +89,7 @@ pub(super) fn least_size(written: &WrittenMotion, target: Target) -> f64 {
 /// A bound of the values from the start to a time at most.
 fn most_until(written: &WrittenMotion, target: Target, end: f64) -> f64 {
     let breaks = written.breaks();
-    let first = breaks.locate(0.0, 1.0);
+    let first = breaks.segment_at(0.0, 1.0);
     let pieces = first..=first + breaks.points.len() as i64;
     pieces.fold(0.0, |most: f64, piece| {
         let (low, high) = breaks.edges(piece);

@@ -135,15 +135,17 @@ impl CourseLaw {
     }
 
     /// Longest span worth trying from `time` on.
-    fn longest(&self, time: f64) -> f64 {
+    fn longest_span(&self, time: f64) -> f64 {
         match &self.cycle {
-            Some(cycle) => cycle.longest(),
+            Some(cycle) => cycle.longest_piece(),
             None => {
                 let rest = self.course.formulas(time).until - time;
                 if rest.is_finite() {
                     rest
                 } else {
-                    self.course.turn(time).min(self.course.farthest(time))
+                    self.course
+                        .time_of_next_turn(time)
+                        .min(self.course.farthest(time))
                 }
             }
         }
@@ -165,7 +167,7 @@ impl SpanSource for CourseLaw {
                 value: place.piece.value + place.gained,
                 ..place.piece
             },
-            None => self.fit_span(time, self.longest(time)),
+            None => self.fit_span(time, self.longest_span(time)),
         }
     }
 }

@@ -199,11 +199,11 @@ impl PrescribedMotion {
             let next = self.terms().iter().map(|(_, term)| term.joint_after(time));
             return next.fold(f64::INFINITY, f64::min);
         };
-        let later = |joint: &f64| *joint > time + near(time, *joint);
+        let later = |joint: &f64| *joint > time + rounding_of_instants(time, *joint);
         let found = match joints.period {
             None => joints.points.iter().copied().find(later),
             Some(_) => {
-                let now = joints.locate(time, 1.0);
+                let now = joints.segment_at(time, 1.0);
                 let ahead = now..=now + joints.points.len() as i64 + 1;
                 let mut ends = ahead.map(|segment| joints.edges(segment).1);
                 ends.find(later)
@@ -280,9 +280,12 @@ impl PrescribedMotion {
 
     /// About the time that the drive takes for its next turn from `time` on
     /// (s); +∞ at rest.
-    pub(crate) fn turn(&self, time: f64) -> f64 {
+    pub(crate) fn time_of_next_turn(&self, time: f64) -> f64 {
         if self.is_sum() {
-            let turns = self.terms().iter().map(|(_, term)| term.turn(time));
+            let turns = self
+                .terms()
+                .iter()
+                .map(|(_, term)| term.time_of_next_turn(time));
             return turns.fold(f64::INFINITY, f64::min);
         }
         let now = self.at(&self.formulas(time), 0, time);
@@ -301,7 +304,9 @@ impl PrescribedMotion {
     /// The formulas in force just after `time`.
     pub(crate) fn formulas(&self, time: f64) -> Formulas {
         let piece = match &self.source {
-            Source::Drive { breaks, .. } => breaks.locate(time + near(time, 0.0), 1.0),
+            Source::Drive { breaks, .. } => {
+                breaks.segment_at(time + rounding_of_instants(time, 0.0), 1.0)
+            }
             Source::Sum { .. } => 0,
         };
         let terms = self.terms().iter().map(|(_, term)| term.formulas(time));
@@ -316,7 +321,7 @@ impl PrescribedMotion {
             let limits = self.interval_around(&stage.breaks, &formulas, time);
             // Any place between two breaks tells the segment.
             let inside = place_inside(limits);
-            formulas.segments.push(stage.breaks.locate(inside, 1.0));
+            formulas.segments.push(stage.breaks.segment_at(inside, 1.0));
             formulas.limits.push(limits);
         }
         formulas
@@ -343,7 +348,7 @@ impl PrescribedMotion {
         }
         let nudge = PLACE_ROUNDING * now.span;
         let place = now.value + nudge * if sense < 0.0 { -1.0 } else { 1.0 };
-        axis.edges(axis.locate(place, sense))
+        axis.edges(axis.segment_at(place, sense))
     }
 
     /// The motion after its first `depth` stages at `time`.
@@ -401,7 +406,7 @@ impl Source {
 }
 
 /// Rounding of two instants.
-fn near(a: f64, b: f64) -> f64 {
+fn rounding_of_instants(a: f64, b: f64) -> f64 {
     PLACE_ROUNDING * a.abs().max(b.abs())
 }
 

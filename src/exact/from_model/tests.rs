@@ -295,7 +295,7 @@ fn loads_over_a_displacement_follow_their_table() {
         })
         .collect();
     let direct = |x: f64| {
-        let (index, shift) = breaks.piece(breaks.locate(x, 1.0));
+        let (index, shift) = breaks.piece(breaks.segment_at(x, 1.0));
         pieces[index].value + pieces[index].slope * (x - shift - pieces[index].start)
     };
     for course in courses().into_iter().chain([PrescribedMotion::time()]) {

@@ -102,7 +102,7 @@ impl Track {
             self.pieces.push(Piece { a: piece.a, b: cut });
         }
         if best > was {
-            self.note((k, sign), best, place);
+            self.note_greatest((k, sign), best, place);
         }
     }
 
@@ -214,7 +214,7 @@ impl Track {
     ) -> Option<End> {
         let Scene { panel, phase, .. } = scene;
         self.e.start(phase.active);
-        self.state.first(phase, &mut self.look);
+        self.state.write_start_of_phase(phase, &mut self.look);
         let lanes = (&self.look, phase.active);
         let (f, rest) = self.state.jet::<A>(panel, lanes, &self.e, 0);
         let off = |x: f64| rest * (x * x) * (x * x) * (1.0 / 24.0);
@@ -249,7 +249,7 @@ impl Track {
     fn root<A: Arith>(&mut self, scene: Scene, piece: &Piece, noise: f64) -> End {
         let crosses = (piece.a.f > 0.0 && piece.b.f < 0.0) || (piece.a.f < 0.0 && piece.b.f > 0.0);
         let share = if crosses {
-            piece.crossing()
+            piece.zero_crossing()
         } else {
             let turn = if piece.a.f + piece.b.f > 0.0 {
                 -1.0

@@ -52,7 +52,7 @@ impl Track {
         }
         let mut parts = MOST / scene.lanes().max(1);
         if self.before.s == a.s {
-            from.copy(&self.before);
+            from.copy_from(&self.before);
         } else {
             self.evaluate::<A>(scene, a.s, from);
         }
@@ -70,7 +70,7 @@ impl Track {
                 return;
             }
             let end = if next == self.now.s {
-                to.copy(&self.now);
+                to.copy_from(&self.now);
                 *b
             } else {
                 self.evaluate::<A>(scene, next, to);
@@ -136,13 +136,13 @@ impl Track {
     ) -> bool {
         let Scene { basis, panel, .. } = scene;
         let [mut a, mut b] = *ends;
-        let mut loss = self
-            .state
-            .loss::<A>(basis, panel, (Some(from), follow), b.s - a.s);
+        let mut loss =
+            self.state
+                .interpolation_error::<A>(basis, panel, (Some(from), follow), b.s - a.s);
         for k in follow..scene.lanes() {
             loss.flat = loss.flat + self.state.lane_size(panel, from, k);
             for (point, lanes) in [(&mut a, from), (&mut b, to)] {
-                let [value, slope] = self.state.lane::<A>(panel, lanes, k);
+                let [value, slope] = self.state.value_and_slope_of_lane::<A>(panel, lanes, k);
                 point.value = point.value - value;
                 point.slope = point.slope - slope;
             }

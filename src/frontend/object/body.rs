@@ -67,7 +67,7 @@ pub(super) fn read(
     if masses == 0 {
         return rigid(fields, &written);
     }
-    elastic(fields, written, masses, default_split)
+    read_elastic_body(fields, written, masses, default_split)
 }
 
 /// The number of masses, with which all lists must agree.
@@ -198,7 +198,7 @@ fn continuum(
     })
 }
 
-fn elastic(
+fn read_elastic_body(
     fields: &mut Fields<'_>,
     written: BodyFields,
     masses: usize,

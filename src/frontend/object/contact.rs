@@ -19,7 +19,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
             "Geometry from which the stiffness follows, in its place.",
             |slot| contact_geometry::read(slot, own),
         );
-        let of_power = law.is_some_and(ContactForceLaw::is_of_power);
+        let of_power = law.is_some_and(ContactForceLaw::has_power_stiffness);
         let stiffness = fields.maybe("stiffness", &doc_of_stiffness(), |slot| match of_power {
             // (Units have whole exponents.)
             true => slot.number(Bounds::POSITIVE),
@@ -66,7 +66,7 @@ fn doc_of_stiffness() -> String {
     format!(
         "Stiffness k of the contact; of {} K, a bare number in N/m^(3/2) or N m/rad^(3/2) where \
          the exponent is 3/2; none of {}",
-        kinds::keys(ContactForceLaw::is_of_power, "`", "and"),
+        kinds::keys(ContactForceLaw::has_power_stiffness, "`", "and"),
         kinds::keys(ContactForceLaw::is_rigid, "`", "and")
     )
 }
@@ -143,7 +143,7 @@ fn stiffness_of(
             format!("set `law` to {}, or give a `line`", laws("\"")),
         ),
         ContactType::Line => (
-            !law.is_of_power(),
+            !law.has_power_stiffness(),
             format!("the law `{}` is that of a contact in a point", law.key),
             "give a `point`, or another `law`".to_owned(),
         ),

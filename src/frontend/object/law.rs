@@ -13,11 +13,11 @@ use std::sync::Arc;
 pub(crate) fn law(slot: Slot<'_>) -> Option<LawSpec> {
     slot.defined("law", |mut slot| {
         let names = LawName::ALL.map(|name| (name.name(), LawSpec::Named(name)));
-        let spec =
-            slot.read_in_place(|slot| slot.object_or(composed, |slot| slot.choice(&names)))?;
+        let spec = slot
+            .read_in_place(|slot| slot.object_or(read_composed_law, |slot| slot.choice(&names)))?;
         match Law::of_stroke(&spec) {
             Ok(_) => Some(spec),
-            Err(faults) => refuse(slot, faults),
+            Err(faults) => refuse_law(slot, faults),
         }
     })
 }
@@ -29,12 +29,12 @@ pub(crate) fn run_law(slot: Slot<'_>) -> Option<RunLawSpec> {
         let spec = slot.read_in_place(|slot| slot.object_or(run_up, |slot| slot.choice(&names)))?;
         match Law::of_run_up(&spec) {
             Ok(_) => Some(spec),
-            Err(faults) => refuse(slot, faults),
+            Err(faults) => refuse_law(slot, faults),
         }
     })
 }
 
-fn refuse<T>(mut slot: Slot<'_>, faults: Vec<Fault>) -> Option<T> {
+fn refuse_law<T>(mut slot: Slot<'_>, faults: Vec<Fault>) -> Option<T> {
     for fault in faults {
         let message = match fault.path.as_str() {
             "" => fault.message,
@@ -53,7 +53,7 @@ fn read_share(fields: &mut Fields<'_>, name: &'static str, doc: &str) -> Option<
 }
 
 /// Reads a law given by its parameters.
-pub(super) fn composed(slot: Slot<'_>) -> Option<LawSpec> {
+pub(super) fn read_composed_law(slot: Slot<'_>) -> Option<LawSpec> {
     slot.record(|fields| {
         let mut kind = fields.one_of("its law");
         kind.case(

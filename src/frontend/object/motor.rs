@@ -94,7 +94,7 @@ fn law(fields: &mut Fields<'_>, own: Measures, context: &Context<'_>) -> Option<
     law.case("table", doc, |slot| {
         points(slot, own.speed(), own.force(), 2).map(LoadLawSpec::SpeedTable)
     });
-    let names = written::with_over(builder::OWN.to_vec(), fields_have_over);
+    let names = written::names_with_other_object(builder::OWN.to_vec(), fields_have_over);
     law.case(
         "expression",
         "Expression over t, phi and phi_dot of the drive, in s, rad or m: \"30*(1 - phi_dot/150)\".",

@@ -315,7 +315,7 @@ fn table(slot: Slot<'_>, ends: PositionMeasures) -> Option<PositionSpec> {
             }
             (false, _) => points,
         };
-        table_roughness::warn(fields, &points);
+        table_roughness::warn_of_scatter(fields, &points);
         Some(PositionSpec::Table {
             points,
             periodic,

@@ -17,7 +17,7 @@ pub(super) fn expression(mut slot: Slot<'_>, names: &Names) -> Option<Expression
     match read.and_then(located) {
         Ok(expression) => expression,
         Err(mistake) => {
-            refuse(&mut slot, mistake);
+            refuse_expression(&mut slot, mistake);
             None
         }
     }
@@ -39,7 +39,7 @@ pub(in crate::frontend) fn condition(mut slot: Slot<'_>, names: &Names) -> Optio
     None
 }
 
-fn refuse(slot: &mut Slot<'_>, mistake: Mistake) {
+fn refuse_expression(slot: &mut Slot<'_>, mistake: Mistake) {
     // The text's own bytes follow its opening quote.
     let (start, end) = (
         mistake.place.start + 1,
@@ -87,7 +87,7 @@ pub(super) fn in_unit(mut law: LoadLawSpec, factor: Option<f64>) -> LoadLawSpec 
 }
 
 /// The names that an expression may use, with those of another object where one is given.
-pub(super) fn with_over(
+pub(super) fn names_with_other_object(
     mut names: Vec<(&'static str, usize)>,
     over: bool,
 ) -> Vec<(&'static str, usize)> {

@@ -3,7 +3,7 @@
 mod closing;
 
 use super::own::OWN;
-use super::slot::{Reader, Reading, Slot, join, push, store_into};
+use super::slot::{Reader, Reading, Slot, join_path, push, store_into};
 use super::suggest::quoted_list;
 use super::tree::{Member, Node, Value};
 use crate::frontend::diagnostics::{Diagnostic, Place, Severity};
@@ -279,7 +279,7 @@ impl<'a> Fields<'a> {
         self.known.push(name);
         let fault = Diagnostic::error("contradiction", message)
             .at(member.name_place.clone())
-            .path(join(&self.path, name))
+            .path(join_path(&self.path, name))
             .hint(hint);
         self.reader.diagnostics.push(fault);
         true
@@ -295,7 +295,7 @@ impl<'a> Fields<'a> {
         let fault = Diagnostic::error(code, message)
             .at(self.value_place(name))
             .path(match self.member(name) {
-                Some(member) => join(&self.path, &member.name),
+                Some(member) => join_path(&self.path, &member.name),
                 None => self.path.clone(),
             });
         push(&mut self.reader.diagnostics, fault)
@@ -310,7 +310,7 @@ impl<'a> Fields<'a> {
     ) -> &mut Diagnostic {
         let warning = Diagnostic::warning(code, message)
             .at(self.value_place(name))
-            .path(join(&self.path, name));
+            .path(join_path(&self.path, name));
         push(&mut self.reader.diagnostics, warning)
     }
 
@@ -328,7 +328,7 @@ impl<'a> Fields<'a> {
             format!("`{}` and `{}` cannot both be given: {why}", a.name, b.name),
         )
         .at(late.name_place.clone())
-        .path(join(&self.path, &late.name))
+        .path(join_path(&self.path, &late.name))
         .label(format!("`{}` given here", late.name))
         .with_place(
             early.name_place.clone(),
@@ -346,7 +346,7 @@ impl<'a> Fields<'a> {
             reader: self.reader,
             node: found.map(|found| found.0),
             name_place: found.map(|found| found.1.clone()),
-            path: join(&self.path, name),
+            path: join_path(&self.path, name),
             out: &mut out,
         });
         out

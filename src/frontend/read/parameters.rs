@@ -22,7 +22,7 @@ fn is_sound(name: &str) -> bool {
 }
 
 /// What a name means in expressions already.
-fn meaning(name: &str) -> Option<&'static str> {
+fn known_meaning(name: &str) -> Option<&'static str> {
     let variables = OWN
         .iter()
         .chain(&DRIVER)
@@ -132,7 +132,7 @@ impl<'m> Evaluation<'m> {
     fn check_names(&mut self) {
         for at in 0..self.members.len() {
             let name = &self.members[at].name;
-            let (message, hint) = match meaning(name) {
+            let (message, hint) = match known_meaning(name) {
                 _ if !is_sound(name) => (
                     format!("`{name}` cannot be the name of a parameter"),
                     "names are made of letters, digits and `_`, and begin with a letter or `_`",

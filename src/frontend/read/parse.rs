@@ -172,7 +172,7 @@ impl Builder<'_> {
             ast::Value::Array(array) => {
                 Value::List(array.elements.iter().map(|item| self.node(item)).collect())
             }
-            ast::Value::Object(object) => Value::Object(self.members(object)),
+            ast::Value::Object(object) => Value::Object(self.parse_members(object)),
         };
         Node { place, value }
     }
@@ -203,7 +203,7 @@ impl Builder<'_> {
         }
     }
 
-    fn members(&mut self, object: &ast::Object<'_>) -> Vec<Member> {
+    fn parse_members(&mut self, object: &ast::Object<'_>) -> Vec<Member> {
         let mut first: BTreeMap<String, Place> = BTreeMap::new();
         let mut members = Vec::with_capacity(object.properties.len());
         for property in &object.properties {

@@ -77,7 +77,7 @@ pub(super) fn split_address(address: &str) -> Option<Vec<Part>> {
 
 /// Finds what an address means; the place of the nearest part that exists
 /// (its name where it has one).
-pub(super) fn locate(root: &Node, address: &str) -> Place {
+pub(super) fn place_of_address(root: &Node, address: &str) -> Place {
     let Some(parts) = split_address(address) else {
         return root.place.first();
     };

@@ -452,7 +452,7 @@ impl Places {
     /// Place of the property at an address; that of the nearest part of the address that
     /// exists.
     pub fn locate(&self, path: &str) -> Place {
-        address::locate(&self.root, path)
+        address::place_of_address(&self.root, path)
     }
 
     /// Faults found later as diagnostics with their places.

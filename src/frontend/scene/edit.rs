@@ -22,7 +22,7 @@ pub fn property<'n>(root: &'n Node, address: &str) -> Option<&'n Node> {
 /// Sets a property; objects on the way are made where they are missing. An address that is
 /// none, or goes through a list, changes nothing.
 pub fn set_property(root: &mut Node, address: &str, value: impl Into<Node>) {
-    if let Some((owner, name)) = owner(root, address) {
+    if let Some((owner, name)) = object_and_property(root, address) {
         owner.set_property(&name, value);
     }
 }
@@ -32,7 +32,7 @@ pub fn remove_property(root: &mut Node, address: &str) -> bool {
     if property(root, address).is_none() {
         return false;
     }
-    let Some((owner, name)) = owner(root, address) else {
+    let Some((owner, name)) = object_and_property(root, address) else {
         return false;
     };
     match &mut owner.value {
@@ -49,7 +49,7 @@ fn is_of_scene(parts: &[Part]) -> bool {
 }
 
 /// The object whose property is addressed, and the property's name.
-fn owner<'n>(root: &'n mut Node, address: &str) -> Option<(&'n mut Node, String)> {
+fn object_and_property<'n>(root: &'n mut Node, address: &str) -> Option<(&'n mut Node, String)> {
     let parts = address::split_address(address)?;
     let names: Option<Vec<String>> = parts
         .iter()

@@ -284,7 +284,7 @@ fn whole_rows(owner: &str, figures: &[Figure<Quantity>]) -> Vec<Value> {
 
 /// All results that are known without a linkage, by what they belong to, and the reasons for
 /// which a run stops. What is written in capitals stands for a name or a number.
-pub(crate) fn described() -> Value {
+pub(crate) fn described_results() -> Value {
     let hertz = || vec![q::FREQUENCY.si()];
     let second = || vec![q::TIME.si()];
     let mut object = part_rows("OBJECT", OBJECT_FIGURES);

@@ -63,7 +63,13 @@ impl Folder {
     }
 
     /// Names of the JSON files below a folder, a few levels deep.
-    fn collect(&self, folder: &Path, prefix: &str, depth: usize, names: &mut Vec<String>) {
+    fn collect_json_files(
+        &self,
+        folder: &Path,
+        prefix: &str,
+        depth: usize,
+        names: &mut Vec<String>,
+    ) {
         let Ok(entries) = fs::read_dir(folder) else {
             return;
         };
@@ -75,7 +81,7 @@ impl Folder {
             let is_json = path.extension().is_some_and(|found| found == "json");
             if path.is_dir() {
                 if depth < 3 && self.path_below(&path).is_some() {
-                    self.collect(&path, &format!("{prefix}{stem}/"), depth + 1, names);
+                    self.collect_json_files(&path, &format!("{prefix}{stem}/"), depth + 1, names);
                 }
             } else if is_json && self.is_file(&path) {
                 names.push(format!("{prefix}{stem}"));
@@ -102,7 +108,7 @@ impl Catalogue for Folder {
 
     fn names(&self) -> Vec<String> {
         let mut names = Vec::new();
-        self.collect(&self.path, "", 0, &mut names);
+        self.collect_json_files(&self.path, "", 0, &mut names);
         names.sort();
         names
     }

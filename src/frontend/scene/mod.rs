@@ -29,7 +29,7 @@ pub use catalogue::{BuiltIn, Catalogue, LayeredCatalogue, NamedBytes};
 pub use document::{Document, Places, Reading};
 #[cfg(feature = "live")]
 pub(crate) use figures::is_expectable;
-pub(crate) use figures::{CAM_FIGURES, Figure, STEADY_FIGURES, described};
+pub(crate) use figures::{CAM_FIGURES, Figure, STEADY_FIGURES, described_results};
 pub use folder::{Folder, read_bounded};
 pub use levels::{Elastic, Levels, in_words};
 pub use numbers::Number;

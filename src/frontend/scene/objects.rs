@@ -43,7 +43,7 @@ impl ObjectTable {
     pub(super) fn offering(mut self, scene: Option<&Node>, catalogue: &dyn Catalogue) -> Self {
         let objects = scene.and_then(|scene| scene.get("objects"));
         for member in objects.map_or(&[][..], Node::members) {
-            self.note(&member.name, &member.value);
+            self.note_object(&member.name, &member.value);
         }
         let kind = |name: &String| -> Option<String> {
             let (_, text) = catalogue.lookup(name)?;
@@ -90,7 +90,7 @@ impl ObjectTable {
     }
 
     /// Takes down what the text tells of an object and its outputs.
-    fn note(&mut self, id: &str, node: &Node) {
+    fn note_object(&mut self, id: &str, node: &Node) {
         let (coordinate, outputs) = match (OwnObject::of(node), self.kind_of(node)) {
             (Some(own), _) => {
                 let others = own.ports().outputs.into_iter().skip(1);
@@ -125,7 +125,7 @@ pub(super) fn read(
     }
     let node = slot.node()?;
     for member in node.members() {
-        known.note(&member.name, &member.value);
+        known.note_object(&member.name, &member.value);
     }
     let objects = slot.read_in_place(|slot| slot.map(|id, slot| object(slot, id, known)));
     let sound = check_graph(&mut slot, node, known);

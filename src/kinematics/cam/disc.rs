@@ -78,7 +78,7 @@ impl DiscCam {
     /// the object (`cam.base_radius`, `position`).
     pub fn new(position: &Position, geometry: &CamGeometry) -> Result<Self, Vec<Fault>> {
         let mut faults = Faults::default();
-        check::numbers(geometry, &mut faults);
+        check::check_numbers(geometry, &mut faults);
         faults.check()?;
         let motion = FollowerMotion::new(position, geometry.outward, geometry.range)?;
         Self::of(Arc::new(motion), geometry)

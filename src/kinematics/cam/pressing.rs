@@ -45,7 +45,7 @@ impl DiscCam {
         let angle = angle.or_else(|| sharpest().filter(|_| outside));
         let (piece, phi) = self
             .motion()
-            .locate(angle.unwrap_or(self.motion().range().0));
+            .piece_at(angle.unwrap_or(self.motion().range().0));
         let state = self.at(piece, phi);
         let force = if outside { load } else { -load };
         let both = self

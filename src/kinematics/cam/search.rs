@@ -1,6 +1,6 @@
 //! Extremes and sign changes of smooth functions over the pieces of a turn.
 
-use super::motion::{FollowerMotion, Piece, intervals};
+use super::motion::{FollowerMotion, Piece, intervals_per_piece};
 use crate::math::number::{Dual, Number};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
@@ -71,7 +71,7 @@ pub(crate) fn refined(samples: &[Vec<(f64, f64)>], f: &dyn Fn(usize, f64) -> f64
 pub(crate) fn greatest_over(pieces: &[[f64; 2]], f: &dyn Fn(usize, f64) -> f64) -> At {
     let samples: Vec<Vec<(f64, f64)>> = (pieces.iter().enumerate())
         .map(|(index, &ends)| {
-            let places = evenly_spaced(ends, intervals(pieces.len()));
+            let places = evenly_spaced(ends, intervals_per_piece(pieces.len()));
             places.map(|phi| (phi, f(index, phi))).collect()
         })
         .collect();

@@ -1,7 +1,9 @@
 //! Putting the linkage together at the start: the branch of every dyad, the
 //! first position of every larger group.
 
-use super::choice::{Wrong, mismatch, names, number_text, requested_branch, start_in_words};
+use super::choice::{
+    Wrong, distance_from_choice, names, number_text, requested_branch, start_in_words,
+};
 use super::course::{Branch, Course, Table};
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
@@ -43,7 +45,7 @@ pub(super) fn assemble(
 ) -> Result<Assembly, Vec<Fault>> {
     let mut state = at_start(plan, spec.start);
     placed_by_the_driver(spec, plan, &state)?;
-    let branches = self::groups(spec, plan, groups, &mut state, &mut |_, _| {})?;
+    let branches = self::choose_branches(spec, plan, groups, &mut state, &mut |_, _| {})?;
     plan.attach::<1>(&mut state);
     Ok(Assembly { state, branches })
 }
@@ -62,7 +64,7 @@ pub(super) fn at_start(plan: &Plan, start: f64) -> State {
 ///
 /// # Errors
 /// A group cannot be assembled at the start, or it is not said how.
-pub(super) fn groups(
+pub(super) fn choose_branches(
     spec: &LinkageSpec,
     plan: &Plan,
     groups: &[Group],
@@ -157,7 +159,7 @@ fn far_places(
         let AssemblyChoice::Near { .. } = choice.choice else {
             continue;
         };
-        let off = mismatch(choice, state, plan.size);
+        let off = distance_from_choice(choice, state, plan.size);
         if off > FARTHEST_PLACE && off > STILL_CLEARLY * other {
             let name = &spec.links[choice.link].name;
             faults.add(
@@ -184,7 +186,7 @@ fn placed_by_the_driver(spec: &LinkageSpec, plan: &Plan, state: &State) -> Resul
         let branch = matches!(choice.choice, AssemblyChoice::Branch(_));
         let remark =
             !spec.redundant.is_empty() && matches!(choice.choice, AssemblyChoice::Near { .. });
-        let far = !remark && mismatch(choice, state, plan.size) > FAR;
+        let far = !remark && distance_from_choice(choice, state, plan.size) > FAR;
         if (branch || far) && !bodies.clone().any(|body| body.has_link(choice.link)) {
             let name = &spec.links[choice.link].name;
             faults.add(
@@ -217,7 +219,7 @@ fn dyad_at_start(
     index: usize,
 ) -> Result<(f64, Vec<f64>), Wrong> {
     let around = surroundings_of_dyad::<1>(dyad, state);
-    let side = dyad.side_of_second_guide(&around);
+    let side = dyad.side_of_second_rail(&around);
     let margin = dyad.directions(&around, side, plan.size).margin;
     let names = names(spec, &dyad.bodies);
     if !(margin.value > tolerance(&margin)) {
@@ -231,7 +233,7 @@ fn dyad_at_start(
         }
         choices
             .iter()
-            .map(|choice| mismatch(choice, state, plan.size))
+            .map(|choice| distance_from_choice(choice, state, plan.size))
             .collect()
     };
     let asked = requested_branch(choices)?;

@@ -4,7 +4,7 @@
 //! to describe well.
 
 use super::assemble::{Assembly, angles_of, at_start};
-use super::choice::{mismatch, requested_branch};
+use super::choice::{distance_from_choice, requested_branch};
 use super::course::Branch;
 use super::dyad::{Dyad, Form, Margin};
 use super::examine::tolerance;
@@ -51,7 +51,7 @@ pub(super) fn assemblies_at_start(
     }
     let off = |way: &Assembly| -> f64 {
         let each = said.iter();
-        each.map(|choice| mismatch(choice, &way.state, plan.size))
+        each.map(|choice| distance_from_choice(choice, &way.state, plan.size))
             .sum()
     };
     ways.sort_by(|one, other| off(one).total_cmp(&off(other)));
@@ -77,7 +77,7 @@ fn of_dyad(
     index: usize,
 ) -> Vec<Assembly> {
     let around = surroundings_of_dyad::<1>(dyad, &way.state);
-    let side = dyad.side_of_second_guide(&around);
+    let side = dyad.side_of_second_rail(&around);
     let margin = dyad.directions(&around, side, plan.size).margin;
     if !(margin.value > tolerance(&margin)) {
         return Vec::new();

@@ -110,7 +110,7 @@ impl Change {
         let sign = |x: f64| if x < 0.0 { signs[0] } else { signs[1] };
         let places = PLACES.places.iter();
         let values = places.map(|&x| directions(at + radius * x, sign(x)));
-        let terms = expand(&values.collect::<Option<Vec<_>>>()?)?;
+        let terms = first_coefficients(&values.collect::<Option<Vec<_>>>()?)?;
         Some(Self::of(at, signs, radius, terms))
     }
 
@@ -152,7 +152,7 @@ impl Change {
 }
 
 /// The first coefficients of all functions through values at the nodes.
-fn expand(values: &[[f64; 4]]) -> Option<[[f64; TERMS]; 4]> {
+fn first_coefficients(values: &[[f64; 4]]) -> Option<[[f64; TERMS]; 4]> {
     let terms = std::array::from_fn(|k| {
         let fitted = PLACES.polynomial_through(&std::array::from_fn(|j| values[j][k]));
         std::array::from_fn(|n| fitted[n])

@@ -31,7 +31,7 @@ pub(super) fn compile(
     let spec = &skeleton.spec;
     let mut faults = Faults::default();
     let driver = Driver::new(&spec.pairs[spec.driver]);
-    let bodies = bodies(skeleton, &driver);
+    let bodies = compile_bodies(skeleton, &driver);
     let others: Vec<usize> = (0..spec.pairs.len())
         .filter(|&p| p != spec.driver && skeleton.solves(p))
         .collect();
@@ -104,7 +104,7 @@ pub(super) fn solved_groups(
 ) -> Vec<(Option<Step>, Group)> {
     let solved = groups.iter().map(|group| {
         let own = |tie: &Tie| tie.belongs_to(group, groups);
-        let (pairs, couplings) = members(ties, others, own);
+        let (pairs, couplings) = pairs_and_couplings(ties, others, own);
         let (step, kind) = match (group.as_slice(), pairs.as_slice()) {
             ([one, other], [_, _, _]) if closed_forms => {
                 dyad(spec, bodies, [*one, *other], &pairs, faults)
@@ -130,7 +130,11 @@ pub(super) fn solved_groups(
 
 /// The pairs of a group, and its couplings, the ties being those of the pairs in `others` and
 /// then those of all couplings.
-fn members(ties: &[Tie], others: &[usize], own: impl Fn(&Tie) -> bool) -> (Vec<usize>, Vec<usize>) {
+fn pairs_and_couplings(
+    ties: &[Tie],
+    others: &[usize],
+    own: impl Fn(&Tie) -> bool,
+) -> (Vec<usize>, Vec<usize>) {
     let (pairs, couplings) = ties.split_at(others.len());
     let pairs = others.iter().zip(pairs).filter(|(_, tie)| own(tie));
     let couplings = couplings.iter().enumerate().filter(|(_, tie)| own(tie));
@@ -140,7 +144,7 @@ fn members(ties: &[Tie], others: &[usize], own: impl Fn(&Tie) -> bool) -> (Vec<u
     )
 }
 
-fn bodies(skeleton: &Skeleton, driver: &Driver) -> Bodies {
+fn compile_bodies(skeleton: &Skeleton, driver: &Driver) -> Bodies {
     let spec = &skeleton.spec;
     let attached = |link: usize| skeleton.attached.iter().any(|one| one.link == link);
     let assembly = driver.assembly();

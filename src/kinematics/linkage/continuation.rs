@@ -165,7 +165,7 @@ impl<'a> Walker<'a> {
         for _ in 0..MOST_TRIALS {
             match self.examine(to) {
                 StepVerdict::Accept => {
-                    self.accept(to);
+                    self.go_to_place(to);
                     return Ok(to);
                 }
                 StepVerdict::Shorten(nearer) => to = nearer,
@@ -201,7 +201,7 @@ impl<'a> Walker<'a> {
     }
 
     /// Goes to a place that was examined.
-    fn accept(&mut self, to: f64) {
+    fn go_to_place(&mut self, to: f64) {
         let groups = self.plan.steps.len();
         // It could be solved a moment ago, to a lower order.
         let _ = self.try_at::<4>(to, groups);

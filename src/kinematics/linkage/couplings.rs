@@ -52,7 +52,7 @@ pub(crate) fn outlines(spec: &LinkageSpec) -> Vec<Outline> {
 }
 
 /// Sentences about couplings that are hardly meant so.
-pub(super) fn remarks(spec: &LinkageSpec) -> Vec<String> {
+pub(super) fn remarks_on_couplings(spec: &LinkageSpec) -> Vec<String> {
     let all = spec.couplings.iter();
     all.filter_map(|one| one.kind.as_kind().remark(&one.name))
         .collect()

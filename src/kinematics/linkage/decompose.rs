@@ -98,7 +98,7 @@ pub(super) fn decompose(bodies: usize, ties: &[Tie]) -> Decomposition {
         held.dedup();
         return Decomposition::Unfit { held, free };
     }
-    Decomposition::Groups(groups(&handing.dependencies()))
+    Decomposition::Groups(dependent_groups(&handing.dependencies()))
 }
 
 /// A part with more equations among its own bodies than hold them together.
@@ -226,7 +226,7 @@ impl TieAssignment<'_> {
 
 /// Sets of bodies that depend on each other, in an order in which each depends
 /// only on those before it; of several possible ones that with the lowest body.
-fn groups(dependencies: &[Vec<usize>]) -> Vec<Vec<usize>> {
+fn dependent_groups(dependencies: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let count = dependencies.len();
     let reach: Vec<Vec<bool>> = (0..count)
         .map(|from| {

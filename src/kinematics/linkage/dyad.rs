@@ -130,7 +130,7 @@ impl Dyad {
                 [first, second]
             }
             Form::Prp => {
-                let pin = self.crossing(around);
+                let pin = self.place_of_inner_pin(around);
                 [0, 1]
                     .map(|k| Frame::frame_through_point(of[k], self.inner[k].place(relative), pin))
             }
@@ -163,7 +163,7 @@ impl Dyad {
             along: square + (a - b) * (a + b),
         };
         let half = square.reciprocal().scale(0.5);
-        let to_pin = apart.turn(closure.pin(sign).times(half));
+        let to_pin = apart.complex_product(closure.vector_to_inner_pin(sign).times(half));
         let size = (a.value() + b.value()).powi(2) + square.value();
         let scale = 0.25 / (arms[0].unit(typical) * arms[1].unit(typical)).powi(2);
         let noise = size * (unstretched.value().abs() + unfolded.value().abs()) * scale;
@@ -255,7 +255,7 @@ impl Dyad {
         let off = along.cross(self.separation(around)) + self.aside(around, 1);
         let discriminant = (length - off) * (length + off);
         let ahead = circle_and_line(length - off, length + off, sign);
-        let to_pin = along.turn(Vector::new(ahead, off));
+        let to_pin = along.complex_product(Vector::new(ahead, off));
         let scale = arm.unit(typical).powi(-2);
         let reach = length.value().abs() + off.value().abs();
         Directions {
@@ -279,7 +279,7 @@ impl Dyad {
         let apart = self.separation(around);
         let square = apart.square();
         let seen = guide_between_pins(square, off, sign);
-        let along = apart.turn(seen).times(square.reciprocal());
+        let along = apart.complex_product(seen).times(square.reciprocal());
         let scale = (size * size).recip();
         Directions {
             of: [guides[0].frame(along), guides[1].frame(along)],
@@ -310,7 +310,7 @@ impl Dyad {
     }
 
     /// The side to which the second guide of PRP or RPP points; + for all others.
-    pub(super) fn side_of_second_guide(&self, around: &DyadSurroundings<1>) -> f64 {
+    pub(super) fn side_of_second_rail(&self, around: &DyadSurroundings<1>) -> f64 {
         let sine = match self.form {
             Form::Prp => {
                 let [(first, _), (second, _)] = [0, 1].map(|k| self.guided(around, k));
@@ -324,11 +324,11 @@ impl Dyad {
 
     /// Where the inner pin of PRP lies.
     #[inline(always)]
-    fn crossing<const N: usize>(&self, around: &DyadSurroundings<N>) -> Vector<N> {
+    fn place_of_inner_pin<const N: usize>(&self, around: &DyadSurroundings<N>) -> Vector<N> {
         let (first, _) = self.guided(around, 0);
         let (second, _) = self.guided(around, 1);
-        let foot =
-            around.known[0].place(self.known[0].point) + first.left().times(self.aside(around, 0));
+        let foot = around.known[0].place(self.known[0].point)
+            + first.turned_left().times(self.aside(around, 0));
         let to = around.known[1].place(self.known[1].point) - foot;
         let missing = self.aside(around, 1) + second.cross(to);
         foot + first.times(missing * second.cross(first).reciprocal())

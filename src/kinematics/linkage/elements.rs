@@ -143,8 +143,8 @@ impl<const N: usize> Frame<N> {
     #[inline(always)]
     pub(super) fn then(&self, inner: &Self) -> Self {
         Self {
-            at: self.at + self.direction.turn(inner.at),
-            direction: self.direction.turn(inner.direction),
+            at: self.at + self.direction.complex_product(inner.at),
+            direction: self.direction.complex_product(inner.direction),
         }
     }
 
@@ -166,7 +166,7 @@ impl<const N: usize> Frame<N> {
 pub(super) fn inverse<const N: usize>(frame: &Frame<N>) -> Frame<N> {
     let direction = frame.direction.mirrored();
     Frame {
-        at: -direction.turn(frame.at),
+        at: -direction.complex_product(frame.at),
         direction,
     }
 }

@@ -1,7 +1,9 @@
 //! The first position of a larger group, from approximate positions of some of
 //! its links or from a number of trials.
 
-use super::choice::{Wrong, mismatch, names, number_text, requested_branch, start_in_words};
+use super::choice::{
+    Wrong, distance_from_choice, names, number_text, requested_branch, start_in_words,
+};
 use super::dyad::Margin;
 use super::newton::{NewtonGroup, PreparedJoint};
 use super::plan::Plan;
@@ -85,7 +87,7 @@ fn find_assemblies(
         write_positions(group, &scratch, state);
         let mismatch = choices
             .iter()
-            .map(|choice| mismatch(choice, state, plan.size))
+            .map(|choice| distance_from_choice(choice, state, plan.size))
             .sum();
         let unknowns: Vec<f64> = scratch.unknowns.iter().map(|unknown| unknown[0]).collect();
         let known = found

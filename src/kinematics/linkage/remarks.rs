@@ -2,7 +2,7 @@
 //! approximate positions far from the assembly, cams that are undercut.
 
 use super::Linkage;
-use super::choice::{mismatch, number_text};
+use super::choice::{distance_from_choice, number_text};
 use super::couplings;
 use super::elements::slides;
 use super::solve::{Guess, solve};
@@ -26,7 +26,7 @@ impl Linkage {
         let mut remarks = self.far_positions();
         remarks.extend(self.links_without_length());
         remarks.extend(self.still_outputs());
-        remarks.extend(couplings::remarks(self.spec()));
+        remarks.extend(couplings::remarks_on_couplings(self.spec()));
         remarks
     }
 
@@ -42,7 +42,7 @@ impl Linkage {
         }
         plan.attach::<1>(&mut state);
         let far = |choice: &AssemblySpec| {
-            let off = mismatch(choice, &state, plan.size);
+            let off = distance_from_choice(choice, &state, plan.size);
             let name = &spec.links[choice.link].name;
             match choice.choice {
                 AssemblyChoice::Near { .. } if off > OFF => Some(format!(

@@ -42,7 +42,7 @@ impl Anchor {
     }
 
     /// x, y, θ of a link at an input.
-    pub(super) fn near(&self, link: usize, input: f64) -> [f64; 3] {
+    pub(super) fn pose_near(&self, link: usize, input: f64) -> [f64; 3] {
         let t = input - self.at;
         self.series[link].map(|[a, b, c, d]| a + t * (b + t * (c + t * d)))
     }
@@ -68,7 +68,9 @@ pub(super) fn solve<const N: usize>(
     for (index, step) in plan.steps[..groups].iter().enumerate() {
         match step {
             Step::Dyad(dyad) => place_dyad::<N>(plan, course, dyad, state, reduced, index)?,
-            Step::Newton(group) => iterate::<N>(plan, group, guess, state, reduced, index)?,
+            Step::Newton(group) => {
+                place_by_iteration::<N>(plan, group, guess, state, reduced, index)?
+            }
         }
     }
     if groups == plan.steps.len() {
@@ -128,7 +130,7 @@ fn place_dyad<const N: usize>(
     Ok(())
 }
 
-fn iterate<const N: usize>(
+fn place_by_iteration<const N: usize>(
     plan: &Plan,
     group: &NewtonGroup,
     guess: Guess<'_>,
@@ -138,7 +140,7 @@ fn iterate<const N: usize>(
 ) -> Result<(), Stuck> {
     let mut scratch = std::mem::take(&mut state.scratch);
     let place = match guess {
-        Guess::Table(table) => table.locate(reduced),
+        Guess::Table(table) => table.index_before(reduced),
         Guess::Near(_) => 0,
     };
     for (body, unknowns) in group
@@ -147,8 +149,8 @@ fn iterate<const N: usize>(
         .zip(scratch.unknowns.chunks_exact_mut(3))
     {
         let values = match guess {
-            Guess::Table(table) => table.near(place, body.base, reduced),
-            Guess::Near(anchor) => anchor.near(body.base, reduced),
+            Guess::Table(table) => table.pose_near(place, body.base, reduced),
+            Guess::Near(anchor) => anchor.pose_near(body.base, reduced),
         };
         for (unknown, value) in unknowns.iter_mut().zip(values) {
             unknown[0] = value;
@@ -156,8 +158,8 @@ fn iterate<const N: usize>(
     }
     for link in group.ties.iter().flat_map(PreparedJoint::known_links) {
         state.near[link] = match guess {
-            Guess::Table(table) => table.near(place, link, reduced)[2],
-            Guess::Near(anchor) => anchor.near(link, reduced)[2],
+            Guess::Table(table) => table.pose_near(place, link, reduced)[2],
+            Guess::Near(anchor) => anchor.pose_near(link, reduced)[2],
         };
     }
     let found = group.place_by_newton::<N>(state, &mut scratch, plan.size);

@@ -98,13 +98,13 @@ fn places(spec: &LinkageSpec, preferred: impl IntoIterator<Item = usize>) -> Vec
         if let Some(link) = base {
             places[link] = Some(first);
         }
-        spread(spec, first, &mut places);
+        place_welded(spec, first, &mut places);
     }
     places
 }
 
 /// Places all that welds join to a base.
-fn spread(spec: &LinkageSpec, first: Place, places: &mut [Option<Place>]) {
+fn place_welded(spec: &LinkageSpec, first: Place, places: &mut [Option<Place>]) {
     let mut grew = true;
     while grew {
         grew = false;
@@ -187,7 +187,7 @@ impl AttachedLink {
     }
 
     /// Its angle, those of all links being known (rad).
-    pub(super) fn turned(&self, angles: &[f64]) -> f64 {
+    pub(super) fn angle_of_link(&self, angles: &[f64]) -> f64 {
         self.base.map_or(0.0, |base| angles[base]) + self.angle
     }
 

@@ -109,8 +109,8 @@ impl Workspace {
     /// and the angle of the driver's pair being equal to the input there.
     pub fn angle(&self, link: usize) -> f64 {
         let course = &self.core.course;
-        let place = course.table.locate(self.reduced);
-        let near = course.table.near(place, link, self.reduced)[2];
+        let place = course.table.index_before(self.reduced);
+        let near = course.table.pose_near(place, link, self.reduced)[2];
         let gain = course.table.gains.get(link).copied().unwrap_or(0.0);
         nearest_turn(self.state.links[link].angle(), near + self.turns * gain)
     }

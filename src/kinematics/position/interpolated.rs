@@ -368,14 +368,14 @@ mod tests {
             ChebyshevInterpolation::periodic("v", |phi| phi.sin().abs(), TAU, &corners).unwrap();
         let breaks = found.breaks();
         for phi in [-7.0, -0.1, 0.1, 3.0, 3.2, 40.0] {
-            let segment = breaks.locate(phi, 1.0);
+            let segment = breaks.segment_at(phi, 1.0);
             let jet = found.jet(segment, phi);
             assert!((jet.value - phi.sin().abs()).abs() < 1e-13, "{phi}");
             let slope = phi.cos() * phi.sin().signum();
             assert!((jet.first - slope).abs() < 1e-10, "{phi}");
         }
         // Just beyond a corner the formula of the segment goes on.
-        let segment = breaks.locate(-1e-3, 1.0);
+        let segment = breaks.segment_at(-1e-3, 1.0);
         assert!((found.jet(segment, 1e-6).value + 1e-6).abs() < 1e-12);
         let wrong = ChebyshevInterpolation::periodic("v", |phi| phi.sin().abs(), TAU, &[0.0]);
         assert!(

@@ -73,11 +73,11 @@ fn of(link: usize, at: [f64; 2]) -> PointOf {
     PointOf { link, at }
 }
 
-fn ground(at: [f64; 2]) -> PointOf {
+fn ground_point(at: [f64; 2]) -> PointOf {
     PointOf { link: None, at }
 }
 
-fn pin(name: &str, on: PointOf, link: PointOf) -> PairSpec {
+fn pin_between(name: &str, on: PointOf, link: PointOf) -> PairSpec {
     pair(name, on, link, PairKind::PIN)
 }
 
@@ -125,10 +125,10 @@ fn slider_crank(short: &SliderCrank, phi: f64) -> LinkageSpec {
         ],
         ground: named_points(&[("G", g), ("O", o)]),
         pairs: vec![
-            pin("A", of(0, end), of(1, ORIGIN)),
-            pin("B", of(1, [short.rod, 0.0]), of(2, ORIGIN)),
-            pin("O", ground(o), of(0, ORIGIN)),
-            guide("guide", ground(g), of(2, ORIGIN)),
+            pin_between("A", of(0, end), of(1, ORIGIN)),
+            pin_between("B", of(1, [short.rod, 0.0]), of(2, ORIGIN)),
+            pin_between("O", ground_point(o), of(0, ORIGIN)),
+            guide("guide", ground_point(g), of(2, ORIGIN)),
         ],
         driver: 2,
         assembly: branch(2, short.branch),
@@ -155,10 +155,10 @@ fn four_bar(short: &FourBar, phi: f64) -> LinkageSpec {
         ],
         ground: named_points(&[("C", c), ("O", o)]),
         pairs: vec![
-            pin("A", of(1, end), of(0, ORIGIN)),
-            pin("B", of(0, [short.coupler, 0.0]), of(2, [short.rocker, 0.0])),
-            pin("C", ground(c), of(2, ORIGIN)),
-            pin("O", ground(o), of(1, ORIGIN)),
+            pin_between("A", of(1, end), of(0, ORIGIN)),
+            pin_between("B", of(0, [short.coupler, 0.0]), of(2, [short.rocker, 0.0])),
+            pin_between("C", ground_point(c), of(2, ORIGIN)),
+            pin_between("O", ground_point(o), of(1, ORIGIN)),
         ],
         driver: 3,
         assembly: branch(2, short.branch),
@@ -189,9 +189,9 @@ fn slotted_link(short: &SlottedLink, phi: f64) -> LinkageSpec {
         ],
         ground: named_points(&[("O1", o1), ("O2", o2)]),
         pairs: vec![
-            pin("A", of(1, end), of(0, ORIGIN)),
-            pin("O1", ground(o1), of(1, ORIGIN)),
-            pin("O2", ground(o2), of(2, ORIGIN)),
+            pin_between("A", of(1, end), of(0, ORIGIN)),
+            pin_between("O1", ground_point(o1), of(1, ORIGIN)),
+            pin_between("O2", ground_point(o2), of(2, ORIGIN)),
             guide("slide", of(2, [along, 0.0]), of(0, ORIGIN)),
         ],
         driver: if by_crank { 1 } else { 3 },

@@ -140,8 +140,8 @@ fn piecewise(op: &Op, at: impl Fn(Register) -> Reach) -> Reach {
             x => x.signum(),
         }),
         Op::Whole { x, to, .. } => monotone(at(x), |x| Rounding::of(to, x)),
-        Op::Min { a, b, .. } => chosen(at(a), at(b), f64::min),
-        Op::Max { a, b, .. } => chosen(at(a), at(b), f64::max),
+        Op::Min { a, b, .. } => least_or_greatest(at(a), at(b), f64::min),
+        Op::Max { a, b, .. } => least_or_greatest(at(a), at(b), f64::max),
         Op::Remainder { x, y, .. } => remainder(at(x), at(y)),
         Op::Atan2 { y, x, .. } => {
             let still = |bounds: Interval| RateBounds {
@@ -282,7 +282,7 @@ fn monotone(x: Reach, f: impl Fn(f64) -> f64) -> Reach {
 }
 
 /// The smaller or the greater of two; the other where one is no number.
-fn chosen(a: Reach, b: Reach, choose: impl Fn(f64, f64) -> f64) -> Reach {
+fn least_or_greatest(a: Reach, b: Reach, choose: impl Fn(f64, f64) -> f64) -> Reach {
     if a.partial || b.partial {
         return a.either_bound(b);
     }

@@ -62,7 +62,7 @@ impl Builder {
     }
 
     /// True of what changes by jumps alone.
-    pub(super) fn steps(&self, x: Register) -> bool {
+    pub(super) fn changes_by_jumps(&self, x: Register) -> bool {
         self.steps[usize::from(x)]
     }
 
@@ -181,8 +181,8 @@ impl Builder {
     }
 
     /// The guard that a function is; none where it changes by jumps alone.
-    fn guard(&mut self, x: Register, kind: GuardKind) -> u16 {
-        if self.steps(x) {
+    fn guard_of_function(&mut self, x: Register, kind: GuardKind) -> u16 {
+        if self.changes_by_jumps(x) {
             return UNGUARDED;
         }
         let known = self.guards.iter().position(|known| *known == (x, kind));
@@ -195,27 +195,27 @@ impl Builder {
     /// The guard of which of two is greater.
     fn order(&mut self, a: Register, b: Register, at_rest: i64) -> u16 {
         let difference = self.sub(b, a);
-        self.guard(difference, GuardKind::Sign { at_rest })
+        self.guard_of_function(difference, GuardKind::Sign { at_rest })
     }
 
     pub(super) fn atan2(&mut self, y: Register, x: Register) -> Register {
-        let guard = self.guard(y, SIGN);
+        let guard = self.guard_of_function(y, SIGN);
         self.operation_or_constant(Op::Atan2 { y, x, guard })
     }
 
     pub(super) fn remainder(&mut self, x: Register, y: Register) -> Register {
         let quotient = self.div(x, y);
-        let guard = self.guard(quotient, GuardKind::Whole);
+        let guard = self.guard_of_function(quotient, GuardKind::Whole);
         self.operation_or_constant(Op::Remainder { x, y, guard })
     }
 
     pub(super) fn abs(&mut self, x: Register) -> Register {
-        let guard = self.guard(x, SIGN);
+        let guard = self.guard_of_function(x, SIGN);
         self.operation_or_constant(Op::Abs { x, guard })
     }
 
     pub(super) fn sign(&mut self, x: Register) -> Register {
-        let guard = self.guard(x, SIGN);
+        let guard = self.guard_of_function(x, SIGN);
         self.operation_or_constant(Op::Sign { x, guard })
     }
 
@@ -224,7 +224,7 @@ impl Builder {
             Rounding::Round => self.affine(x, 1.0, 0.5),
             _ => x,
         };
-        let guard = self.guard(guarded, GuardKind::Whole);
+        let guard = self.guard_of_function(guarded, GuardKind::Whole);
         self.operation_or_constant(Op::Whole { x, to, guard })
     }
 
@@ -272,7 +272,7 @@ impl Builder {
         let mut numbers: Vec<Option<u16>> = vec![None; self.guards.len()];
         let mut wanted: Vec<u16> = Vec::new();
         let note = |code: &Code, numbers: &mut Vec<Option<u16>>, wanted: &mut Vec<u16>| {
-            for guard in code.0.iter().filter_map(Op::guard) {
+            for guard in code.0.iter().filter_map(Op::guard_index) {
                 let number = &mut numbers[usize::from(guard)];
                 if number.is_none() {
                     *number = Some(wanted.len() as u16);

@@ -131,7 +131,7 @@ impl OfOne {
         };
         let (mut at, mut modes) = (from, located(program, from));
         found.modes[0].clone_from(&modes);
-        while let Some((place, guard, target)) = next(program, &modes, at, to) {
+        while let Some((place, guard, target)) = next_guard_change(program, &modes, at, to) {
             let place = rhythm.map_or(place, |period| snap_to_period(place, period));
             let value = |own: usize, modes: &[i64]| {
                 let x = Dual::new(place, 1.0);
@@ -233,7 +233,12 @@ fn located(program: &Program, place: f64) -> Vec<i64> {
 }
 
 /// The next change of a guard: its place, the guard and its mode behind.
-fn next(program: &Program, modes: &[i64], from: f64, to: f64) -> Option<(f64, usize, i64)> {
+fn next_guard_change(
+    program: &Program,
+    modes: &[i64],
+    from: f64,
+    to: f64,
+) -> Option<(f64, usize, i64)> {
     // Pieces of a long way, so that places keep their digits.
     let mut start = from;
     let mut length = (to - from).min(1.0 + from.abs());
@@ -296,7 +301,7 @@ fn common(guards: &[Guard]) -> Option<f64> {
             (GuardKind::Whole, period) if own.drift == 0.0 => period,
             _ => return None,
         };
-        all = join(all, period)?;
+        all = least_common_period(all, period)?;
     }
     all
 }
@@ -312,7 +317,7 @@ fn whole_after(x: f64) -> Option<f64> {
 
 /// The least period of both; `None`: there is none.
 #[allow(clippy::option_option)] // that there is none is not that any will do
-fn join(a: Option<f64>, b: Option<f64>) -> Option<Option<f64>> {
+fn least_common_period(a: Option<f64>, b: Option<f64>) -> Option<Option<f64>> {
     let (Some(p), Some(q)) = (a, b) else {
         return Some(a.or(b));
     };
@@ -337,7 +342,7 @@ fn rhythm(code: &Code, variables: &dyn Fn(usize) -> Option<Rhythm>) -> Option<Rh
         let at = |register: Register| all[usize::from(register)];
         let mut period = None;
         for operand in op.operands() {
-            period = join(period, at(operand).period)?;
+            period = least_common_period(period, at(operand).period)?;
         }
         let still = op.operands().all(|operand| at(operand).drift == 0.0);
         let plain = Rhythm { period, drift: 0.0 };

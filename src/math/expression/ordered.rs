@@ -107,14 +107,14 @@ impl<const N: usize> SeriesProgram<N> {
         match *step {
             Step::Op(Op::Variable(own)) => variable(usize::from(own)),
             Step::Op(op) if k == 0 => {
-                let value = self.begin(&op, modes);
+                let value = self.value_of_operation(&op, modes);
                 self.begin_other(index, &op, value);
                 value
             }
-            Step::Op(op) => self.next(index, &op, k, modes),
+            Step::Op(op) => self.next_coefficient(index, &op, k, modes),
             Step::Along { function, x, .. } if k == 0 => function.value(self.row(x)[0]),
             Step::Along { x, slope, .. } => integrated_coefficient(self.row(x), self.row(slope), k),
-            Step::Direction { op, .. } if k == 0 => self.begin(&op, modes),
+            Step::Direction { op, .. } if k == 0 => self.value_of_operation(&op, modes),
             Step::Direction { op, by_y, by_x } => {
                 let Op::Atan2 { y, x, .. } = op else {
                     return f64::NAN;
@@ -130,7 +130,7 @@ impl<const N: usize> SeriesProgram<N> {
     }
 
     /// Value of an operation.
-    fn begin(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> f64 {
+    fn value_of_operation(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> f64 {
         let operands: [f64; 3] = {
             let mut all = [0.0; 3];
             for (value, register) in all.iter_mut().zip(op.operands()) {
@@ -158,7 +158,13 @@ impl<const N: usize> SeriesProgram<N> {
     }
 
     /// The next coefficient of an operation, k ≥ 1.
-    fn next(&mut self, index: usize, op: &Op, k: usize, modes: &impl Fn(u16) -> i64) -> f64 {
+    fn next_coefficient(
+        &mut self,
+        index: usize,
+        op: &Op,
+        k: usize,
+        modes: &impl Fn(u16) -> i64,
+    ) -> f64 {
         let at = |register: Register| self.row(register)[k];
         match *op {
             Op::Affine { x, factor, .. } => factor * at(x),
@@ -210,7 +216,7 @@ impl<const N: usize> SeriesProgram<N> {
 
     /// Mode of the guard of an operation; 0 where it looks at its operands.
     fn guard_mode(&self, op: &Op, modes: &impl Fn(u16) -> i64) -> i64 {
-        match op.guard().map(modes) {
+        match op.guard_index().map(modes) {
             None | Some(super::OPEN) => 0,
             Some(mode) => mode,
         }
@@ -221,7 +227,7 @@ impl<const N: usize> SeriesProgram<N> {
         let Op::Remainder { x, y, .. } = *op else {
             return 0.0;
         };
-        match op.guard().map(modes) {
+        match op.guard_index().map(modes) {
             None | Some(super::OPEN) => (self.row(x)[0] / self.row(y)[0]).trunc(),
             Some(mode) if mode < 0 => (mode + 1) as f64,
             Some(mode) => mode as f64,

@@ -32,13 +32,13 @@ const STYLE: &str = "\
 const FINE: f64 = 3e-4;
 
 /// The curves as they are drawn: no finer than can be seen.
-pub(in crate::report) fn drawn(cam: &DiscCam) -> Vec<NamedCurve> {
+pub(in crate::report) fn curves_to_draw(cam: &DiscCam) -> Vec<NamedCurve> {
     super::curves(cam, FINE * cam.geometry().prime_radius(), None).unwrap_or_default()
 }
 
 /// The drawing at φ (rad) as a complete SVG document on white ground.
 pub fn picture(title: &str, cam: &DiscCam, phi: f64) -> String {
-    let curves = drawn(cam);
+    let curves = curves_to_draw(cam);
     let view = view(cam, &curves);
     let body = drawing(cam, &curves, &view, phi, None) + &marks(cam, &view, true);
     let [width, height] = view.size;
@@ -56,7 +56,7 @@ pub(in crate::report) fn drawing(
     beside: Option<f64>,
 ) -> String {
     let mover = mover_of_cam(cam, view);
-    let (piece, at) = cam.motion().locate(phi);
+    let (piece, at) = cam.motion().piece_at(phi);
     let lift = cam.motion().jet(piece, at).value;
     let part = |class: &str, link: usize, transform: String, place: [f64; 2], drawn: String| {
         format!(
@@ -203,7 +203,7 @@ fn follower_transform(mover: &Mover, lift: f64) -> String {
 
 /// How the player moves cam and follower: the cam by the coordinate `cam_angle`
 /// (rad), the follower by the outward displacement factor · coordinate − base.
-pub(in crate::report) fn bodies(
+pub(in crate::report) fn moving_bodies(
     cam: &DiscCam,
     view: &View,
     cam_angle: usize,

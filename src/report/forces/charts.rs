@@ -10,7 +10,7 @@ use crate::report::verdict::capitalised;
 use crate::studies::forces::{Column, ForceStudy, Forces};
 
 /// All curves over the course.
-pub(super) fn groups<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
+pub(super) fn chart_sections<'a>(report: &ForcesReport<'_>) -> Vec<Section<'a>> {
     let (study, linkage) = (report.study, &report.study.linkage);
     let all = study.columns();
     let chart = |title: &str, names: Vec<(String, &str)>| over_course(report, &all, title, &names);

@@ -1,7 +1,7 @@
 //! What the forces of a linkage come to.
 
 use super::changes::{massless, sensitivities};
-use super::charts::{groups, ratio_chart};
+use super::charts::{chart_sections, ratio_chart};
 use super::reactions::reactions;
 use super::words::{driving, quantity_words};
 use super::{ForcesReport, WIDE, drawing, inputs, value};
@@ -71,7 +71,7 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
         let hodographs = hodographs(study);
         let section = Section::new("Hodographs").legend(legend);
         sections.push(section.charts(Layout::Round, "", hodographs));
-        sections.extend(groups(report));
+        sections.extend(chart_sections(report));
         sections.push(sensitivities(report));
         sections.push(Section::new("Extremes").table(extremes(report)));
     }

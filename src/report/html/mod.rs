@@ -110,7 +110,7 @@ pub(in crate::report) fn mechanism(diagram: &Diagram, plots: &Plots) -> String {
         "<h2>Mechanism</h2>\n<div class=\"graph scroll\">\n{}</div>\n\
          <p class=\"soft\">Solid arrows carry the motion φ, φ̇ to what is driven; dashed ones \
          bring the force Ω back to the driver.</p>\n",
-        graph::linked(diagram, plots)
+        graph::diagram_with_links(diagram, plots)
     )
 }
 

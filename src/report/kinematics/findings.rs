@@ -27,8 +27,8 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
         Section::new("Strokes").table(strokes(found)),
         transmission(found),
     ];
-    sections.extend(plots::groups(found));
-    sections.push(equilibria(found));
+    sections.extend(plots::plot_sections(found));
+    sections.push(equilibria_section(found));
     sections.push(
         Section::new("Extremes").item(Item::Folded("all quantities".into(), extremes(found))),
     );
@@ -182,7 +182,7 @@ fn transmission<'a>(found: &Kinematics) -> Section<'a> {
     }
 }
 
-fn equilibria<'a>(found: &Kinematics) -> Section<'a> {
+fn equilibria_section<'a>(found: &Kinematics) -> Section<'a> {
     let rests = found.equilibria.iter();
     let rests = rests.map(|rest| Figure::new(&input(found, rest.at), behaviour(rest)));
     let figures: Vec<Figure> = rests.collect();

@@ -27,7 +27,12 @@ pub(super) fn picture(
     };
     let body = model.linkages.iter().find(|body| own(body.object))?;
     let id = |output: &str| format!("{}.{output}", part.id);
-    Some(drawn(&body.linkage, (way, behind), (column, most), id))
+    Some(draw_linkage(
+        &body.linkage,
+        (way, behind),
+        (column, most),
+        id,
+    ))
 }
 
 /// The picture of an object that is a linkage of several inputs, over the rows of the record.
@@ -129,7 +134,7 @@ pub(super) fn law(
             String::new()
         }
     };
-    Some(drawn(
+    Some(draw_linkage(
         &linkage,
         (way, Some((behind, true))),
         (column, most),
@@ -138,7 +143,7 @@ pub(super) fn law(
 }
 
 /// A linkage over its input; `id`: that of each of its outputs.
-fn drawn(
+fn draw_linkage(
     linkage: &Linkage,
     (way, behind): (&ObjectPath, Option<(&str, bool)>),
     (column, most): (usize, f64),

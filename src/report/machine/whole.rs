@@ -167,7 +167,7 @@ impl<'a> Whole<'a> {
         let mut out = String::new();
         for cell in &self.cells {
             for wire in &cell.wires {
-                out.push_str(&join(&self.cells[wire.from], cell, wire));
+                out.push_str(&connecting_line(&self.cells[wire.from], cell, wire));
             }
         }
         for cell in &self.cells {
@@ -293,7 +293,7 @@ fn place_cells(cells: &mut [Cell<'_>]) -> [f64; 2] {
 }
 
 /// The line along which motion goes from one cell to another, with a head before the second.
-fn join(from: &Cell<'_>, to: &Cell<'_>, wire: &Wire) -> String {
+fn connecting_line(from: &Cell<'_>, to: &Cell<'_>, wire: &Wire) -> String {
     let [x0, y0] = from.pixel(from.station.picture.outlet(wire.output.as_deref()));
     let [x1, y1] = to.pixel(to.station.picture.inlet(wire.input));
     let before = to.lane[0].max(4.0);

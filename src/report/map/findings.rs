@@ -1,7 +1,7 @@
 //! What a map shows: panels, verdicts, extremes, what the verdicts mean, causes.
 
 use super::meanings::{meaning, not_determined};
-use super::picture::{key, letter, panels};
+use super::picture::{key, panel_letter, panels};
 use super::pointing::section;
 use crate::report::addresses::{parameter_words, result_words, setting_words};
 use crate::report::findings::{Cell as Entry, Findings, Layout, Section, Source, Table, Value};
@@ -168,7 +168,7 @@ fn interval(study: &Study<'_>, result: &MapResult) -> Option<String> {
 fn name(study: &Study<'_>, panel: usize) -> String {
     match study.panels.panels.len() {
         1 => "map".to_owned(),
-        _ => letter(panel),
+        _ => panel_letter(panel),
     }
 }
 
@@ -177,7 +177,7 @@ fn verdicts(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
     let names: Vec<String> = (0..panels.len())
         .map(|panel| match panels.len() {
             1 => ">cells".to_owned(),
-            _ => format!(">{}", letter(panel)),
+            _ => format!(">{}", panel_letter(panel)),
         })
         .collect();
     let heads = std::iter::once("verdict").chain(names.iter().map(String::as_str));
@@ -221,7 +221,7 @@ fn extremes(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
     let row = |(index, panel): (usize, &PanelSummary)| {
         let label = match panel.label.as_str() {
             "" => "map".to_owned(),
-            label => format!("{}  {}", letter(index), setting_words(label)),
+            label => format!("{}  {}", panel_letter(index), setting_words(label)),
         };
         vec![label.into(), cell(&panel.least), cell(&panel.greatest)]
     };

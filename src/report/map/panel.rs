@@ -96,7 +96,7 @@ impl Panel<'_> {
             parts: placed(contours(columns, rows, 0.0, &margin)),
             edge: true,
         }];
-        for (level, label) in self.values.levels(LEVELS) {
+        for (level, label) in self.values.contour_levels(LEVELS) {
             let mut lines = Vec::new();
             for below in [false, true] {
                 let field = |column: usize, row: usize| {

@@ -70,7 +70,7 @@ impl Values {
     }
 
     /// Round values within the range, about `count`, with their labels.
-    pub(super) fn levels(&self, count: usize) -> Vec<(f64, String)> {
+    pub(super) fn contour_levels(&self, count: usize) -> Vec<(f64, String)> {
         // Round in the unit that is shown.
         let factor = readable_scale(self.range[1], &self.unit).factor;
         let [low, high] = self.range.map(|value| value / factor);

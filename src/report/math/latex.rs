@@ -7,7 +7,7 @@ pub(super) fn write(expr: &Expr) -> String {
     match expr {
         Expr::Number(value) => number(*value),
         Expr::Angle(value) => angle(*value),
-        Expr::Symbol(symbol) => letter(symbol),
+        Expr::Symbol(symbol) => symbol_in_latex(symbol),
         Expr::Sum(terms) => sum(terms),
         Expr::Negative(inner) if inner.is_additive() => format!("-{}", bracketed(inner)),
         Expr::Negative(inner) => format!("-{}", write(inner)),
@@ -16,7 +16,7 @@ pub(super) fn write(expr: &Expr) -> String {
         Expr::Power(base, power) => power_of(base, *power),
         Expr::Root(inner) => format!(r"\sqrt{{{}}}", write(inner)),
         Expr::Function(name, argument) => called(name, argument),
-        Expr::At(symbol, argument) => format!("{}{}", letter(symbol), bracketed(argument)),
+        Expr::At(symbol, argument) => format!("{}{}", symbol_in_latex(symbol), bracketed(argument)),
         Expr::Cases(cases) => {
             let case = |(value, condition): &(Expr, Expr)| {
                 format!("{} & {}", write(value), condition_text(condition))
@@ -125,7 +125,7 @@ fn greek(c: char) -> Option<&'static str> {
     })
 }
 
-fn letter(symbol: &Symbol) -> String {
+fn symbol_in_latex(symbol: &Symbol) -> String {
     let mut base = String::new();
     for c in symbol.letter.chars() {
         match greek(c) {

@@ -8,13 +8,15 @@ use crate::report::quantity::{escape, significant};
 pub(super) fn write(expr: &Expr) -> String {
     match expr {
         Expr::Number(_) | Expr::Angle(_) | Expr::Sum(_) | Expr::Negative(_) => added(expr),
-        Expr::Symbol(symbol) => letter(symbol),
+        Expr::Symbol(symbol) => symbol_in_mathml(symbol),
         Expr::Product(factors) => product(factors),
         Expr::Quotient(top, bottom) => format!("<mfrac>{}{}</mfrac>", one(top), one(bottom)),
         Expr::Power(base, power) => power_of(base, *power),
         Expr::Root(inner) => format!("<msqrt>{}</msqrt>", write(inner)),
         Expr::Function(name, argument) => called(name, argument),
-        Expr::At(symbol, argument) => format!("{}{}", letter(symbol), bracketed(argument)),
+        Expr::At(symbol, argument) => {
+            format!("{}{}", symbol_in_mathml(symbol), bracketed(argument))
+        }
         Expr::Cases(cases) => table(cases),
         Expr::Compare(left, relation, right) => {
             format!(
@@ -135,7 +137,7 @@ fn table(cases: &[(Expr, Expr)]) -> String {
     format!("<mrow><mo>{{</mo><mtable>{rows}</mtable></mrow>")
 }
 
-fn letter(symbol: &Symbol) -> String {
+fn symbol_in_mathml(symbol: &Symbol) -> String {
     let letters = symbol.letter.chars();
     let letters: String = letters.map(|c| format!("<mi>{c}</mi>")).collect();
     let mut base = match symbol.letter.chars().count() {

@@ -20,7 +20,7 @@ impl Drawing<'_> {
     /// A position that is not there shows the links in their own frames.
     pub fn svg(&self, frame: usize) -> String {
         let view = View::of(self);
-        let note = self.note(frame);
+        let note = self.position_note(frame);
         let body = format!(
             "{markers}\n{parts}{marks}{layer}<text class=\"note\" x=\"14\" y=\"{foot}\">{note}</text>\n",
             markers = arrows::markers(self),
@@ -35,7 +35,7 @@ impl Drawing<'_> {
     }
 
     /// `crank angle 30 deg; speed, longest 0.63 m/s`.
-    fn note(&self, frame: usize) -> String {
+    fn position_note(&self, frame: usize) -> String {
         let value = self.axis.values.get(frame).copied().unwrap_or(f64::NAN);
         let value = format!(
             "{} {} {}",

@@ -69,14 +69,14 @@ impl Plot {
                 true => format!(" clip-path=\"url(#clip-{index})\""),
                 false => String::new(),
             },
-            phases = phases::drawn(&self.phases, frame),
-            ground = self.ground(frame),
+            phases = phases::draw_phases(&self.phases, frame),
+            ground = self.draw_background(frame),
             all = coordinate(frame.height + strip),
         )
     }
 
     /// Shaded parts and lines across the frame.
-    fn ground(&self, frame: &Frame) -> String {
+    fn draw_background(&self, frame: &Frame) -> String {
         let mut out = String::new();
         let foot = frame.top + frame.height;
         let strips = self.bands.iter().filter(|band| band.series.is_some());
@@ -140,7 +140,9 @@ impl Plot {
         let mut out = format!("<g data-series=\"{index}\">");
         for (point, mark) in series.points.iter().zip(&series.marks) {
             if let Some(spot) = frame.spot(*point) {
-                out.push_str(&marks::mark(spot, style, mark.shape, &mark.note, colour));
+                out.push_str(&marks::draw_mark(
+                    spot, style, mark.shape, &mark.note, colour,
+                ));
             } else if mark.shape != Shape::None {
                 // The script counts on one mark a point.
                 out.push_str("<g class=\"mark\" visibility=\"hidden\"></g>");

@@ -127,7 +127,8 @@ impl Plot {
     pub(super) fn layout(&self, width: f64, height: f64) -> (Frame, String) {
         let left = self.left();
         let lane = self.needs_lane();
-        let (legend, legend_height) = rows(self.entries(), [left, width - RIGHT], HEAD + 8.0);
+        let (legend, legend_height) =
+            rows(self.legend_entries(), [left, width - RIGHT], HEAD + 8.0);
         let lane_height = if lane { LANE } else { 0.0 };
         let top = HEAD + legend_height + lane_height;
         let foot = match (self.plane, self.has_strip()) {
@@ -262,7 +263,7 @@ impl Plot {
     }
 
     /// Everything that has a name: series, bands, lines, what is shaded, kinds of cells.
-    pub(super) fn entries(&self) -> Vec<Entry> {
+    pub(super) fn legend_entries(&self) -> Vec<Entry> {
         let mut list = Vec::new();
         let mut add = |sample: String, text: &str, series: Option<usize>| {
             if !text.is_empty() {
@@ -312,7 +313,7 @@ fn sample(series: &Series, index: usize) -> String {
         () => Shape::None,
     };
     let index = series.style.unwrap_or(index);
-    line + &marks::mark([13.0, 0.0], index, shape, "", |_| None)
+    line + &marks::draw_mark([13.0, 0.0], index, shape, "", |_| None)
 }
 
 /// Class and dashes of a curve; one with marks is told apart by these.

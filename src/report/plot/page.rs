@@ -194,7 +194,7 @@ impl Plots {
     /// The columns and the charts as JSON that cannot end the element it stands in.
     pub fn json(&self) -> String {
         let mut document = json!({ "columns": self.columns, "plots": self.plots });
-        let units = DisplayUnits::chosen();
+        let units = DisplayUnits::units_of_thread();
         if !units.is_empty() {
             let units = units
                 .into_iter()

@@ -33,7 +33,7 @@ pub fn findings<'a>(
     };
     let mut sections = accuracy::sections(&reduction.certificate);
     sections.extend([
-        Section::new("Parts that the scene does not need").table(steps(reduction)),
+        Section::new("Parts that the scene does not need").table(steps_table(reduction)),
         Section::new("Size").table(sizes(reduction)),
     ]);
     if let Some(chart) = chart(reduction) {
@@ -62,7 +62,7 @@ pub fn findings<'a>(
     }
 }
 
-fn steps(reduction: &Reduction) -> Table {
+fn steps_table(reduction: &Reduction) -> Table {
     let row = |step: &Step| {
         let (left_out, says) = match &step.refused {
             None => (true, greatest(reduction, step)),

@@ -13,7 +13,7 @@ use super::html::{mechanism, runs};
 use super::machine::Machine;
 use super::quantity::{significant, units, with_unit};
 use super::sentence::Sentence;
-use super::thinned::drawn;
+use super::thinned::record_to_draw;
 use super::verdict::run_answer;
 use crate::dynamics::record::{Figures, Record};
 use crate::studies::order::Certificate;
@@ -48,7 +48,7 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         machine,
         ..
     } = *report;
-    let drawn = drawn(report.record);
+    let drawn = record_to_draw(report.record);
     let record = Rc::new(drawn.record);
     let samples = [report.record, &*record].map(|one| one.times.len() + one.closeups.times.len());
     let mut sections = vec![Section::default().drawing(|plots| mechanism(diagram, plots))];
@@ -64,7 +64,7 @@ pub fn findings<'a>(report: &RunReport<'a>, source: Source<'a>) -> Findings<'a> 
         sections.extend(accuracy::sections(certificate));
         sections.push(accuracy::chart(certificate));
     }
-    sections.extend(report.spread.map(|one| spread(one, figures)));
+    sections.extend(report.spread.map(|one| spread_section(one, figures)));
     let boxes = diagram.boxes.iter();
     let over = report.over;
     sections.extend(boxes.map(|one| object(one, Rc::clone(&record), over)));
@@ -228,7 +228,7 @@ fn unit_of(address: &str, figures: &Figures) -> String {
 }
 
 /// How far figures move under a tiny change.
-fn spread<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
+fn spread_section<'a>(spread: &Spread, figures: &Figures) -> Section<'a> {
     let moved = |by: Option<f64>, unit: &str| match by {
         None => Cell::from("gone"),
         Some(_) => Cell::known_number(by, unit, 2),

@@ -24,7 +24,7 @@ pub(super) fn sections<'a>(answer: &PeriodicAnswer) -> Vec<Section<'a>> {
         return sections.chain([checks(answer)]).collect();
     };
     let mut sections = vec![
-        Section::new(heading).figures(works(found)),
+        Section::new(heading).figures(work_figures(found)),
         Section::new("Work of each drive over a period").table(drives_table(&found.drives)),
         Section::new("Extremes over a period").table(extremes(&found.objects)),
     ];
@@ -38,7 +38,7 @@ fn checks<'a>(answer: &PeriodicAnswer) -> Section<'a> {
     Section::new("Checks").figures(checks.iter().map(Figure::check).collect())
 }
 
-fn works(found: &OverPeriod) -> Vec<Figure> {
+fn work_figures(found: &OverPeriod) -> Vec<Figure> {
     let work = |name: &str, value: f64| Figure::number(name, value, "J", DIGITS);
     vec![
         Figure::number("period", found.period, "s", DIGITS),

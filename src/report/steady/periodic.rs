@@ -1,7 +1,7 @@
 //! The periodic motion of elastic objects.
 
 use super::over_period;
-use super::rigid::{at, estimates, flywheel_figures, mean_speed, value};
+use super::rigid::{estimates, flywheel_figures, mean_speed, value, value_at_place};
 use crate::dynamics::steady::Extreme;
 use crate::report::csv::{Field, Rows, column_heading};
 use crate::report::findings::table::check_outcome;
@@ -81,7 +81,7 @@ fn figures(part: &PartMotion, cycle: f64) -> Vec<Figure> {
 /// How the drive turns.
 fn drive_figures(drive: &DriveFigures) -> Vec<Figure> {
     let speed = |name: &str, of: f64| value(name, of, "rad/s");
-    let extreme = |name: &str, of: Extreme| at(name, [of.value, of.at], "rad/s");
+    let extreme = |name: &str, of: Extreme| value_at_place(name, [of.value, of.at], "rad/s");
     let why = match drive.balance {
         Some(_) => "required, held by a constant moment",
         None => "a result: motor and load decide",

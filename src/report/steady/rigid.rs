@@ -18,7 +18,7 @@ pub(super) fn value(name: &str, value: f64, unit: &str) -> Figure {
 }
 
 /// A quantity and the angle of the drive at which it is met.
-pub(super) fn at(name: &str, [amount, place]: [f64; 2], unit: &str) -> Figure {
+pub(super) fn value_at_place(name: &str, [amount, place]: [f64; 2], unit: &str) -> Figure {
     let place = Value::angle_or(place, "rad", 7).words();
     value(name, amount, unit).with_note(format!("at φ = {place}"))
 }
@@ -107,8 +107,9 @@ fn figures(shown: &SteadyReport<'_>) -> Vec<Figure> {
         Some(_) => "a result: a moment depends on the speed",
         None => f.mean.words(),
     };
-    let extreme =
-        |name, found: crate::dynamics::steady::Extreme| at(name, [found.value, found.at], "rad/s");
+    let extreme = |name, found: crate::dynamics::steady::Extreme| {
+        value_at_place(name, [found.value, found.at], "rad/s")
+    };
     let reference = [f.reference_energy, f.reference_position];
     let mut figures = vec![
         mean_speed(f.mean_speed, why),
@@ -120,7 +121,7 @@ fn figures(shown: &SteadyReport<'_>) -> Vec<Figure> {
         value("fluctuation δ", f.fluctuation, ""),
         value("period", f.period, "s"),
         value("T at φ = 0", f.energy_at_start, "J"),
-        at("E₀, T at the least J", reference, "J"),
+        value_at_place("E₀, T at the least J", reference, "J"),
         value("fluctuation of the work", f.energy_fluctuation, "J"),
     ];
     // Less is rounding.

@@ -31,7 +31,7 @@ pub(in crate::report) fn svg(model: &Model) -> String {
     let mut width = 0.0_f64;
     let mut rows = String::new();
     for (place, &index) in shown.iter().enumerate() {
-        let (row, end) = Row::new(model, index).drawn();
+        let (row, end) = Row::new(model, index).into_drawing();
         width = width.max(end);
         let y = coordinate(MARGIN + ROW * place as f64 + LINE);
         let id = escape(&model.objects[index].id);
@@ -67,7 +67,7 @@ impl<'m> Row<'m> {
         }
     }
 
-    fn drawn(mut self) -> (String, f64) {
+    fn into_drawing(mut self) -> (String, f64) {
         self.name();
         let first = self.part.nodes.first();
         match first.map(|&node| &self.model.nodes[node].motion) {

@@ -12,7 +12,7 @@ use crate::fault::Fault;
 use crate::frontend::scene::TypedScene;
 use crate::kinematics::cam::At;
 use crate::kinematics::cam::closing::LetsGo;
-use crate::studies::rigid::elastic;
+use crate::studies::rigid::elastic_objects;
 
 /// Names of these results.
 pub const CONTACT_RESULTS: [&str; 4] =
@@ -41,7 +41,7 @@ pub fn contact_result(
         .objects
         .get(id)
         .is_some_and(|one| one.object.cam().is_some());
-    if described && elastic(model).is_empty() {
+    if described && elastic_objects(model).is_empty() {
         let cam = disc_cam(scene, model, id)?;
         let force = CamForce::new(model, contact.object, &cam, None).map_err(refused)?;
         return of_closed_form(&force, name).map(Some).map_err(refused);

@@ -190,7 +190,7 @@ impl ElasticContact<'_> {
         let found = found.map_err(Missing::Refused)?;
         match &found.outcome.stop {
             Stop::Interrupted | Stop::WallClock { .. } => Err(Missing::Interrupted),
-            Stop::Complete => match found.doubt(settings) {
+            Stop::Complete => match found.reason_for_doubt(settings) {
                 None => Ok(found),
                 Some(why) => Err(self.refused(format!("its run is not to be trusted: {why}"))),
             },

@@ -230,7 +230,7 @@ impl<'m> CamForce<'m> {
         let demand = self.reduction.demand(self.cam, piece, phi);
         let force = demand.force(self.reduction.spring, self.speed);
         let [from, to] = self.reduction.pieces[piece];
-        let (at, _) = self.cam.motion().locate(0.5 * (from + to));
+        let (at, _) = self.cam.motion().piece_at(0.5 * (from + to));
         let state = self.cam.at(at, phi);
         let lever = self.reduction.lever();
         let opens = self.reduction.pair().opens;
@@ -244,7 +244,7 @@ impl<'m> CamForce<'m> {
     pub fn pressure(&self, piece: usize, phi: f64) -> Option<f64> {
         let [_, normal, _] = self.at(piece, phi);
         let [from, to] = self.reduction.pieces[piece];
-        let (at, _) = self.cam.motion().locate(0.5 * (from + to));
+        let (at, _) = self.cam.motion().piece_at(0.5 * (from + to));
         self.cam.pressure(&self.cam.at(at, phi), normal)
     }
 
@@ -316,7 +316,7 @@ impl<'m> CamForce<'m> {
             springs: self.reduction.springs.clone(),
             spring_on: behind.map(|part| part.id.clone()),
             spring_unit,
-            margin: closing.least(spring, speed),
+            margin: closing.least_force(spring, speed),
             greatest: closing.most(spring, speed),
             contact_force,
             pressure: self.greatest_pressure(),
@@ -354,7 +354,7 @@ fn without_reserve(
     format!(
         ". Without a reserve (--reserve 0) the least rate is {} {of_rate}, at φ = {:.4} deg",
         shown(in_unit, 10),
-        closing.least(least, speed).phi.to_degrees()
+        closing.least_force(least, speed).phi.to_degrees()
     )
 }
 

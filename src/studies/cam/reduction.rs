@@ -279,7 +279,7 @@ impl<'m> Reduction<'m> {
                 continue;
             };
             let over = [(from - offset) / ratio, (to - offset) / ratio];
-            let mut segment = track.breaks.locate(over[0].min(over[1]), 1.0);
+            let mut segment = track.breaks.segment_at(over[0].min(over[1]), 1.0);
             loop {
                 let edge = track.breaks.edges(segment).1;
                 // Written so that an edge that is no number ends the search.
@@ -324,7 +324,7 @@ impl<'m> Reduction<'m> {
     pub(super) fn follower(&self, cam: &DiscCam, piece: usize, phi: f64) -> [f64; 3] {
         let [from, to] = self.pieces[piece];
         let motion = cam.motion();
-        let jet = motion.jet(motion.locate(0.5 * (from + to)).0, phi);
+        let jet = motion.jet(motion.piece_at(0.5 * (from + to)).0, phi);
         let (lever, outward) = (self.law.lever, cam.geometry().outward);
         [
             lever * (motion.innermost() + outward * jet.value),
@@ -437,7 +437,7 @@ fn pair_of(model: &Model, object: usize) -> Pair {
 
 /// A table's force at x, by the piece that holds `at`.
 fn linear(track: &Track, pieces: &[LinearPiece], x: f64, at: f64) -> f64 {
-    let (index, shift) = track.breaks.piece(track.breaks.locate(at, 1.0));
+    let (index, shift) = track.breaks.piece(track.breaks.segment_at(at, 1.0));
     pieces.get(index).map_or(0.0, |piece| {
         piece.value + piece.slope * (x - shift - piece.start)
     })

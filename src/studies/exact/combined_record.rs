@@ -234,7 +234,7 @@ impl<'a> CombinedRecord<'a> {
                 motion: &mut *motion,
                 modes,
             };
-            looked.each([at(k as f64), at(k as f64 + 1.0)], |segment| {
+            looked.observe_part([at(k as f64), at(k as f64 + 1.0)], |segment| {
                 for (_, object, tally) in &mut self.carried {
                     tally.add_segment(*object, segment);
                 }

@@ -58,7 +58,7 @@ impl Loss {
     /// That of A alone, over a share of the stretch.
     fn of_smooth_part(own: &Smooth, share: f64) -> Self {
         Self {
-            middle: own.fourth() * share.powi(4) / 144.0,
+            middle: own.greatest_fourth_derivative() * share.powi(4) / 144.0,
             flat: 0.0,
         }
     }
@@ -93,7 +93,7 @@ impl TreeBase {
         window: Option<[f64; 2]>,
     ) -> Vec<Self> {
         let parts = system.model().objects.iter().enumerate();
-        let carries = |object: usize| ways.iter().any(|way| way.passes(object));
+        let carries = |object: usize| ways.iter().any(|way| way.depends_on(object));
         parts
             .filter(|(object, _)| carries(*object))
             .map(|(object, part)| Self {
@@ -176,7 +176,7 @@ impl TreeBase {
 
     /// True when a force of this magnitude would be greater than what was met.
     fn rises(&self, most: f64) -> bool {
-        let (reaction, slack) = self.tally.forces();
+        let (reaction, slack) = self.tally.force_thresholds();
         !(most <= reaction * (1.0 + MARGIN) && most <= slack)
     }
 
@@ -192,7 +192,7 @@ impl TreeBase {
         if !self.rises(bounds) {
             return;
         }
-        let loss = self.loss(forces);
+        let loss = self.loss_over_stretch(forces);
         for (sign, level) in self.tally.force_extrema_sought() {
             let margin = MARGIN * level.abs();
             if bounds > level + margin
@@ -309,7 +309,7 @@ impl TreeBase {
     }
 
     /// The loss over the whole stretch.
-    fn loss(&self, forces: &Forces) -> Loss {
+    fn loss_over_stretch(&self, forces: &Forces) -> Loss {
         let mut loss = Loss::of_smooth_part(&self.own, 1.0);
         for (lever, ahead) in self.levers.iter().zip(&forces.ahead) {
             loss.add(lever, ahead, 1.0);

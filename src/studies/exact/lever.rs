@@ -131,7 +131,7 @@ impl Drivetrain {
                 breaks,
             } => {
                 let [displacement, speed] = self.motion(step.node, states);
-                let jet = position.jet(breaks.locate(displacement, speed), displacement);
+                let jet = position.jet(breaks.segment_at(displacement, speed), displacement);
                 lever * jet.first
             }
             Lever::Input {
@@ -169,7 +169,7 @@ impl Drivetrain {
     }
 
     /// True when the tree hangs on an object.
-    pub(super) fn passes(&self, object: usize) -> bool {
+    pub(super) fn depends_on(&self, object: usize) -> bool {
         self.steps.iter().any(|step| step.object == Some(object))
     }
 }

@@ -124,7 +124,7 @@ fn run(duration: f64) -> ([f64; 2], u64, [u64; 2]) {
         greatest: 0.0,
     };
     let mut walk = EventLoop::new(way, &asked, &clock, &goes_on).unwrap();
-    walk.begin(&mut counted);
+    walk.begin_phases(&mut counted);
     walk.advance_to(duration, None, &mut counted);
     let Counted {
         stretches,

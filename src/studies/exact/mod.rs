@@ -186,7 +186,7 @@ pub(super) fn run_whole_system(
         Ok(walk) => walk,
         Err(stop) => return never_begun(joint, initial, stop),
     };
-    walk.begin(&mut joint);
+    walk.begin_phases(&mut joint);
     while walk.is_running(end) {
         walk.advance_to_next_event(end, None, &mut joint);
         joint.passes(walk.time(), walk.switches());
@@ -196,7 +196,7 @@ pub(super) fn run_whole_system(
 
 fn finish(mut walk: EventLoop<'_>, mut joint: CombinedRecord<'_>) -> MotionFindings {
     let outcome = walk.outcome();
-    walk.cut(&mut joint);
+    walk.report_cut_phases(&mut joint);
     let (y, modes) = walk.current_state(None);
     let (y, modes) = (y.to_vec(), modes.clone());
     let grazing = walk.grazing();
@@ -257,13 +257,13 @@ pub(super) fn deviations(
             };
         }
     };
-    walk.begin(&mut heard);
+    walk.begin_phases(&mut heard);
     walk.advance_to(end, None, &mut heard);
     let outcome = walk.outcome();
-    walk.cut(&mut heard);
+    walk.report_cut_phases(&mut heard);
     let branches = walk.branches().iter();
     Deviations {
-        samples: branches.flat_map(sampled).collect(),
+        samples: branches.flat_map(sampled_deviations).collect(),
         switches: heard.0,
         outcome,
     }
@@ -277,7 +277,7 @@ fn samples_last_mass_only(part: &Part) -> bool {
 }
 
 /// δ of the objects of a tree, from its samples.
-fn sampled<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)> + 'b {
+fn sampled_deviations<'b>(branch: &'b Branch<'_>) -> impl Iterator<Item = (usize, Vec<f64>)> + 'b {
     let part = branch.part;
     let samples = branch.cursor.samples();
     let columns = 2 * part.problem().masses.len();

@@ -166,7 +166,9 @@ impl Course {
                 let above = times.partition_point(|time| *time <= parameter);
                 let index = above.clamp(1, times.len().max(2) - 1);
                 match (instants.get(index - 1), instants.get(index)) {
-                    (Some(a), Some(b)) => join([times[index - 1], times[index]], [a, b], parameter),
+                    (Some(a), Some(b)) => {
+                        cubic_between([times[index - 1], times[index]], [a, b], parameter)
+                    }
                     (Some(only), _) => only.clone(),
                     _ => Instant::default(),
                 }
@@ -266,7 +268,7 @@ fn sign(instant: &Instant) -> Option<f64> {
 }
 
 /// Between two instants.
-fn join([t0, t1]: [f64; 2], [from, to]: [&Instant; 2], t: f64) -> Instant {
+fn cubic_between([t0, t1]: [f64; 2], [from, to]: [&Instant; 2], t: f64) -> Instant {
     let h = t1 - t0;
     if h.is_nan() || h <= 0.0 {
         return from.clone();

@@ -2,7 +2,7 @@
 
 use super::row::{Row, Solver, Trouble};
 use super::{Course, Instant, PositionSource};
-use crate::studies::endless::{DeadEnd, approach, unbounded};
+use crate::studies::endless::{DeadEnd, places_towards_end, unbounded};
 
 /// Takes the forces off the positions of a course at a dead-centre position that ends the reach,
 /// towards which they grow without bound: how great they are there tells how near it is.
@@ -53,7 +53,7 @@ fn rows_towards<S: PositionSource>(
     instant: &Instant,
     end: &DeadEnd,
 ) -> [Row; 4] {
-    approach(end.at, end.other).map(|coordinate| {
+    places_towards_end(end.at, end.other).map(|coordinate| {
         let mut near = instant.clone();
         near.motion.coordinate = coordinate;
         solver.row(&near, true)

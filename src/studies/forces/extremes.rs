@@ -47,7 +47,7 @@ pub(super) fn find<S: PositionSource>(
     all: &[Column],
 ) -> (Vec<Extremes>, Vec<(String, f64)>) {
     let samples = samples(solver, course, rows);
-    let edges = edges(solver, course, zones);
+    let edges = edges_of_zones(solver, course, zones);
     let mut seeker = Seeker {
         solver,
         course,
@@ -119,7 +119,7 @@ struct Edge {
     rows: [Row; 4],
 }
 
-fn edges<S: PositionSource>(
+fn edges_of_zones<S: PositionSource>(
     solver: &mut Solver<'_, S>,
     course: &Course,
     zones: &[Zone],
@@ -175,7 +175,7 @@ impl<S: PositionSource> Seeker<'_, '_, S> {
             .max_by(|(_, a), (_, b)| (sign * a).total_cmp(&(sign * b)))?;
         let at = self.samples[index].0;
         let here = Extreme { value, at };
-        let bracket = self.free_about(index);
+        let bracket = self.free_interval_about(index);
         let (solver, course) = (&mut *self.solver, self.course);
         let mut worth = |place: f64| {
             let row = solver.row(&course.instant_at(place), false);
@@ -194,7 +194,7 @@ impl<S: PositionSource> Seeker<'_, '_, S> {
     }
 
     /// From the sample before to the one after, as far as there are forces.
-    fn free_about(&self, index: usize) -> [f64; 2] {
+    fn free_interval_about(&self, index: usize) -> [f64; 2] {
         let at = |index: usize| self.samples[index].0;
         let (here, last) = (at(index), self.samples.len() - 1);
         let period = match self.course {

@@ -258,7 +258,7 @@ fn edges_between(breaks: &Breaks, [from, to]: [f64; 2]) -> Vec<f64> {
     if breaks.is_empty() || !(from.is_finite() && to.is_finite()) {
         return Vec::new();
     }
-    let [first, last] = [from.min(to), from.max(to)].map(|x| breaks.locate(x, 1.0));
+    let [first, last] = [from.min(to), from.max(to)].map(|x| breaks.segment_at(x, 1.0));
     let last = last.min(first + EDGES);
     (first..last)
         .map(|segment| breaks.edges(segment).1)

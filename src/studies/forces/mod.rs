@@ -24,7 +24,7 @@ pub use counterweight::Counterweight;
 pub use course::{Course, Instant, PositionSource};
 pub use cycle::CycleForces;
 pub use extremes::{Extreme, Extremes};
-pub use figures::{described, figures, figures_of_inputs};
+pub use figures::{described_results, figures, figures_of_inputs};
 pub use loads::{ActingLoads, loads_left_out};
 pub use massless::{MasslessComparison, MasslessPoint, NEGLIGIBLE, compare_massless};
 pub use multi_input::{SeveralDrives, multi_input_forces};
@@ -149,7 +149,7 @@ fn solved<S: PositionSource>(
     // The end of a turn counts once.
     let positions = &rows[..course.len()];
     let indeterminate = open::indeterminate_anywhere(&rows);
-    open::mark(&mut columns, &indeterminate);
+    open::mark_indeterminate(&mut columns, &indeterminate);
     let (extremes, unbounded) = extremes::find(&mut solver, &course, positions, &zones, &columns);
     let cycle = match indeterminate.drive {
         true => None,
@@ -184,7 +184,7 @@ impl ForceStudy {
             Some(several) => columns_of_inputs(&several.spec),
             None => columns(&self.linkage, self.settings.output),
         };
-        open::mark(&mut list, &self.indeterminate);
+        open::mark_indeterminate(&mut list, &self.indeterminate);
         list
     }
 
@@ -252,7 +252,7 @@ impl ForceStudy {
     /// The verdict: the forces are known at all positions, and their checks hold.
     pub fn judgement(&self) -> Judgement {
         let known = self.solved().count() == self.rows.len();
-        Judgement::decide(RunEnd::Complete, &self.checks(), || match known {
+        Judgement::judge_result(RunEnd::Complete, &self.checks(), || match known {
             true => Judgement::InWorkingOrder,
             false => Judgement::NotInWorkingOrder,
         })

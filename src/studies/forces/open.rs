@@ -33,13 +33,13 @@ impl Rests {
 pub(super) fn indeterminate_anywhere(rows: &[Row]) -> Indeterminate {
     let mut all = Indeterminate::default();
     for forces in rows.iter().filter_map(|row| row.forces.as_ref().ok()) {
-        all.join(&forces.indeterminate);
+        all.merge_with(&forces.indeterminate);
     }
     all
 }
 
 /// Marks the quantities that are left open.
-pub(super) fn mark(columns: &mut [Column], open: &Indeterminate) {
+pub(super) fn mark_indeterminate(columns: &mut [Column], open: &Indeterminate) {
     for column in columns {
         column.indeterminate = column.rests.iter().any(|force| force.is_open(open));
     }

@@ -188,11 +188,11 @@ impl<'a, S: PositionSource> Solver<'a, S> {
         Row {
             time: None,
             motion: instant.motion,
-            forces: self.forces(instant, full),
+            forces: self.solve_forces(instant, full),
         }
     }
 
-    fn forces(&mut self, instant: &Instant, full: bool) -> Result<Forces, Trouble> {
+    fn solve_forces(&mut self, instant: &Instant, full: bool) -> Result<Forces, Trouble> {
         let (solver, w) = (self.kinetostatics, &mut self.workspace);
         let motion = instant.motion;
         let acting = match instant.loads.is_empty() {

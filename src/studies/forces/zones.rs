@@ -14,7 +14,7 @@ use crate::kinematics::linkage::kinetostatics::{BAD_CONDITION, ForceFailure};
 use crate::math::optimise::golden;
 use crate::math::order::Total;
 use crate::math::roots::{BISECTIONS, bisect};
-use crate::studies::endless::{approach, unbounded};
+use crate::studies::endless::{places_towards_end, unbounded};
 
 /// Ratio, in parts of the greatest, at which the output stands still.
 const STANDSTILL: f64 = 1e-9;
@@ -203,7 +203,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         self.solver.row(&self.course.instant_at(place), false)
     }
 
-    fn mark(&mut self, place: f64) -> Mark {
+    fn mark_at(&mut self, place: f64) -> Mark {
         let row = self.row(place);
         Mark {
             place,
@@ -243,7 +243,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
         let places = scan(self.course)?;
         let step = (places[places.len() - 1] - places[0]) / (places.len() - 1) as f64;
         let ends = [places[0], places[places.len() - 1]];
-        let mut marks: Vec<Mark> = places.iter().map(|&place| self.mark(place)).collect();
+        let mut marks: Vec<Mark> = places.iter().map(|&place| self.mark_at(place)).collect();
         let special = singular_places(self.solver, self.course, &places);
         let mut aside: Vec<f64> = special.clone();
         let greatest = marks.iter().filter_map(|mark| mark.ratio);
@@ -260,9 +260,9 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
                 }
             }
         }
-        marks.extend(aside.into_iter().map(|place| self.mark(place)));
+        marks.extend(aside.into_iter().map(|place| self.mark_at(place)));
         marks.sort_by_cached_key(|mark| Total(mark.place));
-        let nearest = self.nearest(&marks);
+        let nearest = self.marks_nearest_to_change(&marks);
         marks.extend(nearest);
         marks.sort_by_cached_key(|mark| Total(mark.place));
         Some(marks)
@@ -298,7 +298,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     }
 
     /// Places between free ones that are the nearest to a change, where they are beyond it.
-    fn nearest(&mut self, marks: &[Mark]) -> Vec<Mark> {
+    fn marks_nearest_to_change(&mut self, marks: &[Mark]) -> Vec<Mark> {
         let mut found = Vec::new();
         for three in marks.windows(3) {
             let [before, here, after] = [three[0], three[1], three[2]];
@@ -320,7 +320,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
             if found.is_some() {
                 return f64::NEG_INFINITY;
             }
-            let mark = self.mark(place);
+            let mark = self.mark_at(place);
             found = mark.state.is_some().then_some(mark);
             -mark.ease
         };
@@ -347,7 +347,7 @@ impl<S: PositionSource> Scanner<'_, '_, S> {
     fn bisect(&mut self, low: Mark, high: Mark) -> [Mark; 2] {
         let mut marks = [low, high];
         bisect([low.place, high.place], BISECTIONS, |place| {
-            let mark = self.mark(place);
+            let mark = self.mark_at(place);
             let same = mark.state == low.state;
             marks[usize::from(!same)] = mark;
             same
@@ -374,7 +374,7 @@ pub(super) fn rows_towards<S: PositionSource>(
 ) -> [Row; 4] {
     let dead = ends::rows_towards_end(solver, course, end);
     let along = |place| solver.row(&course.instant_at(place), full);
-    dead.unwrap_or_else(|| approach(end, free).map(along))
+    dead.unwrap_or_else(|| places_towards_end(end, free).map(along))
 }
 
 /// How far a free position is from one that locks: what is left of the power of a load that

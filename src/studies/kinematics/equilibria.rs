@@ -60,7 +60,7 @@ impl Equilibrium {
 
 /// All equilibria over a period, or the whole reach, ascending; none where no weight, spring or
 /// force acts, and where the input goes everywhere.
-pub(super) fn equilibria(asked: &KinematicsRequest<'_>) -> Vec<Equilibrium> {
+pub(super) fn find_equilibria(asked: &KinematicsRequest<'_>) -> Vec<Equilibrium> {
     let linkage = &asked.linkage;
     let (from, to, closed) = match whole_travel(linkage) {
         Over::Turn => {

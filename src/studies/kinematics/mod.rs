@@ -19,7 +19,7 @@ mod summary;
 mod values;
 
 pub use columns::Quantity;
-pub use described::{DescribedFigure, described, ends};
+pub use described::{DescribedFigure, described_results, ends};
 pub use equilibria::Equilibrium;
 pub use figures::NamedFigure;
 pub(in crate::studies) use figures::end;
@@ -150,7 +150,7 @@ impl Kinematics {
             Some(_) => RunEnd::OfMechanism,
             None => RunEnd::Complete,
         };
-        Judgement::decide(ending, &self.checks(), || Judgement::InWorkingOrder)
+        Judgement::judge_result(ending, &self.checks(), || Judgement::InWorkingOrder)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::columns::ColumnHeading;
 use super::extremes::{Edge, extremes};
 use super::{Column, Extremes};
-use crate::studies::endless::{DeadEnd, approach};
+use crate::studies::endless::{DeadEnd, places_towards_end};
 use crate::units::shown;
 
 /// Share of its own size, or of what is ordinary for it, that the error of a value may have.
@@ -27,7 +27,7 @@ pub(super) trait Course {
     fn ordinary_size(&self, place: f64, heading: &ColumnHeading) -> f64;
 
     /// Notes the place gone to last as a row; the frames of all links: x, y, cos, sin.
-    fn note(&mut self) -> Vec<[f64; 4]>;
+    fn add_row(&mut self) -> Vec<[f64; 4]>;
 
     /// Goes on from a row noted earlier, where that makes a difference.
     fn resume(&mut self, _row: usize) {}
@@ -133,13 +133,13 @@ impl<C: Course> Rows<C> {
                 column.values.push(*value);
             }
         }
-        self.frames.push(self.course.note());
+        self.frames.push(self.course.add_row());
         self.places.push(place);
         Ok(())
     }
 
     /// The dead-centre positions at which the rows end.
-    fn edges(&mut self) -> Vec<Edge> {
+    fn dead_centres_at_ends(&mut self) -> Vec<Edge> {
         let (Some(&first), Some(&last)) = (self.places.first(), self.places.last()) else {
             return Vec::new();
         };
@@ -153,7 +153,7 @@ impl<C: Course> Rows<C> {
                 (false, false) => continue,
             };
             self.course.resume(row);
-            let rows = approach(end.at, far).map(|place| self.determined(place));
+            let rows = places_towards_end(end.at, far).map(|place| self.determined(place));
             edges.push(Edge { at: end.at, rows });
         }
         edges
@@ -178,7 +178,7 @@ impl<C: Course> Rows<C> {
     /// Least and greatest value of every column, between the rows too; infinite where it grows
     /// without bound towards an end of the rows.
     pub(super) fn extremes(&mut self) -> Vec<Extremes> {
-        let edges = self.edges();
+        let edges = self.dead_centres_at_ends();
         for (index, column) in self.columns.iter_mut().enumerate() {
             let endless =
                 |edge: &&Edge| [1.0, -1.0].iter().any(|&sign| edge.is_endless(index, sign));

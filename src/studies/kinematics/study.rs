@@ -1,7 +1,7 @@
 //! The study of a linkage of one input.
 
 use super::columns::{ColumnHeading, Inputs, headings};
-use super::equilibria::equilibria;
+use super::equilibria::find_equilibria;
 use super::request::span;
 use super::request::{KinematicsRequest, Over};
 use super::rows::{Course, Rows, equally_spaced_places, times_of_places, warnings};
@@ -42,7 +42,7 @@ pub fn kinematics(asked: &KinematicsRequest<'_>) -> Kinematics {
         },
         extremes,
         strokes: summary::strokes(asked),
-        equilibria: equilibria(asked),
+        equilibria: find_equilibria(asked),
         transmission: summary::transmission(asked, &places),
         limits: limits(asked),
         closed,
@@ -98,14 +98,14 @@ fn limits(asked: &KinematicsRequest<'_>) -> Vec<Limit> {
         Reach::Interval { lower, upper } => [lower, upper]
             .map(|end| Limit {
                 at: end.at,
-                cause: cause(asked, end.cause),
+                cause: cause_in_words(asked, end.cause),
             })
             .into(),
     }
 }
 
 /// Why the input goes no further, in words.
-fn cause(asked: &KinematicsRequest<'_>, cause: Cause) -> String {
+fn cause_in_words(asked: &KinematicsRequest<'_>, cause: Cause) -> String {
     match cause {
         Cause::DeadPosition { group } => format!(
             "dead-centre position: {} in line",
@@ -180,7 +180,7 @@ impl Course for OneInput<'_, '_> {
             .ordinary_size(unit(heading.turning), input, q)
     }
 
-    fn note(&mut self) -> Vec<[f64; 4]> {
+    fn add_row(&mut self) -> Vec<[f64; 4]> {
         let links = self.asked.linkage.spec().links.len();
         let frame = (0..links).map(|link| {
             let pose = self.work.pose(link);
@@ -201,7 +201,7 @@ fn end_of_range(
         return RowsEnd {
             at: end,
             input: end,
-            cause: cause(asked, why.end.cause),
+            cause: cause_in_words(asked, why.end.cause),
         };
     }
     let beyond = |place: f64| {
@@ -212,6 +212,6 @@ fn end_of_range(
     RowsEnd {
         at: outside,
         input: end,
-        cause: cause(asked, why.end.cause),
+        cause: cause_in_words(asked, why.end.cause),
     }
 }

@@ -209,12 +209,12 @@ fn short_form_law<'m>(model: &'m Model, part: &ObjectPart) -> Option<&'m Law> {
 pub(super) fn start_of(model: &Model, node: NodeIndex) -> f64 {
     match &model.nodes[node].motion {
         NodeMotion::Prescribed { motion, .. } => {
-            motion.jet(motion.breaks().locate(0.0, 1.0), 0.0).value
+            motion.jet(motion.breaks().segment_at(0.0, 1.0), 0.0).value
         }
         NodeMotion::Rotor { angle, .. } => *angle,
         NodeMotion::Mass { law } | NodeMotion::Rigid { law } => {
             let driver = start_of(model, law.driver);
-            let segment = law.position.breaks().locate(driver, 1.0);
+            let segment = law.position.breaks().segment_at(driver, 1.0);
             law.lever * law.position.jet(segment, driver).value
         }
         NodeMotion::Constrained {

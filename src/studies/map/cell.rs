@@ -194,7 +194,7 @@ impl Task<'_> {
             rigid,
             cycle,
             time: found.outcome.time,
-            steady: &mut |object, begun| self.steady(&found, object, begun, cycle?),
+            steady: &mut |object, begun| self.greatest_in_last_cycle(&found, object, begun, cycle?),
         });
         if found.grazing > 0 {
             cause.push_str("; a contact grazes, its events are not certain");
@@ -214,7 +214,7 @@ impl Task<'_> {
             let Some(moved) = self.moves(&found, value)? else {
                 return Ok(None);
             };
-            mark(&mut cell, moved, bound(self.study, &found, self.settings));
+            note_sensitivity(&mut cell, moved, bound(self.study, &found, self.settings));
         }
         Ok(Some(cell))
     }
@@ -257,7 +257,13 @@ impl Task<'_> {
     }
 
     /// Greatest |δ| of an object over the cycle before the last and over the last one.
-    fn steady(&self, found: &Motion, object: usize, begun: Begun, cycle: f64) -> Option<[f64; 2]> {
+    fn greatest_in_last_cycle(
+        &self,
+        found: &Motion,
+        object: usize,
+        begun: Begun,
+        cycle: f64,
+    ) -> Option<[f64; 2]> {
         let id = &self.system.model().objects[object].id;
         if begun == Begun::AsGiven && !found.recorded.record.times.is_empty() {
             return self.over_last_cycles(found, id, cycle);
@@ -292,7 +298,7 @@ impl Task<'_> {
         let window = found.window.as_ref().ok();
         let whole = (found.outcome.time / cycle * (1.0 + 1e-12)).floor() * cycle;
         let end = window.map_or(whole, |[_, to]| *to);
-        steady(&found.recorded.record, id, end, cycle)
+        greatest_in_last_cycle(&found.recorded.record, id, end, cycle)
     }
 
     /// How far the figure moves when loads and gaps change by [`CHANGE`], as a
@@ -324,7 +330,7 @@ impl Task<'_> {
 
 /// Greatest |δ| of an object over the cycle before the last one and over that which
 /// ends at `end` (s), from the samples.
-fn steady(record: &Record, id: &str, end: f64, cycle: f64) -> Option<[f64; 2]> {
+fn greatest_in_last_cycle(record: &Record, id: &str, end: f64, cycle: f64) -> Option<[f64; 2]> {
     let column = record.column(id, Quantity::Delta)?;
     let over = |from: f64, to: f64| {
         let samples = record.times.iter().zip(&column.values);
@@ -361,7 +367,7 @@ fn bound(study: &Study<'_>, found: &Motion, settings: &RunSettings) -> f64 {
 
 /// Notes how far the figure moves, and whether that is too far; the verdict on the
 /// mechanism stays.
-fn mark(cell: &mut Cell, moved: f64, bound: f64) {
+fn note_sensitivity(cell: &mut Cell, moved: f64, bound: f64) {
     let determined = moved <= bound;
     if !determined {
         let how = match moved.is_finite() {

@@ -30,7 +30,7 @@ pub(super) fn failure_verdict(
             (Verdict::NumericalFailure, cause)
         }
         (RunEnd::Complete | RunEnd::FromOutside | RunEnd::OfScene | RunEnd::OfMechanism, false) => {
-            let cause = format!("{method}: {}", doubt(settings, found));
+            let cause = format!("{method}: {}", failed_check(settings, found));
             (Verdict::NumericalFailure, cause)
         }
         (RunEnd::OfMechanism, true) => (Verdict::Stopped, format!("stops at {time} s: {because}")),
@@ -61,7 +61,7 @@ fn judgement(model: &Model, settings: &RunSettings, found: &Motion) -> Judgement
 }
 
 /// The check that a run failed.
-fn doubt(settings: &RunSettings, found: &Motion) -> String {
+fn failed_check(settings: &RunSettings, found: &Motion) -> String {
     let open = || Warning::of_equations(&found.equations);
     let warning = spoiling(&found.recorded, settings).or_else(open);
     warning.unwrap_or(Warning::NotFinite).to_string()

@@ -5,7 +5,7 @@ use crate::dynamics::record::{AddressError, Figures, ObjectFigures};
 use crate::exact::RequestedFigures;
 use crate::fault::Fault;
 use crate::studies::document::{blank, document, summary};
-use crate::studies::expectations::instead_of;
+use crate::studies::expectations::suggest_instead;
 use crate::studies::run::Motion;
 use crate::studies::{RunSettings, lookup};
 
@@ -49,7 +49,7 @@ pub(in crate::studies) fn check_figure(figure: &str, model: &Model) -> Result<()
     Err(Fault::new(
         "",
         format!("there is no result `{figure}`"),
-        instead_of(figure, &close),
+        suggest_instead(figure, &close),
     ))
 }
 

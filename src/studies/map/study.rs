@@ -1,7 +1,7 @@
 //! What is asked: a scene, axes, panels and a figure, checked before any run.
 
 use super::figure::{check_figure, default_figure, no_elastic_object_message, unit};
-use super::levels::{levels, shortfall};
+use super::levels::{finest_levels, shortfall};
 use super::panels::Panels;
 use crate::dynamics::system::System;
 use crate::frontend::diagnostics::Diagnostics;
@@ -136,7 +136,7 @@ impl<'a> Study<'a> {
             study.scene.clone_from(&reading.scene.name);
             hashes.push(reading.scene.hash);
         }
-        study.levels = levels(study.probed(), &study.figure);
+        study.levels = finest_levels(study.probed(), &study.figure);
         study.document = study.document.clone().with_levels(study.levels.clone());
         study.bare = study.bare.clone().with_levels(study.levels.clone());
         study.hash = study.digest(&hashes);

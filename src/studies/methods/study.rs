@@ -197,7 +197,7 @@ pub(super) fn judge_working(complete: bool, doubted: bool) -> Working {
         (false, false) => RunEnd::FromOutside,
         (false, true) => RunEnd::Complete,
     };
-    Working::decide(ending, &[], || Working::NotJudged)
+    Working::judge_result(ending, &[], || Working::NotJudged)
 }
 
 /// What is known of methods beforehand: what a short run need not show.

@@ -2,7 +2,7 @@
 
 use super::attempt::Attempt;
 use super::light::{TimedRun, Trace};
-use super::reference::{ReferenceInUse, distance};
+use super::reference::{ReferenceInUse, difference_of_traces};
 use super::stability::Bound;
 use crate::dynamics::integrate::Stop;
 use crate::studies::spread::CHANGE;
@@ -112,9 +112,10 @@ pub(super) fn judge(
             return Judgement::of(Verdict::Refused, reason);
         }
     };
-    let growth = truth.and_then(|truth| growth(timed, truth));
-    let error =
-        truth.and_then(|truth| distance(&truth.trace, &timed.trace, &truth.sizes, truth.until));
+    let growth = truth.and_then(|truth| growth_of_run(timed, truth));
+    let error = truth.and_then(|truth| {
+        difference_of_traces(&truth.trace, &timed.trace, &truth.sizes, truth.until)
+    });
     let broken = truth.and_then(|truth| broken_off(timed, truth, growth, bound));
     let stopped = || stopped(timed, truth.is_some(), growth, bound);
     let (verdict, cause) = match broken.or_else(stopped) {
@@ -232,7 +233,7 @@ fn verdict_on_run(
     if growth.is_some_and(|growth| growth > GROWN) {
         return (Verdict::Unstable, grown(timed, growth, bound));
     }
-    let found = count(&timed.trace, truth.public.horizon);
+    let found = count_of_samples(&timed.trace, truth.public.horizon);
     if let Some((verdict, cause)) = switches(found, truth.public.switches) {
         return (verdict, with_limit(cause, timed, bound));
     }
@@ -307,12 +308,12 @@ fn switches(found: usize, truth: usize) -> Option<(Verdict, String)> {
     }
 }
 
-fn count(trace: &Trace, horizon: f64) -> usize {
+fn count_of_samples(trace: &Trace, horizon: f64) -> usize {
     trace.switches.iter().filter(|t| **t <= horizon).count()
 }
 
 /// Greatest |δ| over that of the reference, the worst track.
-fn growth(timed: &TimedRun, truth: &ReferenceInUse) -> Option<f64> {
+fn growth_of_run(timed: &TimedRun, truth: &ReferenceInUse) -> Option<f64> {
     let whole = truth.throughout || !matches!(timed.outcome.stop, Stop::Complete);
     let mut worst: Option<f64> = None;
     for (index, &size) in truth.sizes.iter().enumerate().filter(|(_, s)| **s > 0.0) {

@@ -36,13 +36,13 @@ pub fn limits(
         accuracy: Accuracy::Share(0.0),
     };
     let limit = |asked: RequestedFigure| {
-        let limit = limit(row.course_of_figure(&trials, &asked));
+        let limit = limit_of_course(row.course_of_figure(&trials, &asked));
         (asked.figure, limit)
     };
     Ok(figures.map(asked).map(limit).collect())
 }
 
-fn limit(course: Course) -> Limit {
+fn limit_of_course(course: Course) -> Limit {
     let none = Limit {
         value: None,
         error: None,

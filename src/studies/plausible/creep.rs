@@ -58,13 +58,13 @@ pub(in crate::studies) fn creep(
                     || HELD * mean(&own_speed[stretch.clone()])
                         <= mean(&motion.speed[stretch.clone()]))
         };
-        longest(&friction, &motion, is_creep)
+        longest_creep(&friction, &motion, is_creep)
     });
     found.max_by(|a, b| (a.until - a.from).total_cmp(&(b.until - b.from)))
 }
 
 /// The longest creep under one friction, of the stretches that may be one.
-fn longest(
+fn longest_creep(
     friction: &Friction<'_>,
     motion: &Motion<'_>,
     may_be: impl Fn(&Range<usize>) -> bool,

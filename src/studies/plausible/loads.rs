@@ -137,10 +137,10 @@ fn segments(breaks: &Breaks, [from, to]: [f64; 2]) -> Option<std::ops::RangeIncl
     if !(from <= to) {
         return None;
     }
-    let first = breaks.locate(from, 1.0);
+    let first = breaks.segment_at(from, 1.0);
     // A period and one more hold every piece.
     let most = first + breaks.points.len() as i64 + 1;
-    let last = breaks.locate(to, -1.0).max(first);
+    let last = breaks.segment_at(to, -1.0).max(first);
     Some(first..=last.min(most))
 }
 

@@ -14,7 +14,7 @@ pub(super) fn describe(root: &mut Node, reduction: &Reduction) {
     if let Value::Object(members) = &mut root.value {
         members.retain(|member| member.name != "expect");
     }
-    let levels = levels(reduction);
+    let levels = changed_levels(reduction);
     let removed = || reduction.removed().filter(|step| !is_level(step));
     let ids = removed().map(|step| &step.removal.object);
     let ids: BTreeSet<&String> = ids.chain(levels.keys().copied()).collect();
@@ -48,7 +48,7 @@ pub(super) fn describe(root: &mut Node, reduction: &Reduction) {
 }
 
 /// The levels that the reduced scene has in place of others.
-fn levels(reduction: &Reduction) -> BTreeMap<&String, String> {
+fn changed_levels(reduction: &Reduction) -> BTreeMap<&String, String> {
     let levels = |role| reduction.model(role).map(|model| &model.levels);
     let (Some(given), Some(reduced)) = (levels(Role::Given), levels(Role::Reduced)) else {
         return BTreeMap::new();

@@ -50,7 +50,7 @@ const INERTIA: [&str; 5] = ["mass", "centre", "moment", "moment_of_inertia", "ge
 
 /// Everything that may be left out of the scene's objects, but for their levels.
 /// `never_opens`: whether the pair of an object stays closed throughout the run.
-pub(super) fn candidates(root: &Node, never_opens: impl Fn(&str) -> bool) -> Vec<Removal> {
+pub(super) fn possible_removals(root: &Node, never_opens: impl Fn(&str) -> bool) -> Vec<Removal> {
     let objects = root.get("objects").map_or(&[][..], Node::members);
     let mut all = Vec::new();
     for object in objects {
@@ -214,7 +214,7 @@ pub(super) fn set_level(root: &mut Node, id: &str, level: Level) {
 
 #[cfg(test)]
 mod tests {
-    use super::{Part, Removal, candidates, set_level};
+    use super::{Part, Removal, possible_removals, set_level};
     use crate::dynamics::builder::spec::Level;
     use crate::frontend::scene::Document;
 
@@ -231,7 +231,7 @@ mod tests {
 
     #[test]
     fn what_a_scene_has_may_be_left_out() {
-        let found = candidates(scene().root(), |id| id == "lever");
+        let found = possible_removals(scene().root(), |id| id == "lever");
         let parts: Vec<&Part> = found.iter().map(|one| &one.part).collect();
         let name = |name: &str| name.to_owned();
         assert_eq!(
@@ -253,7 +253,7 @@ mod tests {
         for one in &found {
             one.apply(&mut root);
         }
-        assert_eq!(candidates(&root, |_| false), []);
+        assert_eq!(possible_removals(&root, |_| false), []);
         let one = |part| Removal {
             object: name("press"),
             part,

@@ -3,7 +3,7 @@
 use super::cost::measured;
 use super::description::describe;
 use super::findings::{Change, ModelTried, Reduction, Refusal, Role, Step};
-use super::removal::{Part, Removal, candidates};
+use super::removal::{Part, Removal, possible_removals};
 use super::variant::{at_levels, scene_without, words};
 use crate::fault::Fault;
 use crate::frontend::diagnostics::Diagnostics;
@@ -60,12 +60,12 @@ pub fn reduce(
         .collect();
     let as_given = trials.at(&given).ok();
     let as_given = as_given.map(|as_given| {
-        search.note(&[], &trials.made[as_given], Role::Given);
+        search.keep_for_chart(&[], &trials.made[as_given], Role::Given);
         search.judge.certificate(&trials, &families, as_given)
     });
     let tried = trials.made.iter().filter(|trial| trial.doubt.is_none());
     for trial in tried {
-        search.note(&[], trial, Role::Tried);
+        search.keep_for_chart(&[], trial, Role::Tried);
     }
     let mut end = SearchEnd {
         removals: Vec::new(),
@@ -118,7 +118,7 @@ impl Search<'_> {
     fn remove_all(&mut self, mut end: SearchEnd) -> SearchEnd {
         let base = end.trial.clone();
         let mut alone = Vec::new();
-        for removal in self.candidates(&base) {
+        for removal in self.possible_removals(&base) {
             if self.control.is_spent() {
                 return end;
             }
@@ -147,14 +147,14 @@ impl Search<'_> {
             }
             match tried {
                 Ok((_, None)) => self.on_top(&mut end, removal),
-                tried => self.refuse(removal, &base, tried),
+                tried => self.refuse_removal(removal, &base, tried),
             }
         }
         self.lower_levels_again(end)
     }
 
     /// What may be left out, judged by the run of the whole.
-    fn candidates(&self, base: &Trial) -> Vec<Removal> {
+    fn possible_removals(&self, base: &Trial) -> Vec<Removal> {
         let never_opens = |id: &str| {
             let object = base.figures.objects.get(id);
             let pair = object.and_then(|object| object.pair.as_ref());
@@ -163,7 +163,7 @@ impl Search<'_> {
                 pair.separations == 0 && pair.closures == 0 && closed
             })
         };
-        candidates(self.whole.root(), never_opens)
+        possible_removals(self.whole.root(), never_opens)
     }
 
     /// Leaves something more out of the scene, if it stays accurate enough.
@@ -179,11 +179,11 @@ impl Search<'_> {
                 });
                 (end.removals, end.trial) = (removals, trial);
             }
-            tried => self.refuse(removal, &end.trial.clone(), tried),
+            tried => self.refuse_removal(removal, &end.trial.clone(), tried),
         }
     }
 
-    fn refuse(&mut self, removal: Removal, before: &Trial, tried: TriedRemoval) {
+    fn refuse_removal(&mut self, removal: Removal, before: &Trial, tried: TriedRemoval) {
         let (changes, refused) = match tried {
             Ok((trial, refused)) => (self.changes(before, &trial), refused),
             Err(why) => (Default::default(), Some(Refusal::Impossible(why))),
@@ -209,7 +209,7 @@ impl Search<'_> {
             false => self.lessen(&mut trials, from),
         };
         for trial in &trials.made {
-            self.note(&end.removals, trial, Role::Tried);
+            self.keep_for_chart(&end.removals, trial, Role::Tried);
         }
         end.certificate = match end.removals.is_empty() {
             true => end.certificate,
@@ -233,7 +233,7 @@ impl Search<'_> {
             .reason_against_trial(&trials, made)
             .map(Refusal::from);
         let trial = trials.made.swap_remove(made);
-        self.note(removals, &trial, Role::Tried);
+        self.keep_for_chart(removals, &trial, Role::Tried);
         Ok((trial, refused))
     }
 
@@ -242,7 +242,7 @@ impl Search<'_> {
     }
 
     /// Keeps a model that was run for the chart; each once.
-    fn note(&mut self, removals: &[Removal], trial: &Trial, role: Role) {
+    fn keep_for_chart(&mut self, removals: &[Removal], trial: &Trial, role: Role) {
         let without: Vec<String> = removals.iter().map(Removal::to_string).collect();
         let known =
             |model: &&mut ModelTried| model.without == without && model.levels == trial.levels;
@@ -277,7 +277,7 @@ impl Search<'_> {
         (given, as_given): (&Levels, Option<Certificate>),
         interrupted: bool,
     ) -> Reduction {
-        self.note(&end.removals, &end.trial, Role::Reduced);
+        self.keep_for_chart(&end.removals, &end.trial, Role::Reduced);
         let cost = match end.removals.is_empty() && end.levels == *given {
             true => None,
             false => {

@@ -97,7 +97,7 @@ pub fn rigid_judgement(
     checks: &[Judged],
 ) -> Judgement {
     let repels = regime.is_some_and(|regime| !regime.attracts);
-    Judgement::decide(RunEnd::Complete, checks, || {
+    Judgement::judge_result(RunEnd::Complete, checks, || {
         match figures.warnings.is_empty() && !repels {
             true => Judgement::InWorkingOrder,
             false => Judgement::NotInWorkingOrder,

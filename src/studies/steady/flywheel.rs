@@ -7,7 +7,7 @@ use super::mean_speed::{
 };
 use super::periodic::no_periodic_motion;
 use super::phase::PhaseMap;
-use super::shooting::{near, shoot};
+use super::shooting::{fixed_point_near, shoot};
 use crate::budget::Budget;
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::Model;
@@ -61,7 +61,7 @@ impl WheelRequest<'_> {
             }
         };
         let held = self
-            .steady(inertia, &last)
+            .state_with_inertia(inertia, &last)
             .map_err(|why| no_periodic_motion(&why))?;
         let flywheel = match self.spec.fluctuation {
             None => None,
@@ -92,7 +92,7 @@ impl WheelRequest<'_> {
         inertia: f64,
         last: &RefCell<Option<PeriodicState>>,
     ) -> Result<Option<f64>, Refusal> {
-        let found = self.steady(inertia, last);
+        let found = self.state_with_inertia(inertia, last);
         let delta = found.and_then(|held| self.delta(inertia, &held));
         match self.budget.spent() {
             Some(spent) => Err(Refusal::NoCycle {
@@ -103,7 +103,7 @@ impl WheelRequest<'_> {
     }
 
     /// The state that comes back with inertia added, from the one that was found last.
-    fn steady(
+    fn state_with_inertia(
         &self,
         inertia: f64,
         last: &RefCell<Option<PeriodicState>>,
@@ -143,7 +143,8 @@ impl WheelRequest<'_> {
         before: Option<&PeriodicState>,
     ) -> Result<Vec<f64>, String> {
         self.with_phase_map(0.0, inertia, |map| {
-            let found = before.and_then(|before| near(map, &before.state, self.cycle).ok()?);
+            let found =
+                before.and_then(|before| fixed_point_near(map, &before.state, self.cycle).ok()?);
             match found {
                 Some(state) => Ok(state),
                 None => Ok(shoot(map, self.start, self.cycle, 1)?.state),

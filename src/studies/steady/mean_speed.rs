@@ -9,7 +9,7 @@ use super::map::{
     rough_differences,
 };
 use super::phase::PhaseMap;
-use super::shooting::near;
+use super::shooting::fixed_point_near;
 use crate::budget::Budget;
 use crate::dynamics::integrate::Method;
 use crate::dynamics::model::{Load, LoadLaw, Model};
@@ -218,7 +218,7 @@ pub(super) fn steady_at_mean_speed(
     scales.push(size);
     (map.scales, map.gain) = (scales, 1.0 / per_moment);
     state.push(moment);
-    let found = near(&map, &state, cycle)?.ok_or_else(|| {
+    let found = fixed_point_near(&map, &state, cycle)?.ok_or_else(|| {
         format!(
             "no moment was found that holds a mean speed of {} rad/s (nearest: {} N·m)",
             wanted.speed,

@@ -5,7 +5,7 @@ use super::cycle::Rhythms;
 use super::map::{Map, SystemMap, TreeMap};
 use super::multipliers::{self, Multiplier, Stability};
 use super::over_period::{OverPeriod, RETURN};
-use super::shooting::{self, CLOSED, FixedPoint, distance, shoot_near};
+use super::shooting::{self, CLOSED, FixedPoint, relative_distance, shoot_near};
 use crate::dynamics::integrate::{Dynamics, Method};
 use crate::dynamics::model::{Coordinate, Model};
 use crate::dynamics::record::drive_cycle;
@@ -75,7 +75,7 @@ impl PeriodicAnswer {
     /// motion on which the scene does not settle is not certified.
     pub fn judgement(&self) -> Judgement {
         let any = |stability| self.parts.iter().any(|part| part.stability == stability);
-        Judgement::decide(RunEnd::Complete, &self.checks(), || {
+        Judgement::judge_result(RunEnd::Complete, &self.checks(), || {
             let pairs = self.over_period.as_ref().map(|found| found.pairs);
             match pairs.unwrap_or(Judgement::NotJudged) {
                 _ if any(Stability::Repels) => Judgement::NotInWorkingOrder,
@@ -191,7 +191,7 @@ fn long_run(
         let mut state = fixed.state.clone();
         let mut nearest = f64::INFINITY;
         for _ in 0..periods {
-            nearest = nearest.min(distance(&end, &state, map.scales()));
+            nearest = nearest.min(relative_distance(&end, &state, map.scales()));
             state = map.apply(&state, turn)?;
         }
         Ok(nearest)
@@ -381,7 +381,8 @@ pub(super) fn recurring_state(
     let mut state = system.initial_state()?.y;
     let parts = Parts::of(system);
     let of_map = |map: &dyn Map, start: &[f64]| {
-        let found = shooting::near(map, start, turn).map_err(|why| no_periodic_motion(&why))?;
+        let found =
+            shooting::fixed_point_near(map, start, turn).map_err(|why| no_periodic_motion(&why))?;
         found.ok_or_else(|| no_periodic_motion("Newton's method comes to none"))
     };
     if parts.is_whole() {

@@ -2,8 +2,8 @@
 //! let it: the angle takes the place of time.
 
 use super::map::{
-    AGAIN, Map, Orbit, derivative_by_differences, derivative_by_greater_differences, follow,
-    rough_differences,
+    AGAIN, Map, Orbit, derivative_by_differences, derivative_by_greater_differences,
+    integrate_from, rough_differences,
 };
 use super::portrait::Portrait;
 use super::sink::Last;
@@ -98,7 +98,7 @@ impl<'a> PhaseMap<'a> {
         time: f64,
         sink: &mut dyn Sink,
     ) -> Result<(), String> {
-        follow(self.system, self.method, self.budget, y, modes, time, sink)
+        integrate_from(self.system, self.method, self.budget, y, modes, time, sink)
     }
 
     /// From a state of the system to where the drive passes `target` (rad).

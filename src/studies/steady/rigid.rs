@@ -10,7 +10,7 @@ use super::simulate::simulate;
 use crate::dynamics::model::Model;
 use crate::dynamics::steady::cycle_map::{self, Load, Regime};
 use crate::dynamics::steady::flywheel::{self};
-use crate::dynamics::steady::{Profile, Question, Refusal, Row, SteadyMotion, steady};
+use crate::dynamics::steady::{Profile, Question, Refusal, Row, SteadyMotion, find_steady_motion};
 use crate::fault::Fault;
 use crate::frontend::scene::SteadySpec;
 use crate::studies::Control;
@@ -82,7 +82,7 @@ pub fn by_energy(
             let (wheel, motion) = flywheel::size_flywheel(profile, question, wanted)?;
             (Some(wheel), motion)
         }
-        None => (None, steady(profile, question)?),
+        None => (None, find_steady_motion(profile, question)?),
     };
     Ok(RigidAnswer {
         forces: Forces::Position,

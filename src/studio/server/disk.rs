@@ -173,7 +173,7 @@ impl OnDisk {
     ///
     /// # Errors
     /// It cannot be read, or, where it is to be taken, not be kept as a text.
-    pub(super) fn accept(&mut self, take: bool) -> Result<String, String> {
+    pub(super) fn decide_on_change(&mut self, take: bool) -> Result<String, String> {
         let stamp = file_stamp(&self.path);
         self.is_itself()?;
         let found = Folder::read(&self.path)?;
@@ -187,7 +187,7 @@ impl OnDisk {
 
     /// The draft that was offered is decided on: its text, where it is taken. `None`: there
     /// was none.
-    pub(super) fn decide(&mut self, take: bool) -> Option<Option<String>> {
+    pub(super) fn decide_on_draft(&mut self, take: bool) -> Option<Option<String>> {
         let draft = self.offered.take()?;
         if take {
             return Some(Some(draft.text));

@@ -130,7 +130,7 @@ impl Folder {
     /// The scenes below the folder by their names; links are not followed.
     pub(super) fn scenes(&self) -> Vec<String> {
         let mut found = Vec::new();
-        collect(&self.root, "", 0, &mut found);
+        collect_files(&self.root, "", 0, &mut found);
         found.sort();
         found
     }
@@ -147,7 +147,7 @@ impl Folder {
 
 const NO_FILE: &str = "there is no such scene in this folder";
 
-fn collect(folder: &Path, prefix: &str, depth: usize, found: &mut Vec<String>) {
+fn collect_files(folder: &Path, prefix: &str, depth: usize, found: &mut Vec<String>) {
     let Ok(entries) = fs::read_dir(folder) else {
         return;
     };
@@ -161,7 +161,7 @@ fn collect(folder: &Path, prefix: &str, depth: usize, found: &mut Vec<String>) {
             continue;
         }
         if kind.is_dir() && depth < DEPTH && !left_out {
-            collect(&entry.path(), &format!("{prefix}{name}/"), depth + 1, found);
+            collect_files(&entry.path(), &format!("{prefix}{name}/"), depth + 1, found);
         } else if kind.is_file() && name.ends_with(".json") && is_scene(&entry.path()) {
             found.push(format!("{prefix}{name}"));
         }

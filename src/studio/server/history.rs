@@ -89,7 +89,7 @@ impl History {
             && last.continues_with(&edits, &group, time)
         {
             last.time = time;
-            last.join(&mut edits);
+            last.merge_drag_edits(&mut edits);
             return;
         }
         self.done.push(Step { edits, group, time });
@@ -119,7 +119,7 @@ impl Step {
     }
 
     /// A drag writes the same number over and over: its ends are enough.
-    fn join(&mut self, edits: &mut Vec<Edit>) {
+    fn merge_drag_edits(&mut self, edits: &mut Vec<Edit>) {
         let [old, new] = [self.edits.as_mut_slice(), edits.as_mut_slice()];
         if let ([old], [new]) = (old, new)
             && old.at == new.at

@@ -154,7 +154,7 @@ impl Room {
     }
 
     /// A window looks at it, or does so again.
-    pub(super) fn join(&self, window: &Arc<Window>, since: Option<&messages::Since>) {
+    pub(super) fn add_window(&self, window: &Arc<Window>, since: Option<&messages::Since>) {
         let mut state = self.lock();
         window.forget_document();
         let resumed = since.and_then(|since| state.resumed(&self.name, since));
@@ -261,9 +261,9 @@ impl Room {
     }
 
     /// The file was changed by others: takes it, or stays with the text.
-    pub(super) fn decide(&self, reload: bool) -> Result<(), String> {
+    pub(super) fn decide_on_reload(&self, reload: bool) -> Result<(), String> {
         let mut state = self.lock();
-        let found = state.disk.accept(reload)?;
+        let found = state.disk.decide_on_change(reload)?;
         if reload {
             let before = state.text.version();
             let changes = state.text.replace(&found);
@@ -276,7 +276,7 @@ impl Room {
     /// Takes the draft that was offered, or forgets it.
     pub(super) fn draft(&self, restore: bool) {
         let mut state = self.lock();
-        let Some(draft) = state.disk.decide(restore) else {
+        let Some(draft) = state.disk.decide_on_draft(restore) else {
             return;
         };
         if let Some(draft) = draft {

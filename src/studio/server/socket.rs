@@ -116,7 +116,7 @@ struct Visit {
 impl Visit {
     async fn last(&mut self, socket: &mut WebSocket) -> Option<()> {
         loop {
-            while let Some(sent) = self.window.next().ok()? {
+            while let Some(sent) = self.window.next_message().ok()? {
                 let message = match sent {
                     Sent::Text(text) => Message::Text((&*text).into()),
                     Sent::Binary(bytes) => Message::Binary(bytes.into()),
@@ -182,7 +182,7 @@ impl Visit {
             } => room.push(&self.window, version, heard.unwrap_or(version), &updates),
             WindowMessage::Save => room.save(),
             WindowMessage::Pin { name } => {
-                room.pin(id, &name)?;
+                room.keep_run(id, &name)?;
                 keep_pins(room);
                 Ok(())
             }
@@ -200,8 +200,8 @@ impl Visit {
                 self.write(&scene, &room.text())?;
                 self.open_scene(&scene, None)
             }
-            WindowMessage::Reload => room.decide(true),
-            WindowMessage::KeepMine => room.decide(false),
+            WindowMessage::Reload => room.decide_on_reload(true),
+            WindowMessage::KeepMine => room.decide_on_reload(false),
             other => {
                 match other {
                     WindowMessage::Undo => room.step(true),
@@ -233,7 +233,7 @@ impl Visit {
         if let Some(before) = self.room.replace(room.clone()) {
             before.remove_window(&self.window);
         }
-        room.join(&self.window, since);
+        room.add_window(&self.window, since);
         Ok(())
     }
 

@@ -168,7 +168,7 @@ impl Window {
     }
 
     /// What is to be sent now; `Err`: the window does not listen any more.
-    pub(super) fn next(&self) -> Result<Option<Sent>, ()> {
+    pub(super) fn next_message(&self) -> Result<Option<Sent>, ()> {
         let mut queue = self.lock();
         if queue.lost {
             return Err(());

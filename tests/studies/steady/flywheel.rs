@@ -1,7 +1,7 @@
 //! Flywheels against textbooks and against the steady motion itself.
 
 use super::machines::{machine, number, question, reference};
-use dam::steady::{FunctionKind, Mean, Profile, Question, flywheel, steady};
+use dam::steady::{FunctionKind, Mean, Profile, Question, find_steady_motion, flywheel};
 use std::f64::consts::TAU;
 
 #[test]
@@ -15,7 +15,7 @@ fn flywheels_of_a_textbook() {
         mean: Mean::Midrange,
         ..Question::new(speed)
     };
-    let motion = steady(&profile, &question).unwrap();
+    let motion = find_steady_motion(&profile, &question).unwrap();
     let rpm = |speed: f64| (speed / turns).round();
     assert_eq!(rpm(motion.figures.greatest_speed.value), 121.0);
     assert_eq!(rpm(motion.figures.least_speed.value), 119.0);

@@ -96,7 +96,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
         for (index, (size, y)) in self.sizes.iter_mut().zip(&run.from.y).enumerate() {
             *size = 1.0 / (tolerance * dynamics.error_size(index, *y));
         }
-        self.iterate(run, length)
+        self.iterate_stages(run, length)
     }
 
     /// First approximation: the accelerations of the last step continued, or that
@@ -176,7 +176,7 @@ impl<const S: usize, const L: usize> Stages<S, L> {
         self.matrix.factorise(entries)
     }
 
-    fn iterate<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> bool {
+    fn iterate_stages<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> bool {
         let mut before = f64::INFINITY;
         for iteration in 0..ITERATIONS {
             self.defects(run, length);

@@ -8,7 +8,7 @@ use crate::math::linear::{Entry, Lanes};
 
 impl<const S: usize, const L: usize> Radau<S, L> {
     /// One step of a length: the new state and its derivative.
-    pub(super) fn attempt<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Attempt {
+    pub(super) fn attempt_step<D: Dynamics>(&mut self, run: &Run<'_, D>, length: f64) -> Attempt {
         let tolerance = allowed_error(run.tolerance());
         if !self.stages.solve(run, length, tolerance) {
             return Attempt::NotConverged;

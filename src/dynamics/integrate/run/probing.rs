@@ -69,7 +69,8 @@ impl<D: Dynamics> Run<'_, D> {
         let end = found.map_or(1.0, |found| found.s);
         let step = self.output.step(1.0);
         let modes = self.evaluator.modes.borrow();
-        let Some((s, watch)) = dynamics.crossing(&step, &modes, end, self.fresh, &self.resting)
+        let Some((s, watch)) =
+            dynamics.first_crossing(&step, &modes, end, self.fresh, &self.resting)
         else {
             return found;
         };

@@ -19,7 +19,7 @@ const AT_ONCE: f64 = 4.0;
 
 impl<D: Dynamics> Run<'_, D> {
     /// The step up to a switch, and the switch.
-    pub(super) fn cut(&mut self, found: LocatedEvent) -> Verdict {
+    pub(super) fn switch_within_step(&mut self, found: LocatedEvent) -> Verdict {
         let watch = self.watch(found);
         let step = self.output.step(found.s);
         let stretch = Stretch {

@@ -65,7 +65,7 @@ impl ContactForceLaw {
     }
 
     /// True when its stiffness is that of a power of the indentation.
-    pub(crate) fn is_of_power(&self) -> bool {
+    pub(crate) fn has_power_stiffness(&self) -> bool {
         matches!(self.nominal_form(), ContactForm::Power { .. })
     }
 

@@ -47,7 +47,7 @@ impl Frozen {
             return self.follow_rotors(modes, work);
         }
         self.follow_rotors(modes, work);
-        if self.couple(Extent::Full, Chains::Rigid, work) {
+        if self.couple_inertia_forces(Extent::Full, Chains::Rigid, work) {
             self.follow_rotors(modes, work);
         }
     }

@@ -85,7 +85,7 @@ impl Frozen {
         if group.is_open(modes) {
             return 1.0;
         }
-        self.forces(time, state, modes, work);
+        self.forces_without_friction(time, state, modes, work);
         self.add_friction(state, modes, Extent::Full, work);
         let members = group.members.iter();
         let margins = members.filter_map(|member| {
@@ -120,7 +120,7 @@ impl Frozen {
         }
         self.open_sides(modes);
         let mut work = Work::new(self);
-        self.forces(time, y, modes, &mut work);
+        self.forces_without_friction(time, y, modes, &mut work);
         self.add_friction(y, modes, Extent::Full, &mut work);
         for group in &self.groups {
             let failed = |member: &Member| work.rubbing[member.linkage].failure.is_some();

@@ -60,7 +60,7 @@ impl System {
         }
         frozen.motion(time, y, modes, Extent::Full, work);
         let still = vec![0.0; n];
-        let approach = frozen.approach(contact, y, &still, work)[0];
+        let approach = frozen.approach_rates(contact, y, &still, work)[0];
         if approach < 0.0 {
             // It is going apart: by no more than rounding it was behind its flank.
             frozen.set_on_flank(contact, approach, (time, modes), y, work);
@@ -186,7 +186,7 @@ impl System {
                 if depth > doubt {
                     faults.push(self.fault_of_penetration(component, depth));
                 } else if depth >= -doubt {
-                    let rate = frozen.approach((component, side), y, &still, &work)[0];
+                    let rate = frozen.approach_rates((component, side), y, &still, &work)[0];
                     let speeds = noise[frozen.coordinates + place]
                         + work.speed[frozen.node_of(component)].abs();
                     if rate.abs() <= TOUCH * speeds {

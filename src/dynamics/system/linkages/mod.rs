@@ -171,7 +171,7 @@ impl LinkageState {
 /// J, J′, W and D at a place, and, where the numbers ask for them, their slopes.
 #[inline(always)]
 fn lanes<N: Quantity>(table: &Table, q: f64, cursor: &Cell<Cursor>) -> Option<[Lanes; 2]> {
-    let place = table.locate(q, cursor)?;
+    let place = table.place_of_input(q, cursor)?;
     let slopes = match N::DERIVATIVES > 2 {
         true => table.slopes(place),
         false => [0.0; 4],
@@ -195,7 +195,7 @@ fn with_slope([value, slope]: [f64; 2]) -> [f64; 3] {
 
 /// One of the four with its slope, as far as the numbers ask for it.
 #[inline(always)]
-fn lane<N: Quantity>(q: N, at: &impl Fn(f64) -> [Lanes; 2], index: usize) -> N {
+fn value_with_slope<N: Quantity>(q: N, at: &impl Fn(f64) -> [Lanes; 2], index: usize) -> N {
     let [number, ..] = q.lift(|place| {
         let [values, slopes] = at(place);
         jet_of([values[index], slopes[index], 0.0])
@@ -298,7 +298,7 @@ impl Frozen {
             let [values, slopes] = at(place);
             jet_of([values[0], values[1], slopes[1]])
         });
-        let (force, damping) = (lane(q, &at, 2), lane(q, &at, 3));
+        let (force, damping) = (value_with_slope(q, &at, 2), value_with_slope(q, &at, 3));
         let moving = damping * rate + (slope * rate * rate).scale(0.5);
         [inertia, force - moving]
     }
@@ -332,7 +332,7 @@ impl Frozen {
         let table = self.linkages[linkage].table.as_ref();
         match table.filter(|table| extent == Extent::Needed && table.knows(output)) {
             Some(table) => q.lift(|q| {
-                let place = table.locate(q, cursor);
+                let place = table.place_of_input(q, cursor);
                 let known = place.and_then(|place| table.output(output, place));
                 known.unwrap_or_else(|| solved(q))
             }),

@@ -108,7 +108,7 @@ impl Table {
     /// The place on a piece that belongs to an input; `None` where there is none.
     /// The cursor says which piece was found last, and is moved.
     #[inline(always)]
-    pub(super) fn locate(&self, q: f64, cursor: &Cell<Cursor>) -> Option<Place> {
+    pub(super) fn place_of_input(&self, q: f64, cursor: &Cell<Cursor>) -> Option<Place> {
         let mut found = cursor.get();
         let mut x = (q - found.centre) * self.pieces.get(found.piece)?.scale;
         if !(x.abs() <= 1.0) {

@@ -12,7 +12,8 @@ impl Frozen {
             match step {
                 Step::Prescribed(_) => {}
                 Step::Rotor(rotor) => {
-                    let acceleration = self.quotient(rotor.node, 0.0, order, taylor);
+                    let acceleration =
+                        self.acceleration_coefficient(rotor.node, 0.0, order, taylor);
                     let place = taylor.integration_factor(order) * acceleration;
                     taylor.acceleration[rotor.node][order] = acceleration;
                     taylor.set_coefficient(rotor.node, order + 2, place);
@@ -44,7 +45,13 @@ impl Frozen {
     }
 
     /// Coefficient `order` of φ̈ of a node from its forces and the links'.
-    fn quotient(&self, node: usize, links: f64, order: usize, taylor: &Taylor) -> f64 {
+    fn acceleration_coefficient(
+        &self,
+        node: usize,
+        links: f64,
+        order: usize,
+        taylor: &Taylor,
+    ) -> f64 {
         let force = taylor.force[node][order] + links;
         if self.rigids.is_empty() && self.constraints.is_empty() && !self.impacts {
             return force / self.inertia[node];
@@ -57,7 +64,7 @@ impl Frozen {
     /// The law's next coefficient of U, its driver's being known.
     fn advance_law(&self, law: usize, order: usize, taylor: &mut Taylor) -> f64 {
         let phi = taylor.displacement[self.laws[law].driver][order + 2];
-        taylor.laws[law].advance(order + 2, phi);
+        taylor.laws[law].next_coefficients(order + 2, phi);
         taylor.laws[law].value[order + 2]
     }
 
@@ -87,7 +94,7 @@ impl Frozen {
             };
             let acceleration = match self.impacts && self.grounded_of(node, taylor) {
                 true => 0.0,
-                false => self.quotient(node, above - below, order, taylor),
+                false => self.acceleration_coefficient(node, above - below, order, taylor),
             };
             below = above;
             let place = twice * acceleration;

@@ -12,7 +12,12 @@ const LEAST_REACH: f64 = 1e-12;
 
 impl Frozen {
     /// Orders 0 and 1 of all displacements; all orders of drives.
-    pub(super) fn begin(&self, start: &Start<'_>, work: &mut Work<f64>, taylor: &mut Taylor) {
+    pub(super) fn set_first_orders(
+        &self,
+        start: &Start<'_>,
+        work: &mut Work<f64>,
+        taylor: &mut Taylor,
+    ) {
         let Start { time, y, dy, modes } = *start;
         self.motion(time, y, modes, Extent::Full, work);
         self.known_accelerations(&dy[self.coordinates..], work);
@@ -92,10 +97,10 @@ impl Frozen {
             let (speed, acceleration) = (work.speed[driver], work.acceleration[driver]);
             let way = length * (speed.abs() + 0.5 * length * acceleration.abs());
             let radius = (MARGIN * way).max(LEAST_REACH * (1.0 + phi.abs()));
-            taylor.laws[index].begin(phi, radius, taylor.last, |phi| law.jet(modes, phi));
+            taylor.laws[index].begin_around(phi, radius, taylor.last, |phi| law.jet(modes, phi));
         } else {
             taylor.laws[index].begin_straight(law.jet(modes, phi));
         }
-        taylor.laws[index].advance(1, taylor.displacement[driver][1]);
+        taylor.laws[index].next_coefficients(1, taylor.displacement[driver][1]);
     }
 }

@@ -190,10 +190,10 @@ impl Frozen {
     ) -> f64 {
         taylor.length = length;
         taylor.last = law::last(degree);
-        self.begin(start, work, taylor);
+        self.set_first_orders(start, work, taylor);
         for order in 0..=degree - 2 {
             self.forces_of(start, order, work, taylor);
-            self.reduce_of(order, taylor);
+            self.hand_to_drivers(order, taylor);
             self.accelerations_of(order, taylor);
         }
         let extra = self.extra.iter().map(|&node| &taylor.displacement[node]);
@@ -240,7 +240,7 @@ impl Frozen {
         }
         for (index, load) in self.loads.iter().enumerate() {
             let force = if let Some(written) = &load.written {
-                self.written_of_order(index, written, start, order, taylor)
+                self.expression_coefficient(index, written, start, order, taylor)
             } else if order == 0 {
                 if let Some(series) = &mut taylor.loads[index] {
                     let node = load.node;
@@ -332,7 +332,7 @@ impl Frozen {
     }
 
     /// Rigid nodes hand inertia and forces of an order to their drivers.
-    fn reduce_of(&self, order: usize, taylor: &mut Taylor) {
+    fn hand_to_drivers(&self, order: usize, taylor: &mut Taylor) {
         if self.rigids.is_empty() && self.constraints.is_empty() && !self.impacts {
             return;
         }

@@ -109,7 +109,13 @@ impl FrozenExpression {
     }
 
     /// Value and rate of a guard at a motion whose accelerations are known.
-    fn guard(&self, guard: usize, time: f64, modes: &[i64], work: &Work<f64>) -> Dual {
+    fn value_and_rate_of_guard(
+        &self,
+        guard: usize,
+        time: f64,
+        modes: &[i64],
+        work: &Work<f64>,
+    ) -> Dual {
         let mut values = [Dual::from(0.0); VARIABLES];
         for (value, input) in values.iter_mut().zip(&self.inputs) {
             *value = match *input {
@@ -206,7 +212,7 @@ impl Frozen {
         for written in self.expression_loads() {
             let guards = &written.expression.program().guards;
             for (index, component) in written.components().enumerate() {
-                let at = written.guard(index, time, modes, &work);
+                let at = written.value_and_rate_of_guard(index, time, modes, &work);
                 let rate = match at.derivative == 0.0 && at.value == 0.0 {
                     true => written.first_nonzero_derivative(index, time, modes, &work),
                     false => at.derivative,
@@ -234,8 +240,12 @@ impl Frozen {
             let of = |written: &FrozenExpression| {
                 let components = written.components().enumerate();
                 let guards = components.filter(|&(_, component)| modes[component] != OPEN);
-                let values =
-                    guards.map(|(guard, own)| (own, written.guard(guard, time, modes, &work)));
+                let values = guards.map(|(guard, own)| {
+                    (
+                        own,
+                        written.value_and_rate_of_guard(guard, time, modes, &work),
+                    )
+                });
                 values.collect::<Vec<_>>()
             };
             self.expression_loads().flat_map(of).collect()
@@ -263,7 +273,7 @@ impl Frozen {
     }
 
     /// The first switch of a guard on a step, up to `end`.
-    pub(in crate::dynamics::system) fn crossing(
+    pub(in crate::dynamics::system) fn first_guard_crossing(
         &self,
         step: &Step<'_>,
         modes: &[i64],
@@ -340,7 +350,7 @@ impl System {
         let at = |guard: usize, own: &[i64]| {
             all[written.components()].copy_from_slice(own);
             frozen.evaluate(time, y, &all, Extent::Full, &mut work, &mut out);
-            written.guard(guard, time, &all, &work)
+            written.value_and_rate_of_guard(guard, time, &all, &work)
         };
         let sense = (watch.target - modes[component]).signum() as f64;
         let guards = &written.expression.program().guards;

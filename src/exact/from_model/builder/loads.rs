@@ -160,7 +160,7 @@ impl<'m> Builder<'m> {
             .iter()
             .any(|r| r.object == *id && r.reason == reason)
         {
-            self.refuse(object, reason);
+            self.note_refusal(object, reason);
         }
     }
 }

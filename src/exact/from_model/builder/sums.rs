@@ -46,7 +46,7 @@ impl<'m> Builder<'m> {
                 self.spoiled[moved.tree] = true;
             }
         }
-        self.refuse(object, reason);
+        self.note_refusal(object, reason);
     }
 
     /// The reduced object of which a part is the sum of the modes.

@@ -129,7 +129,7 @@ fn coded_constraint_ratios(
     }
     for input in written {
         if input.ratio.is_some() {
-            refuse(
+            refuse_property(
                 fields,
                 input,
                 "ratio",
@@ -137,7 +137,7 @@ fn coded_constraint_ratios(
             );
         }
         if input.at.is_some() {
-            refuse(fields, input, "at", "`at` goes with `lever` only");
+            refuse_property(fields, input, "at", "`at` goes with `lever` only");
         }
     }
     Some(vec![Some(1.0); drivers])
@@ -145,7 +145,7 @@ fn coded_constraint_ratios(
 
 fn own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
     if input.at.is_some() {
-        refuse(fields, input, "at", "`at` goes with `lever` only");
+        refuse_property(fields, input, "at", "`at` goes with `lever` only");
         return None;
     }
     if input.ratio.is_none() {
@@ -179,13 +179,13 @@ fn planetary(
             return None;
         }
         if input.ratio.is_some() {
-            refuse(fields, input, "ratio", "the ratio follows from `planetary`");
+            refuse_property(fields, input, "ratio", "the ratio follows from `planetary`");
         }
         if input.at.is_some() {
-            refuse(fields, input, "at", "`at` goes with `lever` only");
+            refuse_property(fields, input, "at", "`at` goes with `lever` only");
         }
         if input.driver == Some(Coordinate::Sliding) {
-            refuse(
+            refuse_property(
                 fields,
                 input,
                 "object",
@@ -225,10 +225,10 @@ fn lever(
 ) -> Option<Vec<Option<f64>>> {
     for input in written {
         if input.ratio.is_some() {
-            refuse(fields, input, "ratio", "the ratio follows from `lever`");
+            refuse_property(fields, input, "ratio", "the ratio follows from `lever`");
         }
         if input.driver == Some(Coordinate::Turning) {
-            refuse(
+            refuse_property(
                 fields,
                 input,
                 "object",
@@ -265,7 +265,7 @@ fn lever(
     Some(ratios.map(Some).to_vec())
 }
 
-fn refuse(fields: &mut Fields<'_>, input: &InputStatement, property: &str, message: &str) {
+fn refuse_property(fields: &mut Fields<'_>, input: &InputStatement, property: &str, message: &str) {
     let inputs = fields.member("inputs").map(|member| &member.value);
     let own = inputs.and_then(|inputs| inputs.get(&input.name)?.get(property));
     let place = own.map(|value| value.place.clone());

@@ -78,7 +78,7 @@ fn law(
     law.case(
         "couple",
         "A constant couple on a link, counterclockwise.",
-        |slot| slot.record(|fields| couple(fields, names)),
+        |slot| slot.record(|fields| read_couple(fields, names)),
     );
     law.case(
         "torsion",
@@ -146,7 +146,7 @@ fn force(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     })
 }
 
-fn couple(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
+fn read_couple(fields: &mut Fields<'_>, names: &Names) -> Option<ForceLaw> {
     let link = fields.need("link", "The link.", |slot| names.link(slot));
     let moment = fields.need("moment", "The couple", |slot| {
         slot.quantity(q::MOMENT, Bounds::ANY)

@@ -22,7 +22,7 @@ pub(super) fn add(law: &mut OneOf<'_, '_, LoadLawSpec>, on: On, axis: Axis) {
     if !matches!(on, On::Rotor(_)) {
         names.extend(builder::DRIVER);
     }
-    let names = written::with_over(names, axis.of_another);
+    let names = written::names_with_other_object(names, axis.of_another);
     let of = |expression| {
         LoadLawSpec::Written(WrittenSpec {
             expression,

@@ -3,7 +3,7 @@
 
 use super::{Fields, MissingProperty};
 use crate::frontend::diagnostics::Diagnostic;
-use crate::frontend::read::slot::{join, last_name};
+use crate::frontend::read::slot::{join_path, last_name};
 use crate::frontend::read::suggest::{closest, quoted_list};
 use crate::frontend::read::tree::Node;
 use serde_json::{Value as Json, json};
@@ -74,7 +74,7 @@ impl Fields<'_> {
                 format!("unknown property `{}`", member.name),
             )
             .at(member.name_place.clone())
-            .path(join(&self.path, &member.name));
+            .path(join_path(&self.path, &member.name));
             fault = match suggestion {
                 Some(found) => fault.hint(format!("did you mean `{found}`?")),
                 None => fault.hint(format!(

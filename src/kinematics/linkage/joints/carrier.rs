@@ -48,7 +48,7 @@ impl Mismatch {
 }
 
 /// Both wheels and their carrier are different links.
-pub(super) fn distinct(coupling: &CouplingSpec) -> Result<(), Mismatch> {
+pub(super) fn require_distinct_links(coupling: &CouplingSpec) -> Result<(), Mismatch> {
     let [one, other, carrier] = coupling.links();
     let hint = "name two wheels and the link that carries both";
     match () {
@@ -60,7 +60,7 @@ pub(super) fn distinct(coupling: &CouplingSpec) -> Result<(), Mismatch> {
 
 /// The axes of both wheels in the frame of the carrier (m), which do not coincide.
 pub(super) fn axes(coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<[[f64; 2]; 2], Mismatch> {
-    distinct(coupling)?;
+    require_distinct_links(coupling)?;
     let [one, other, carrier] = coupling.links();
     let axis = |wheel| axis(pairs, carrier, wheel).ok_or(Mismatch::no_axis(wheel));
     let axes = [axis(one)?, axis(other)?];

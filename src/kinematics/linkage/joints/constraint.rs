@@ -93,7 +93,7 @@ impl Measure {
 
     /// What velocities (ω, v over the size) contribute to the rate of that number.
     #[inline(always)]
-    pub(in crate::kinematics::linkage) fn entries<const K: usize, T: Number>(
+    pub(in crate::kinematics::linkage) fn velocity_terms<const K: usize, T: Number>(
         self,
         [moment, x, y]: [Series<K, T>; 3],
         size: f64,

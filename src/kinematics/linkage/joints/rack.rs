@@ -5,7 +5,7 @@
 
 use super::super::elements::elements;
 use super::super::spec::pair::PairSpec;
-use super::carrier::{Mismatch, axis, distinct, guide};
+use super::carrier::{Mismatch, axis, guide, require_distinct_links};
 use super::constraint::{Act, Constraint, Frames, Measure, Shape, Turns, Wrench};
 use super::outline::Outline;
 use super::reader::{Domain, JointReader, MissingCarrier};
@@ -61,11 +61,11 @@ fn samples() -> Vec<Sample> {
 }
 
 /// The gear's axis on the carrier (m), and the guide of the rack.
-fn axis_and_guide<'a>(
+fn axis_and_rail<'a>(
     coupling: &CouplingSpec,
     pairs: &'a [PairSpec],
 ) -> Result<([f64; 2], &'a PairSpec), Mismatch> {
-    distinct(coupling)?;
+    require_distinct_links(coupling)?;
     let [wheel, rack, carrier] = coupling.links();
     let axis = axis(pairs, carrier, wheel).ok_or(Mismatch::no_axis(wheel))?;
     let lacking = Mismatch::Apart(rack, |rack, carrier| {
@@ -81,11 +81,11 @@ impl Kind for Rack {
     }
 
     fn check_links(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<(), Mismatch> {
-        axis_and_guide(coupling, pairs).map(|_| ())
+        axis_and_rail(coupling, pairs).map(|_| ())
     }
 
     fn to_joint(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Option<Joint> {
-        let (axis, guide) = axis_and_guide(coupling, pairs).ok()?;
+        let (axis, guide) = axis_and_rail(coupling, pairs).ok()?;
         let [on, block] = elements(guide);
         let of_carrier = on.link == coupling.carrier;
         Some(Joint::Rack(RackAndWheel {
@@ -100,7 +100,7 @@ impl Kind for Rack {
 
     /// The gear's pitch circle and the pitch line.
     fn outlines(&self, coupling: &CouplingSpec, pairs: &[PairSpec]) -> Vec<Outline> {
-        let Ok((on_carrier, guide)) = axis_and_guide(coupling, pairs) else {
+        let Ok((on_carrier, guide)) = axis_and_rail(coupling, pairs) else {
             return Vec::new();
         };
         let carrier = coupling.carrier;

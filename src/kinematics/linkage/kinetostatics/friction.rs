@@ -58,7 +58,7 @@ impl Law {
     }
 
     /// The greatest friction along the sliding that two reactions allow.
-    pub(super) fn limit(self, [a, b]: [f64; 2]) -> f64 {
+    pub(super) fn greatest_friction(self, [a, b]: [f64; 2]) -> f64 {
         match self {
             Self::Pin(factor) => factor.abs() * (a * a + b * b).sqrt(),
             Self::Guide([along, _]) => along.abs() * (a.abs() + b.abs()),

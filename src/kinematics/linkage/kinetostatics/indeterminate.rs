@@ -47,7 +47,7 @@ impl Indeterminate {
     }
 
     /// Takes in what is left open at another position.
-    pub fn join(&mut self, other: &Self) {
+    pub fn merge_with(&mut self, other: &Self) {
         let join = |own: &mut Vec<bool>, other: &[bool]| {
             own.resize(other.len(), false);
             for (own, other) in own.iter_mut().zip(other) {

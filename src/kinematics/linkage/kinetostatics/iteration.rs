@@ -76,14 +76,14 @@ impl ForceWorkspace {
             return (course, true);
         }
         course.method = Method::Plain;
-        if self.iterate(1.0, tolerance, cap, &mut course) {
+        if self.iterate_forces(1.0, tolerance, cap, &mut course) {
             return (course, true);
         }
         for damping in DAMPINGS {
             self.without_friction();
             course.method = Method::Damped;
             let cap = (cap as f64 / damping) as usize;
-            if self.iterate(damping, tolerance, cap, &mut course) {
+            if self.iterate_forces(damping, tolerance, cap, &mut course) {
                 return (course, true);
             }
         }
@@ -95,7 +95,13 @@ impl ForceWorkspace {
 
     /// τ ← τ + part·(f(F) − τ) until F stands still; false if it does not. An
     /// iteration that converges slowly is taken to its end by Newton's method.
-    fn iterate(&mut self, part: f64, tolerance: f64, cap: usize, course: &mut Convergence) -> bool {
+    fn iterate_forces(
+        &mut self,
+        part: f64,
+        tolerance: f64,
+        cap: usize,
+        course: &mut Convergence,
+    ) -> bool {
         let mut before = [f64::INFINITY; 2];
         let mut rest = f64::INFINITY;
         for _ in 0..cap {

@@ -35,7 +35,8 @@ impl Kinetostatics {
         let held = w.several.held.iter().zip(multipliers);
         held.map(move |(&pair, multiplier)| {
             let reactions = [w.unknowns[2 * pair], w.unknowns[2 * pair + 1]];
-            let limit = self.friction_factors[pair].map_or(0.0, |law| law.limit(reactions));
+            let limit =
+                self.friction_factors[pair].map_or(0.0, |law| law.greatest_friction(reactions));
             (pair, multiplier.abs() - limit * (1.0 + excess))
         })
     }

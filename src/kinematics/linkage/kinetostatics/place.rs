@@ -78,7 +78,7 @@ impl Kinetostatics {
         let link = frame(&w.links, pair.link.link);
         let place = &mut w.pairs[index];
         place.point = link.point(pair.link.at).place;
-        place.tangent = frame(&w.links, pair.on.link).turned(self.directions[index]);
+        place.tangent = frame(&w.links, pair.on.link).vector_in_ground(self.directions[index]);
     }
 }
 

@@ -85,7 +85,7 @@ impl ForceWorkspace {
         for pattern in 0..1usize << (2 * free.min(GUIDES)) {
             self.without_friction();
             complete &= self.follow_signs(pattern, course);
-            self.collect(course, &mut found);
+            self.find_by_newton(course, &mut found);
         }
         let mut state = 0x9e37_79b9_7f4a_7c15_u64;
         for _ in 0..DIRECTIONS * self.columns {
@@ -96,7 +96,7 @@ impl ForceWorkspace {
                 }
                 self.update_friction();
                 self.friction.copy_from_slice(&self.next);
-                self.collect(course, &mut found);
+                self.find_by_newton(course, &mut found);
             }
         }
         found.sort_by_cached_key(|friction| Total(greatest_magnitude(friction)));
@@ -110,7 +110,7 @@ impl ForceWorkspace {
     }
 
     /// Newton's method from the present τ; keeps what it finds, if it is new.
-    fn collect(&mut self, course: &mut Convergence, found: &mut Vec<Vec<f64>>) {
+    fn find_by_newton(&mut self, course: &mut Convergence, found: &mut Vec<Vec<f64>>) {
         course.method = Method::Search;
         if !self.newton(course) {
             return;

@@ -1,7 +1,7 @@
 //! From the plain numbers of a linkage of several inputs to the plan of its solution, or
 //! to what is wrong with its inputs and its structure.
 
-use super::joints::{Joints, bodies, floating_driver, joints};
+use super::joints::{Joints, bodies_of_groups, floating_driver, joints};
 use super::misfit::misfit;
 use super::plan::{Group, InnerJoint, Massive, MultiPlan, Screw, Source, driver_of};
 use super::spec::{InputCoordinate, MultiSpec};
@@ -25,7 +25,7 @@ pub(super) fn compile(
     faults.check()?;
     let spec = &welded.spec;
     let linkage = &spec.linkage;
-    let bodies = bodies(welded, &joints);
+    let bodies = bodies_of_groups(welded, &joints);
     let driving: Vec<usize> = input_pairs(spec).collect();
     let others = other_pairs(welded);
     let ties = compile::ties(linkage, &bodies, &others);
@@ -82,7 +82,7 @@ pub(super) fn is_overconstrained(welded: &WeldedLinkage) -> bool {
         return true;
     }
     let spec = &welded.spec;
-    let bodies = bodies(welded, &joints);
+    let bodies = bodies_of_groups(welded, &joints);
     let ties = compile::ties(&spec.linkage, &bodies, &other_pairs(welded));
     match decompose(bodies.list.len(), &ties) {
         Decomposition::Groups(_) => false,

@@ -71,7 +71,7 @@ impl<N: Number> Surroundings<'_, N> {
     }
 
     /// Angle of a revolute pair, and its rate.
-    fn turned(&self, pair: usize) -> [N; 2] {
+    fn angle_and_rate(&self, pair: usize) -> [N; 2] {
         let pair = &self.spec.pairs[pair];
         let [i, j] = [pair.on.link, pair.link.link];
         let rate = |link: Option<usize>| self.columns.velocity[self.plan.body_of_link(link)][0];
@@ -112,7 +112,7 @@ impl<N: Number> MultiReduced<N> {
                     free_angle,
                     damping,
                 } => {
-                    let [angle, speed] = around.turned(*pair);
+                    let [angle, speed] = around.angle_and_rate(*pair);
                     let moment =
                         (angle - N::from(*free_angle)).scale(*rate) + speed.scale(damped(*damping));
                     let pair = &around.spec.pairs[*pair];
@@ -127,7 +127,7 @@ impl<N: Number> MultiReduced<N> {
                     let body = around.body_of_point(*point);
                     let [place, _] = around.point(*point);
                     let force = match follows {
-                        true => around.columns.poses[body].turn(*force),
+                        true => around.columns.poses[body].direction_to_ground(*force),
                         false => force.map(N::from),
                     };
                     self.push(body, place, force);
@@ -180,7 +180,7 @@ impl<N: Number> Surroundings<'_, N> {
                     free_angle,
                     ..
                 } => {
-                    let [angle, _] = self.turned(*pair);
+                    let [angle, _] = self.angle_and_rate(*pair);
                     let turned = angle - N::from(*free_angle);
                     potential += (turned * turned).scale(0.5 * rate);
                 }
@@ -204,7 +204,7 @@ impl Surroundings<'_, f64> {
                     sum.dissipated += damping * rate * rate;
                 }
                 ForceLaw::Torsion { pair, damping, .. } => {
-                    let [_, speed] = self.turned(*pair);
+                    let [_, speed] = self.angle_and_rate(*pair);
                     sum.dissipated += damping * speed * speed;
                 }
                 ForceLaw::Force {
@@ -214,7 +214,8 @@ impl Surroundings<'_, f64> {
                 } => {
                     let [_, velocity] = self.point(*point);
                     let force = match follows {
-                        true => self.columns.poses[self.body_of_point(*point)].turn(*force),
+                        true => self.columns.poses[self.body_of_point(*point)]
+                            .direction_to_ground(*force),
                         false => *force,
                     };
                     sum.applied += force[0] * velocity[0] + force[1] * velocity[1];

@@ -126,7 +126,7 @@ impl MultiLinkage {
         let mut linkage = welded.spec.linkage;
         linkage.start = f64::NAN;
         wrong::refuse_unneeded_guesses(&spec, &plan, &state)?;
-        let branches = assemble::groups(
+        let branches = assemble::choose_branches(
             &linkage,
             &plan.plan,
             &groups,
@@ -215,7 +215,7 @@ impl MultiLinkage {
 
     /// Sentences about what is allowed and hardly meant: cams that are undercut.
     pub fn remarks(&self) -> Vec<String> {
-        couplings::remarks(&self.core.spec.linkage)
+        couplings::remarks_on_couplings(&self.core.spec.linkage)
     }
 
     /// A length typical of it (m).
@@ -379,7 +379,7 @@ impl MultiWorkspace<f64> {
     /// solved last: 1 as at the start, 0 there, a smooth function of the inputs. Its
     /// derivatives by these go into `first`; rate, and second derivative in time while the
     /// accelerations of the inputs are zero.
-    pub(crate) fn distance(&mut self, group: usize, first: &mut [f64]) -> [f64; 3] {
+    pub(crate) fn distance_from_singular(&mut self, group: usize, first: &mut [f64]) -> [f64; 3] {
         let Core {
             plan, determinants, ..
         } = &*self.core;

@@ -45,7 +45,7 @@ impl<N: Number> MultiWorkspace<N> {
                     )
                 };
                 if let Some(direction) = pair.direction() {
-                    let along = columns.poses[i].turn(direction);
+                    let along = columns.poses[i].direction_to_ground(direction);
                     let on = |twist: [N; 3]| along[0] * twist[1] + along[1] * twist[2];
                     let [from, to] = [
                         columns.poses[i].to_ground(pair.on.at),

@@ -39,8 +39,8 @@ pub(super) fn outwards(plan: &MultiPlan, inputs: &[f64], state: &mut State) {
             false => {
                 let parent = state.frame::<1>(Some(joint.parent));
                 Frame {
-                    at: parent.at + parent.direction.turn(relative.at),
-                    direction: parent.direction.turn(relative.direction),
+                    at: parent.at + parent.direction.complex_product(relative.at),
+                    direction: parent.direction.complex_product(relative.direction),
                 }
             }
         };
@@ -74,7 +74,7 @@ pub(super) fn place_links(
         place_moved_link(plan, index, inputs, state);
         let placed = match step {
             Step::Dyad(dyad) => dyad_on(plan, dyad, signs[index], state, index),
-            Step::Newton(group) => iterate(plan, group, signs[index], state, index),
+            Step::Newton(group) => place_by_iteration(plan, group, signs[index], state, index),
         };
         if !placed {
             return Err(NotAssembled { group: index + 1 });
@@ -123,7 +123,7 @@ fn dyad_on(plan: &MultiPlan, dyad: &Dyad, sign: f64, state: &mut State, index: u
     true
 }
 
-fn iterate(
+fn place_by_iteration(
     plan: &MultiPlan,
     group: &NewtonGroup,
     sign: f64,
@@ -204,7 +204,7 @@ impl StartPosition {
             self.arrive(plan, inputs);
             return Ok(());
         }
-        copy(&self.state, &mut self.kept);
+        copy_places(&self.state, &mut self.kept);
         let (mut done, mut part) = (0.0, self.first_part(plan, inputs));
         while done < 1.0 {
             let share = f64::min(1.0, done + part);
@@ -220,18 +220,18 @@ impl StartPosition {
                     if done == 0.0 {
                         std::mem::swap(&mut self.kept, &mut self.before);
                     }
-                    copy(&self.state, &mut self.kept);
+                    copy_places(&self.state, &mut self.kept);
                     done = share;
                 }
                 Err(group) => {
                     let margins = std::mem::take(&mut self.state.margins);
-                    copy(&self.kept, &mut self.state);
+                    copy_places(&self.kept, &mut self.state);
                     self.state.margins = margins;
                     part *= 0.25;
                     if part * MOST_PARTS < 1.0 {
                         // What was reached lies on the brink: nothing else is found from there.
                         if done > 0.0 {
-                            copy(&self.before, &mut self.state);
+                            copy_places(&self.before, &mut self.state);
                         }
                         return Err(group);
                     }
@@ -291,7 +291,7 @@ impl StartPosition {
 }
 
 /// Copies places alone, without allocating.
-fn copy(from: &State, to: &mut State) {
+fn copy_places(from: &State, to: &mut State) {
     to.links.copy_from_slice(&from.links);
     to.near.copy_from_slice(&from.near);
     to.relative = from.relative;

@@ -79,7 +79,7 @@ fn completed(spec: &MultiSpec) -> Option<CompletedLinkage> {
         return None;
     }
     let mut faults = Faults::default();
-    wrong::numbers(&spec.linkage, &mut faults);
+    wrong::check_numbers(&spec.linkage, &mut faults);
     faults.check().ok()?;
     let mut all = spec.clone();
     float(&mut all, wanted);
@@ -266,7 +266,7 @@ fn better_conditioned_inputs(
     };
     let inputs: Vec<Jet> = spec.inputs.iter().map(still).collect();
     motion.set_inputs(&inputs).ok()?;
-    let candidates = candidates(spec, own);
+    let candidates = possible_inputs(spec, own);
     let mut rows: Vec<Vec<f64>> = candidates
         .iter()
         .map(|&pair| {
@@ -315,7 +315,7 @@ fn better_conditioned_inputs(
 }
 
 /// Pairs that may be inputs: those found first, then all others by their names.
-fn candidates(spec: &MultiSpec, own: usize) -> Vec<usize> {
+fn possible_inputs(spec: &MultiSpec, own: usize) -> Vec<usize> {
     let of = |input: &InputSpec| match input.coordinate {
         InputCoordinate::Pair(pair) => Some(pair),
         _ => None,

@@ -279,7 +279,7 @@ impl<'a> GridReach<'a> {
                 break;
             }
             // Near the curve the square goes with the distance, but for its power 3/2.
-            let [square, ..] = space.distance(group, &mut first);
+            let [square, ..] = space.distance_from_singular(group, &mut first);
             let slope: f64 = first.iter().zip(&along).map(|(a, b)| a * b).sum();
             let way = -square / slope;
             if !(way.is_finite() && way >= 0.0 && inside + way <= 1.0 + BACK) {

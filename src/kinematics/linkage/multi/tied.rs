@@ -69,7 +69,7 @@ impl TiedBodies {
         let none = [N::from(0.0); 3];
         parts.fill([none; 3]);
         let still = |_| (none, none);
-        self.each::<1, N>(poses, still, size, |row, link, entries| {
+        self.add_velocity_terms::<1, N>(poses, still, size, |row, link, entries| {
             let part = &mut parts[row][link];
             for k in 0..3 {
                 part[k] += entries[k].0[0];
@@ -88,7 +88,7 @@ impl TiedBodies {
         let none = [N::from(0.0); 3];
         let mut drift = none;
         let moving = |body: usize| (velocity[body], none);
-        self.each::<2, N>(poses, moving, size, |row, link, [turned, x, y]| {
+        self.add_velocity_terms::<2, N>(poses, moving, size, |row, link, [turned, x, y]| {
             let [turning, u, v] = velocity[self.bodies[link]];
             drift[row] += turned.0[1] * turning + (x.0[1] * u + y.0[1] * v).scale(size.recip());
         });
@@ -104,7 +104,7 @@ impl TiedBodies {
         size: f64,
         mut add: impl FnMut(usize, usize, [[f64; 2]; 3]),
     ) {
-        self.each::<3, f64>(poses, motion, size, |row, link, entries| {
+        self.add_velocity_terms::<3, f64>(poses, motion, size, |row, link, entries| {
             let moved = entries.map(|entry| [entry.0[1], 2.0 * entry.0[2]]);
             add(row, self.bodies[link], moved);
         });
@@ -112,7 +112,7 @@ impl TiedBodies {
 
     /// Adds what velocities (ω, v over the size) of its links contribute to its equations, over time.
     #[inline(always)]
-    fn each<const K: usize, N: Number>(
+    fn add_velocity_terms<const K: usize, N: Number>(
         &self,
         poses: &[Pose<N>],
         motion: impl Fn(usize) -> (Twist<N>, Twist<N>),
@@ -126,7 +126,7 @@ impl TiedBodies {
         };
         let measures = self.joint.shape().rows;
         self.joint.rows::<K, N>(&moving, |row, link, wrench| {
-            let entries = measures[row].entries(wrench.about_origin(), size);
+            let entries = measures[row].velocity_terms(wrench.about_origin(), size);
             add(row, link, entries);
         });
     }

@@ -65,7 +65,7 @@ impl MultiPlan {
     #[inline]
     pub(super) fn turn_attached(&self, angles: &mut [f64]) {
         for one in &self.plan.attached {
-            angles[one.link] = one.turned(angles);
+            angles[one.link] = one.angle_of_link(angles);
         }
     }
 }

@@ -93,7 +93,7 @@ impl PreparedJoint {
                 scratch.unknowns[3 * body + 1][0],
             ];
             let about = wrench.moment_and_force_about(Vector::constant(origin));
-            let [turned, x, y] = measures[row].entries(about, size);
+            let [turned, x, y] = measures[row].velocity_terms(about, size);
             add(row, body, [x.value(), y.value(), turned.value()]);
         });
     }

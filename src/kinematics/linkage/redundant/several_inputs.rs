@@ -4,7 +4,7 @@
 //! from there in many directions of the inputs. By how much it is missed is an analytic function of the
 //! inputs: what vanishes all around the start vanishes as far as nothing is singular.
 
-use super::search::{candidates, leave_out};
+use super::search::{leave_out, possible_removals};
 use super::{MISSED, POSITIONS, closure_error};
 use crate::kinematics::linkage::multi::spec::{InputCoordinate, MultiSpec};
 use crate::kinematics::linkage::multi::{MultiLinkage, MultiWorkspace};
@@ -35,7 +35,7 @@ pub(in crate::kinematics::linkage) fn find_movable(
             _ => None,
         });
     let driven: Vec<usize> = pairs.collect();
-    let candidates = || candidates(&solved.spec, &driven);
+    let candidates = || possible_removals(&solved.spec, &driven);
     leave_out(
         &spec.linkage,
         spec.inputs.len(),

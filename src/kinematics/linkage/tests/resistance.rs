@@ -79,7 +79,7 @@ impl Rubbing {
         pressed: Option<u64>,
     ) -> Option<Resistance> {
         self.linkage.solve(q, 2, &mut self.at).ok()?;
-        let segment = self.reversals.breaks.locate(self.q, 1.0);
+        let segment = self.reversals.breaks.segment_at(self.q, 1.0);
         let motion = ResistanceModel {
             coordinate: q,
             speed,
@@ -300,7 +300,7 @@ proptest! {
         seed: u64, dyads in 1usize..4, part in 0.001f64..0.999,
     ) {
         let Some(rubbing) = Rubbing::new(seed, dyads, part, 0.05) else { return Ok(()) };
-        let segment = rubbing.reversals.breaks.locate(rubbing.q, 1.0);
+        let segment = rubbing.reversals.breaks.segment_at(rubbing.q, 1.0);
         let (low, high) = rubbing.reversals.breaks.edges(segment);
         prop_assert!(low <= rubbing.q && rubbing.q <= high);
         let senses = rubbing.reversals.at(segment);

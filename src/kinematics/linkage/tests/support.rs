@@ -111,7 +111,7 @@ fn off_the_pitch_curve(cam: &CamPairSpec, turned: f64, [centre, roller]: [[f64; 
     let phi = cam.sense * (y.atan2(x) - turned - cam.direction);
     let lift = cam.lift.as_ref().map_or(0.0, |lift| {
         let law = Position::new(lift).unwrap();
-        law.jet(law.breaks().locate(phi, 1.0), phi).value
+        law.jet(law.breaks().segment_at(phi, 1.0), phi).value
     });
     let prime = match cam.surface {
         Surface::Hollow => cam.base_radius - cam.roller_radius,

@@ -62,7 +62,7 @@ impl Parts {
 }
 
 /// Terms of a linkage in the force of its constraint: −J·φ̈ − ½·J′·φ̇² + W.
-pub(super) fn forces(
+pub(super) fn add_force_terms(
     model: &Model,
     object: usize,
     body: &LinkageBody,

@@ -147,7 +147,7 @@ pub fn equations(model: &Model) -> Equations {
             Some(NodeMotion::Rigid { law }) => sources::rigid(model, object, law),
             Some(NodeMotion::Rotor { .. }) => sources::rotor(model, object),
             Some(NodeMotion::Prescribed { motion, .. }) => {
-                sources::prescribed(model, object, motion)
+                sources::section_of_prescribed(model, object, motion)
             }
             // The node on which inputs are combined is no object by itself.
             Some(NodeMotion::Constrained { .. }) | None => Section::default(),

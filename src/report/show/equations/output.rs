@@ -49,14 +49,14 @@ fn forces_on_output(model: &Model, object: usize) -> Vec<Expr> {
     terms
 }
 
-fn reaction() -> Symbol {
+fn reaction_symbol() -> Symbol {
     symbol("R", Index::None)
 }
 
 /// The share w·R of a mass in what acts on the output; `None` where nothing does.
 pub(super) fn share_of_mass(model: &Model, object: usize, letter: Symbol) -> Option<Expr> {
     let acts = !forces_on_output(model, object).is_empty();
-    acts.then(|| letter.expr().times(reaction()))
+    acts.then(|| letter.expr().times(reaction_symbol()))
 }
 
 /// The same of one mass, counted from 1.
@@ -79,7 +79,11 @@ pub(super) fn lines(model: &Model, object: usize, section: &mut Section) -> bool
     section.line(phi, Expr::sum(terms), "the output, which followers see");
     let acting = forces_on_output(model, object);
     if !acting.is_empty() {
-        section.line(reaction(), Expr::sum(acting), "what acts on the output");
+        section.line(
+            reaction_symbol(),
+            Expr::sum(acting),
+            "what acts on the output",
+        );
     }
     true
 }

@@ -90,7 +90,7 @@ impl Course for SeveralInputs<'_, '_> {
         heading.quantity.ordinary_size(own, 1.0, all)
     }
 
-    fn note(&mut self) -> Vec<[f64; 4]> {
+    fn add_row(&mut self) -> Vec<[f64; 4]> {
         self.angles.push(self.motion.angles().to_vec());
         frames(&self.motion, self.asked.linkage.spec().linkage.links.len())
     }

@@ -86,7 +86,10 @@ impl AskedSeveral<'_> {
     }
 
     /// Why a group cannot be assembled, in words.
-    pub(in crate::studies) fn cause(&self, NotAssembled { group }: NotAssembled) -> String {
+    pub(in crate::studies) fn cause_in_words(
+        &self,
+        NotAssembled { group }: NotAssembled,
+    ) -> String {
         format!(
             "singular position of {}",
             self.linkage.structure().describe(group)
@@ -102,7 +105,7 @@ fn axis(asked: &AskedSeveral<'_>, values: Vec<f64>) -> Axis {
 fn limits(asked: &AskedSeveral<'_>) -> Vec<Limit> {
     let limit = |(at, why): &(f64, NotAssembled)| Limit {
         at: *at,
-        cause: asked.cause(*why),
+        cause: asked.cause_in_words(*why),
     };
     asked.limits.iter().map(limit).collect()
 }
@@ -131,7 +134,7 @@ fn end_of_range(
     RowsEnd {
         at,
         input,
-        cause: asked.cause(why),
+        cause: asked.cause_in_words(why),
     }
 }
 

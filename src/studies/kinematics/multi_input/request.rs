@@ -283,7 +283,7 @@ impl<'a> AskedSeveral<'a> {
                 format!(
                     "`{}` cannot be assembled where the path of its inputs begins: {}",
                     self.object,
-                    self.cause(why)
+                    self.cause_in_words(why)
                 )
             })
     }

@@ -231,7 +231,11 @@ impl Constraint for RollerOnCam {
     fn errors<const K: usize>(&self, links: &impl Turns<K>, mut set: impl FnMut(usize, Series<K>)) {
         let (cam, roller) = (links.frame(0), links.frame(1));
         let gap = roller.place(self.points[1]) - cam.place(self.points[0]);
-        set(0, self.curve.error(cam.direction.mirrored().turn(gap)));
+        set(
+            0,
+            self.curve
+                .error(cam.direction.mirrored().complex_product(gap)),
+        );
     }
 
     #[inline(always)]
@@ -245,8 +249,8 @@ impl Constraint for RollerOnCam {
         let seen: Vector<K, T> = cam
             .direction
             .mirrored()
-            .turn(at - cam.place(self.points[0]));
-        let force = cam.direction.turn(self.curve.gradient(seen));
+            .complex_product(at - cam.place(self.points[0]));
+        let force = cam.direction.complex_product(self.curve.gradient(seen));
         add(0, 0, Wrench::Force { at, force: -force });
         add(0, 1, Wrench::Force { at, force });
     }

@@ -66,7 +66,7 @@ impl PitchCurve {
     pub(super) fn lift(&self, phi: f64, way: f64) -> Jet {
         let segment = match self.breaks.is_empty() {
             true => 0,
-            false => self.breaks.locate(phi, way),
+            false => self.breaks.segment_at(phi, way),
         };
         match &self.lift {
             Lift::None => Jet::default(),
@@ -126,7 +126,7 @@ impl PitchCurve {
         let third = T::from(radius.third / 2.0);
         let slope = taylor_over_series(angle, [first, second, third]) * far;
         let unit = p.times(far);
-        unit - unit.left().times(slope)
+        unit - unit.turned_left().times(slope)
     }
 
     /// Curvature of the pitch curve at a polar angle (1/m), positive where it is convex:

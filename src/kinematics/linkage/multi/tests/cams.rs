@@ -49,7 +49,7 @@ fn told(linkage: &MultiLinkage, q: &[f64], rates: &[f64]) -> Vec<f64> {
     all.extend(&space.reduced.mass);
     all.extend(&space.reduced.force);
     all.extend(space.energies());
-    all.extend(space.distance(0, &mut first));
+    all.extend(space.distance_from_singular(0, &mut first));
     all.extend(&first);
     all
 }
