@@ -333,7 +333,7 @@ pub trait Dynamics: Sync {
         Probe::RESTS
     }
 
-    /// True where [`Self::crossing`] has to be asked. Default: false.
+    /// True where [`Self::first_crossing`] has to be asked. Default: false.
     fn has_crossings(&self) -> bool {
         false
     }
@@ -352,7 +352,7 @@ pub trait Dynamics: Sync {
         None
     }
 
-    /// The guards that [`Self::crossing`] looks at of which a state does not tell the sign,
+    /// The guards that [`Self::first_crossing`] looks at of which a state does not tell the sign,
     /// as what errors of `share` of the scales of the state change in them is more than
     /// their value. Default: none.
     fn undecided_guards(

@@ -82,7 +82,7 @@ pub(super) struct Run<'a, D: Dynamics> {
     shorter_middle: Vec<f64>,
     event_functions: Vec<EventFunction>,
     probes: Vec<Probe>,
-    /// The switch that [`Dynamics::crossing`] found last.
+    /// The switch that [`Dynamics::first_crossing`] found last.
     crossed: Option<EventFunction>,
     /// Count of such switches, and the time from which they are counted (s).
     crossings: (u32, f64),

@@ -253,7 +253,7 @@ impl Machine<'_> {
     /// functions of the position, its mean over time asked for.
     ///
     /// # Errors
-    /// As [`Machine::profile`] and [`motion::steady`].
+    /// As [`Machine::profile`] and [`motion::find_steady_motion`].
     pub fn motion(&self, regime: &Regime) -> Result<SteadyMotion, Refusal> {
         motion::find_steady_motion(&self.profile(regime)?, &Question::new(regime.mean_speed))
     }

@@ -114,7 +114,7 @@ impl Motion for TableMotion {
 /// The same on samples.
 ///
 /// # Errors
-/// As [`size`].
+/// As [`size_flywheel`].
 pub fn size_of_table(
     table: &Table,
     question: &Question,
@@ -159,7 +159,7 @@ const NEAR: f64 = 1e-12;
 /// one asked for, of it.
 ///
 /// # Errors
-/// As [`size`].
+/// As [`size_flywheel`].
 pub fn inertia_for(
     delta: Fluctuation<'_>,
     wanted: f64,
@@ -182,7 +182,7 @@ pub fn inertia_for(
 /// is a guess of the inertia (kg·m²), > 0.
 ///
 /// # Errors
-/// As [`size`].
+/// As [`size_flywheel`].
 pub fn size_of<M: Motion>(
     with: WithInertia<'_, M>,
     fluctuation: f64,

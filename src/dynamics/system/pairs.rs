@@ -207,7 +207,7 @@ impl Contact {
         }
     }
 
-    /// Guards over a signal, x = signal − `zero`, of the two quantities of [`Self::presses`].
+    /// Guards over a signal, x = signal − `zero`, of the two quantities of [`Self::engagement_conditions`].
     fn guards(&self, side: i64, (signal, zero): (usize, f64)) -> [Guard; 2] {
         let side = side as f64;
         let depth = Guard {

@@ -25,7 +25,7 @@ impl PrescribedMotion {
         }
     }
 
-    /// Rhythm of the motion after [`Self::settled`].
+    /// Rhythm of the motion after [`Self::settling_time`].
     pub(crate) fn rhythm(&self) -> Rhythm {
         let settled = self.settling_time();
         let formulas = self.formulas(settled);

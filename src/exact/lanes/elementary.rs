@@ -125,7 +125,7 @@ pub(crate) fn cosine_and_sine_remainders<A: Arith>(x: V, sin: V, cos: V) -> (V, 
     (cos_less, sin_less)
 }
 
-/// [`reduced`] of one number.
+/// [`cosine_and_sine_remainders`] of one number.
 #[inline(always)]
 pub(crate) fn reduced_one<A: Arith>(x: f64, sin: f64, cos: f64) -> (f64, f64) {
     let f = V::splat;

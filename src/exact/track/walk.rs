@@ -16,7 +16,7 @@ const GROWTH: f64 = 4.0;
 /// which nobody asks whether the run goes on.
 const MOST: usize = 1 << 24;
 
-/// [`Track::walk`], out of line.
+/// [`Track::walk_through_step`], out of line.
 pub(super) struct TrackWalk<'a> {
     pub(super) track: &'a mut Track,
     pub(super) scene: Scene<'a>,

@@ -89,7 +89,7 @@ impl Slot<'_> {
         complete
     }
 
-    /// As [`Slot::members`], for names that serve as addresses.
+    /// As [`Slot::read_members`], for names that serve as addresses.
     fn named_members(mut self, read: &mut dyn FnMut(&str, Slot<'_>) -> bool) -> bool {
         let complete = self.reborrow().read_members(&mut |name, mut slot| {
             let sound = slot.describing() || super::is_name(name);

@@ -120,7 +120,7 @@ impl<const N: usize, T: Number> Vector<N, T> {
         )
     }
 
-    /// [`Self::turn`] of a constant vector.
+    /// [`Self::complex_product`] of a constant vector.
     #[inline(always)]
     pub(crate) fn turn_constant(self, [x, y]: [f64; 2]) -> Self {
         Self::new(

@@ -38,7 +38,7 @@ pub fn exact_parts(system: &System) -> Result<Parts, Vec<Fault>> {
 /// The parts of a system, with the laws of a system before that moves by the same ones.
 ///
 /// # Errors
-/// As [`whole`].
+/// As [`exact_parts`].
 pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fault>> {
     let parts = Parts::with_laws(system, laws);
     if parts.is_whole() {
@@ -73,7 +73,7 @@ pub fn whole_with(system: &System, laws: &mut KeptLaws) -> Result<Parts, Vec<Fau
 /// The parts of a system, with the modes tried that a run may meet.
 ///
 /// # Errors
-/// As [`whole`]; or the modes of a tree cannot be separated.
+/// As [`exact_parts`]; or the modes of a tree cannot be separated.
 pub(super) fn parts_with_tried_modes(system: &System) -> Result<Parts, Vec<Fault>> {
     let mut parts = exact_parts(system)?;
     let still = vec![0.0; 2 * system.coordinates()];

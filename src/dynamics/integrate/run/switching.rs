@@ -72,7 +72,7 @@ impl<D: Dynamics> Run<'_, D> {
         }
     }
 
-    /// Counts a switch that [`Dynamics::crossing`] found; the stop of a run that does
+    /// Counts a switch that [`Dynamics::first_crossing`] found; the stop of a run that does
     /// not get on for them.
     fn count_crossing(&mut self, time: f64) -> Option<Stop> {
         let (count, since) = self.crossings;

@@ -41,7 +41,7 @@ pub struct ResistanceModel<'a> {
     /// are taken as given, so that everything is smooth also just beyond a
     /// change of direction.
     pub senses: &'a [f64],
-    /// The sides on which pairs press ([`Kinetostatics::sides`]), those of blocks
+    /// The sides on which pairs press ([`Kinetostatics::pressed_sides`]), those of blocks
     /// taken as given likewise; `None`: as they turn out.
     pub pressed: Option<u64>,
 }

@@ -95,7 +95,7 @@ impl TiedBodies {
         drift
     }
 
-    /// First and second derivative in time of [`Self::parts`], the bodies moving so: row, body, and
+    /// First and second derivative in time of [`Self::write_equations`], the bodies moving so: row, body, and
     /// both for each part.
     pub(super) fn parts_moved(
         &self,
