@@ -84,7 +84,7 @@ pub fn findings<'a>(
             heading: String::new(),
             items: enough,
         },
-        Section::new("Runs").table(verdicts(comparison)),
+        Section::new("Runs").table(verdicts_table(comparison)),
         Section::default().drawing(|plots| mechanism(diagram, plots)),
     ];
     // Drives move alike in every run as a rule: they come last.
@@ -101,12 +101,12 @@ pub fn findings<'a>(
             Section::default()
                 .drawing(move |plots| runs::differences(plots, &series(comparison, over), &id)),
         );
-        sections.push(figures(&comparison.table, &one.id));
+        sections.push(figures_section(&comparison.table, &one.id));
     }
-    sections.push(figures(&comparison.table, "run"));
+    sections.push(figures_section(&comparison.table, "run"));
     for study in ["frequency", "steady", "cam", "kinematics", "forces"] {
         let known = boxes.iter().any(|one| one.id == study);
-        sections.extend((!known).then(|| figures(&comparison.table, study)));
+        sections.extend((!known).then(|| figures_section(&comparison.table, study)));
     }
     sections.retain(|section| !section.is_empty());
     Findings {
@@ -194,7 +194,7 @@ fn checked(figures: &Figures) -> Cell {
 }
 
 /// One row a run: verdict, method, effort.
-fn verdicts(comparison: &Comparison) -> Table {
+fn verdicts_table(comparison: &Comparison) -> Table {
     let row = |run: &ComparedRun| {
         let judgement = Judgement::of(&run.result.figures);
         let summary = &run.result.figures.run;
@@ -217,7 +217,7 @@ fn verdicts(comparison: &Comparison) -> Table {
 }
 
 /// Figures of an object, one column a run, each with its error.
-pub(in crate::report) fn figures<'a>(table: &FigureTable, id: &str) -> Section<'a> {
+pub(in crate::report) fn figures_section<'a>(table: &FigureTable, id: &str) -> Section<'a> {
     let own = |row: &TableRow| {
         let name = row.figure.strip_prefix(id)?.strip_prefix('.')?;
         differs(row).then(|| cells(name, row, table.against_limit))

@@ -20,10 +20,12 @@ pub fn findings<'a>(scene: &str, answer: &FoundValue, source: Source<'a>) -> Fin
     let found = &answer.found;
     let mut sections = Vec::new();
     if let Some(best) = &found.best {
-        sections.push(Section::new("Conditions there").table(conditions_at(answer, &best.sample)));
+        sections.push(
+            Section::new("Conditions there").table(conditions_at_table(answer, &best.sample)),
+        );
         sections.push(Section::new("Around it").table(neighbours_table(answer, best)));
     }
-    sections.push(Section::new("Ranges in which all conditions hold").table(ranges(answer)));
+    sections.push(Section::new("Ranges in which all conditions hold").table(ranges_table(answer)));
     let charts = charts(answer);
     if !charts.is_empty() {
         sections.push(Section::new("Over the range").charts(Layout::Grid, "find", charts));
@@ -244,7 +246,7 @@ fn figure(answer: &FoundValue, name: &str, value: Option<f64>) -> String {
 }
 
 /// Each condition with its figure at a place.
-fn conditions_at(answer: &FoundValue, sample: &Sample) -> Table {
+fn conditions_at_table(answer: &FoundValue, sample: &Sample) -> Table {
     let violated = sample.violated(&answer.conditions);
     let row = |(at, one): (usize, &Condition)| {
         let holds = !violated.contains(&at);
@@ -311,7 +313,7 @@ fn sample_cell(answer: &FoundValue, one: &Sample) -> Cell {
     }
 }
 
-fn ranges(answer: &FoundValue) -> Table {
+fn ranges_table(answer: &FoundValue) -> Table {
     let row = |one: &Range| {
         let ends = [&one.from, &one.to];
         let [from, to] = ends.map(|end| Cell::from(parameter(answer, end.sample.value, DIGITS)));

@@ -218,7 +218,9 @@ fn compared<'a>(figures: &Figures, beside: &RunExtras<'_>) -> Vec<Section<'a>> {
     let words = format!("In per cent: by how much each result differs from that of “{first}”.");
     let head = Section::new("Beside pinned runs").with_paragraph(words);
     let ids = figures.objects.keys().map(String::as_str);
-    let sections = ids.chain(["run"]).map(|id| compare::figures(&table, id));
+    let sections = ids
+        .chain(["run"])
+        .map(|id| compare::figures_section(&table, id));
     let sections = std::iter::once(head).chain(sections);
     sections.filter(|section| !section.is_empty()).collect()
 }

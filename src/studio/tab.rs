@@ -164,7 +164,7 @@ impl Tab {
         self.set_page_view(pins, over);
         let judged = [ModelAssessment::Asked].into_iter().filter(|_| is_judged);
         for judging in [ModelAssessment::Never].into_iter().chain(judged) {
-            match answered(&asked, judging) {
+            match answer_request(&asked, judging) {
                 Err(faults) => return tell(Told::Text(faults)),
                 Ok(ran) => self.tell_run(ran, tell),
             }
@@ -327,7 +327,7 @@ impl Version {
 }
 
 /// Runs a scene; the message with its faults where it cannot be.
-fn answered(
+fn answer_request(
     asked: &TextRequest<'_, BuiltIn>,
     judging: ModelAssessment,
 ) -> Result<Option<Ran>, String> {

@@ -106,7 +106,7 @@ fn row(name: &str, words: &str, law: &AnyLaw) -> Result<LawRow, Failure> {
         name: name.to_owned(),
         words: words.to_owned(),
         constants: law
-            .law()
+            .read_law()
             .map_err(|faults| argument_failure(&faults, ""))?
             .constants(),
     })
@@ -117,7 +117,9 @@ fn show(args: &ShowArgs, asker: &dyn Asker) -> Result<(), Failure> {
         true => AnyLaw::RunUp(run_up_law(&args.law)?),
         false => any_law(&args.law)?,
     };
-    let law: Law = spec.law().map_err(|faults| argument_failure(&faults, ""))?;
+    let law: Law = spec
+        .read_law()
+        .map_err(|faults| argument_failure(&faults, ""))?;
     let row = LawRow::of(&spec, &law);
     let document = row.document(&law);
     let rows = law_rows(&law, args.form.samples as usize);

@@ -41,7 +41,7 @@ pub(super) fn command(args: &SteadyArgs, asker: &dyn Asker) -> Result<Status, Fa
         ..Question::new(mean_speed)
     };
     match &args.machine.table {
-        Some(path) => table((args, asker), path, &spec, &question),
+        Some(path) => run_table((args, asker), path, &spec, &question),
         None => formulas((args, asker), &spec, &question),
     }
 }
@@ -76,7 +76,7 @@ struct TableAnswer<'a> {
     flywheel: Option<&'a Flywheel>,
 }
 
-fn table(
+fn run_table(
     (args, asker): (&SteadyArgs, &dyn Asker),
     path: &Path,
     spec: &SteadySpec,

@@ -145,7 +145,7 @@ impl<'s> Judge<'s> {
         let longest: Vec<Vec<Balance>> = (looks.looks.iter())
             .map(|look| self.balance(look, &look.windows[0]))
             .collect();
-        self.see_turns(looks);
+        self.include_turns(looks);
         if resolved {
             self.include_resolution();
         }
@@ -195,7 +195,7 @@ impl<'s> Judge<'s> {
         }
     }
 
-    fn see_turns(&mut self, looks: &DrawnInstants) {
+    fn include_turns(&mut self, looks: &DrawnInstants) {
         for turn in &looks.turns {
             for (y, modes) in [
                 (&turn.before, &turn.modes[0]),

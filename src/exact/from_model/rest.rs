@@ -156,7 +156,7 @@ fn cut_out(model: &Model, kept: &[usize]) -> Option<(Model, Vec<usize>)> {
         .filter(|&l| here(model.links[l].mass))
         .collect();
     assign_numbers(&mut numbers.links, &links);
-    let tracks = tracks(model, kept, &nodes, &loads);
+    let tracks = tracks_of_kept(model, kept, &nodes, &loads);
     assign_numbers(&mut numbers.tracks, &tracks);
     let mut out = Model::default();
     for &node in &nodes {
@@ -211,7 +211,7 @@ fn assign_numbers(numbers: &mut [Option<usize>], kept: &[usize]) {
 }
 
 /// The tracks that the nodes, loads and objects kept look at, ascending.
-fn tracks(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Vec<usize> {
+fn tracks_of_kept(model: &Model, kept: &[usize], nodes: &[usize], loads: &[&Load]) -> Vec<usize> {
     let mut used = vec![false; model.tracks.len()];
     let by_nodes = nodes
         .iter()

@@ -57,21 +57,21 @@ pub(super) fn read(
     }
     let written = written.filter(|_| !clash)?;
     if let Some(modes) = written.modes {
-        return modal(fields, written, modes, default_split);
+        return read_modal(fields, written, modes, default_split);
     }
     if written.masses == Some(Masses::Auto) {
-        return body_of_open_level(fields, written, default_split);
+        return read_body_of_open_level(fields, written, default_split);
     }
-    let masses = number_of_masses(fields, &written)?;
+    let masses = read_number_of_masses(fields, &written)?;
     fields.fill_in("masses", json!(masses));
     if masses == 0 {
-        return rigid(fields, &written);
+        return read_rigid(fields, &written);
     }
     read_elastic_body(fields, written, masses, default_split)
 }
 
 /// The number of masses, with which all lists must agree.
-fn number_of_masses(fields: &mut Fields<'_>, written: &BodyFields) -> Option<usize> {
+fn read_number_of_masses(fields: &mut Fields<'_>, written: &BodyFields) -> Option<usize> {
     let shares = match &written.split {
         Some(InertiaSplit::Shares(shares)) => Some(shares.len()),
         _ => None,
@@ -115,7 +115,7 @@ fn number_of_masses(fields: &mut Fields<'_>, written: &BodyFields) -> Option<usi
 
 /// Stiffness and damping of a rigid object are left unused, so that the number
 /// of masses can be varied down to 0.
-fn rigid(fields: &mut Fields<'_>, written: &BodyFields) -> Option<BodySpec> {
+fn read_rigid(fields: &mut Fields<'_>, written: &BodyFields) -> Option<BodySpec> {
     match written.inertia() {
         Some(inertia) => Some(BodySpec::Rigid { inertia }),
         None => {
@@ -129,7 +129,7 @@ fn rigid(fields: &mut Fields<'_>, written: &BodyFields) -> Option<BodySpec> {
 }
 
 /// An object that is reduced to its lowest modes; without any, to static flexibility.
-fn modal(
+fn read_modal(
     fields: &mut Fields<'_>,
     written: BodyFields,
     modes: usize,
@@ -139,12 +139,12 @@ fn modal(
         0 => Level::Static,
         count => Level::Modes { count },
     };
-    let uniform = continuum(fields, &written, default_split)?;
+    let uniform = read_continuum(fields, &written, default_split)?;
     check_overflow(fields, uniform.at(level))
 }
 
 /// An object of which the run chooses how much is modelled.
-fn body_of_open_level(
+fn read_body_of_open_level(
     fields: &mut Fields<'_>,
     written: BodyFields,
     default_split: InertiaSplit,
@@ -165,12 +165,12 @@ fn body_of_open_level(
             .push("leave `lumping` out, or give a number of masses".to_owned());
         return None;
     }
-    let uniform = continuum(fields, &written, default_split)?;
+    let uniform = read_continuum(fields, &written, default_split)?;
     check_overflow(fields, BodySpec::Open(uniform))
 }
 
 /// The uniform object that totals describe.
-fn continuum(
+fn read_continuum(
     fields: &mut Fields<'_>,
     written: &BodyFields,
     default_split: InertiaSplit,

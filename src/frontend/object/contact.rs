@@ -1,7 +1,7 @@
 //! Contact elements.
 
 use super::contact_geometry::{self, ContactType, Follows};
-use super::load::number;
+use super::load::read_number;
 use super::measures::Measures;
 use super::spec::{ContactSpec, OnCamSpec};
 use crate::dynamics::laws::contact::{self as kinds, CONTACT_LAWS, ContactForceLaw};
@@ -13,7 +13,7 @@ use serde_json::json;
 /// Reads a contact element.
 pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
     slot.record(|fields| {
-        let law = law(fields);
+        let law = read_law(fields);
         let from = fields.maybe(
             "from",
             "Geometry from which the stiffness follows, in its place.",
@@ -27,10 +27,10 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
         });
         let mut numbers = Vec::new();
         for (parameter, doc) in kinds::properties() {
-            let read = |slot: Slot<'_>| number(slot, parameter, own);
+            let read = |slot: Slot<'_>| read_number(slot, parameter, own);
             numbers.push((parameter.key, fields.maybe(parameter.key, &doc, read)));
         }
-        let stiffness = stiffness_of(fields, law?, from?, stiffness?);
+        let stiffness = read_stiffness_of(fields, law?, from?, stiffness?);
         let numbers = numbers
             .into_iter()
             .map(|(key, value)| Some((key, value?)))
@@ -51,7 +51,7 @@ pub(super) fn read(slot: Slot<'_>, own: Measures) -> Option<ContactSpec> {
 }
 
 /// Reads which law it is: without a name a rigid one, where its number is given.
-fn law(fields: &mut Fields<'_>) -> Option<&'static ContactForceLaw> {
+fn read_law(fields: &mut Fields<'_>) -> Option<&'static ContactForceLaw> {
     let meant = CONTACT_LAWS
         .iter()
         .find(|law| law.is_rigid() && law.parameters.iter().all(|own| fields.has(own.key)));
@@ -80,7 +80,7 @@ struct Stiffness {
 }
 
 /// The stiffness as given, or from the geometry of a contact that has such a law.
-fn stiffness_of(
+fn read_stiffness_of(
     fields: &mut Fields<'_>,
     law: &ContactForceLaw,
     from: Option<Follows>,

@@ -67,7 +67,7 @@ pub use linkage::Linkage;
 pub use measures::Measures;
 pub(crate) use own::OwnObject;
 pub use ports::{INPUT, OWN, Port, Ports};
-pub(in crate::frontend) use written::condition;
+pub(in crate::frontend) use written::read_condition;
 
 /// An object of a mechanism.
 pub trait Object: fmt::Debug + Send + Sync {

@@ -53,7 +53,7 @@ fn read(mut slot: Slot<'_>, axes: Axes, period_doc: &str) -> Option<CycleSpec> {
         slot.record(|fields| {
             let doc = "Stations of the plan, ascending. The last one may close the period.";
             let stations = fields.need("stations", doc, |slot| {
-                slot.list(2..=MOST_STATIONS, |slot| station(slot, axes))
+                slot.list(2..=MOST_STATIONS, |slot| read_station(slot, axes))
             });
             let period = fields.maybe("period", period_doc, |slot| {
                 slot.quantity(axes.argument, Bounds::POSITIVE)
@@ -113,7 +113,7 @@ fn refuse_plan(slot: &mut Slot<'_>, fault: &Fault) {
     }
 }
 
-fn station(slot: Slot<'_>, axes: Axes) -> Option<Station> {
+fn read_station(slot: Slot<'_>, axes: Axes) -> Option<Station> {
     slot.record(|fields| {
         let at = fields.need("at", "Displacement of the driver, or time", |slot| {
             slot.quantity(axes.argument, Bounds::ANY)
@@ -133,7 +133,7 @@ fn station(slot: Slot<'_>, axes: Axes) -> Option<Station> {
         );
         let doc = "Motion from here to the next station: `dwell`, `uniform`, `smooth` (the \
                    polynomial that matches its neighbours), or a law from rest to rest.";
-        let motion = fields.or("motion", doc, json!("dwell"), motion);
+        let motion = fields.or("motion", doc, json!("dwell"), read_motion);
         Some(Station {
             at: at?,
             displacement: displacement?,
@@ -154,7 +154,7 @@ fn read_prescribed(
     fields.maybe(name, doc, |slot| slot.quantity(wanted, Bounds::ANY))
 }
 
-fn motion(slot: Slot<'_>) -> Option<Motion> {
+fn read_motion(slot: Slot<'_>) -> Option<Motion> {
     slot.defined("planned_motion", |slot| {
         let mut names = vec![
             ("dwell", Motion::Dwell),

@@ -22,7 +22,7 @@ impl Fields<'_> {
         self.maybe("dimensions", doc, |slot| {
             slot.names(|name, mut slot| {
                 let place = slot.name_place();
-                let value = slot.read_in_place(dimension);
+                let value = slot.read_in_place(read_dimension);
                 entries.push(Entry {
                     name: name.to_owned(),
                     place,
@@ -111,7 +111,7 @@ fn any_below(node: &Node, asked: &dyn Fn(&Node) -> bool) -> bool {
 }
 
 /// Reads one named number.
-fn dimension(mut slot: Slot<'_>) -> Option<Measure> {
+fn read_dimension(mut slot: Slot<'_>) -> Option<Measure> {
     if slot.describing() {
         slot.describe(json!({
             "description": "A number in SI units, or a text with a unit.",

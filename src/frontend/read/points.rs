@@ -11,7 +11,7 @@ use serde_json::json;
 const MOST_POINTS: usize = 100_000;
 
 /// Reads `[[x, y], …]` with x strictly ascending, or `{ "file": "lift.csv" }`.
-pub fn points(
+pub fn read_points(
     mut slot: Slot<'_>,
     x: impl Into<QuantityChoice>,
     y: impl Into<QuantityChoice>,

@@ -145,7 +145,7 @@ impl Variation {
         let before = *self.known.objects.get(id)?;
         let mut reader = Reader::of_parts(&self.parameters, &self.files);
         let known = &mut self.known;
-        let (found, _) = reader.read(Some(node), id, |slot| objects::object(slot, id, known));
+        let (found, _) = reader.read(Some(node), id, |slot| objects::read_object(slot, id, known));
         // The start has been read for the masses that there were.
         let after = known.objects.insert(id.to_owned(), before);
         let starts = matches!(self.scene.run.start, StartSpec::Explicit(_));

@@ -12,7 +12,7 @@ use crate::studies::order::{Certificate, FigureAccuracy, TriedModel};
 pub(in crate::report) const LEAST: f64 = 1e-12;
 
 /// Error of each figure over the coordinates of the model, every model tried a mark.
-pub(in crate::report) fn chart<'a>(certificate: &Certificate) -> Section<'a> {
+pub(in crate::report) fn chart_section<'a>(certificate: &Certificate) -> Section<'a> {
     let limits = certificate.accuracy.iter().filter_map(|(name, figure)| {
         let limit = figure.limit.filter(|limit| *limit != 0.0)?;
         Some((name, figure, limit))

@@ -2,7 +2,7 @@
 
 mod chart;
 
-pub(in crate::report) use chart::{LEAST, chart};
+pub(in crate::report) use chart::{LEAST, chart_section};
 
 use crate::report::findings::{Cell, Section, Table, Value};
 use crate::report::plot::Rule;

@@ -8,7 +8,7 @@ use crate::report::quantity::significant;
 use crate::studies::forces::{Column, MasslessComparison, NEGLIGIBLE};
 
 /// The greatest derivative of the driving force by each coefficient and mass.
-pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+pub(super) fn sensitivities_section<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let study = report.study;
     let all = study.columns();
     let greatest = |column: &Column| {
@@ -38,7 +38,7 @@ pub(super) fn sensitivities<'a>(report: &ForcesReport<'_>) -> Section<'a> {
         .table(Table::new(["by", &drive, ">of χ"]).rows(all.iter().filter_map(row)))
 }
 
-pub(super) fn massless<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+pub(super) fn massless_section<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let (Some(found), Some(chart)) = (report.massless, massless_chart(report)) else {
         return Section::default();
     };

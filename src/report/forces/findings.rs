@@ -1,8 +1,8 @@
 //! What the forces of a linkage come to.
 
-use super::changes::{massless, sensitivities};
+use super::changes::{massless_section, sensitivities_section};
 use super::charts::{chart_sections, ratio_chart};
-use super::reactions::reactions;
+use super::reactions::reactions_section;
 use super::words::{driving, quantity_words};
 use super::{ForcesReport, WIDE, drawing, inputs, value};
 use crate::kinematics::linkage::spec::{LinkageSpec, PairSpec};
@@ -55,25 +55,25 @@ pub fn findings<'a>(report: &ForcesReport<'a>, source: Source<'a>) -> Findings<'
     let ratio = ratio.into_iter().collect();
     let mut sections = vec![
         mechanism,
-        zones(report),
-        reactions(report),
+        zones_section(report),
+        reactions_section(report),
         section_of_indeterminate(study),
         Section::new(course_phrase(report)).figures(figures(report)),
         Section::new("Transmission").charts(WIDE, "", ratio),
-        massless(report),
+        massless_section(report),
     ];
     // (Nothing changes over one position.)
     if report.is_of_one_position() {
-        sections.push(sensitivities(report));
-        sections.push(Section::new("All results").table(at_one_position(report)));
+        sections.push(sensitivities_section(report));
+        sections.push(Section::new("All results").table(at_one_position_table(report)));
     } else {
         let legend = "The tip of each force over the course; the dot is the first position.";
         let hodographs = hodographs(study);
         let section = Section::new("Hodographs").legend(legend);
         sections.push(section.charts(Layout::Round, "", hodographs));
         sections.extend(chart_sections(report));
-        sections.push(sensitivities(report));
-        sections.push(Section::new("Extremes").table(extremes(report)));
+        sections.push(sensitivities_section(report));
+        sections.push(Section::new("Extremes").table(extremes_table(report)));
     }
     Findings {
         title: report.name.to_owned(),
@@ -159,7 +159,7 @@ fn hodographs(study: &ForceStudy) -> Vec<Plot> {
     told.map(chart).collect()
 }
 
-fn zones<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+fn zones_section<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let zones = report.study.zones.iter();
     let rows = zones.map(|zone| {
         let [from, to] = [zone.from, zone.to].map(|at| report.place_text(at));
@@ -256,7 +256,7 @@ fn figures(report: &ForcesReport<'_>) -> Vec<Figure> {
 }
 
 /// The results of a single position.
-fn at_one_position(report: &ForcesReport<'_>) -> Table {
+fn at_one_position_table(report: &ForcesReport<'_>) -> Table {
     let inputs = inputs(report.study);
     let rows = report.study.extremes.iter().map(|found| {
         let known = match found.least.value.is_finite() {
@@ -269,7 +269,7 @@ fn at_one_position(report: &ForcesReport<'_>) -> Table {
     Table::new(["quantity", ">value"]).rows(rows)
 }
 
-fn extremes(report: &ForcesReport<'_>) -> Table {
+fn extremes_table(report: &ForcesReport<'_>) -> Table {
     let inputs = inputs(report.study);
     let rows = report.study.extremes.iter().map(|found| {
         let cell = |end: &Extreme| {

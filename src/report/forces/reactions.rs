@@ -13,7 +13,7 @@ const ABREAST: usize = 4;
 type Joint = (String, [usize; 2]);
 
 /// A table of joints over positions, if these are few.
-pub(super) fn reactions<'a>(report: &ForcesReport<'_>) -> Section<'a> {
+pub(super) fn reactions_section<'a>(report: &ForcesReport<'_>) -> Section<'a> {
     let study = report.study;
     if study.rows.len() > MOST_POSITIONS || study.solved().next().is_none() {
         return Section::default();

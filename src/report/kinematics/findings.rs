@@ -21,16 +21,16 @@ pub fn findings<'a>(scene: &str, found: &'a Kinematics, source: Source<'a>) -> F
     let [from, to] = ends.map(|end| end.map_or("–".to_owned(), |&at| place_text(found, at)));
     let mut sections = vec![
         Section::new("The mechanism moving").drawing(move |_| drawing(found).section("mechanism")),
-        multi_input::machine(found),
-        structure(found),
-        multi_input::singular(found),
-        Section::new("Strokes").table(strokes(found)),
-        transmission(found),
+        multi_input::machine_section(found),
+        structure_section(found),
+        multi_input::singular_section(found),
+        Section::new("Strokes").table(strokes_table(found)),
+        transmission_section(found),
     ];
     sections.extend(plots::plot_sections(found));
     sections.push(equilibria_section(found));
     sections.push(
-        Section::new("Extremes").item(Item::Folded("all quantities".into(), extremes(found))),
+        Section::new("Extremes").item(Item::Folded("all quantities".into(), extremes_table(found))),
     );
     sections.retain(|section| !section.is_empty());
     Findings {
@@ -110,7 +110,7 @@ fn least_transmission(found: &Kinematics) -> Option<Sentence> {
     Some(least.words(format!(" at {}.", place_text(found, at))))
 }
 
-fn structure<'a>(found: &Kinematics) -> Section<'a> {
+fn structure_section<'a>(found: &Kinematics) -> Section<'a> {
     let structure = found.linkage.structure();
     let groups = (0..structure.groups.len()).map(|group| structure.describe(group));
     let reach = match &found.linkage {
@@ -135,7 +135,7 @@ fn end((at, value): (f64, f64), unit: &str, place: impl Fn(f64) -> String) -> Ce
     Cell::with_note(value, format!("at {}", place(at)))
 }
 
-fn strokes(found: &Kinematics) -> Table {
+fn strokes_table(found: &Kinematics) -> Table {
     let rows = found.strokes.iter().map(|stroke| {
         let [low, high] = stroke.ends;
         let cell = |at: (f64, f64)| end(at, stroke.unit, |at| input(found, at));
@@ -163,7 +163,7 @@ fn strokes(found: &Kinematics) -> Table {
     .rows(rows)
 }
 
-fn transmission<'a>(found: &Kinematics) -> Section<'a> {
+fn transmission_section<'a>(found: &Kinematics) -> Section<'a> {
     let rows = found.transmission.iter().map(|angle| {
         let cell = |at: (f64, f64)| end(at, "rad", |at| place_text(found, at));
         vec![
@@ -218,7 +218,7 @@ fn behaviour(rest: &Equilibrium) -> String {
     }
 }
 
-fn extremes(found: &Kinematics) -> Table {
+fn extremes_table(found: &Kinematics) -> Table {
     let row = |(column, extremes): (&Column, &Extremes)| {
         let cell = |at: (f64, f64)| end(at, &column.unit, |at| place_text(found, at));
         let size = extremes.least.1.abs().max(extremes.greatest.1.abs());

@@ -24,7 +24,7 @@ pub(super) fn inputs(found: &Kinematics, linkage: &MultiLinkage) -> String {
 }
 
 /// The machine over the ranges of its inputs, with a slider for each.
-pub(super) fn machine<'a>(found: &'a Kinematics) -> Section<'a> {
+pub(super) fn machine_section<'a>(found: &'a Kinematics) -> Section<'a> {
     match found.grid {
         Some(_) => Section::new("Positions over the inputs")
             .drawing(move |_| over_inputs(found).unwrap_or_default()),
@@ -53,7 +53,7 @@ fn over_inputs(found: &Kinematics) -> Option<String> {
 }
 
 /// The singular positions: curves in the plane of two inputs.
-pub(super) fn singular<'a>(found: &Kinematics) -> Section<'a> {
+pub(super) fn singular_section<'a>(found: &Kinematics) -> Section<'a> {
     let Some(plane) = &found.plane else {
         return Section::default();
     };

@@ -39,10 +39,10 @@ pub fn findings<'a>(
             .charts(Layout::Panels(columns), "map", panels(study, result))
             .drawing(|_| key(study, result))
             .drawing(|_| section(study, result, command)),
-        Section::new("Verdicts").table(verdicts(study, &summed)),
-        Section::new("Extremes").table(extremes(study, &summed)),
+        Section::new("Verdicts").table(verdicts_table(study, &summed)),
+        Section::new("Extremes").table(extremes_table(study, &summed)),
         Section::new("What they mean").drawing(|_| meanings(study, result)),
-        Section::new("Causes").table(causes(study, result)),
+        Section::new("Causes").table(causes_table(study, result)),
     ];
     sections.retain(|section| !section.is_empty());
     let mut findings = Findings {
@@ -173,7 +173,7 @@ fn name(study: &Study<'_>, panel: usize) -> String {
 }
 
 /// How often each verdict occurs, a column a panel.
-fn verdicts(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
+fn verdicts_table(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
     let names: Vec<String> = (0..panels.len())
         .map(|panel| match panels.len() {
             1 => ">cells".to_owned(),
@@ -206,7 +206,7 @@ fn verdicts(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
 }
 
 /// The least and the greatest value of every panel.
-fn extremes(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
+fn extremes_table(study: &Study<'_>, panels: &[PanelSummary]) -> Table {
     let cell = |extreme: &Option<Extreme>| match extreme {
         None => Entry::from("–"),
         Some(extreme) => Entry::with_note(
@@ -257,7 +257,7 @@ fn meanings(study: &Study<'_>, result: &MapResult) -> String {
 }
 
 /// The causes of everything that is no plain answer.
-fn causes(study: &Study<'_>, result: &MapResult) -> Table {
+fn causes_table(study: &Study<'_>, result: &MapResult) -> Table {
     let told = |cell: &Cell| {
         matches!(
             cell.verdict,

@@ -33,14 +33,14 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
             Against::Evaluations,
             "evaluations",
         ),
-        names(named),
+        names_section(named),
         match &study.reference {
             Some(found) => Section::new("Reference").figures(reference(study, found)),
-            None => no_reference(study),
+            None => no_reference_section(study),
         },
-        models(study),
-        Section::new("Points").table(points(study)),
-        limits(study),
+        models_section(study),
+        Section::new("Points").table(points_table(study)),
+        limits_section(study),
         Section::default().drawing(|plots| mechanism(diagram, plots)),
     ];
     sections.retain(|section| !section.is_empty());
@@ -59,7 +59,7 @@ pub fn findings<'a>(study: &Study, diagram: &'a Diagram, source: Source<'a>) -> 
 }
 
 /// The names of methods with what they are.
-pub(super) fn names(all: impl Iterator<Item = Method>) -> Section<'static> {
+pub(super) fn names_section(all: impl Iterator<Item = Method>) -> Section<'static> {
     let figures = all.map(|method| Figure::new(method.name(), method.words()));
     Section::new("Methods").figures(figures.collect())
 }
@@ -160,7 +160,7 @@ fn reference(study: &Study, reference: &Reference) -> Vec<Figure> {
     rows
 }
 
-fn no_reference(study: &Study) -> Section<'static> {
+fn no_reference_section(study: &Study) -> Section<'static> {
     let pairs = study.mutual_distances.iter();
     let row = |pair: &crate::studies::methods::Distance| {
         vec![
@@ -179,7 +179,7 @@ fn no_reference(study: &Study) -> Section<'static> {
 }
 
 /// The models with their errors; nothing where they were not asked for.
-fn models(study: &Study) -> Section<'static> {
+fn models_section(study: &Study) -> Section<'static> {
     let Some(models) = &study.models else {
         return Section::default();
     };
@@ -207,7 +207,7 @@ fn models(study: &Study) -> Section<'static> {
         .table(table.rows(models.tried.iter().map(row)))
 }
 
-fn points(study: &Study) -> Table {
+fn points_table(study: &Study) -> Table {
     let heads = [
         "method",
         ">setting",
@@ -255,7 +255,7 @@ fn row(line: &MethodLine, point: &Point) -> Vec<Cell> {
 }
 
 /// Limits of stability, theory beside measurement.
-fn limits(study: &Study) -> Section<'static> {
+fn limits_section(study: &Study) -> Section<'static> {
     let row = |line: &MethodLine| {
         let limit = &line.stability;
         let words = limit.place.or(limit.remark)?;

@@ -1,7 +1,7 @@
 //! What a study of methods over a parameter found.
 
 use super::charts::{cost, height_of_regions, methods, regions, stable_steps};
-use super::study::names;
+use super::study::names_section;
 use super::{HEIGHT, TIMING, verdict};
 use crate::dynamics::integrate::Method;
 use crate::report::addresses::parameter_words;
@@ -36,9 +36,9 @@ pub fn sweep_findings<'a>(
     sections.extend(cost);
     sections.extend(stable);
     sections.extend([
-        names(methods(sweep).into_iter()),
-        standings(sweep),
-        causes(sweep),
+        names_section(methods(sweep).into_iter()),
+        standings_section(sweep),
+        causes_section(sweep),
         Section::default().drawing(|plots| mechanism(diagram, plots)),
     ]);
     Findings {
@@ -122,7 +122,7 @@ fn value(sweep: &Sweep, x: f64) -> String {
 }
 
 /// One row a value, one column a method.
-fn standings(sweep: &Sweep) -> Section<'static> {
+fn standings_section(sweep: &Sweep) -> Section<'static> {
     let methods = methods(sweep);
     let cell = |standing: Option<MethodStanding>| match standing {
         None => "–".into(),
@@ -157,7 +157,7 @@ fn standings(sweep: &Sweep) -> Section<'static> {
 }
 
 /// Cause of every verdict, and the greatest stable steps.
-fn causes(sweep: &Sweep) -> Section<'static> {
+fn causes_section(sweep: &Sweep) -> Section<'static> {
     let mut rows = Vec::new();
     for method in methods(sweep) {
         for slice in &sweep.slices {

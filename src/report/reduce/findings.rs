@@ -34,7 +34,7 @@ pub fn findings<'a>(
     let mut sections = accuracy::sections(&reduction.certificate);
     sections.extend([
         Section::new("Parts that the scene does not need").table(steps_table(reduction)),
-        Section::new("Size").table(sizes(reduction)),
+        Section::new("Size").table(sizes_table(reduction)),
     ]);
     if let Some(chart) = chart(reduction) {
         let charts = Section::new("Error against cost");
@@ -84,7 +84,7 @@ fn steps_table(reduction: &Reduction) -> Table {
 }
 
 /// The scene as given beside the reduced one.
-fn sizes(reduction: &Reduction) -> Table {
+fn sizes_table(reduction: &Reduction) -> Table {
     let roles = [(Role::Given, "as given"), (Role::Reduced, "reduced")];
     let row = |(role, name): (Role, &str)| {
         let model = reduction.model(role)?;

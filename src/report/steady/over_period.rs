@@ -21,19 +21,19 @@ pub(super) fn sections<'a>(answer: &PeriodicAnswer) -> Vec<Section<'a>> {
         let words = |why| format!("Works, extremes and events are not known: {why}.");
         let section = |why| Section::new(heading).with_paragraph(words(why));
         let sections = missing.map(section).into_iter();
-        return sections.chain([checks(answer)]).collect();
+        return sections.chain([checks_section(answer)]).collect();
     };
     let mut sections = vec![
         Section::new(heading).figures(work_figures(found)),
         Section::new("Work of each drive over a period").table(drives_table(&found.drives)),
-        Section::new("Extremes over a period").table(extremes(&found.objects)),
+        Section::new("Extremes over a period").table(extremes_table(&found.objects)),
     ];
-    sections.push(events(&found.events));
-    sections.push(checks(answer));
+    sections.push(events_section(&found.events));
+    sections.push(checks_section(answer));
     sections
 }
 
-fn checks<'a>(answer: &PeriodicAnswer) -> Section<'a> {
+fn checks_section<'a>(answer: &PeriodicAnswer) -> Section<'a> {
     let checks = answer.checks();
     Section::new("Checks").figures(checks.iter().map(Figure::check).collect())
 }
@@ -64,7 +64,7 @@ fn drives_table(drives: &[DriveWork]) -> Table {
     Table::new(["drive", ">work", ">mean power"]).rows(drives.iter().map(row))
 }
 
-fn extremes(objects: &[Extremes]) -> Table {
+fn extremes_table(objects: &[Extremes]) -> Table {
     let row = |own: &Extremes| {
         let force = own.max_contact_force;
         let force = force.map(|force| Value::new(force, own.force_unit, DIGITS).into());
@@ -88,7 +88,7 @@ fn extremes(objects: &[Extremes]) -> Table {
     Table::new(heads).rows(objects.iter().map(row))
 }
 
-fn events<'a>(events: &[Event]) -> Section<'a> {
+fn events_section<'a>(events: &[Event]) -> Section<'a> {
     let section = Section::new("Events over a period");
     if events.is_empty() {
         return section.with_paragraph("No separation, closure or impact over the period.");

@@ -1,7 +1,7 @@
 //! The periodic motion of elastic objects.
 
 use super::over_period;
-use super::rigid::{estimates, flywheel_figures, mean_speed, value, value_at_place};
+use super::rigid::{estimates_section, flywheel_figures, mean_speed, value, value_at_place};
 use crate::dynamics::steady::Extreme;
 use crate::report::csv::{Field, Rows, column_heading};
 use crate::report::findings::table::check_outcome;
@@ -155,7 +155,7 @@ pub fn periodic_findings<'a>(
         let charts = drive_charts(drive).into();
         let section = section.figures(drive_figures(drive));
         sections.push(section.charts(Layout::Wide(340.0), "cycle", charts));
-        sections.extend(drive.flywheel.as_ref().map(estimates));
+        sections.extend(drive.flywheel.as_ref().map(estimates_section));
     }
     for part in &answer.parts {
         let section = Section::new(format!("Periodic motion of {}", part.objects.join(", ")));

@@ -92,7 +92,7 @@ pub fn rigid_findings<'a>(shown: &SteadyReport<'_>, source: Source<'a>) -> Findi
         sections: vec![
             Section::new("Results").figures(figures(shown)),
             flywheel(wheel),
-            flywheel(estimates),
+            flywheel(estimates_section),
             Section::new("Motion over a cycle").charts(Layout::Grid, "cycle", charts(shown)),
             diagram,
             Section::new("Agreement").figures(agreement(shown, &checks)),
@@ -193,7 +193,7 @@ pub(super) fn flywheel_figures(wheel: &Flywheel) -> Vec<Figure> {
 }
 
 /// What textbooks say of a flywheel, and what it would do.
-pub(super) fn estimates<'a>(wheel: &Flywheel) -> Section<'a> {
+pub(super) fn estimates_section<'a>(wheel: &Flywheel) -> Section<'a> {
     let row = |one: &Approximation| {
         vec![
             Cell::from(one.words),

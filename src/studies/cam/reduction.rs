@@ -400,7 +400,7 @@ impl<'m> Reduction<'m> {
                         }
                         _ => x,
                     };
-                    found.fixed -= linear(track, pieces, x, at) * ratio.first;
+                    found.fixed -= linear_load_at(track, pieces, x, at) * ratio.first;
                 }
                 // (What is not summed up here was refused, or is told as left out.)
                 LoadLaw::Stop(_) | LoadLaw::Written(_) | LoadLaw::Function { .. } => {}
@@ -436,7 +436,7 @@ fn pair_of(model: &Model, object: usize) -> Pair {
 }
 
 /// A table's force at x, by the piece that holds `at`.
-fn linear(track: &Track, pieces: &[LinearPiece], x: f64, at: f64) -> f64 {
+fn linear_load_at(track: &Track, pieces: &[LinearPiece], x: f64, at: f64) -> f64 {
     let (index, shift) = track.breaks.piece(track.breaks.segment_at(at, 1.0));
     pieces.get(index).map_or(0.0, |piece| {
         piece.value + piece.slope * (x - shift - piece.start)

@@ -72,7 +72,7 @@ impl Drivetrain {
                     lever: law.lever,
                     breaks: law.position.breaks(),
                 };
-                self.step(model, law.driver, above, lever);
+                self.add_step(model, law.driver, above, lever);
             }
             NodeMotion::Constrained {
                 drivers,
@@ -85,14 +85,14 @@ impl Drivetrain {
                         drivers: drivers.clone(),
                         number,
                     };
-                    self.step(model, driver, above, lever);
+                    self.add_step(model, driver, above, lever);
                 }
             }
             NodeMotion::Prescribed { .. } | NodeMotion::Rotor { .. } => {}
         }
     }
 
-    fn step(&mut self, model: &Model, node: NodeIndex, above: Option<usize>, lever: Lever) {
+    fn add_step(&mut self, model: &Model, node: NodeIndex, above: Option<usize>, lever: Lever) {
         let object = holder(model, node);
         self.objects.extend(object.map(|object| (node, object)));
         self.steps.push(Step {

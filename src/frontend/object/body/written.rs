@@ -55,7 +55,7 @@ pub(super) fn read_body_fields(
         "masses",
         "Number of masses; 0: rigid; \"auto\": as many masses or modes as the accuracy of the \
          run needs. Default: 1, or the length of the lists.",
-        |slot| level::masses(slot, MOST_MASSES),
+        |slot| level::read_masses(slot, MOST_MASSES),
     );
     own.name_inertia(fields);
     let inertia = fields.maybe("inertia", "Total inertia J", |slot| {

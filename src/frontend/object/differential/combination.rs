@@ -21,7 +21,7 @@ pub(super) enum Combination {
 }
 
 /// `planetary` or `lever`; without them the ratios stand at the inputs.
-pub(super) fn combination(fields: &mut Fields<'_>) -> Option<Combination> {
+pub(super) fn read_combination(fields: &mut Fields<'_>) -> Option<Combination> {
     let doc = "A planetary gear: two of its inputs `sun`, `ring` and `carrier` drive the third.";
     let planetary = fields.maybe("planetary", doc, |slot| {
         slot.record(|fields| {
@@ -79,7 +79,7 @@ pub(super) fn combination(fields: &mut Fields<'_>) -> Option<Combination> {
 }
 
 /// The ratios of all inputs.
-pub(super) fn combine(
+pub(super) fn read_combine(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     combination: &Combination,
@@ -96,12 +96,12 @@ pub(super) fn combine(
     }
     let inputs: Vec<Option<f64>> = match combination {
         Combination::Ratios => (written.iter())
-            .map(|input| own_ratio(fields, input))
+            .map(|input| read_own_ratio(fields, input))
             .collect(),
-        Combination::Planetary(ratio) => planetary(fields, written, *ratio, own)?,
-        Combination::Lever(output) => lever(fields, written, *output, own)?,
+        Combination::Planetary(ratio) => read_planetary(fields, written, *ratio, own)?,
+        Combination::Lever(output) => read_lever(fields, written, *output, own)?,
         Combination::Own(constraint) => {
-            coded_constraint_ratios(fields, written, constraint.drivers())?
+            read_coded_constraint_ratios(fields, written, constraint.drivers())?
         }
     };
     let named = written.iter().zip(inputs);
@@ -114,7 +114,7 @@ pub(super) fn combine(
 }
 
 /// A constraint given in code knows its gradient itself.
-fn coded_constraint_ratios(
+fn read_coded_constraint_ratios(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     drivers: usize,
@@ -143,7 +143,7 @@ fn coded_constraint_ratios(
     Some(vec![Some(1.0); drivers])
 }
 
-fn own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
+fn read_own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
     if input.at.is_some() {
         refuse_property(fields, input, "at", "`at` goes with `lever` only");
         return None;
@@ -158,7 +158,7 @@ fn own_ratio(fields: &mut Fields<'_>, input: &InputStatement) -> Option<f64> {
 }
 
 /// φ_sun − i₀·φ_ring = (1 − i₀)·φ_carrier, solved for the member that is no input.
-fn planetary(
+fn read_planetary(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     ratio: f64,
@@ -217,7 +217,7 @@ fn planetary(
 
 /// A stiff lever through two points: the output's displacement is the linear function
 /// through those of the inputs.
-fn lever(
+fn read_lever(
     fields: &mut Fields<'_>,
     written: &[InputStatement],
     output: f64,

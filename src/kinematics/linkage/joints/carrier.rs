@@ -74,7 +74,10 @@ pub(super) fn axes(coupling: &CouplingSpec, pairs: &[PairSpec]) -> Result<[[f64;
 }
 
 /// How pairs are joined to a link: the points of this link and of the other, and the other.
-fn ends(pair: &PairSpec, link: Option<usize>) -> Option<([f64; 2], Option<usize>, [f64; 2])> {
+fn points_of_pair(
+    pair: &PairSpec,
+    link: Option<usize>,
+) -> Option<([f64; 2], Option<usize>, [f64; 2])> {
     let (on, to) = (pair.on, pair.link);
     match (on.link == link, to.link == link) {
         (true, _) => Some((on.at, to.link, to.at)),
@@ -103,7 +106,7 @@ pub(super) fn axis(
     wheel: Option<usize>,
 ) -> Option<[f64; 2]> {
     let pins = pairs.iter().filter(|pair| !pair.slides());
-    let mut starts = pins.filter_map(|pin| ends(pin, carrier));
+    let mut starts = pins.filter_map(|pin| points_of_pair(pin, carrier));
     let leads = |&(_, link, at): &(_, _, [f64; 2])| {
         // On one axis a link has one point.
         leads(pairs, (link, at), wheel, &mut vec![carrier])
@@ -125,7 +128,7 @@ fn leads(
     seen.push(link);
     let mut pins = pairs.iter().filter(|pair| !pair.slides());
     pins.any(|pin| {
-        let Some((own, next, there)) = ends(pin, link) else {
+        let Some((own, next, there)) = points_of_pair(pin, link) else {
             return false;
         };
         let apart = (own[0] - at[0]).hypot(own[1] - at[1]);

@@ -38,7 +38,7 @@ impl Course {
 
 /// The course of a linkage of one input over its reach; positions that cannot be are left out,
 /// `null`.
-pub(super) fn of_one(linkage: &Linkage, turning: bool) -> Value {
+pub(super) fn course_of_one(linkage: &Linkage, turning: bool) -> Value {
     let range = linkage.range();
     let size = linkage.typical_length().max(f64::MIN_POSITIVE);
     let ends = match (range.period, range.ends()) {
